@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "engine/base/input_error.h"
@@ -39,12 +40,10 @@ class LittleEndianReader {
     }
     template <class Int>
     Int next() {
-        std::uint64_t number = 0;
-        int shift = 0;
-        for (const std::uint8_t byte : take(sizeof(Int))) {
-            number |= std::uint64_t{byte} << shift;
-            shift += 8;
-        }
+        const std::uint8_t* const bytes = take(sizeof(Int)).data();
+        using Bits = std::conditional_t<sizeof(Int) <= 4, std::uint32_t, std::uint64_t>;
+        Bits number = 0;
+        for (std::size_t i = 0; i < sizeof(Int); ++i) number |= Bits{bytes[i]} << (8 * i);
         return static_cast<Int>(number);
     }
 

@@ -1,7 +1,6 @@
 #include "engine/effects/colour_tables.h"
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 #include "engine/base/table.h"
@@ -24,15 +23,16 @@ std::int32_t difference(Rgb8 a, Rgb8 b) {
 /// Finds which of the first `count` colours of a palette is nearest to any colour; of equals, the first.
 class NearestColours {
   public:
-    NearestColours(const Palette& palette, int count) {
+    NearestColours(const Palette& palette, int count) : palette_(palette) {
         for (int i = 0; i < count; ++i) by_green_.push_back({item(palette.colours, i), static_cast<std::uint8_t>(i)});
         std::stable_sort(by_green_.begin(), by_green_.end(),
                          [](const Entry& a, const Entry& b) { return a.colour.green < b.colour.green; });
     }
 
-    /// Outward from the colour's own green, until green alone differs more than the nearest one does.
-    std::uint8_t find(Rgb8 colour) const {
-        Best best;
+    /// Outward from the colour's own green, until green alone differs more than the nearest one does: the sooner, the
+    /// nearer `guess` is, one of the colours.
+    std::uint8_t find(Rgb8 colour, std::uint8_t guess) const {
+        Best best{difference(item(palette_.colours, guess), colour), guess};
         const auto middle = std::partition_point(by_green_.begin(), by_green_.end(),
                                                  [&](const Entry& e) { return e.colour.green < colour.green; });
         for (auto entry = middle; entry != by_green_.end() && best.may_be_beaten_by(*entry, colour); ++entry)
@@ -48,8 +48,8 @@ class NearestColours {
         std::uint8_t index;
     };
     struct Best {
-        std::int32_t least = std::numeric_limits<std::int32_t>::max();
-        std::uint8_t index = 0;
+        std::int32_t least;
+        std::uint8_t index;
 
         bool may_be_beaten_by(const Entry& entry, Rgb8 colour) const {
             const std::int32_t green = entry.colour.green - colour.green;
@@ -63,6 +63,7 @@ class NearestColours {
         }
     };
 
+    const Palette& palette_;
     std::vector<Entry> by_green_;
 };
 
@@ -78,9 +79,9 @@ class Mixer {
   public:
     explicit Mixer(const Palette& palette) : ordinary_(palette, kFirstFullbright), all_(palette, 256) {}
 
-    /// Fullbright only if one of the two is.
-    std::uint8_t find(Rgb8 front, Rgb8 behind, Share16 share, bool is_fullbright) const {
-        return (is_fullbright ? all_ : ordinary_).find(mixture(front, behind, share));
+    /// Fullbright only if one of the two is; then `guess` may be, too.
+    std::uint8_t find(Rgb8 front, Rgb8 behind, Share16 share, bool is_fullbright, std::uint8_t guess) const {
+        return (is_fullbright ? all_ : ordinary_).find(mixture(front, behind, share), guess);
     }
 
   private:
@@ -96,15 +97,18 @@ bool is_fullbright(int colour) {
 BlendTable make_blend_table(const Palette& palette, std::int32_t share_256) {
     const Share16 share = std::clamp(share_256, 0, 256) * 256;
     const Mixer mixer(palette);
-    const auto blend = [&](int front, int behind) {
+    const auto blend = [&](int front, int behind, std::uint8_t guess) {
         if (front == behind || share == kAll) return static_cast<std::uint8_t>(front);
         if (share == 0) return static_cast<std::uint8_t>(behind);
         return mixer.find(item(palette.colours, front), item(palette.colours, behind), share,
-                          is_fullbright(front) || is_fullbright(behind));
+                          is_fullbright(front) || is_fullbright(behind), guess);
     };
     BlendTable table;
-    for (int front = 0; front < 256; ++front)
-        for (int behind = 0; behind < 256; ++behind) item(item(table.rows, front), behind) = blend(front, behind);
+    for (int front = 0; front < 256; ++front) {
+        auto blended = static_cast<std::uint8_t>(front);
+        for (int behind = 0; behind < 256; ++behind)
+            item(item(table.rows, front), behind) = blended = blend(front, behind, blended);
+    }
     return table;
 }
 
@@ -117,7 +121,8 @@ FogTable make_fog_table(const Palette& palette, Rgb8 fog, std::int32_t share_256
         const Share16 share = std::clamp(share_256, 0, 256) * 256 * level / kDensest;
         for (int colour = 0; colour < 256; ++colour)
             item(item(table.levels, level), colour) =
-                mixer.find(fog, item(palette.colours, colour), share, is_fullbright(colour));
+                mixer.find(fog, item(palette.colours, colour), share, is_fullbright(colour),
+                           item(item(table.levels, level - 1), colour));
     }
     return table;
 }

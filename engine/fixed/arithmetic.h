@@ -86,8 +86,7 @@ template <class To, int FracA, int FracB>
 constexpr To bounded_quotient(Fixed<std::int64_t, FracA> a, Fixed<std::int64_t, FracB> b) {
     constexpr int kDropped = FracA - FracB - To::kFractionBits;
     const std::int64_t numerator = a.raw + b.raw * (std::int64_t{1} << (kDropped - 1));
-    const std::int64_t denominator = b.raw * (std::int64_t{1} << kDropped);
-    return To::from_raw(numerator / denominator - (numerator % denominator < 0));
+    return To::from_raw(floored_division(floor_shift(numerator, kDropped), b.raw).quotient);
 }
 
 /// a / b, rounded toward zero by one division: the quotient's fraction bits are those that `a` has more. It must fit.

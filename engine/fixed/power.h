@@ -21,19 +21,20 @@ constexpr std::uint64_t floor_of_root(std::uint64_t value) {
 
 /// 2^-(1/2), 2^-(1/4), 2^-(1/8) and so on, each the root of the one before; 32 fraction bits.
 inline constexpr auto kRootsOfHalf_32 = [] {
-    std::array<std::uint64_t, kLogarithmBits> roots{};
+    std::array<std::uint32_t, kLogarithmBits> roots{};
     std::uint64_t root = std::uint64_t{1} << 31;
-    for (std::uint64_t& entry : roots) entry = root = floor_of_root(root << 32);
+    for (std::uint32_t& entry : roots) entry = static_cast<std::uint32_t>(root = floor_of_root(root << 32));
     return roots;
 }();
 
 /// -log2 of a fraction above 0: squaring a number doubles its logarithm, whose bits overflow one by one.
 constexpr std::uint64_t negative_logarithm_22(std::uint32_t base_30) {
     const int shift = std::countl_zero(base_30);
-    std::uint64_t mantissa_31 = std::uint64_t{base_30} << shift, fraction = 0;
+    std::uint32_t mantissa_31 = base_30 << shift, fraction = 0;
     for (int bit = 0; bit < kLogarithmBits; ++bit) {
-        const std::uint64_t square_62 = mantissa_31 * mantissa_31, overflow = square_62 >> 63;
-        mantissa_31 = square_62 >> (31 + overflow);
+        const std::uint64_t square_62 = std::uint64_t{mantissa_31} * mantissa_31;
+        const auto overflow = static_cast<std::uint32_t>(square_62 >> 63);
+        mantissa_31 = static_cast<std::uint32_t>(overflow != 0 ? square_62 >> 32 : square_62 >> 31);
         fraction = fraction << 1 | overflow;
     }
     return (static_cast<std::uint64_t>(shift - 1) << kLogarithmBits) - fraction;
@@ -42,14 +43,14 @@ constexpr std::uint64_t negative_logarithm_22(std::uint32_t base_30) {
 constexpr std::uint32_t power_of_half_30(std::uint64_t exponent_22) {
     const std::uint64_t whole = exponent_22 >> kLogarithmBits;
     if (whole > 30) return 0;
-    std::uint64_t power_31 = std::uint64_t{1} << 31;
+    std::uint32_t power_31 = std::uint32_t{1} << 31;
     auto bits = static_cast<std::uint32_t>(exponent_22 << (32 - kLogarithmBits));  // of the fraction
     while (bits != 0) {
         const int first = std::countl_zero(bits);
-        power_31 = power_31 * item(kRootsOfHalf_32, first) >> 32;
+        power_31 = static_cast<std::uint32_t>(std::uint64_t{power_31} * item(kRootsOfHalf_32, first) >> 32);
         bits ^= std::uint32_t{1} << 31 >> first;
     }
-    return static_cast<std::uint32_t>(power_31 >> whole >> 1);
+    return power_31 >> whole >> 1;
 }
 
 }  // namespace detail

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "engine/fixed/divide.h"
 #include "engine/fixed/fixed.h"
 
 // 64-bit arithmetic whose intermediate results have 128 bits. Everything here is exact, rounded once by a named rule,
@@ -49,10 +50,9 @@ struct Uint128 {
     constexpr auto operator<=>(const Uint128&) const = default;
 };
 
-/// The exact product, from four products of halves, or one where the others are 0.
+/// The exact product, from four products of halves.
 constexpr Uint128 multiply(std::uint64_t a, std::uint64_t b) {
     constexpr std::uint64_t kHalf = 0xffffffff;
-    if ((a | b) <= kHalf) return {0, (a & kHalf) * (b & kHalf)};
     const std::uint64_t low = (a & kHalf) * (b & kHalf);
     const std::uint64_t cross = (a >> 32) * (b & kHalf) + (low >> 32);
     const std::uint64_t middle = (a & kHalf) * (b >> 32) + (cross & kHalf);
@@ -65,28 +65,26 @@ constexpr Uint128 add(Uint128 a, Uint128 b) {
     return {a.high + b.high + (low < a.low ? 1 : 0), low};
 }
 
-struct Division {
-    std::uint64_t quotient = 0, remainder = 0;
-};
-
 /// A digit, to base 2^32, of a quotient: of (n, next) by d, whose highest bit is set; n is below d. `n` becomes what is
 /// left. Guessed from the digits at the top, which is 2 too much at most (Knuth, The Art of Computer Programming 4.3.1
 /// D).
-constexpr std::uint64_t next_digit(std::uint64_t& n, std::uint32_t next, std::uint64_t d) {
-    const std::uint64_t top = d >> 32, rest = d & 0xffffffff;
-    std::uint64_t digit = n / top, left = n % top;
-    while (digit >> 32 != 0 || digit * rest > (left << 32 | next)) {
-        --digit;
-        left += top;
-        if (left >> 32 != 0) break;
+constexpr std::uint32_t next_digit(std::uint64_t& n, std::uint32_t next, std::uint64_t d) {
+    const auto top = static_cast<std::uint32_t>(d >> 32), rest = static_cast<std::uint32_t>(d);
+    std::uint32_t digit = ~std::uint32_t{0};
+    std::uint64_t left = n - std::uint64_t{digit} * top;
+    if (n >> 32 < top) {
+        const ShortDivision guess = divide_to_32(n, top);
+        digit = guess.quotient;
+        left = guess.remainder;
     }
+    for (; left >> 32 == 0 && std::uint64_t{digit} * rest > (left << 32 | next); left += top) --digit;
     n = (n << 32 | next) - digit * d;
     return digit;
 }
 
 /// n / d where n.high < d, so that the quotient fits.
 constexpr Division divide(Uint128 n, std::uint64_t d) {
-    if (n.high == 0) return {n.low / d, n.low % d};
+    if (n.high == 0) return oblong::divide(n.low, d);
     const int shift = std::countl_zero(d);
     std::uint64_t left = shift == 0 ? n.high : n.high << shift | n.low >> (64 - shift);
     const std::uint64_t low = n.low << shift, divisor = d << shift;
@@ -107,17 +105,6 @@ constexpr std::int64_t mul_div(std::int64_t a, std::int64_t b, std::int64_t c, R
     return detail::saturated(is_negative, away && quotient + 1 != 0 ? quotient + 1 : quotient);
 }
 
-/// The bits of `value` below bit `shift` (1 to 126), compared with half of that bit.
-constexpr std::strong_ordering rest_against_half(Uint128 value, int shift) {
-    const int half = shift - 1;
-    if (half >= 64) {
-        const std::uint64_t bit = std::uint64_t{1} << (half - 64);
-        return Uint128{value.high & (2 * bit - 1), value.low} <=> Uint128{bit, 0};
-    }
-    const std::uint64_t bit = std::uint64_t{1} << half;
-    return (value.low & (2 * bit - 1)) <=> bit;
-}
-
 /// value >> shift, `shift` 0 to 126.
 constexpr Uint128 shift_right(Uint128 value, int shift) {
     if (shift == 0) return value;
@@ -125,25 +112,35 @@ constexpr Uint128 shift_right(Uint128 value, int shift) {
     return {value.high >> shift, (value.high << (64 - shift)) | (value.low >> shift)};
 }
 
-/// size / 2^shift, `shift` from 1 to 63.
-constexpr std::int64_t shift_narrow(bool is_negative, std::uint64_t size, int shift, Rounding rounding) {
-    const std::uint64_t half = std::uint64_t{1} << (shift - 1), rest = size & (2 * half - 1);
-    const bool away = detail::rounds_away(is_negative, rest == 0, rest <=> half, rounding);
-    return detail::saturated(is_negative, (size >> shift) + (away ? 1 : 0));
+/// a * b / 2^shift, `a` of 32 bits, `shift` 33 to 94: its quotient by 2^32, floored, says all.
+constexpr std::int64_t short_mul_shift(std::int32_t a, std::int64_t b, int shift, Rounding rounding) {
+    const auto low_b = static_cast<std::uint32_t>(b);
+    const std::uint64_t low = std::uint64_t{static_cast<std::uint32_t>(a)} * low_b;
+    const std::int64_t high = std::int64_t{a} * static_cast<std::int32_t>(b >> 32) - (a < 0 ? low_b : 0);
+    return rounded_shift(high + static_cast<std::uint32_t>(low >> 32), shift - 32, rounding);
+}
+
+/// a * b / 2^shift: the product in two's complement and half a step, floored.
+constexpr std::int64_t long_mul_shift(std::int64_t a, std::int64_t b, int shift, Rounding rounding) {
+    const auto bits_a = static_cast<std::uint64_t>(a), bits_b = static_cast<std::uint64_t>(b);
+    Uint128 product = multiply(bits_a, bits_b);
+    product.high -= (a < 0 ? bits_b : 0) + (b < 0 ? bits_a : 0);
+    if (rounding == Rounding::NearestHalfUp && shift > 0) {
+        const std::uint64_t half = std::uint64_t{1} << ((shift - 1) & 63);
+        product = add(product, shift > 64 ? Uint128{half, 0} : Uint128{0, half});
+    }
+    const auto high = static_cast<std::int64_t>(product.high);
+    if (shift >= 64) return floor_shift(high, shift - 64);
+    const auto kept = static_cast<std::int64_t>(shift_right(product, shift).low);
+    const bool fits = floor_shift(high, shift) == floor_shift(kept, 63);
+    return fits ? kept : detail::saturated(high < 0, ~std::uint64_t{0});
 }
 
 /// a * b / 2^shift. See oblong::mul_shift.
-constexpr std::int64_t mul_shift(std::int64_t a, std::int64_t b, int shift, Rounding rounding) {
-    const bool is_negative = (a < 0) != (b < 0);
-    const Uint128 product = multiply(detail::magnitude(a), detail::magnitude(b));
-    if (product.high == 0 && shift > 0 && shift < 64) return shift_narrow(is_negative, product.low, shift, rounding);
-    const Uint128 kept = shift_right(product, shift);
-    if (kept.high != 0) return detail::saturated(is_negative, ~std::uint64_t{0});
-    if (shift == 0) return detail::saturated(is_negative, kept.low);
-    const bool is_exact =
-        std::countr_zero(product.low) >= shift || (product.low == 0 && 64 + std::countr_zero(product.high) >= shift);
-    const bool away = detail::rounds_away(is_negative, is_exact, rest_against_half(product, shift), rounding);
-    return detail::saturated(is_negative, away && kept.low + 1 != 0 ? kept.low + 1 : kept.low);
+[[gnu::always_inline]] constexpr std::int64_t mul_shift(std::int64_t a, std::int64_t b, int shift, Rounding rounding) {
+    const auto short_a = static_cast<std::int32_t>(a);
+    if (shift > 32 && shift < 95 && short_a == a) return short_mul_shift(short_a, b, shift, rounding);
+    return long_mul_shift(a, b, shift, rounding);
 }
 
 /// a * b against c * d, exactly.
@@ -215,8 +212,8 @@ constexpr std::int64_t mul_div(std::int64_t a, std::int64_t b, std::int64_t c,
 }
 
 /// a * b / 2^shift of the exact 128-bit product, rounded once; saturates. `shift` 0 to 126.
-constexpr std::int64_t mul_shift(std::int64_t a, std::int64_t b, int shift,
-                                 Rounding rounding = Rounding::NearestHalfUp) {
+[[gnu::always_inline]] constexpr std::int64_t mul_shift(std::int64_t a, std::int64_t b, int shift,
+                                                        Rounding rounding = Rounding::NearestHalfUp) {
     return chosen_wide::mul_shift(a, b, shift, rounding);
 }
 

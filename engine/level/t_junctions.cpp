@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <numeric>
 
 #include "engine/base/table.h"
@@ -19,14 +20,20 @@ constexpr std::int64_t kLongest_12 = std::int64_t{1} << 30;
 /// are.
 constexpr std::int64_t kMostLooks = std::int64_t{1} << 28;
 
-using GridPoint = std::array<std::int64_t, 3>;  ///< units, 12 fraction bits
+using GridPoint = std::array<std::int32_t, 3>;  ///< units, 12 fraction bits
 
 GridPoint point_of(const Level& level, VertexIndex vertex) {
-    return raw_of(level.vertices[vertex]);
+    const Vec3<World>& p = level.vertices[vertex];
+    return {p.x.raw, p.y.raw, p.z.raw};
 }
 
 std::int64_t dot(const GridPoint& a, const GridPoint& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    return std::int64_t{a[0]} * b[0] + std::int64_t{a[1]} * b[1] + std::int64_t{a[2]} * b[2];
+}
+
+/// to - from, not below 0.
+std::uint32_t way_up(std::int32_t from, std::int32_t to) {
+    return static_cast<std::uint32_t>(to) - static_cast<std::uint32_t>(from);
 }
 
 /// The vertices that faces use, in the cells of a grid: cubes. An edge of a real level passes near eight of them.
@@ -77,8 +84,7 @@ class VertexGrid {
         }
         do {  // from cells of 16 units on
             ++shift_;
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                counts_[axis] = as_size((high[axis] - low_[axis]) >> shift_) + 1;
+            for (std::size_t axis = 0; axis < 3; ++axis) counts_[axis] = (way_up(low_[axis], high[axis]) >> shift_) + 1;
         } while (cell_count() > kMostCells * vertices_.size());
     }
 
@@ -95,8 +101,8 @@ class VertexGrid {
     Cell cell_of(const GridPoint& p) const {
         Cell cell{};
         for (std::size_t axis = 0; axis < 3; ++axis)
-            cell[axis] =
-                std::min(as_size(std::max<std::int64_t>(p[axis] - low_[axis], 0) >> shift_), counts_[axis] - 1);
+            if (p[axis] > low_[axis])
+                cell[axis] = std::min<std::size_t>(way_up(low_[axis], p[axis]) >> shift_, counts_[axis] - 1);
         return cell;
     }
     std::uint64_t cell_count() const { return std::uint64_t{counts_[0]} * counts_[1] * counts_[2]; }
@@ -115,18 +121,19 @@ class VertexGrid {
 class EdgeLine {
   public:
     EdgeLine(const GridPoint& from, const GridPoint& to) : from_(from) {
+        constexpr std::int64_t kLeast = std::numeric_limits<std::int32_t>::min(),
+                               kMost = std::numeric_limits<std::int32_t>::max();
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            along_[axis] = to[axis] - from[axis];
-            low_[axis] = std::min(from[axis], to[axis]) - kTolerance_12;
-            high_[axis] = std::max(from[axis], to[axis]) + kTolerance_12;
+            const auto [low, high] = std::minmax(from[axis], to[axis]);
+            if (way_up(low, high) > kLongest_12) is_too_long_ = true;
+            along_[axis] = static_cast<std::int32_t>(way_up(from[axis], to[axis]));
+            low_[axis] = static_cast<std::int32_t>(std::max(low - kTolerance_12, kLeast));
+            high_[axis] = static_cast<std::int32_t>(std::min(high + kTolerance_12, kMost));
         }
-        if (!is_too_long()) length_squared_ = dot(along_, along_);
+        if (!is_too_long_) length_squared_ = dot(along_, along_);
     }
 
-    bool is_too_long() const {
-        return std::any_of(along_.begin(), along_.end(),
-                           [](std::int64_t part) { return part > kLongest_12 || part < -kLongest_12; });
-    }
+    bool is_too_long() const { return is_too_long_; }
     const GridPoint& low() const { return low_; }
     const GridPoint& high() const { return high_; }
 
@@ -152,6 +159,7 @@ class EdgeLine {
     }
 
     GridPoint from_, along_{}, low_{}, high_{};
+    bool is_too_long_ = false;
     std::int64_t length_squared_ = 0;
 };
 

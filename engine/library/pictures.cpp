@@ -1,7 +1,6 @@
-#include <zlib.h>
-
 #include <algorithm>
 
+#include "engine/base/crc32.h"
 #include "engine/base/table.h"
 #include "engine/files/files.h"
 #include "engine/files/picture.h"
@@ -79,10 +78,10 @@ void save_picture(const std::string& file, Framebuffer canvas, const Palette& pa
 }
 
 std::uint32_t checksum(Framebuffer canvas) {
-    uLong sum = 0;
+    std::uint32_t sum = 0;
     for (std::int32_t y = 0; y < canvas.height_px; ++y)
-        sum = ::crc32(sum, canvas.row(y), static_cast<uInt>(canvas.width_px));
-    return static_cast<std::uint32_t>(sum);
+        sum = crc32({canvas.row(y), static_cast<std::size_t>(canvas.width_px)}, sum);
+    return sum;
 }
 
 }  // namespace oblong

@@ -26,7 +26,8 @@ Basis rounded_to(const Basis& basis, std::int32_t fraction_bits);
 
 /// A coordinate along an axis, rounded once. The difference has 33 bits, and by Cauchy's inequality the sum stays
 /// below sqrt(3) 2^62 + 2^25: no world position overflows.
-constexpr View view_coordinate(const Vec3<WorldWide>& from_eye, const Vec3<Unit>& axis) {
+template <class Int>
+constexpr View view_coordinate(const Vec3<Fixed<Int, 12>>& from_eye, const Vec3<Unit>& axis) {
     const PlaneDistance along = dot(from_eye, axis);
     note_range<"axis . (p - eye)">(along);
     const auto coordinate = convert<View>(along);
@@ -36,9 +37,18 @@ constexpr View view_coordinate(const Vec3<WorldWide>& from_eye, const Vec3<Unit>
 
 /// A world point as seen from `world_eye`: x right, y up, z forward.
 constexpr Vec3<View> to_view(const Vec3<World>& world_point, const Vec3<World>& world_eye, const Basis& basis) {
-    const auto from_eye = widening_difference(world_point, world_eye);
-    return {view_coordinate(from_eye, basis.right), view_coordinate(from_eye, basis.up),
-            view_coordinate(from_eye, basis.forward)};
+    const auto in_view = [&basis](const auto& from_eye) {
+        return Vec3<View>{view_coordinate(from_eye, basis.right), view_coordinate(from_eye, basis.up),
+                          view_coordinate(from_eye, basis.forward)};
+    };
+#if defined(__i386__)
+    Vec3<World> near;
+    if (!__builtin_sub_overflow(world_point.x.raw, world_eye.x.raw, &near.x.raw) &&
+        !__builtin_sub_overflow(world_point.y.raw, world_eye.y.raw, &near.y.raw) &&
+        !__builtin_sub_overflow(world_point.z.raw, world_eye.z.raw, &near.z.raw))
+        return in_view(near);
+#endif
+    return in_view(widening_difference(world_point, world_eye));
 }
 
 enum class Handedness { Right, Left };

@@ -25,26 +25,20 @@ constexpr std::uint64_t size_bits(const Vec3<T>& v) {
 }
 
 /// b - a, each component below 2^30 steps: so that the cross product of two fits 64 bits. Exact within 2^17 units.
-constexpr Vec3<WorldWide> bounded_difference(const Vec3<World>& a, const Vec3<World>& b) {
-    constexpr auto kMost = WorldWide::from_raw((1 << 30) - 1);
-    const Vec3<WorldWide> way = widening_difference(b, a);
-    if (size_bits(way) >> 30 == 0) return way;
-    return {std::clamp(way.x, -kMost, kMost), std::clamp(way.y, -kMost, kMost), std::clamp(way.z, -kMost, kMost)};
-}
-
-/// a x b, of bounded differences.
-constexpr Vec3<Fixed<std::int64_t, 24>> bounded_cross(const Vec3<WorldWide>& a, const Vec3<WorldWide>& b) {
-    return {bounded_product(a.y, b.z) - bounded_product(a.z, b.y),
-            bounded_product(a.z, b.x) - bounded_product(a.x, b.z),
-            bounded_product(a.x, b.y) - bounded_product(a.y, b.x)};
+constexpr Vec3<World> bounded_difference(const Vec3<World>& a, const Vec3<World>& b) {
+    const auto bounded = [](World from, World to) {
+        constexpr std::int64_t kMost = (1 << 30) - 1;
+        return World::from_raw(static_cast<std::int32_t>(std::clamp(widening_difference(to, from).raw, -kMost, kMost)));
+    };
+    return {bounded(a.x, b.x), bounded(a.y, b.y), bounded(a.z, b.z)};
 }
 
 /// (C - A) x (B - A), toward the front.
 constexpr Vec3<Fixed<std::int64_t, 24>> object_normal(const MeshTriangle& triangle,
                                                       std::span<const MeshVertex> vertices) {
     const Vec3<World>& a = vertices[triangle.vertices[0]].position;
-    return bounded_cross(bounded_difference(a, vertices[triangle.vertices[2]].position),
-                         bounded_difference(a, vertices[triangle.vertices[1]].position));
+    return cross(bounded_difference(a, vertices[triangle.vertices[2]].position),
+                 bounded_difference(a, vertices[triangle.vertices[1]].position));
 }
 
 /// Whether normal . way is above 0, exactly: in 64 bits where those hold it, as they do for all but huge meshes.

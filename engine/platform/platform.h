@@ -42,8 +42,9 @@ class Platform {
     /// From the next picture on. Can be called for every frame: what is as it was costs nothing.
     virtual void change_window(const WindowSettings&) {}
     /// Waits for input that poll() would report, or for `timeout_ms`, without using the processor: for a game that is
-    /// paused or minimised. Without a window there is nothing to wait for: it returns at once.
-    virtual void wait_for_input(std::int32_t /*timeout_ms*/) {}
+    /// paused or minimised. False: nothing came, and what was presented last is still shown. Without a window there is
+    /// nothing to wait for: it returns at once.
+    virtual bool wait_for_input(std::int32_t /*timeout_ms*/) { return true; }
 
     /// Shows the picture, in `shown` of the window, black around it. Waits for the display where it can.
     virtual void present(Framebuffer picture, const Palette& palette, const PresentRect& shown) = 0;

@@ -3,22 +3,10 @@
 #include <cstdint>
 
 #include "engine/base/range_probe.h"
+#include "engine/fixed/divide.h"
 #include "engine/raster/scan.h"
 
 namespace oblong {
-
-/// numerator / denominator toward minus infinity, with the remainder; denominator above 0.
-struct FlooredQuotient {
-    std::int64_t quotient, rest;
-
-    template <int FracA, int FracB>
-    FlooredQuotient(Fixed<std::int64_t, FracA> numerator, Fixed<std::int64_t, FracB> denominator)
-        : quotient(numerator.raw / denominator.raw), rest(numerator.raw % denominator.raw) {
-        const std::int64_t is_below = rest < 0;
-        quotient -= is_below;
-        rest += denominator.raw & -is_below;
-    }
-};
 
 /// Steps down an edge a row at a time, always at the first column whose centre lies at or right of it.
 /// With the edge from `top` to `bottom`, dy > 0, the column of row r is
@@ -34,13 +22,13 @@ class ExactWalker {
         const ScreenArea whole = bounded_product(ScreenWide::from_int(1), dy);
         const ScreenArea numerator =
             bounded_product(across, dy) + bounded_product(down, dx) + whole - ScreenArea::ulp();
-        const FlooredQuotient start(numerator, whole);
-        const FlooredQuotient slope(dx, dy);
+        const FlooredDivision start = floored_division(numerator.raw, whole.raw);
+        const FlooredDivision slope = floored_division(dx.raw, dy.raw);
         whole_ = whole.raw;
         column_ = start.quotient;
-        rest_ = start.rest;
+        rest_ = start.remainder;
         step_ = slope.quotient;
-        step_rest_ = slope.rest * 256;
+        step_rest_ = slope.remainder * 256;
     }
 
     std::int32_t column() const { return static_cast<std::int32_t>(column_); }
@@ -70,7 +58,7 @@ class ScreenWalker {
         const ScreenWide across = widening_difference(top.x, kHalf),
                          down = widening_difference(Screen::from_int(row), top.y - kHalf);
         const auto dividend = convert<Fixed<std::int64_t, 49>>(dx);
-        slope_ = Column::from_raw(FlooredQuotient(dividend, dy).quotient);
+        slope_ = Column::from_raw(floored_division(dividend.raw, dy.raw).quotient);
         const auto way = bounded_product(slope_, down);  // within dx, as the row is one of the edge's
         note_range<"edge slope's dividend">(dividend);
         note_range<"edge's way to its first row">(way);

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "engine/base/table.h"
+#include "engine/fixed/divide.h"
 #include "engine/raster/texture_blocks.h"
 
 namespace oblong {
@@ -128,7 +129,8 @@ class OctaveRow {
 
     /// 2^60 / the upper half of 1/z.
     static std::int64_t depth_of(std::int64_t inverse_z_28) {
-        return static_cast<std::int64_t>((std::uint64_t{1} << 60) / static_cast<std::uint64_t>(inverse_z_28));
+        return static_cast<std::int64_t>(
+            divide(std::uint64_t{1} << 60, static_cast<std::uint64_t>(inverse_z_28)).quotient);
     }
 
   private:

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "engine/base/range_probe.h"
+#include "engine/fixed/divide.h"
 #include "engine/fixed/fixed.h"
 #include "engine/fixed/reciprocal.h"
 #include "engine/raster/texture_blocks.h"
@@ -33,13 +34,39 @@ constexpr Number clamp_value(Number value, Number least, Number greatest) {
     return value > greatest ? greatest : value;
 }
 
-/// 2^92 / normalised, for a number from 2^59 to 2^60. Exact: one 64-bit division, relative error below 2^-26.
+/// A texel clamped to limits of 32 bits, in steps.
+[[gnu::always_inline]] inline std::uint32_t texel_within(Texel texel, Texel least, Texel greatest) {
+#if defined(__i386__)
+    const auto high = static_cast<std::int32_t>(texel.raw >> 32);
+    auto steps = static_cast<std::uint32_t>(texel.raw);
+    if (high != 0) steps = high < 0 ? 0 : ~std::uint32_t{0};
+    return clamp_value(steps, static_cast<std::uint32_t>(least.raw), static_cast<std::uint32_t>(greatest.raw));
+#else
+    return static_cast<std::uint32_t>(clamp_value(texel, least, greatest).raw);
+#endif
+}
+
+/// value * 2^shift / 2^32, floored: the upper half of a number that fits 64 bits.
+[[gnu::always_inline]] inline std::int64_t upper_half(std::int64_t value, int shift) {
+#if defined(__i386__)
+    // One instruction each, where the compiler need not ask whether a shift is 32 or more.
+    const auto low = static_cast<std::uint32_t>(value);
+    if (shift >= 32) return static_cast<std::int32_t>(low << (shift & 31));
+    return static_cast<std::int32_t>(static_cast<std::uint64_t>(value) << (shift & 31) >> 32);
+#else
+    return floor_shift(value * (std::int64_t{1} << shift), 32);
+#endif
+}
+
+/// 2^92 / normalised, for a number from 2^59 to 2^60: value * 2^shift. Exact: one 64-bit division, relative error below
+/// 2^-26.
 template <ReciprocalMethod Method>
-[[gnu::always_inline]] inline std::int64_t reciprocal_of(std::uint64_t normalised) {
+[[gnu::always_inline]] inline std::int64_t reciprocal_of(std::int64_t value, int shift) {
     if constexpr (Method == ReciprocalMethod::Exact)
-        return static_cast<std::int64_t>((std::uint64_t{1} << 60) / (normalised >> 32));
+        return static_cast<std::int64_t>(
+            divide(std::uint64_t{1} << 60, static_cast<std::uint64_t>(upper_half(value, shift))).quotient);
     else
-        return std::int64_t{mantissa_reciprocal(static_cast<std::uint32_t>(normalised >> 28), Method)} * 4;
+        return std::int64_t{mantissa_reciprocal(static_cast<std::uint32_t>(value << shift >> 28), Method)} * 4;
 }
 
 /// Whether 1/z, u/z and v/z may be so large or small that they have to be clamped before they are multiplied.
@@ -59,7 +86,7 @@ struct Depth {
         const std::int64_t positive =
             kClamps ? clamp_value(inverse_z, kLeastInverseZ, kGreatestInverseZ).raw : inverse_z.raw;
         shift = std::countl_zero(static_cast<std::uint64_t>(positive)) - 4;
-        mantissa = reciprocal_of<Method>(static_cast<std::uint64_t>(positive) << shift);
+        mantissa = reciprocal_of<Method>(positive, shift);
         if constexpr (kClamps) greatest_over_z = TexelOverZ::from_raw(positive * 4 - 4);
     }
 
@@ -67,9 +94,8 @@ struct Depth {
     [[gnu::always_inline]] Texel times(TexelOverZ over_z) const {
         using Scaled = Fixed<std::int64_t, 60>;
         if constexpr (kClamps) over_z = clamp_value(over_z, {}, greatest_over_z);
-        const std::int64_t shifted = over_z.raw * (std::int64_t{1} << shift);
-        const std::int64_t product = floor_shift(shifted, 32) * mantissa;
-        note_range<"u/z, normalised">(Scaled::from_raw(shifted));
+        const std::int64_t product = upper_half(over_z.raw, shift) * mantissa;
+        note_range<"u/z, normalised">(Scaled::from_raw(over_z.raw * (std::int64_t{1} << shift)));
         note_range<"u/z x reciprocal">(Scaled::from_raw(product));
         return Texel::from_raw(floor_shift(product, 30));
     }
@@ -78,10 +104,8 @@ struct Depth {
 template <ReciprocalMethod Method, PerspectiveRange Range>
 [[gnu::always_inline]] inline TexelPosition texel_of(const Perspective& at, const Depth<Method, Range>& depth,
                                                      const TexelLimits& limits) {
-    const auto within = [&limits](Texel texel, Texel greatest) {
-        return static_cast<std::uint32_t>(clamp_value(texel, limits.least, greatest).raw);
-    };
-    return {within(depth.times(at.u_over_z), limits.greatest_u), within(depth.times(at.v_over_z), limits.greatest_v)};
+    return {texel_within(depth.times(at.u_over_z), limits.least, limits.greatest_u),
+            texel_within(depth.times(at.v_over_z), limits.least, limits.greatest_v)};
 }
 
 }  // namespace oblong

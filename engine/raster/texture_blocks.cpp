@@ -248,7 +248,7 @@ class SpanEnds {
         return within(end.depth.times(gradients_.v_over_z.at(end.column, row)), limits_.greatest_v);
     }
     [[gnu::always_inline]] std::uint32_t within(Texel texel, Texel greatest) const {
-        return static_cast<std::uint32_t>(clamp_value(texel, limits_.least, greatest).raw);
+        return texel_within(texel, limits_.least, greatest);
     }
 
     const TextureGradients gradients_;

@@ -1,6 +1,6 @@
 // The game under DOS: OBLONG [NAME=VALUE ...], options by their names on a command line elsewhere ("accuracy=1994").
 // Also replay=FILE; hashes=N, which draws N ticks of the walk as fast as it goes, each with its hash on the serial
-// port; and report=1: pictures a second there, every five seconds.
+// port, and with hold=1 shows the last one until a key is pressed; and report=1, which counts the pictures shown there.
 #include <malloc.h>
 
 #include <cstdio>
@@ -25,7 +25,21 @@ constexpr const char* kAssets = "/assets";
 struct Arguments {
     Options options;
     std::size_t hashed_ticks = 0;
-    bool holds = false;
+    bool holds = false, reports = false;
+};
+
+// Tells a test on the serial port that another picture is shown, whatever time that took.
+class ReportingPc : public dos::Pc {
+  public:
+    explicit ReportingPc(bool reports) : reports_(reports) {}
+    void present(Framebuffer picture, const Palette& palette, const PresentRect& shown) override {
+        Pc::present(picture, palette, shown);
+        if (reports_) std::fprintf(stderr, "shown %u\n", ++count_);
+    }
+
+  private:
+    bool reports_;
+    unsigned count_ = 0;
 };
 
 std::size_t whole_number(const std::string& name, const std::string& text) {
@@ -42,6 +56,10 @@ void take(const std::string& name, const std::string& value, Arguments& argument
     }
     if (name == "hold") {
         arguments.holds = value == "1";
+        return;
+    }
+    if (name == "report") {
+        arguments.reports = value == "1";
         return;
     }
     if (name == "replay") {
@@ -130,7 +148,7 @@ int run(int count, char** words) {
     mallopt(M_TRIM_THRESHOLD, 64 * 1024);
     return run_program("oblong", [&] {
         const Arguments arguments = read_arguments(count, words);
-        dos::Pc pc;
+        ReportingPc pc(arguments.reports);
         if (arguments.hashed_ticks > 0) {
             print_hashes(arguments.options, arguments.hashed_ticks, pc);
             if (arguments.holds) wait_for_key(pc);

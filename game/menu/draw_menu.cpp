@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 
 #include "engine/base/table.h"
 #include "engine/draw/font.h"
@@ -119,10 +120,14 @@ void draw_picture(const MenuPicture& picture, const Area& area, const MenuLook& 
     const std::int32_t height = std::min(area.height, area.width * picture.height_px / picture.width_px);
     const std::int32_t width = height * picture.width_px / picture.height_px;
     fill_area(canvas, {area.x - 1, area.y - 1, width + 2, height + 2}, look.edge);
+    std::map<std::int32_t, std::uint8_t> nearest;  // a picture has few colours, and they are drawn again at each frame
     for (std::int32_t y = 0; y < height; ++y)
         for (std::int32_t x = 0; x < width; ++x) {
             const std::int32_t from = y * picture.height_px / height * picture.width_px + x * picture.width_px / width;
-            set_pixel(canvas, area.x + x, area.y + y, nearest_colour(palette, item(picture.pixels, from)));
+            const Rgb8 colour = item(picture.pixels, from);
+            const auto [found, is_new] = nearest.try_emplace(colour.red << 16 | colour.green << 8 | colour.blue);
+            if (is_new) found->second = nearest_colour(palette, colour);
+            set_pixel(canvas, area.x + x, area.y + y, found->second);
         }
 }
 

@@ -121,10 +121,7 @@ void Program::show_frame() {
         is_stale_ = false;
         return draw();
     }
-    const std::uint64_t began_us = platform_.now_us();
-    platform_.wait_for_input(std::min(kLongestWait_ms, input_.longest_wait_ms()));
-    // Something has happened, perhaps to the window: what it shows may be lost.
-    is_stale_ |= platform_.now_us() - began_us < (kLongestWait_ms - 1) * std::uint64_t{1000};
+    is_stale_ |= platform_.wait_for_input(std::min(kLongestWait_ms, input_.longest_wait_ms()));
 }
 
 void Program::take(const Controls& controls) {

@@ -95,7 +95,19 @@ const fail = error => {
   Page.end("");
 };
 
-const data = open("oblong.data").then(stream => new Response(stream).arrayBuffer());
+// A program with a loop of its own waits for each picture in page_wait(): the browser leaves it there, and enters it again.
+const WAITS = /*@waits@*/;
+const suspended = imports => {
+  if (!WebAssembly.Suspending) throw new Error("This browser can't wait in the middle of a program (JSPI).");
+  imports.env.page_wait = new WebAssembly.Suspending(imports.env.page_wait);
+  return imports;
+};
+const entered = instance => {
+  const main = WebAssembly.promising(instance.exports.main);
+  return {exports: {...instance.exports, main: (...words) => { main(...words).then(() => Module.arguments.length && Page.end("The program has ended."), fail); }}};
+};
+
+const data = open("/*@program@*/.data").then(stream => new Response(stream).arrayBuffer());
 globalThis.Module = {
   // Of the address: oblong.html?--mode%20640x480
   arguments: [/*@game@*/...decodeURIComponent(location.search.slice(1)).split(" ").filter(word => word)],
@@ -105,9 +117,9 @@ globalThis.Module = {
     Page.lines = [...Page.lines, line].slice(-5);
   },
   instantiateWasm(imports, done) {
-    open("oblong.wasm")
-      .then(stream => WebAssembly.instantiateStreaming(new Response(stream, {headers: {"Content-Type": "application/wasm"}}), imports))
-      .then(made => done(made.instance, made.module)).catch(fail);
+    open("/*@program@*/.wasm")
+      .then(stream => WebAssembly.instantiateStreaming(new Response(stream, {headers: {"Content-Type": "application/wasm"}}), WAITS ? suspended(imports) : imports))
+      .then(made => done(WAITS ? entered(made.instance) : made.instance, made.module)).catch(fail);
     return {};
   },
   preRun: [() => {

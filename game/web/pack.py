@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Makes the page of what was built.      pack.py BUILD ASSETS SITE [GAME]
 SITE gets index.html with oblong.wasm and oblong.data, for a server, and oblong.html: all of it in one file.
-With a game's folder, that of a game.json, it is the page of that game, under its title and icon."""
+With a game's folder, that of a game.json, it is the page of that game, under its title and icon; with --examples, in
+its place, examples.html alone, of engine/examples."""
 import base64
 import gzip
 import html
@@ -59,25 +60,31 @@ def under_own_name(page, game):
 
 def main(build, assets, site, game=None):
     page = read(HERE, 'index.html').decode()
+    program = 'oblong'
+    if game == '--examples':
+        program, game = 'examples', None
+        page = page.replace('<title>Oblong<', '<title>Examples<')
     if game:
         page = under_own_name(page, game)
-    files = {'oblong.wasm': read(build, 'oblong.wasm'), 'oblong.data': packed_data(assets, game)}
+    files = {program + '.wasm': read(build, program + '.wasm'), program + '.data': packed_data(assets, game)}
     sizes = ', '.join('"%s": %d' % (name, len(content)) for name, content in files.items())
     scripts = {'page.js': read(HERE, '../../engine/platform/web/page.js'), 'load.js': read(HERE, 'load.js'),
-               'oblong.js': read(build, 'oblong.js')}
+               'oblong.js': read(build, program + '.js')}
     for name, script in scripts.items():
         page = page.replace('//@%s@' % name, script.decode())
+    page = page.replace('/*@program@*/', program).replace('/*@waits@*/', 'false' if program == 'oblong' else 'true')
     page = page.replace('/*@sizes@*/', sizes).replace('/*@game@*/', '"--game", "/assets/game", ' if game else '')
     packed = {name: gzip.compress(content, 9, mtime=0) for name, content in files.items()}
     inlined = ''.join('<script type="text/plain" id="%s">%s</script>\n' % (name, base64.b64encode(content).decode())
                       for name, content in packed.items())
     os.makedirs(site, exist_ok=True)
-    for name, content in files.items():
-        write(content, site, name)
-    write(page.encode(), site, 'index.html')
-    write(page.replace('<!--@files@-->', inlined).encode(), site, 'oblong.html')
+    write(page.replace('<!--@files@-->', inlined).encode(), site, program + '.html')
+    if program == 'oblong':
+        for name, content in files.items():
+            write(content, site, name)
+        write(page.encode(), site, 'index.html')
     total = sum(map(len, packed.values())) + len(gzip.compress(page.encode(), 9))
-    print('packed: program %d, data %d, all %d bytes' % (len(packed['oblong.wasm']), len(packed['oblong.data']), total))
+    print('packed: program %d, data %d, all %d bytes' % (*map(len, packed.values()), total))
 
 
 main(*sys.argv[1:])

@@ -45,10 +45,11 @@ const readPng = file => {
 // In the page: what it showed last, and in how many of its pixels, of 1, that differs from another picture.
 const followPictures = () => {
   const screen = Page.screen, present = screen.present;
-  screen.present = function (pixels, width, height, colours, rect, ...more) {
-    globalThis.seen = {pixels: pixels.slice(), width, height, colours: colours.slice(), rect: [...rect]};
-    return present.call(this, pixels, width, height, colours, rect, ...more);
+  screen.present = function (pixels, width, height, rect, ...more) {
+    globalThis.seen = {pixels: new Uint32Array(pixels.slice().buffer), width, height, rect: [...rect]};
+    return present.call(this, pixels, width, height, rect, ...more);
   };
+  screen.isLost = true;  // a menu at rest shows its picture again
   globalThis.different = (a, b) => a.pixels.reduce((count, pixel, i) => count + (pixel !== b.pixels[i]), 0) / a.pixels.length;
 };
 
@@ -110,7 +111,7 @@ const start = async () => {
   const browser = await puppeteer.launch({
     executablePath: process.env.CHROMIUM || "/usr/bin/chromium", headless: true, protocolTimeout: LIMIT_ms, timeout: LIMIT_ms,
     args: ["--no-sandbox", "--disable-dev-shm-usage", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-gpu-watchdog",
-           "--autoplay-policy=no-user-gesture-required", "--allow-file-access-from-files"],
+           "--autoplay-policy=no-user-gesture-required"],
   }).catch(error => { throw new Error("Chromium does not start: " + error.message); });
   const open = async (address, size = {width: 1280, height: 960}) => {
     const page = await browser.newPage(), said = [];

@@ -85,6 +85,17 @@ TEST(Wide, ShiftedProductOfRandomNumbersOfEveryLengthIsExactlyRounded) {
         expect_all_shifts_equal(any_number(random), any_number(random), static_cast<int>(random() % 127));
 }
 
+TEST(Wide, FlooredDivisionLeavesARestFromZeroToBelowTheDivisor) {
+    std::mt19937_64 random(4);
+    for (int i = 0; i < 200'000; ++i) {
+        const std::int64_t n = any_number(random), d = any_number(random);
+        if (d <= 0) continue;
+        const auto [quotient, rest] = floored_division(n, d);
+        ASSERT_EQ(Int128{quotient} * d + rest, n) << n << " / " << d;
+        ASSERT_TRUE(rest >= 0 && rest < d) << n << " / " << d;
+    }
+}
+
 TEST(Wide, ProductsCompareAsTheirExactValues) {
     std::mt19937_64 random(3);
     for (int i = 0; i < 100'000; ++i) {

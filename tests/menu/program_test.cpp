@@ -178,8 +178,9 @@ class CountingPlatform final : public test::ScriptedPlatform {
           }) {}
     std::uint64_t now_us() override { return ScriptedPlatform::now_us() + waited_us_; }
     void capture_mouse(bool is_captured) override { captured.push_back(is_captured); }
-    void wait_for_input(std::int32_t timeout_ms) override {
+    bool wait_for_input(std::int32_t timeout_ms) override {
         waited_us_ += static_cast<std::uint64_t>(timeout_ms) * 1000;
+        return false;
     }
     void present(Framebuffer, const Palette&, const PresentRect&) override { shown.push_back(polls_); }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "engine/base/crc32.h"
 #include "engine/base/input_error.h"
 #include "engine/base/little_endian.h"
 #include "engine/files/picture.h"
@@ -84,15 +85,6 @@ Bytes unfiltered(ByteView rows, std::size_t width, std::size_t height) {
 
 void append_big_endian(Bytes& bytes, std::uint32_t number) {
     for (int shift = 24; shift >= 0; shift -= 8) bytes.push_back(static_cast<std::uint8_t>(number >> shift));
-}
-
-std::uint32_t crc32(ByteView bytes) {
-    std::uint32_t crc = 0xffffffff;
-    for (const std::uint8_t byte : bytes) {
-        crc ^= byte;
-        for (int bit = 0; bit < 8; ++bit) crc = (crc & 1) != 0 ? crc >> 1 ^ 0xedb88320 : crc >> 1;
-    }
-    return ~crc;
 }
 
 void append_chunk(Bytes& file, std::string_view name, ByteView content) {

@@ -82,14 +82,15 @@ void Pc::capture_mouse(bool is_captured) {
     note(InputEvent::Kind::ReleasePressed, {});
 }
 
-void Pc::wait_for_input(std::int32_t timeout_ms) {
+bool Pc::wait_for_input(std::int32_t timeout_ms) {
     const std::uint64_t until_us = now_us() + static_cast<std::uint64_t>(std::max(timeout_ms, 0)) * 1000;
     while (now_us() < until_us) {
         take_keys();
         take_mouse();
-        if (!input_.events.empty() || pointer_.has_moved) return;
+        if (!input_.events.empty() || pointer_.has_moved) return true;
         call(Call::Idle);
     }
+    return false;
 }
 
 // A picture that took longer than the beam is not held up further.

@@ -10,7 +10,7 @@
 namespace oblong::dos {
 
 /// A PC without a system: VGA, keyboard, PS/2 mouse, timer.
-class Pc final : public Platform {
+class Pc : public Platform {
   public:
     bool is_open() const override { return true; }  ///< until the player leaves
     PlatformInput poll() override;
@@ -20,7 +20,7 @@ class Pc final : public Platform {
     void set_title(const char*) override {}
     void capture_mouse(bool is_captured) override;
     void change_window(const WindowSettings& settings) override { settings_ = settings; }
-    void wait_for_input(std::int32_t timeout_ms) override;
+    bool wait_for_input(std::int32_t timeout_ms) override;
     void present(Framebuffer picture, const Palette& palette, const PresentRect& shown) override;
 
   private:

@@ -124,7 +124,7 @@ class SdlPlatform final : public Platform {
     void capture_mouse(bool is_captured) override { input_.capture_mouse(is_captured); }
     std::string local_name_of(Input input) const override { return input_.local_name_of(input); }
     void change_window(const WindowSettings& settings) override;
-    void wait_for_input(std::int32_t timeout_ms) override;
+    bool wait_for_input(std::int32_t timeout_ms) override;
     void present(Framebuffer picture, const Palette& palette, const PresentRect& shown) override;
 
   private:
@@ -191,18 +191,16 @@ void SdlPlatform::change_window(const WindowSettings& settings) {
 }
 
 // Where there is a gamepad SDL looks at it every millisecond: 1.7 % of a processor.
-void SdlPlatform::wait_for_input(std::int32_t timeout_ms) {
-    if (SDL_NumJoysticks() <= 0) {
-        SDL_WaitEventTimeout(nullptr, timeout_ms);
-        return;
-    }
+bool SdlPlatform::wait_for_input(std::int32_t timeout_ms) {
+    if (SDL_NumJoysticks() <= 0) return SDL_WaitEventTimeout(nullptr, timeout_ms) == 1;
     constexpr std::int32_t kStep_ms = 15;
     SDL_PumpEvents();
     for (std::int32_t waited_ms = 0; waited_ms < timeout_ms; waited_ms += kStep_ms) {
-        if (SDL_HasEvents(SDL_FIRSTEVENT, SDL_LASTEVENT) == SDL_TRUE) return;
+        if (SDL_HasEvents(SDL_FIRSTEVENT, SDL_LASTEVENT) == SDL_TRUE) return true;
         SDL_Delay(static_cast<std::uint32_t>(std::min(kStep_ms, timeout_ms - waited_ms)));
         SDL_PumpEvents();
     }
+    return false;
 }
 
 bool SdlPlatform::is_minimised() const {
@@ -211,7 +209,10 @@ bool SdlPlatform::is_minimised() const {
 
 void SdlPlatform::present(Framebuffer picture, const Palette& palette, const PresentRect& shown) {
     constexpr std::int32_t kUnseenFrame_ms = 200;  // less than what TickClock counts of a pause
-    if (is_minimised()) return wait_for_input(kUnseenFrame_ms);
+    if (is_minimised()) {
+        wait_for_input(kUnseenFrame_ms);
+        return;
+    }
     draw_picture(picture, palette, shown);
     wait_until_due();
     SDL_RenderPresent(renderer_.get());

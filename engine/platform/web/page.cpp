@@ -1,5 +1,6 @@
 #include <emscripten.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -25,24 +26,24 @@ struct PageEvent {
 EM_JS(void, page_state, (PageState * state), { Page.state(HEAP32, state >> 2); });
 EM_JS(void, page_events, (PageEvent * events), { Page.takeEvents(HEAP32, events >> 2); });
 EM_JS(void, page_size, (std::int32_t * size), { HEAP32.set([ Page.canvas.width, Page.canvas.height ], size >> 2); });
+EM_JS(int, page_take_lost, (), { return Page.takeLost() ? 1 : 0; });
 EM_JS(void, page_title, (const char* title), { document.title = UTF8ToString(title); });
 EM_JS(void, page_capture, (int is_captured), { Page.capture(is_captured != 0); });
 EM_JS(int, page_letter, (int key), { return Page.letter(key); });
 EM_JS(void, page_fill_screen, (int fills), { Page.fillScreen(fills != 0); });
 EM_JS(void, page_mask, (const std::uint32_t* argb, int width, int height),
       { Page.screen.setMask(HEAPU8.subarray(argb, argb + 4 * width * height), width, height); });
-EM_JS(void, page_present,
-      (const std::uint8_t* pixels, int width, int height, const Rgb8* colours, const PresentRect* shown), {
-          const rect = HEAP32.subarray(shown >> 2, (shown >> 2) + 6);
-          Page.screen.present(HEAPU8.subarray(pixels, pixels + width * height), width, height,
-                              HEAPU8.subarray(colours, colours + 768), rect, HEAPU8[shown + 24] != 0,
-                              HEAPU8[shown + 32] != 0);
-      });
-static_assert(sizeof(Rgb8) == 3 && offsetof(PresentRect, is_blended) == 24 &&
-              offsetof(PresentRect, has_crt_look) == 32);
+EM_JS(void, page_present, (const std::uint32_t* rgba, int width, int height, const PresentRect* shown), {
+    Page.screen.present(HEAPU8.subarray(rgba, rgba + 4 * width * height), width, height,
+                        HEAP32.subarray(shown >> 2, (shown >> 2) + 6), HEAPU8[shown + 24] != 0,
+                        HEAPU8[shown + 32] != 0);
+});
+EM_JS(void, page_wait, (), { return new Promise(requestAnimationFrame); });
+static_assert(offsetof(PresentRect, is_blended) == 24 && offsetof(PresentRect, has_crt_look) == 32);
 
 class PagePlatform final : public Platform {
   public:
+    explicit PagePlatform(bool waits) : waits_(waits) {}
     bool is_open() const override { return true; }
     PlatformInput poll() override;
     std::uint64_t now_us() override { return static_cast<std::uint64_t>(emscripten_get_now() * 1000); }
@@ -51,11 +52,14 @@ class PagePlatform final : public Platform {
     void capture_mouse(bool is_captured) override { page_capture(is_captured); }
     std::string local_name_of(Input input) const override;
     void change_window(const WindowSettings& settings) override;
+    bool wait_for_input(std::int32_t) override { return page_take_lost() != 0; }  // the browser waits
     void present(Framebuffer picture, const Palette& palette, const PresentRect& shown) override;
 
   private:
+    const bool waits_;
     bool is_full_screen_ = false;
     std::array<std::int32_t, 3> mask_{};  // width, height, rows
+    std::vector<std::uint32_t> rgba_;     // of the picture: bytes red, green, blue, 255
 };
 
 PlatformInput PagePlatform::poll() {
@@ -97,13 +101,23 @@ void PagePlatform::present(Framebuffer picture, const Palette& palette, const Pr
     const std::array<std::int32_t, 3> mask{shown.width_px, shown.height_px, picture.height_px};
     if (shown.has_crt_look && shown.width_px > 0 && std::exchange(mask_, mask) != mask)
         page_mask(make_crt_mask(mask[0], mask[1], mask[2]).data(), mask[0], mask[1]);
-    page_present(picture.pixels, picture.width_px, picture.height_px, palette.colours.data(), &shown);
+    std::array<std::uint32_t, 256> rgba{};
+    std::transform(palette.colours.begin(), palette.colours.end(), rgba.begin(), [](Rgb8 colour) {
+        return 0xFF000000u | std::uint32_t{colour.blue} << 16 | std::uint32_t{colour.green} << 8 | colour.red;
+    });
+    rgba_.resize(static_cast<std::size_t>(picture.width_px) * static_cast<std::size_t>(picture.height_px));
+    std::uint32_t* to = rgba_.data();
+    for (std::int32_t y = 0; y < picture.height_px; ++y)
+        to = std::transform(picture.row(y), picture.row(y) + picture.width_px, to,
+                            [&](std::uint8_t colour) { return rgba[colour]; });
+    page_present(rgba_.data(), picture.width_px, picture.height_px, &shown);
+    if (waits_) page_wait();
 }
 
 }  // namespace
 
-std::unique_ptr<Platform> open_page() {
-    return std::make_unique<PagePlatform>();
+std::unique_ptr<Platform> open_page(bool waits) {
+    return std::make_unique<PagePlatform>(waits);
 }
 
 }  // namespace oblong

@@ -19,13 +19,14 @@ for (let i = 0; i < 10; ++i) KEYS["Digit" + (i + 1) % 10] = 30 + i;
 for (let i = 1; i < 10; ++i) KEYS["Numpad" + i] = 88 + i;
 for (let i = 1; i < 13; ++i) KEYS["F" + i] = 57 + i;
 
-// The picture by WebGL: a texture of indices, one of colours, and the same scaling as SDL's window has.
+// The picture by WebGL, with the same scaling as SDL's window has.
 class Screen {
   constructor(canvas) {
     this.canvas = canvas;
     this.shown = 0;
     canvas.addEventListener("webglcontextlost", event => { event.preventDefault(); this.gl = null; });
     canvas.addEventListener("webglcontextrestored", () => this.open());
+    document.addEventListener("visibilitychange", () => { this.isLost = true; });
     this.open();
   }
 
@@ -46,24 +47,20 @@ class Screen {
     add(gl.FRAGMENT_SHADER, `
       precision highp float;
       varying vec2 at;
-      uniform sampler2D picture, colours, mask;
+      uniform sampler2D picture, mask;
       uniform vec2 size, upscale;
       uniform bool is_blended, has_crt_look;
-      vec3 texel(vec2 place) {
-        float index = texture2D(picture, (clamp(place, vec2(0.0), size - 1.0) + 0.5) / size).r * 255.0;
-        return texture2D(colours, vec2((index + 0.5) / 256.0, 0.5)).rgb;
-      }
       vec3 mean_of_four(vec2 place) {
-        vec2 first = clamp(place, vec2(0.0), floor(size / 2.0) - 1.0) * 2.0;
-        return (texel(first) + texel(first + vec2(1, 0)) + texel(first + vec2(0, 1)) + texel(first + vec2(1, 1))) / 4.0;
+        return texture2D(picture, (clamp(place, vec2(0.0), floor(size / 2.0) - 1.0) * 2.0 + 1.0) / size).rgb;
       }
       void main() {
-        vec3 colour = texel(floor(at * size));
-        if (is_blended) {  // whole multiples first, then one linear step
-          vec2 place = at * size * upscale - 0.5, first = floor(place), share = place - first;
+        vec2 texel = floor(at * size);
+        if (is_blended) {  // whole multiples first, then one linear step, which is the texture's own
+          vec2 place = at * size * upscale - 0.5, first = floor(place);
           vec2 a = floor((first + 0.25) / upscale), b = floor((first + 1.25) / upscale);
-          colour = mix(mix(texel(a), texel(vec2(b.x, a.y)), share.x), mix(texel(vec2(a.x, b.y)), texel(b), share.x), share.y);
+          texel = a + (b - a) * (place - first);
         }
+        vec3 colour = texture2D(picture, (texel + 0.5) / size).rgb;
         if (has_crt_look) {  // the mask, and the glow of a copy of half the size
           vec2 place = at * size / 2.0 - 0.5, a = floor(place), share = place - a, b = a + 1.0;
           vec3 glow = mix(mix(mean_of_four(a), mean_of_four(vec2(b.x, a.y)), share.x),
@@ -80,41 +77,44 @@ class Screen {
     const corner = gl.getAttribLocation(program, "corner");
     gl.enableVertexAttribArray(corner);
     gl.vertexAttribPointer(corner, 2, gl.FLOAT, false, 0, 0);
-    gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
     this.place = name => gl.getUniformLocation(program, name);
-    ["picture", "colours", "mask"].forEach((name, unit) => {
+    ["mask", "picture"].forEach((name, unit) => {  // the last one stays the active one
       gl.activeTexture(gl.TEXTURE0 + unit);
       gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
-      for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, filter, gl.NEAREST);
+      for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, filter, unit ? gl.LINEAR : gl.NEAREST);
       for (const wrap of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, wrap, gl.CLAMP_TO_EDGE);
       gl.uniform1i(this.place(name), unit);
     });
     this.places = Object.fromEntries(["size", "upscale", "is_blended", "has_crt_look"].map(name => [name, this.place(name)]));
+    this.width = this.height = 0;  // of the texture
+    this.isLost = true;  // what the canvas showed
     if (this.mask) this.setMask(...this.mask);
   }
 
-  upload(unit, format, width, height, bytes) {
+  setMask(pixels, width, height) {
     const gl = this.gl;
-    gl.activeTexture(gl.TEXTURE0 + unit);
-    gl.texImage2D(gl.TEXTURE_2D, 0, format, width, height, 0, format, gl.UNSIGNED_BYTE, bytes);
+    this.mask = [pixels.slice(), width, height];
+    if (!gl) return;
+    gl.activeTexture(gl.TEXTURE0);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, width, height, 0, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    gl.activeTexture(gl.TEXTURE1);
   }
 
-  setMask(bytes, width, height) {
-    this.mask = [bytes.slice(), width, height];
-    if (this.gl) this.upload(2, this.gl.RGBA, width, height, bytes);
-  }
-
-  // rect: x, y, width, height in the canvas, and by how much columns and rows are multiplied first.
-  present(pixels, width, height, colours, rect, isBlended, hasCrtLook) {
+  // pixels: red, green, blue, 255. rect: x, y, width, height in the canvas, and by how much columns and rows are multiplied first.
+  present(pixels, width, height, rect, isBlended, hasCrtLook) {
     const gl = this.gl;
     if (++this.shown === 1) {
       this.first_ms = performance.now();
       document.body.classList.remove("loads");
     }
     if (!gl) return;
-    this.upload(0, gl.LUMINANCE, width, height, pixels);
-    this.upload(1, gl.RGB, 256, 1, colours);
-    gl.uniform2f(this.places.size, width, height);
+    if (this.width === width && this.height === height) {
+      gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    } else {
+      gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, width, height, 0, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+      [this.width, this.height] = [width, height];
+      gl.uniform2f(this.places.size, width, height);
+    }
     gl.uniform2f(this.places.upscale, rect[4], rect[5]);
     gl.uniform1i(this.places.is_blended, isBlended ? 1 : 0);
     gl.uniform1i(this.places.has_crt_look, hasCrtLook ? 1 : 0);
@@ -203,6 +203,12 @@ const Page = globalThis.Page = {
   takeEvents(words, at) {
     words.set(this.events.flat(), at);
     this.events = [];
+  },
+
+  takeLost() {
+    const isLost = this.screen.isLost;
+    this.screen.isLost = false;
+    return isLost;
   },
 
   letter(key) {

@@ -9,7 +9,8 @@ namespace oblong {
 
 /// A web page's canvas, and the keyboard, mouse, gamepads and touches of who looks at it: page.js, by which the page
 /// was loaded, does what only the browser can.
-std::unique_ptr<Platform> open_page();
+/// With `waits`, present() ends with the browser's next picture: for programs that load.js enters and leaves there.
+std::unique_ptr<Platform> open_page(bool waits = false);
 
 /// The browser's sound, silent until the first key or click: browsers want that. Throws std::runtime_error where there
 /// is none.

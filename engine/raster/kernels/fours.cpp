@@ -68,6 +68,36 @@ void draw_blocks_by_fours(std::span<const TexelBlock> blocks, const SurfaceView&
     }
 }
 
+#elif defined(__i386__)
+
+// A register each for u and v, since two in one word would take a carry. v is shifted up by a row's size, so that its
+// row needs no shift of its own.
+void draw_blocks_by_fours(std::span<const TexelBlock> blocks, const SurfaceView& surface, std::uint8_t* pixels) {
+    const std::uint8_t* const texels = surface.texels;
+    const std::uint32_t u_mask = surface.u_mask, row_mask = surface.v_mask << surface.stride_log2;
+    if (row_mask >> 16 != 0) return draw_blocks_packed(blocks, surface, pixels);
+    for (const TexelBlock& block : blocks) {
+        std::uint32_t u = block.u_16, v = block.v_16 << surface.stride_log2;
+        const auto u_step = static_cast<std::uint32_t>(block.u_step_16);
+        const std::uint32_t v_step = static_cast<std::uint32_t>(block.v_step_16) << surface.stride_log2;
+        const auto next = [&] {
+            const std::uint8_t texel = texels[((v >> 16) & row_mask) | ((u >> 16) & u_mask)];
+            u += u_step;
+            v += v_step;
+            return texel;
+        };
+        std::uint8_t* out = pixels + block.pixel;
+        std::uint8_t* const end = out + block.count;
+        for (; end - out >= 4; out += 4) {
+            out[0] = next();
+            out[1] = next();
+            out[2] = next();
+            out[3] = next();
+        }
+        while (out != end) *out++ = next();
+    }
+}
+
 #else
 
 void draw_blocks_by_fours(std::span<const TexelBlock> blocks, const SurfaceView& surface, std::uint8_t* pixels) {

@@ -1,0 +1,57 @@
+// The examples' page: the program whose name comes first, or a list of them. Before that, as in a shell, NAME=VALUE of
+// the environment.
+#include <emscripten.h>
+#include <example_mains.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "engine/platform/sdl/sdl.h"
+#include "engine/platform/web/web.h"
+
+namespace {
+
+struct Example {
+    const char* name;
+    int (*run)(int argc, char** argv);
+};
+
+constexpr Example kExamples[] = {
+#include <example_table.h>
+};
+
+EM_JS(void, page_offer, (const char* name), {
+    const link = document.createElement("a");
+    link.textContent = UTF8ToString(name);
+    link.href = "?" + link.textContent + " /assets";
+    const list = document.getElementById("said");
+    list.append(link, "\n");
+    document.body.classList.remove("loads");
+    Page.canvas.hidden = true;
+});
+
+}  // namespace
+
+namespace oblong {
+
+// The examples' window and sound, which are SDL's elsewhere.
+std::unique_ptr<Platform> open_window(const char* title, WindowSize) {
+    std::unique_ptr<Platform> page = open_page(true);
+    page->set_title(title);
+    return page;
+}
+
+std::unique_ptr<SoundOutput> open_mixer() {
+    return open_page_sound();
+}
+
+}  // namespace oblong
+
+int main(int argc, char** argv) {
+    for (; argc > 1 && std::string(argv[1]).find('=') != std::string::npos; --argc, ++argv) putenv(argv[1]);
+    for (const Example& example : kExamples) {
+        if (argc > 1 && std::string(argv[1]) == example.name) return example.run(argc - 1, argv + 1);
+        if (argc == 1) page_offer(example.name);
+    }
+    return 0;
+}

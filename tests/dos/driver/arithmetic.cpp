@@ -1,0 +1,56 @@
+// Prints a hash of divisions and products of numbers of every length: the same on every machine, whatever instructions
+// it has for them.
+#include <algorithm>
+#include <cinttypes>
+#include <cstdio>
+#include <random>
+
+#include "engine/base/fnv.h"
+#include "engine/fixed/wide.h"
+
+namespace {
+
+using namespace oblong;
+
+class Results {
+  public:
+    template <class Int>
+    void add(Int number) {
+        for (std::size_t byte = 0; byte < sizeof(Int); ++byte)
+            hash_.add(static_cast<std::uint8_t>(static_cast<std::uint64_t>(number) >> (8 * byte)));
+    }
+    std::uint64_t hash() const { return hash_.value(); }
+
+  private:
+    Fnv1a hash_;
+};
+
+}  // namespace
+
+int main() {
+    std::mt19937_64 random(1);
+    Results results;
+    const auto any_number = [&random] {
+        const auto bits = static_cast<std::int64_t>(random());
+        return floor_shift(bits, static_cast<int>(random() % 64));
+    };
+    for (int i = 0; i < 500'000; ++i) {
+        const std::int64_t a = any_number(), b = any_number(), c = any_number();
+        const int shift = static_cast<int>(random() % 127);
+        for (const Rounding rounding : {Rounding::Floor, Rounding::NearestHalfUp}) {
+            results.add(mul_div(a, b, c, rounding));
+            results.add(mul_shift(a, b, shift, rounding));
+        }
+        const std::uint64_t n = detail::magnitude(a), d = std::max<std::uint64_t>(detail::magnitude(b), 1);
+        results.add(divide(n, d).quotient);
+        results.add(divide(n, d).remainder);
+        const auto positive = static_cast<std::int64_t>(d >> 1 | 1);
+        results.add(floored_division(a, positive).quotient);
+        results.add(floored_division(a, positive).remainder);
+        const auto short_d = static_cast<std::uint32_t>(d | 1);
+        const std::uint64_t fitting = n % (std::uint64_t{short_d} << 32);
+        results.add(divide_to_32(fitting, short_d).quotient);
+        results.add(divide_to_32(fitting, short_d).remainder);
+    }
+    std::printf("%016" PRIx64 "\n", results.hash());
+}
