@@ -101,7 +101,7 @@ TEST(LevelChecks, NameALampThatIsTooDarkToBeSeen) {
                   std::string::npos)
             << said[0];
     }
-    for (const char* bright : {"140", "-140", "300"}) EXPECT_EQ(said_with(lamp(bright)), Said{}) << bright;
+    for (const char* bright : {"136", "-136", "300"}) EXPECT_EQ(said_with(lamp(bright)), Said{}) << bright;
 }
 
 TEST(LevelChecks, NameASurfaceOfLightThatIsNotThere) {
