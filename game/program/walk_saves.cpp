@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <system_error>
+#include <thread>
 #include <utility>
 
 #include "engine/files/files.h"
@@ -17,6 +19,16 @@ constexpr std::int64_t kAutosave_ticks = 60 * kTicksPerSecond;
 
 std::int64_t taken_items(const GameState& state) {
     return std::count(state.items.begin(), state.items.end(), ItemState::Taken);
+}
+
+// False in a web page. std::async() finds out, too, but what libc++ has prepared by then waits for its thread for ever.
+bool has_threads() {
+    try {
+        std::thread([] {}).join();
+        return true;
+    } catch (const std::system_error&) {
+        return false;
+    }
 }
 
 }  // namespace
@@ -63,9 +75,9 @@ void WalkSaves::autosave_when_due(bool may_begin) {
     autosave_items_ = taken_items(state);
     try {
         const auto own_number = held_ ? std::optional(held_->number) : std::nullopt;
-        // Where there are no threads, as in a web page, the next call writes it.
-        constexpr auto kBeside = std::launch::async | std::launch::deferred;
-        autosave_ = std::async(kBeside, [slots = slots_, own_number, game = saved_now()] {
+        // Without threads the next call writes it.
+        const auto beside = has_threads() ? std::launch::async : std::launch::deferred;
+        autosave_ = std::async(beside, [slots = slots_, own_number, game = saved_now()] {
             Autosave done;
             try {
                 if (!own_number) done.taken = slots.hold_new();

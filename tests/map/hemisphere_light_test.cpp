@@ -250,6 +250,39 @@ TEST(SurfaceLights, DoNotDependOnHowTheCompilerCutsTheirFaces) {
     }
 }
 
+// A brush over the floor plan with these corners, counter-clockwise seen from above.
+std::string upright(const std::vector<std::array<int, 2>>& corners, int low, int high, std::string_view texture) {
+    const auto at = [&](std::size_t i, int z) {
+        return Whole{corners[i % corners.size()][0], corners[i % corners.size()][1], z};
+    };
+    std::vector<std::array<Whole, 3>> sides{{at(0, high), at(2, high), at(1, high)},
+                                            {at(0, low), at(1, low), at(2, low)}};
+    for (std::size_t i = 0; i < corners.size(); ++i) sides.push_back({at(i + 1, low), at(i, low), at(i, high)});
+    return brush(sides, texture);
+}
+
+// A trapezoid is a square of 96 less a triangle of 48 x 96: its centre of gravity by those of both.
+TEST(SurfaceLights, StandAtTheCentreOfGravity) {
+    const std::string hall = replaced(hall_with_panel(256, 96), box({80, 80, 128}, {176, 176, 144}, "other"), "") +
+                             upright({{80, 80}, {176, 80}, {176, 176}, {128, 176}}, 128, 144, "other") +
+                             upright({{80, 80}, {128, 176}, {80, 176}}, 128, 144, "wall");
+    const auto bsp_of = [&](const std::string& light) { return compile(level(hall, light), {.is_fast = true}); };
+    const double area = 96 * 96 - 48 * 96 / 2.0;
+    const double x = 80 + (96 * 96 * 48 - 48 * 96 / 2.0 * 16) / area,
+                 y = 80 + (96 * 96 * 48 - 48 * 96 / 2.0 * 64) / area;
+    const auto by_hand = bsp_of(entity(
+        "light", {{"origin", std::to_string(x) + " " + std::to_string(y) + " 126"}, {"light", "250"}, {"delay", "2"}}));
+    const auto spread =
+        bsp_of(entity_at("light", {16, 16, 16}, {{"light", "250"}, {"delay", "2"}, {"_surface", "other"}}));
+    for (const int place_x : {96, 128, 144, 160})
+        for (const int place_y : {96, 128, 160}) {
+            const Point place{place_x + 0.0, place_y + 0.0, 0};
+            EXPECT_GT(light_at(by_hand, kFloor, place), 60);
+            EXPECT_NEAR(light_at(spread, kFloor, place), light_at(by_hand, kFloor, place), 1)
+                << place_x << ' ' << place_y;
+        }
+}
+
 // A panel around a hole: its middle is in the hole, where no lamp belongs.
 TEST(SurfaceLights, StandBeforeAFaceWhereThePanelHasAHole) {
     const std::string start = entity_at("info_player_start", {32, 32, 28});

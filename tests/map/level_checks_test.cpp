@@ -48,6 +48,8 @@ TEST(LevelChecks, NameATextureThatNoFaceShows) {
                      "'skip' on its sides, or one that is seen")});
     const std::string seen = level(room({0, 0, 0}, {128, 128, 128}) + box({8, 8, 8}, {16, 16, 16}, "other"), kStart);
     EXPECT_EQ(said_of(seen), Said{});
+    const std::string sprite = entity_at("misc_sprite", {64, 64, 64}, {{"texture", "{bars"}});
+    EXPECT_EQ(said_of(level(room({0, 0, 0}, {128, 128, 128}), kStart + sprite)), Said{}) << "an entity shows it";
 }
 
 // 128 units at a scale of 1/20 are 2560 texels, which is 11 times the 240 of a face; at 1/16 they are 2048.
@@ -76,6 +78,11 @@ TEST(LevelChecks, NameTexturesThatLieOffTheGridOfLight) {
     EXPECT_NE(said[0].find(": 66 of 192 samples of light lie beyond their faces"), std::string::npos) << said[0];
     EXPECT_GT(std::stoi(said[0].substr(5)), 1) << "the line of a side";
     EXPECT_EQ(said_of(source_of("16 32 0 1 1")), Said{});
+    // 6 faces of 32 x 32 units have 7 too many each: more than a quarter, but few.
+    EXPECT_EQ(said_of(level(laid(room({0, 0, 0}, {32, 32, 32}), "8 8 0 1 1"), entity_at("info_null", {16, 16, 24}))),
+              Said{});
+    // 128 x 128 units need 9 x 9 and have 10 x 10 then: 114 too many, but less than a quarter.
+    EXPECT_EQ(said_of(level(laid(room({0, 0, 0}, {128, 128, 128}), "8 8 0 1 1"), kStart)), Said{});
 }
 
 TEST(LevelChecks, NameALampThatIsTooDarkToBeSeen) {

@@ -178,9 +178,13 @@ std::string wad_bytes(const std::vector<StripedTexture>& textures) {
 }
 
 map::BspFile compile(std::string_view text, const map::CompileOptions& options) {
+    return compile(map::parse_map(text), options);
+}
+
+map::BspFile compile(std::vector<map::MapEntity> entities, const map::CompileOptions& options) {
     const std::vector<map::Wad> wads{map::Wad(
         wad_bytes({"wall", "floor", "other", "*water", "*lava", "sky", "+0lamp", "+1lamp", "mirror", "{bars"}))};
-    return map::compile_map(map::parse_map(text), wads, options);
+    return map::compile_map(std::move(entities), wads, options);
 }
 
 double random_between(std::mt19937& random, double low, double high) {

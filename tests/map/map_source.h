@@ -53,6 +53,7 @@ std::string wad_bytes(const std::vector<StripedTexture>& textures);
 
 /// Compiles with a WAD that has wall, floor, other, *water, *lava, sky, mirror, {bars and an animated +0lamp, +1lamp.
 map::BspFile compile(std::string_view text, const map::CompileOptions& options = {});
+map::BspFile compile(std::vector<map::MapEntity> entities, const map::CompileOptions& options);
 
 /// What follows a side's points.
 inline constexpr std::string_view kStandardTail = "wall 0 0 0 1 1", kValveTail = "wall [ 1 0 0 0 ] [ 0 -1 0 0 ] 0 1 1";

@@ -2,6 +2,7 @@
 
 #include <set>
 #include <sstream>
+#include <thread>
 
 #include "engine/base/input_error.h"
 #include "engine/level/bsp_read.h"
@@ -63,6 +64,21 @@ TEST(Threads, AnErrorOfAnItemIsThrownAfterAllOthers) {
     };
     EXPECT_THROW(map::WorkSharing(&workers, nullptr).for_each(times.size(), work), InputError);
     EXPECT_EQ(times, std::vector<int>(100, 1));
+}
+
+TEST(Threads, TheFirstItemsErrorIsThrownWhicheverComesFirst) {
+    for (int times = 0; times < 50; ++times) {
+        WorkerThreads workers(3);
+        try {
+            map::WorkSharing(&workers, nullptr).for_each(20, [](std::size_t i) {
+                if (i == 3) std::this_thread::yield();
+                if (i >= 3) throw InputError("item", std::to_string(i));
+            });
+            ADD_FAILURE();
+        } catch (const InputError& error) {
+            ASSERT_EQ(std::string(error.what()), "3");
+        }
+    }
 }
 
 TEST(Threads, APortalFileShowsTheGapsBetweenClusters) {

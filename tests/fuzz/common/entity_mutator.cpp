@@ -9,6 +9,7 @@ namespace oblong::fuzz {
 namespace {
 
 constexpr const char* kNames[] = {"a", "b", "c", "d"};
+constexpr const char* kExternalMaps[] = {"room", "self", "no_such"};
 constexpr const char* kTextures[] = {"wall",   "floor",  "*water", "*lava",   "sky",  "mirror", "{bars",
                                      "+0lamp", "*slime", "clip",   "trigger", "skip", "hint",   "no_such"};
 
@@ -46,6 +47,9 @@ std::string value_of(const EntityKey& key, std::minstd_rand& random) {
     if (key.name == "origin") return place(random);
     if (key.name == "model") return "*" + std::to_string(below(9, random));
     if (below(12, random) == 0) return number(random);
+    if (key.name == "_surface") return one_of(kTextures, random);
+    if (key.name == "_external_map") return one_of(kExternalMaps, random);
+    if (key.name == "_external_map_classname") return std::string(one_of(entity_classes(), random).name);
     switch (key.kind) {
         case KeyKind::Text:
             return below(2, random) ? "mmamm" : std::string(key.usual);

@@ -6,9 +6,23 @@
 #include "tests/fuzz/common/played_level.h"
 #include "tests/map/map_source.h"
 #include "tools/map/source/checks.h"
+#include "tools/map/source/external_maps.h"
 
 namespace oblong::fuzz {
 namespace {
+
+// The sources that a map may name: itself among them.
+map::BspFile compile(const std::string& text, const map::CompileOptions& options) {
+    const auto read = [&](const std::string& name, const std::string&, int line) -> map::ExternalSource {
+        if (name == "self") return {name, text};
+        if (name == "room") return {name, test::level(test::plain_room())};
+        throw InputError("line " + std::to_string(line), "no such map");
+    };
+    std::vector<map::MapEntity> entities = map::parse_map(text);
+    map::include_external_maps(entities, "self", read);
+    map::find_warnings(entities, *options.warnings);
+    return test::compile(std::move(entities), options);
+}
 
 Level read_back(const std::string& bytes) {
     try {
@@ -43,7 +57,7 @@ void run(Input input) {
     options.is_fast = hash % 4 != 0;
     options.warnings = &warnings;
     const std::string text = is_made ? made_map(input.subspan(1)) : text_of(input);
-    play_and_draw(read_back(map::to_bytes(test::compile(text, options))), hash);
+    play_and_draw(read_back(map::to_bytes(compile(text, options))), hash);
 }
 
 }  // namespace oblong::fuzz

@@ -244,13 +244,13 @@ void find_separators(const Winding& source, const Winding& pass, std::vector<Pla
 }
 
 void SightCutter::cut_to_front(Winding& winding, const Plane& plane) {
-    heights_.clear();
+    if (heights_.size() < winding.size()) heights_.resize(winding.size());
     double highest = 0, lowest = 0;
-    for (const Point& point : winding) {
-        const double height = plane.height_of(point);
-        heights_.push_back(std::abs(height) <= kOnEpsilon ? 0 : height);
-        highest = std::max(highest, heights_.back());
-        lowest = std::min(lowest, heights_.back());
+    for (std::size_t i = 0; i < winding.size(); ++i) {
+        const double height = plane.height_of(winding[i]);
+        heights_[i] = std::abs(height) <= kOnEpsilon ? 0 : height;
+        highest = std::max(highest, heights_[i]);
+        lowest = std::min(lowest, heights_[i]);
     }
     if (highest == 0) {
         winding.clear();
