@@ -211,7 +211,7 @@ def play_in(pc):
     pc.picture_when(lambda p: different_pixels(p, turned) > MOVED, "W does not walk")
     for key in ("esc", "up", "ret", "down"):  # Leave, Yes
         pc.tell(f"sendkey {key}")
-        pc.wait_for_pictures(1)
+        pc.wait_for_pictures(3)  # two keys at once would both go to the screen that the first one leaves
     pc.tell("sendkey ret")
     pc.wait_for("memory:")
 
