@@ -1,9 +1,9 @@
-// A cube step by step: a corner in the cube's own space, turned and put into the world, seen from an eye there, and on
-// the screen by a division (without: P) and two multipliers. Arrow keys move the eye. In the texts: the lab's and
-// Princeton's projections; the notes' matrices; Abrash's "Rotation by Projection"; Muratori's multipliers.
+// A cube step by step: a corner in its own space, turned and put into the world, seen from an eye there, and on the
+// screen by a division and two multipliers; P: in parallel, P and O: obliquely. Arrow keys move the eye. In the texts:
+// the lab's and Princeton's projections; the notes' matrices; Abrash's "Rotation by Projection"; Muratori's
+// multipliers.
 #include <oblong.h>
 
-#include <array>
 #include <string>
 
 using namespace oblong;
@@ -17,9 +17,8 @@ struct Point {
 };
 
 // The coordinates along two axes that were turned from the first to the second: each is a projection onto an axis.
-void turn(int& first, int& second, std::int64_t degrees_256) {
-    const std::int64_t sine = sine_65536(degrees_256), cosine = sine_65536(degrees_256 + 90 * 256), a = first,
-                       b = second;
+void turn(int& first, int& second, std::int64_t angle_256) {
+    const std::int64_t sine = sine_65536(angle_256), cosine = sine_65536(angle_256 + 90 * 256), a = first, b = second;
     first = static_cast<int>((a * cosine + b * sine) >> 16);
     second = static_cast<int>((b * cosine - a * sine) >> 16);
 }
@@ -36,15 +35,16 @@ Point to_view(const Point& world, const Point& eye) {
     return view;
 }
 
-PixelPosition to_screen(const Point& view, const ScreenMode& mode, bool is_parallel) {
-    const int depth = is_parallel ? 5 * kOne : view.z;  // that of the cube's middle
-    const auto [width, height] = mode.pixel();          // 5 to 6
+PixelPosition to_screen(Point view, const Window& window) {
+    const ScreenMode& mode = window.mode();
+    const int middle = 5 * kOne, depth = window.is_down("P") ? middle : view.z;
+    if (window.is_down("O")) view.x += (view.z - middle) / 3, view.y += (view.z - middle) / 3;
+    const auto [width, height] = mode.pixel();  // 5 to 6
     const std::int64_t across = mode.width_px;  // half of them for what is half as far to the side as away: 53 degrees
     return {static_cast<int>(mode.width_px / 2 + across * view.x / depth),
             static_cast<int>(mode.height_px / 2 - across * width * view.y / (height * depth))};
 }
 
-// In hundredths of a unit.
 std::string text_of(const Point& at) {
     const auto hundredths = [](int length) { return " " + std::to_string(length * 100 / kOne); };
     return hundredths(at.x) + hundredths(at.y) + hundredths(at.z);
@@ -61,11 +61,11 @@ int main() {
         eye.y += 64 * (window.is_down("Up") - window.is_down("Down"));
         const Framebuffer canvas = window.canvas();
         clear(canvas);
-        std::array<PixelPosition, 8> corners;
+        PixelPosition corners[8];
         for (unsigned i = 0; i < 8; ++i) {
             const Point object{i & 1 ? kOne : -kOne, i & 2 ? kOne : -kOne, i & 4 ? kOne : -kOne};
             const Point world = to_world(object, window.time_ms()), view = to_view(world, eye);
-            const PixelPosition at = corners[i] = to_screen(view, window.mode(), window.is_down("P"));
+            const PixelPosition at = corners[i] = to_screen(view, window);
             if (i != kMarked) continue;
             draw_label(canvas, 4, 4, "object" + text_of(object), 2);
             draw_label(canvas, 4, 14, "world " + text_of(world), 2);
