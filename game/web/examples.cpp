@@ -1,13 +1,13 @@
 // The examples' page: the program whose name comes first, or a list of them. Before that, as in a shell, NAME=VALUE of
 // the environment.
 #include <emscripten.h>
-#include <example_mains.h>
 
 #include <cstdlib>
 #include <string>
 
 #include "engine/platform/sdl/sdl.h"
 #include "engine/platform/web/web.h"
+#include "example_mains.h"
 
 namespace {
 
@@ -17,7 +17,7 @@ struct Example {
 };
 
 constexpr Example kExamples[] = {
-#include <example_table.h>
+#include "example_table.h"
 };
 
 EM_JS(void, page_offer, (const char* name), {
