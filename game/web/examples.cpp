@@ -7,7 +7,7 @@
 
 #include "engine/platform/sdl/sdl.h"
 #include "engine/platform/web/web.h"
-#include "example_mains.h"
+#include "game/web/example_mains.h"
 
 namespace {
 
@@ -17,7 +17,7 @@ struct Example {
 };
 
 constexpr Example kExamples[] = {
-#include "example_table.h"
+#include "game/web/example_table.h"
 };
 
 EM_JS(void, page_offer, (const char* name), {
