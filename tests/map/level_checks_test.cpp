@@ -7,16 +7,6 @@
 namespace oblong::test {
 namespace {
 
-// What is said while a source is compiled, "line N: WHAT" each.
-std::vector<std::string> said_of(const std::string& source) {
-    map::Warnings warnings;
-    compile(source, {.is_fast = true, .warnings = &warnings});
-    std::vector<std::string> said;
-    for (const map::Warning& warning : warnings.take())
-        said.push_back("line " + std::to_string(warning.line) + ": " + warning.what);
-    return said;
-}
-
 using Said = std::vector<std::string>;
 
 int line_of(const std::string& source, const std::string& part) {

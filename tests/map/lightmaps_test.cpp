@@ -226,16 +226,6 @@ TEST(Lightmaps, WhateverHasALightShines) {
     EXPECT_EQ(light_of("misc_lantern", {{"light", "250"}, {"texture", "{bars"}}), 0) << "its light is another";
 }
 
-// What is said of a level that is compiled.
-std::vector<std::string> said_of(const std::string& source) {
-    map::Warnings warnings;
-    compile(source, {.is_fast = true, .warnings = &warnings});
-    std::vector<std::string> said;
-    for (const map::Warning& warning : warnings.take())
-        said.push_back("line " + std::to_string(warning.line) + ": " + warning.what);
-    return said;
-}
-
 TEST(Lightmaps, ALampJustInAWallIsMovedOutOfIt) {
     for (const int depth : {1, 2}) {
         const std::string source = level(hall(), entity_at("light", {-depth, 64, 97}));

@@ -255,4 +255,13 @@ std::string lights_of_plain_room() {
     return entity_at("info_player_start", {64, 64, 40}) + entity_at("light", {128, 128, 100});
 }
 
+std::vector<std::string> said_of(const std::string& source) {
+    map::Warnings warnings;
+    compile(source, {.is_fast = true, .warnings = &warnings});
+    std::vector<std::string> said;
+    for (const map::Warning& warning : warnings.take())
+        said.push_back("line " + std::to_string(warning.line) + ": " + warning.what);
+    return said;
+}
+
 }  // namespace oblong::test

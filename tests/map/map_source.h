@@ -92,4 +92,7 @@ std::string bytes_of(const std::string& source);
 std::string plain_room();
 std::string lights_of_plain_room();
 
+/// What is said while a source is compiled fast, "line N: WHAT" each.
+std::vector<std::string> said_of(const std::string& source);
+
 }  // namespace oblong::test
