@@ -5,7 +5,7 @@ Page.lines = [];  // what the program said last
 // The bytes of a file, wherever they are: in this page, packed, or beside it. The bar shows how many have come.
 let loadedBytes = 0;
 const allBytes = Object.values(SIZES).reduce((sum, size) => sum + size, 0);
-const open = async name => {
+const streamOf = async name => {
   const packed = document.getElementById(name);
   const response = await fetch(packed ? "data:;base64," + packed.textContent.trim() : name);
   if (!response.ok) throw new Error(name + ": " + response.status + " " + response.statusText);
@@ -129,7 +129,7 @@ const entered = instance => {
   return {exports: {...instance.exports, main: (...words) => { main(...words).then(() => Module.arguments.length && Page.end("The program has ended."), fail); }}};
 };
 
-const data = open("/*@program@*/.data").then(stream => new Response(stream).arrayBuffer());
+const data = streamOf("/*@program@*/.data").then(stream => new Response(stream).arrayBuffer());
 globalThis.Module = {
   // Of the address: oblong.html?--mode%20640x480
   arguments: [/*@game@*/...decodeURIComponent(location.search.slice(1)).split(" ").filter(word => word)],
@@ -139,7 +139,7 @@ globalThis.Module = {
     Page.lines = [...Page.lines, line].slice(-5);
   },
   instantiateWasm(imports, done) {
-    open("/*@program@*/.wasm")
+    streamOf("/*@program@*/.wasm")
       .then(stream => WebAssembly.instantiateStreaming(new Response(stream, {headers: {"Content-Type": "application/wasm"}}), WAITS ? suspended(imports) : imports))
       .then(made => done(WAITS ? entered(made.instance) : made.instance, made.module)).catch(fail);
     return {};

@@ -49,6 +49,22 @@ const touch = async open => {
   await tab.until("Page.axes[1] === 0", "the left thumb at rest");
   await tab.page.touchscreen.tap(900 - 48, 48);
   await tab.until("!Page.isCaptured", "the menu by its button");
+
+  // The gallery: a tap turns its pages, a thumb that moves in its menu chooses.
+  await tab.page.goto("file://" + alone + "?--gallery");
+  await tab.shows();
+  for (const [x, number] of [[800, 2], [800, 3], [100, 2]]) {
+    await tab.page.touchscreen.tap(x, 300);
+    await tab.until(`document.title.includes("gallery, ${number} of")`, "a page of the gallery by a tap");
+  }
+  await tab.page.touchscreen.tap(900 - 48, 48);
+  await tab.until("Page.events.length === 0", "the menu's button is read");
+  await tab.evaluate("globalThis.before = seen");
+  const swipe = await tab.page.touchscreen.touchStart(450, 300);
+  await swipe.move(450, 270);
+  await swipe.end();
+  await tab.until("different(seen, before) > 0", "a swipe in the menu");
+  await tab.shot(file("gallery"));
   return tab;
 };
 

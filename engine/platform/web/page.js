@@ -159,7 +159,6 @@ class GlScreen extends Screen {
 // Samples that the program mixes, a few hundredths of a second ahead of what is heard.
 class Sound {
   constructor() {
-    if (!window.AudioContext) throw new Error("this browser has no AudioContext");
     this.context = new AudioContext({sampleRate: 44100, latencyHint: "interactive"});
     this.end = 0;  // of what has been mixed, seconds of the context's clock
     this.closed = new AbortController();
@@ -231,9 +230,9 @@ const Page = globalThis.Page = {
   state(words, at) {
     this.followPads();
     const pointer = this.isCaptured ? null : this.pointer;
-    words.set([this.canvas.width, this.canvas.height, document.hasFocus() ? 1 : 0, document.hidden ? 1 : 0,
-               this.changesFullScreen ? 1 : 0, pointer ? 1 : 0, pointer ? pointer.x : 0, pointer ? pointer.y : 0,
-               pointer && pointer.hasMoved ? 1 : 0, pointer && pointer.isPressed ? 1 : 0, this.events.length], at);
+    const {x, y, hasMoved, isPressed} = pointer || {};
+    words.set([document.hasFocus(), document.hidden, this.changesFullScreen, pointer !== null, x, y, hasMoved, isPressed,
+               this.events.length], at);  // true is 1; false, and what there is not, 0
     this.changesFullScreen = false;
     if (this.pointer) this.pointer.hasMoved = this.pointer.isPressed = false;
   },
