@@ -18,9 +18,9 @@ struct Perspective {
 
     Perspective() = default;
     Perspective(const TextureGradients& gradients, std::int32_t column, std::int32_t row)
-        : inverse_z(gradients.inverse_z.at(column, row)),
-          u_over_z(gradients.u_over_z.at(column, row)),
-          v_over_z(gradients.v_over_z.at(column, row)) {
+        : inverse_z(gradients.inverse_z.at_shown(column, row)),
+          u_over_z(gradients.u_over_z.at_shown(column, row)),
+          v_over_z(gradients.v_over_z.at_shown(column, row)) {
         note_range<"1/z at a block's end">(inverse_z);
         note_range<"u/z, v/z at a block's end">(u_over_z);
         note_range<"u/z, v/z at a block's end">(v_over_z);
@@ -49,10 +49,12 @@ constexpr Number clamp_value(Number value, Number least, Number greatest) {
 /// value * 2^shift / 2^32, floored: the upper half of a number that fits 64 bits.
 [[gnu::always_inline]] inline std::int64_t upper_half(std::int64_t value, int shift) {
 #if defined(__i386__)
-    // One instruction each, where the compiler need not ask whether a shift is 32 or more.
+    // One instruction each: a compiler would ask whether the shift is 32 or more.
     const auto low = static_cast<std::uint32_t>(value);
+    auto high = static_cast<std::int32_t>(value >> 32);
     if (shift >= 32) return static_cast<std::int32_t>(low << (shift & 31));
-    return static_cast<std::int32_t>(static_cast<std::uint64_t>(value) << (shift & 31) >> 32);
+    asm("shldl %%cl, %1, %0" : "+r"(high) : "r"(low), "c"(shift) : "cc");
+    return high;
 #else
     return floor_shift(value * (std::int64_t{1} << shift), 32);
 #endif

@@ -95,9 +95,10 @@ class SpanCutter {
 
     [[gnu::always_inline]] void advance(std::int32_t count) {
         const InverseZ before = here_.inverse_z;
-        here_.inverse_z = stepped(before, gradients_.inverse_z.per_column, count);
-        here_.u_over_z = stepped(here_.u_over_z, gradients_.u_over_z.per_column, count);
-        here_.v_over_z = stepped(here_.v_over_z, gradients_.v_over_z.per_column, count);
+        const auto columns = static_cast<std::uint32_t>(count);
+        here_.inverse_z = stepped(before, gradients_.inverse_z.per_column, columns);
+        here_.u_over_z = stepped(here_.u_over_z, gradients_.u_over_z.per_column, columns);
+        here_.v_over_z = stepped(here_.v_over_z, gradients_.v_over_z.per_column, columns);
         if (here_.inverse_z != before) depth_ = Depth<Reciprocal, Range>(here_.inverse_z, reciprocal_);
         texel_ = texel_of(here_, depth_, limits_);
     }
@@ -219,7 +220,7 @@ class SpanEnds {
 
     [[gnu::always_inline]] TexelPosition first(const Span& span) {
         if (!repeats_rows_ || span.first != first_.column)
-            set(first_, span.first, span.y, FittingDepth(gradients_.inverse_z.at(span.first, span.y), reciprocal_));
+            set(first_, span.first, span.y, depth_at(span.first, span.y));
         else
             ++divisions_saved_;
         return {first_.u_16, v_16(first_, span.y)};
@@ -230,7 +231,7 @@ class SpanEnds {
         if (is_of_one_depth_)
             set(last_, column, span.y, first_.depth);
         else if (!repeats_rows_ || column != last_.column)
-            set(last_, column, span.y, FittingDepth(gradients_.inverse_z.at(column, span.y), reciprocal_));
+            set(last_, column, span.y, depth_at(column, span.y));
         else
             ++divisions_saved_;
         return {last_.u_16, v_16(last_, span.y)};
@@ -246,10 +247,13 @@ class SpanEnds {
     };
 
     [[gnu::always_inline]] void set(End& end, std::int32_t column, std::int32_t row, const FittingDepth& depth) const {
-        end = {column, within(depth.times(gradients_.u_over_z.at(column, row)), limits_.greatest_u), depth};
+        end = {column, within(depth.times(gradients_.u_over_z.at_shown(column, row)), limits_.greatest_u), depth};
+    }
+    [[gnu::always_inline]] FittingDepth depth_at(std::int32_t column, std::int32_t row) const {
+        return FittingDepth(gradients_.inverse_z.at_shown(column, row), reciprocal_);
     }
     [[gnu::always_inline]] std::uint32_t v_16(const End& end, std::int32_t row) const {
-        return within(end.depth.times(gradients_.v_over_z.at(end.column, row)), limits_.greatest_v);
+        return within(end.depth.times(gradients_.v_over_z.at_shown(end.column, row)), limits_.greatest_v);
     }
     [[gnu::always_inline]] std::uint32_t within(Texel texel, Texel greatest) const {
         return texel_within(texel, limits_.least, greatest);

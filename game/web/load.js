@@ -82,9 +82,12 @@ const keepSaves = hasDatabase => {
     });
   };
   const rescue = () => {
-    for (const path of storage ? changed : [])
+    for (const path of storage ? changed : []) {
       if (FS.analyzePath(path).exists)
         storage[RESCUED + path] = btoa(Array.from(FS.readFile(path), byte => String.fromCharCode(byte)).join(""));
+      else
+        storage.removeItem(RESCUED + path);
+    }
   };
   setInterval(write, 500);
   document.addEventListener("visibilitychange", () => {
