@@ -91,6 +91,17 @@ std::array<const ViewVertex*, 3> seen_vertices(const MeshTriangle& triangle, con
     return {&seen_vertex(a, mesh, scratch), &seen_vertex(b, mesh, scratch), &seen_vertex(c, mesh, scratch)};
 }
 
+/// Whether a triangle is all inside of the view.
+bool is_inside(const std::array<const ViewVertex*, 3>& vertices) {
+    return (vertices[0]->outcode | vertices[1]->outcode | vertices[2]->outcode) == 0;
+}
+
+/// The corners of a triangle that is, without values.
+std::array<ScreenCorner, 3> places_of(const std::array<const ViewVertex*, 3>& vertices) {
+    const auto place = [](const ViewVertex& vertex) { return ScreenCorner{vertex.screen, vertex.inverse_z, {}}; };
+    return {place(*vertices[0]), place(*vertices[1]), place(*vertices[2])};
+}
+
 /// Its values. The view has seen it.
 const CornerValues& values_at(std::uint32_t number, const MeshContext& mesh, MeshScratch& scratch) {
     CornerValues& values = item(scratch.values, number);
@@ -150,8 +161,7 @@ void draw_triangle(const TriangleInView& triangle, const MeshPaint& paint, const
 /// the first triangle shows that has them: most of a small mesh's do not.
 void draw_whole(const MeshTriangle& triangle, const std::array<const ViewVertex*, 3>& vertices, const MeshContext& mesh,
                 MeshScratch& scratch, MeshCounts& counts) {
-    std::array<ScreenCorner, 3> corners;
-    for (std::size_t i = 0; i < 3; ++i) corners[i] = {vertices[i]->screen, vertices[i]->inverse_z, {}};
+    std::array<ScreenCorner, 3> corners = places_of(vertices);
     const auto found = find_triangle({&corners[0], &corners[1], &corners[2]}, mesh.target, scratch, counts);
     if (!found) return;
     const std::array<CornerValues, 3> values = values_of(triangle, mesh, scratch);
@@ -176,13 +186,17 @@ void draw_polygon(const MeshTriangle& triangle, const MeshContext& mesh, MeshScr
     const std::array<const ViewVertex*, 3> vertices = seen_vertices(triangle, mesh, scratch);
     const auto& [a, b, c] = vertices;
     if ((a->outcode & b->outcode & c->outcode) != 0) return;
-    const bool is_inside = (a->outcode | b->outcode | c->outcode) == 0;
-    (is_inside ? draw_whole : draw_clipped)(triangle, vertices, mesh, scratch, counts);
+    (is_inside(vertices) ? draw_whole : draw_clipped)(triangle, vertices, mesh, scratch, counts);
 }
 
 /// Whether a triangle has a pixel at which nothing is nearer.
 bool is_seen(const MeshTriangle& triangle, const MeshPlacement& mesh, MeshScratch& scratch, MeshCounts& counts) {
-    clip_and_project(seen_vertices(triangle, mesh, scratch), {}, mesh.view, scratch.clip, scratch.polygon);
+    const auto vertices = seen_vertices(triangle, mesh, scratch);
+    if (is_inside(vertices)) {
+        const std::array<ScreenCorner, 3> corners = places_of(vertices);
+        return find_triangle({&corners[0], &corners[1], &corners[2]}, mesh.target, scratch, counts).has_value();
+    }
+    clip_and_project(vertices, {}, mesh.view, scratch.clip, scratch.polygon);
     const std::vector<ScreenCorner>& polygon = scratch.polygon;
     for (std::size_t i = 2; i < polygon.size(); ++i)
         if (find_triangle({&polygon[0], &polygon[i - 1], &polygon[i]}, mesh.target, scratch, counts)) return true;

@@ -54,6 +54,28 @@ bool is_above_zero(const Vec3<Fixed<std::int64_t, 24>>& normal, const Vec3<World
     return sum.scaled(0).mantissa > 0;
 }
 
+/// Whether all parts are from -2^bits to 2^bits - 1 steps.
+template <int kBits>
+constexpr bool is_within_bits(const Vec3<WorldWide>& v) {
+    constexpr std::int64_t kEnd = std::int64_t{1} << kBits;
+    return static_cast<std::uint64_t>((v.x.raw + kEnd) | (v.y.raw + kEnd) | (v.z.raw + kEnd)) >> (kBits + 1) == 0;
+}
+
+/// Whether a triangle's front is toward the eye, exactly.
+bool is_facing(const MeshTriangle& triangle, std::span<const MeshVertex> vertices, const Vec3<World>& object_eye) {
+    const Vec3<World>& a = vertices[triangle.vertices[0]].position;
+    const auto from_a = [&](const Vec3<World>& p) { return widening_difference(p, a); };
+    const auto to_eye = from_a(object_eye), b = from_a(vertices[triangle.vertices[1]].position),
+               c = from_a(vertices[triangle.vertices[2]].position);
+    // Three products below 2^(2 * 17 + 1 + 25): their sum fits 64 bits. So it is with nearly all.
+    if (is_within_bits<17>(b) && is_within_bits<17>(c) && is_within_bits<25>(to_eye))
+        return to_eye.x.raw * (c.y.raw * b.z.raw - c.z.raw * b.y.raw) +
+                   to_eye.y.raw * (c.z.raw * b.x.raw - c.x.raw * b.z.raw) +
+                   to_eye.z.raw * (c.x.raw * b.y.raw - c.y.raw * b.x.raw) >
+               0;
+    return is_above_zero(object_normal(triangle, vertices), to_eye);
+}
+
 /// Whether products of the point with entries below 2^5, and their sums, fit 64 bits: it is within 2^13 units.
 constexpr bool is_small(const Vec3<World>& point) {
     return size_bits(point) >> (World::kFractionBits + 13) == 0;
@@ -158,8 +180,7 @@ void find_facing(std::span<const MeshTriangle> triangles, std::span<const MeshVe
     for (std::uint32_t i = 0; i < triangles.size(); ++i) {
         const auto& [a, b, c] = triangles[i].vertices;
         if (std::max({a, b, c}) >= object_vertices.size()) continue;
-        const Vec3<WorldWide> to_eye = widening_difference(object_eye, object_vertices[a].position);
-        if (is_above_zero(object_normal(triangles[i], object_vertices), to_eye)) facing.push_back(i);
+        if (is_facing(triangles[i], object_vertices, object_eye)) facing.push_back(i);
     }
 }
 

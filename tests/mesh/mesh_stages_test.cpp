@@ -111,13 +111,17 @@ TEST(MeshStages, NormalsStayAtRightAnglesWhenAMeshIsSqueezed) {
 
 TEST(MeshStages, FacingIsTheSignOfTheExactProduct) {
     std::mt19937 random(2);
-    std::uniform_real_distribution<double> anywhere(-100, 100);
-    const auto point = [&] { return world_point(anywhere(random), anywhere(random), anywhere(random)); };
+    std::uniform_real_distribution<double> share(-1, 1);
+    double most = 100;
+    const auto point = [&] { return world_point(most * share(random), most * share(random), most * share(random)); };
     int facing_count = 0;
     for (int i = 0; i < 2000; ++i) {
         MeshBuilder builder;
+        most = std::ldexp(1.0, i % 19);
         builder.add(point()), builder.add(point()), builder.add(point());
         builder.triangle(0, 1, 2);
+        const double edge = most;
+        most = std::ldexp(1.0, i / 19 % 19);
         const Vec3<World> eye = point();
         std::vector<std::uint32_t> facing;
         find_facing(builder.mesh.triangles, builder.mesh.frames[0].vertices, eye, facing);
@@ -125,11 +129,11 @@ TEST(MeshStages, FacingIsTheSignOfTheExactProduct) {
         const Point a = to_point(vertices[0].position), b = to_point(vertices[1].position),
                     c = to_point(vertices[2].position), e = to_point(eye);
         const Point ab{b.x - a.x, b.y - a.y, b.z - a.z}, ac{c.x - a.x, c.y - a.y, c.z - a.z};
-        // Clockwise seen from the front in right-handed axes: ac x ab points to the front. Exact in double: 87 bits at
-        // most, so that only its sign near 0 may be wrong.
+        // Clockwise seen from the front in right-handed axes: ac x ab points to the front. In doubles only its sign
+        // near 0 may be wrong.
         const Point normal{ac.y * ab.z - ac.z * ab.y, ac.z * ab.x - ac.x * ab.z, ac.x * ab.y - ac.y * ab.x};
         const double side = dot(normal, {e.x - a.x, e.y - a.y, e.z - a.z});
-        if (std::abs(side) < 1e-6) continue;
+        if (std::abs(side) < 1e-12 * edge * edge * (edge + most)) continue;
         ASSERT_EQ(!facing.empty(), side > 0);
         facing_count += side > 0;
     }
