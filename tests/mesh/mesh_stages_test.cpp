@@ -117,11 +117,11 @@ TEST(MeshStages, FacingIsTheSignOfTheExactProduct) {
     int facing_count = 0;
     for (int i = 0; i < 2000; ++i) {
         MeshBuilder builder;
-        most = std::ldexp(1.0, i % 19);
+        most = std::ldexp(1.0, i % 17);
         builder.add(point()), builder.add(point()), builder.add(point());
         builder.triangle(0, 1, 2);
         const double edge = most;
-        most = std::ldexp(1.0, i / 19 % 19);
+        most = std::ldexp(1.0, i / 17 % 19);
         const Vec3<World> eye = point();
         std::vector<std::uint32_t> facing;
         find_facing(builder.mesh.triangles, builder.mesh.frames[0].vertices, eye, facing);
