@@ -131,7 +131,7 @@ void draw_mirrors(const FrameContext& frame, ViewScratch& scratch) {
     MirrorScratch& mirrors = scratch.mirror;
     if (!mirrors.view)
         mirrors.view = std::make_unique<ViewScratch>(frame.scene.level, frame.cache.faces,
-                                                     ScreenMode{out.width_px, out.height_px});
+                                                     ScreenMode{out.width_px, out.height_px}, scratch.claiming);
     mirrors.picture.resize(pixel_count(out.width_px, out.height_px));
 
     std::vector<VisibleFace> left = scratch.claims.list(FaceList::Mirror);

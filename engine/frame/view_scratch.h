@@ -40,20 +40,35 @@ struct EffectScratch {
     UnderwaterScratch underwater;
 };
 
-/// What drawing one view of a level in one mode works with. A mirror's view has one of its own.
-struct ViewScratch {
-    /// Level and faces outlive it.
-    ViewScratch(const Level& level, const FaceTable& faces, const ScreenMode& mode);
-    ViewScratch(const ViewScratch&) = delete;
-    ~ViewScratch();
+/// What finding out which face owns which pixel works with; of no use afterwards.
+struct ClaimScratch {
+    ClaimScratch(const Level& level, const FaceTable& faces, const ScreenMode& mode);
 
-    VisibleSet visible;  ///< from the eye's leaf
     WalkScratch walk;
     VertexCache vertices;
     CornerScratch corners;
     ScreenPolygon polygon;  ///< the current face's
     ScanlineExtents rows;   ///< of the polygon
     SpanBuffer span_buffer;
+};
+
+/// What drawing one view of a level in one mode works with. A mirror's view has one of its own.
+struct ViewScratch {
+    /// Level and faces outlive it. `claiming` is that of a view whose pixels have their owners before this one's; null:
+    /// none is.
+    ViewScratch(const Level& level, const FaceTable& faces, const ScreenMode& mode,
+                std::shared_ptr<ClaimScratch> claiming = nullptr);
+    ViewScratch(const ViewScratch&) = delete;
+    ~ViewScratch();
+
+    VisibleSet visible;  ///< from the eye's leaf
+    std::shared_ptr<ClaimScratch> claiming;
+    WalkScratch& walk = claiming->walk;
+    VertexCache& vertices = claiming->vertices;
+    CornerScratch& corners = claiming->corners;
+    ScreenPolygon& polygon = claiming->polygon;
+    ScanlineExtents& rows = claiming->rows;
+    SpanBuffer& span_buffer = claiming->span_buffer;
     Claims claims;      ///< of the view's faces
     DepthBuffer depth;  ///< around the things in view
     FrameLight light;
