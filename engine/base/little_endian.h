@@ -23,6 +23,11 @@ inline void expect_at(std::size_t offset, bool is_right, const std::string& what
     if (!is_right) throw InputError("offset " + std::to_string(offset), what_is_wrong);
 }
 
+/// The same without making a text of what is right.
+inline void expect_at(std::size_t offset, bool is_right, const char* what_is_wrong) {
+    if (!is_right) expect_at(offset, false, std::string(what_is_wrong));
+}
+
 /// Reads such integers one after the other. What is not there is an InputError at its offset.
 class LittleEndianReader {
   public:
@@ -33,8 +38,7 @@ class LittleEndianReader {
     std::size_t rest() const { return bytes_.size() - at_; }
 
     std::span<const std::uint8_t> take(std::size_t count) {
-        if (count > rest())
-            expect_at(at_, false, std::to_string(rest()) + " bytes are left, expected " + std::to_string(count));
+        if (count > rest()) fail(count);
         at_ += count;
         return bytes_.subspan(at_ - count, count);
     }
@@ -48,6 +52,10 @@ class LittleEndianReader {
     }
 
   private:
+    [[gnu::cold, gnu::noinline]] void fail(std::size_t count) const {
+        expect_at(at_, false, std::to_string(rest()) + " bytes are left, expected " + std::to_string(count));
+    }
+
     std::span<const std::uint8_t> bytes_;
     std::size_t at_;
 };

@@ -120,6 +120,22 @@ constexpr std::int64_t short_mul_shift(std::int32_t a, std::int64_t b, int shift
     return rounded_shift(high + static_cast<std::uint32_t>(low >> 32), shift - 32, rounding);
 }
 
+/// The same, `shift` 1 to 32: its quotient by 2^32, floored, and the bits below that; saturates.
+constexpr std::int64_t short_mul_shift_by_less(std::int32_t a, std::int64_t b, int shift, Rounding rounding) {
+    const auto low_b = static_cast<std::uint32_t>(b);
+    std::uint64_t low = std::uint64_t{static_cast<std::uint32_t>(a)} * low_b;
+    std::int64_t high = std::int64_t{a} * static_cast<std::int32_t>(b >> 32) - (a < 0 ? low_b : 0);
+    high += static_cast<std::uint32_t>(low >> 32);
+    low = static_cast<std::uint32_t>(low) + (rounding == Rounding::Floor ? 0 : std::uint64_t{1} << (shift - 1));
+    high += static_cast<std::uint32_t>(low >> 32);
+    if (const auto short_high = static_cast<std::int32_t>(high); short_high != high) {
+        const std::int64_t sign = floor_shift(high, 63);
+        if (floor_shift(high, 31 + shift) != sign) return detail::saturated(high < 0, ~std::uint64_t{0});
+    }
+    return static_cast<std::int64_t>(static_cast<std::uint64_t>(high) << (32 - shift)) +
+           (static_cast<std::uint32_t>(low) >> (shift - 1) >> 1);
+}
+
 /// a * b / 2^shift: the product in two's complement and half a step, floored.
 constexpr std::int64_t long_mul_shift(std::int64_t a, std::int64_t b, int shift, Rounding rounding) {
     const auto bits_a = static_cast<std::uint64_t>(a), bits_b = static_cast<std::uint64_t>(b);
@@ -140,6 +156,7 @@ constexpr std::int64_t long_mul_shift(std::int64_t a, std::int64_t b, int shift,
 [[gnu::always_inline]] constexpr std::int64_t mul_shift(std::int64_t a, std::int64_t b, int shift, Rounding rounding) {
     const auto short_a = static_cast<std::int32_t>(a);
     if (shift > 32 && shift < 95 && short_a == a) return short_mul_shift(short_a, b, shift, rounding);
+    if (shift > 0 && shift <= 32 && short_a == a) return short_mul_shift_by_less(short_a, b, shift, rounding);
     return long_mul_shift(a, b, shift, rounding);
 }
 

@@ -24,6 +24,12 @@ struct Number {
     std::int64_t mantissa = 0;
     int exponent = 0;
 };
+/// That of a float.
+struct FloatNumber {
+    std::int32_t mantissa = 0;
+    int exponent = 0;
+    operator Number() const { return {mantissa, exponent}; }
+};
 
 int exponent_field(FloatBits value) {
     return static_cast<int>(value.bits >> 23 & 0xff);
@@ -34,10 +40,10 @@ bool is_finite(FloatBits value) {
 }
 
 /// Of a finite float.
-Number to_number(FloatBits value) {
+FloatNumber to_number(FloatBits value) {
     const int field = exponent_field(value);
-    const std::int64_t fraction = value.bits & 0x7fffff;
-    const std::int64_t magnitude = field == 0 ? fraction : fraction | 0x800000;
+    const auto fraction = static_cast<std::int32_t>(value.bits & 0x7fffff);
+    const std::int32_t magnitude = field == 0 ? fraction : fraction | 0x800000;
     return {value.bits >> 31 ? -magnitude : magnitude, std::max(field, 1) - 150};
 }
 
@@ -80,9 +86,13 @@ bool is_in_box(FloatBits value) {
     return magnitude && ceil_of(*magnitude) <= kBoxLimit;
 }
 
+bool is_zero(FloatBits value) {
+    return value.bits << 1 == 0;
+}
+
 Number product(FloatBits a, FloatBits b) {
-    const Number x = to_number(a), y = to_number(b);
-    return {x.mantissa * y.mantissa, x.exponent + y.exponent};
+    const FloatNumber x = to_number(a), y = to_number(b);
+    return {std::int64_t{x.mantissa} * y.mantissa, x.exponent + y.exponent};
 }
 
 /// Without its last `excess` bits: rounded to the nearest, a tie to even.
@@ -99,8 +109,9 @@ Number rounded_to_double(Number value) {
     return without_bits(value, bit_width(value.mantissa) - kDoubleBits);
 }
 
-Number rounded_to_float(Number value) {
-    return without_bits(value, std::max(bit_width(value.mantissa) - kFloatBits, kLeastExponent - value.exponent));
+FloatNumber rounded_to_float(Number value) {
+    value = without_bits(value, std::max(bit_width(value.mantissa) - kFloatBits, kLeastExponent - value.exponent));
+    return {static_cast<std::int32_t>(value.mantissa), value.exponent};
 }
 
 /// value / 2^bits rounded to odd: an odd number where bits are lost, so that a later rounding to fewer bits gives what
@@ -112,10 +123,8 @@ std::int64_t shift_right_to_odd(std::int64_t value, int bits) {
 }
 
 /// The sum of two doubles, rounded to a double as IEEE 754 has it. In integers, since there are processors that add
-/// with more bits and round twice.
-Number sum(Number a, Number b) {
-    if (a.mantissa == 0) return b;
-    if (b.mantissa == 0) return a;
+/// with more bits and round twice. Of none that is 0.
+Number sum_of_two(Number a, Number b) {
     if (a.exponent + bit_width(a.mantissa) < b.exponent + bit_width(b.mantissa)) std::swap(a, b);
     const int room = kSumBits - bit_width(a.mantissa);
     a = {shift_left(a.mantissa, room), a.exponent - room};
@@ -124,11 +133,25 @@ Number sum(Number a, Number b) {
     return rounded_to_double({a.mantissa + aligned, a.exponent});
 }
 
-/// In cells of 16 texels.
-Number cell_coordinate(const FloatBits3& p, const std::array<FloatBits, 4>& axis) {
-    Number texel = sum(product(p[0], axis[0]), product(p[1], axis[1]));
-    texel = rounded_to_float(sum(sum(texel, product(p[2], axis[2])), to_number(axis[3])));
-    return {texel.mantissa, texel.exponent - kCellShift};
+void add(const Number& term, Number& sum) {
+    sum = sum.mantissa == 0 ? term : sum_of_two(sum, term);
+}
+
+/// A coordinate in cells of 16 texels, rounded both ways.
+struct CellRange {
+    std::int32_t floor, ceil;
+};
+
+CellRange cell_coordinate(const FloatBits3& p, const std::array<FloatBits, 4>& axis) {
+    Number texel;
+    for (std::size_t i = 0; i < 3; ++i)
+        if (!is_zero(p[i]) && !is_zero(axis[i])) add(product(p[i], axis[i]), texel);
+    if (!is_zero(axis[3])) add(to_number(axis[3]), texel);
+    const auto [mantissa, exponent] = rounded_to_float(texel);
+    const int shift = std::min(kCellShift - exponent, 31);
+    if (shift <= 0) return {mantissa << -shift, mantissa << -shift};
+    const std::int32_t floor = floor_shift(mantissa, shift);
+    return {floor, floor + (floor << shift == mantissa ? 0 : 1)};
 }
 
 }  // namespace
@@ -171,13 +194,12 @@ std::string describe(FloatBits value) {
 }
 
 TexelRange texel_range(std::span<const FloatBits3> polygon, const std::array<FloatBits, 4>& axis) {
-    std::int64_t first = std::numeric_limits<std::int64_t>::max(), last = std::numeric_limits<std::int64_t>::lowest();
+    CellRange range{std::numeric_limits<std::int32_t>::max(), std::numeric_limits<std::int32_t>::lowest()};
     for (const FloatBits3& p : polygon) {
-        const Number cell = cell_coordinate(p, axis);
-        first = std::min(first, floor_of(cell));
-        last = std::max(last, ceil_of(cell));
+        const CellRange cell = cell_coordinate(p, axis);
+        range = {std::min(range.floor, cell.floor), std::max(range.ceil, cell.ceil)};
     }
-    return {static_cast<std::int32_t>(first * 16), static_cast<std::int32_t>((last - first) * 16)};
+    return {range.floor * 16, (range.ceil - range.floor) * 16};
 }
 
 }  // namespace oblong

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "engine/fixed/arithmetic.h"
+#include "engine/fixed/divide.h"
 #include "engine/raster/scan.h"
 
 namespace oblong {
@@ -27,8 +28,8 @@ WeightStep step_of(std::int64_t part, std::int64_t whole) {
     const std::uint64_t size = detail::magnitude(part), divisor = detail::magnitude(whole);
     if (size > divisor || divisor == 0 || divisor >> 35 != 0)
         return WeightStep::from_raw(mul_div(part, WeightStep::from_int(256).raw, whole));
-    const std::uint64_t high = (size << kBits) / divisor, rest = (size << kBits) % divisor;
-    const std::uint64_t low = (rest << kBits) / divisor, last = (rest << kBits) % divisor;
+    const auto [high, rest] = divide(size << kBits, divisor);
+    const auto [low, last] = divide(rest << kBits, divisor);
     const bool is_negative = (part < 0) != (whole < 0);
     const auto quotient = static_cast<std::int64_t>((high << kBits) + low);
     // To the nearest, a tie up.

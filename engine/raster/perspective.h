@@ -18,9 +18,9 @@ struct Perspective {
 
     Perspective() = default;
     Perspective(const TextureGradients& gradients, std::int32_t column, std::int32_t row)
-        : inverse_z(gradients.inverse_z.at(column, row)),
-          u_over_z(gradients.u_over_z.at(column, row)),
-          v_over_z(gradients.v_over_z.at(column, row)) {
+        : inverse_z(gradients.inverse_z.at_shown(column, row)),
+          u_over_z(gradients.u_over_z.at_shown(column, row)),
+          v_over_z(gradients.v_over_z.at_shown(column, row)) {
         note_range<"1/z at a block's end">(inverse_z);
         note_range<"u/z, v/z at a block's end">(u_over_z);
         note_range<"u/z, v/z at a block's end">(v_over_z);
@@ -49,10 +49,12 @@ constexpr Number clamp_value(Number value, Number least, Number greatest) {
 /// value * 2^shift / 2^32, floored: the upper half of a number that fits 64 bits.
 [[gnu::always_inline]] inline std::int64_t upper_half(std::int64_t value, int shift) {
 #if defined(__i386__)
-    // One instruction each, where the compiler need not ask whether a shift is 32 or more.
+    // One instruction each: a compiler would ask whether the shift is 32 or more.
     const auto low = static_cast<std::uint32_t>(value);
+    auto high = static_cast<std::int32_t>(value >> 32);
     if (shift >= 32) return static_cast<std::int32_t>(low << (shift & 31));
-    return static_cast<std::int32_t>(static_cast<std::uint64_t>(value) << (shift & 31) >> 32);
+    asm("shldl %%cl, %1, %0" : "+r"(high) : "r"(low), "c"(shift) : "cc");
+    return high;
 #else
     return floor_shift(value * (std::int64_t{1} << shift), 32);
 #endif
@@ -60,20 +62,27 @@ constexpr Number clamp_value(Number value, Number least, Number greatest) {
 
 /// 2^92 / normalised, for a number from 2^59 to 2^60: value * 2^shift. Exact: one 64-bit division, relative error below
 /// 2^-26.
-template <ReciprocalMethod Method>
-[[gnu::always_inline]] inline std::int64_t reciprocal_of(std::int64_t value, int shift) {
-    if constexpr (Method == ReciprocalMethod::Exact)
+struct DividedReciprocal {
+    [[gnu::always_inline]] static std::int64_t of(std::int64_t value, int shift) {
         return static_cast<std::int64_t>(
             divide(std::uint64_t{1} << 60, static_cast<std::uint64_t>(upper_half(value, shift))).quotient);
-    else
-        return std::int64_t{mantissa_reciprocal(static_cast<std::uint32_t>(value << shift >> 28), Method)} * 4;
-}
+    }
+};
+
+/// The same by any other method.
+struct TabledReciprocal {
+    ReciprocalMethod method;
+
+    [[gnu::always_inline]] std::int64_t of(std::int64_t value, int shift) const {
+        return std::int64_t{mantissa_reciprocal(static_cast<std::uint32_t>(value << shift >> 28), method)} * 4;
+    }
+};
 
 /// Whether 1/z, u/z and v/z may be so large or small that they have to be clamped before they are multiplied.
 enum class PerspectiveRange { MayOverflow, Fits };
 
 /// z as a reciprocal of 33 bits and a scale. Where the range is known to fit (fits_range), both kinds give the same.
-template <ReciprocalMethod Method, PerspectiveRange Range>
+template <class Reciprocal, PerspectiveRange Range>
 struct Depth {
     static constexpr bool kClamps = Range == PerspectiveRange::MayOverflow;
 
@@ -82,11 +91,11 @@ struct Depth {
     int shift = 0;               ///< what brings 1/z to 60 bits
 
     Depth() = default;
-    [[gnu::always_inline]] explicit Depth(InverseZ inverse_z) {
+    [[gnu::always_inline]] Depth(InverseZ inverse_z, Reciprocal reciprocal) {
         const std::int64_t positive =
             kClamps ? clamp_value(inverse_z, kLeastInverseZ, kGreatestInverseZ).raw : inverse_z.raw;
         shift = std::countl_zero(static_cast<std::uint64_t>(positive)) - 4;
-        mantissa = reciprocal_of<Method>(positive, shift);
+        mantissa = reciprocal.of(positive, shift);
         if constexpr (kClamps) greatest_over_z = TexelOverZ::from_raw(positive * 4 - 4);
     }
 
@@ -101,8 +110,8 @@ struct Depth {
     }
 };
 
-template <ReciprocalMethod Method, PerspectiveRange Range>
-[[gnu::always_inline]] inline TexelPosition texel_of(const Perspective& at, const Depth<Method, Range>& depth,
+template <class Reciprocal, PerspectiveRange Range>
+[[gnu::always_inline]] inline TexelPosition texel_of(const Perspective& at, const Depth<Reciprocal, Range>& depth,
                                                      const TexelLimits& limits) {
     return {texel_within(depth.times(at.u_over_z), limits.least, limits.greatest_u),
             texel_within(depth.times(at.v_over_z), limits.least, limits.greatest_v)};

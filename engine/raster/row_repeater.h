@@ -13,15 +13,16 @@ namespace oblong {
 /// Cuts rows of a surface whose 1/z and u are the same in all rows, as a wall's are in a level view. Between the same
 /// columns as in a row before, blocks have the same lengths, ends of the same depth, and the same u: v alone is
 /// another.
-template <ReciprocalMethod Method>
+template <class Reciprocal>
 class RowRepeater {
   public:
     static bool serves(const TextureGradients& gradients) {
         return gradients.inverse_z.per_row == InverseZ{} && gradients.u_over_z.per_row == TexelOverZ{};
     }
 
-    [[gnu::always_inline]] RowRepeater(const TextureGradients& gradients, const TexelLimits& limits)
-        : gradients_(gradients), limits_(limits) {}
+    [[gnu::always_inline]] RowRepeater(const TextureGradients& gradients, const TexelLimits& limits,
+                                       Reciprocal reciprocal)
+        : gradients_(gradients), limits_(limits), reciprocal_(reciprocal) {}
 
     /// Remembers the blocks of a span, which must stay where they are.
     [[gnu::always_inline]] void remember(const Span& span, std::span<const TexelBlock> blocks) {
@@ -61,7 +62,7 @@ class RowRepeater {
     std::int64_t divisions_saved() const { return divisions_saved_; }
 
   private:
-    using FittingDepth = Depth<Method, PerspectiveRange::Fits>;
+    using FittingDepth = Depth<Reciprocal, PerspectiveRange::Fits>;
     static constexpr std::size_t kMostEnds = 64;
 
     struct BlockDepth {
@@ -73,7 +74,7 @@ class RowRepeater {
     void find_depths() {
         std::size_t count = 0;
         const auto add = [&](std::int32_t column) {
-            const FittingDepth depth(gradients_.inverse_z.at(column, span_.y));
+            const FittingDepth depth(gradients_.inverse_z.at(column, span_.y), reciprocal_);
             item(depths_, count++) = {depth.mantissa, depth.shift};
         };
         std::int32_t column = span_.first;
@@ -100,6 +101,7 @@ class RowRepeater {
 
     const TextureGradients& gradients_;
     const TexelLimits& limits_;
+    const Reciprocal reciprocal_;
     Span span_{0, 0, 0};  ///< empty: no span is like it
     std::span<const TexelBlock> blocks_;
     bool knows_depths_ = false;

@@ -24,17 +24,17 @@ namespace {
 
 /// Cuts spans of one surface into blocks, left to right. Each block ends where the next begins, so a division serves
 /// twice. Its functions are force-inlined, so that its members stay in registers.
-template <ReciprocalMethod Method, PerspectiveRange Range>
+template <class Reciprocal, PerspectiveRange Range>
 class SpanCutter {
   public:
-    [[gnu::always_inline]] SpanCutter(const BlockCutting& cutting, TexelBlock* out)
-        : gradients_(cutting.gradients), limits_(cutting.limits), out_(out) {}
+    [[gnu::always_inline]] SpanCutter(const BlockCutting& cutting, Reciprocal reciprocal, TexelBlock* out)
+        : gradients_(cutting.gradients), limits_(cutting.limits), reciprocal_(reciprocal), out_(out) {}
 
     [[gnu::always_inline]] void start(const Span& span, std::int32_t pitch) {
         left_ = span.end - span.first;
         pixel_ = static_cast<std::uint32_t>(span.y * pitch + span.first);
         here_ = Perspective(gradients_, span.first, span.y);
-        depth_ = Depth<Method, Range>(here_.inverse_z);
+        depth_ = Depth<Reciprocal, Range>(here_.inverse_z, reciprocal_);
         texel_ = texel_of(here_, depth_, limits_);
     }
 
@@ -95,10 +95,11 @@ class SpanCutter {
 
     [[gnu::always_inline]] void advance(std::int32_t count) {
         const InverseZ before = here_.inverse_z;
-        here_.inverse_z = stepped(before, gradients_.inverse_z.per_column, count);
-        here_.u_over_z = stepped(here_.u_over_z, gradients_.u_over_z.per_column, count);
-        here_.v_over_z = stepped(here_.v_over_z, gradients_.v_over_z.per_column, count);
-        if (here_.inverse_z != before) depth_ = Depth<Method, Range>(here_.inverse_z);
+        const auto columns = static_cast<std::uint32_t>(count);
+        here_.inverse_z = stepped(before, gradients_.inverse_z.per_column, columns);
+        here_.u_over_z = stepped(here_.u_over_z, gradients_.u_over_z.per_column, columns);
+        here_.v_over_z = stepped(here_.v_over_z, gradients_.v_over_z.per_column, columns);
+        if (here_.inverse_z != before) depth_ = Depth<Reciprocal, Range>(here_.inverse_z, reciprocal_);
         texel_ = texel_of(here_, depth_, limits_);
     }
 
@@ -110,11 +111,12 @@ class SpanCutter {
 
     const TextureGradients gradients_;
     const TexelLimits limits_;
+    [[no_unique_address]] const Reciprocal reciprocal_;
     TexelBlock* out_;
     std::int32_t left_ = 0;
     std::uint32_t pixel_ = 0;
     Perspective here_;
-    Depth<Method, Range> depth_;
+    Depth<Reciprocal, Range> depth_;
     TexelPosition texel_;
     std::int64_t tries_ = 0;  ///< of try_block()
 };
@@ -160,10 +162,11 @@ template <Texturing Way, class Cutter>
 }
 
 /// Returns the spans that are left.
-template <Texturing Way, ReciprocalMethod Method, PerspectiveRange Range>
+template <Texturing Way, PerspectiveRange Range, class Reciprocal>
 [[gnu::always_inline]] inline std::span<const Span> cut_spans(std::span<const Span> spans, std::int32_t pitch,
-                                                              const BlockCutting& cutting, BlockList& blocks) {
-    SpanCutter<Method, Range> cutter(cutting, blocks.end());
+                                                              const BlockCutting& cutting, Reciprocal reciprocal,
+                                                              BlockList& blocks) {
+    SpanCutter<Reciprocal, Range> cutter(cutting, reciprocal, blocks.end());
     const TexelBlock* const full = blocks.full();
     std::int64_t log2 = 0;
     const Span* span = spans.data();
@@ -178,11 +181,12 @@ template <Texturing Way, ReciprocalMethod Method, PerspectiveRange Range>
 }
 
 /// The same for RowRepeater's surfaces.
-template <ReciprocalMethod Method>
+template <class Reciprocal>
 [[gnu::always_inline]] inline std::span<const Span> cut_repeating_rows(std::span<const Span> spans, std::int32_t pitch,
-                                                                       const BlockCutting& cutting, BlockList& blocks) {
-    SpanCutter<Method, PerspectiveRange::Fits> cutter(cutting, blocks.end());
-    RowRepeater<Method> repeater(cutting.gradients, cutting.limits);
+                                                                       const BlockCutting& cutting,
+                                                                       Reciprocal reciprocal, BlockList& blocks) {
+    SpanCutter<Reciprocal, PerspectiveRange::Fits> cutter(cutting, reciprocal, blocks.end());
+    RowRepeater<Reciprocal> repeater(cutting.gradients, cutting.limits, reciprocal);
     const TexelBlock* const full = blocks.full();
     std::int64_t log2 = 0;
     const Span* span = spans.data();
@@ -204,18 +208,19 @@ template <ReciprocalMethod Method>
 
 /// Texels at the ends of spans that are one block each. Where 1/z and u are the same in all rows, as a wall's are in a
 /// level view, they are those of the row above in the same column, but for v.
-template <ReciprocalMethod Method>
+template <class Reciprocal>
 class SpanEnds {
   public:
-    [[gnu::always_inline]] explicit SpanEnds(const BlockCutting& cutting)
+    [[gnu::always_inline]] SpanEnds(const BlockCutting& cutting, Reciprocal reciprocal)
         : gradients_(cutting.gradients),
           limits_(cutting.limits),
-          repeats_rows_(RowRepeater<Method>::serves(cutting.gradients)),
+          reciprocal_(reciprocal),
+          repeats_rows_(RowRepeater<Reciprocal>::serves(cutting.gradients)),
           is_of_one_depth_(cutting.gradients.inverse_z.per_column == InverseZ{}) {}
 
     [[gnu::always_inline]] TexelPosition first(const Span& span) {
         if (!repeats_rows_ || span.first != first_.column)
-            set(first_, span.first, span.y, FittingDepth(gradients_.inverse_z.at(span.first, span.y)));
+            set(first_, span.first, span.y, depth_at(span.first, span.y));
         else
             ++divisions_saved_;
         return {first_.u_16, v_16(first_, span.y)};
@@ -226,7 +231,7 @@ class SpanEnds {
         if (is_of_one_depth_)
             set(last_, column, span.y, first_.depth);
         else if (!repeats_rows_ || column != last_.column)
-            set(last_, column, span.y, FittingDepth(gradients_.inverse_z.at(column, span.y)));
+            set(last_, column, span.y, depth_at(column, span.y));
         else
             ++divisions_saved_;
         return {last_.u_16, v_16(last_, span.y)};
@@ -234,7 +239,7 @@ class SpanEnds {
     std::int64_t divisions_saved() const { return divisions_saved_; }
 
   private:
-    using FittingDepth = Depth<Method, PerspectiveRange::Fits>;
+    using FittingDepth = Depth<Reciprocal, PerspectiveRange::Fits>;
     struct End {
         std::int32_t column = -1;
         std::uint32_t u_16 = 0;
@@ -242,10 +247,13 @@ class SpanEnds {
     };
 
     [[gnu::always_inline]] void set(End& end, std::int32_t column, std::int32_t row, const FittingDepth& depth) const {
-        end = {column, within(depth.times(gradients_.u_over_z.at(column, row)), limits_.greatest_u), depth};
+        end = {column, within(depth.times(gradients_.u_over_z.at_shown(column, row)), limits_.greatest_u), depth};
+    }
+    [[gnu::always_inline]] FittingDepth depth_at(std::int32_t column, std::int32_t row) const {
+        return FittingDepth(gradients_.inverse_z.at_shown(column, row), reciprocal_);
     }
     [[gnu::always_inline]] std::uint32_t v_16(const End& end, std::int32_t row) const {
-        return within(end.depth.times(gradients_.v_over_z.at(end.column, row)), limits_.greatest_v);
+        return within(end.depth.times(gradients_.v_over_z.at_shown(end.column, row)), limits_.greatest_v);
     }
     [[gnu::always_inline]] std::uint32_t within(Texel texel, Texel greatest) const {
         return texel_within(texel, limits_.least, greatest);
@@ -253,16 +261,18 @@ class SpanEnds {
 
     const TextureGradients gradients_;
     const TexelLimits limits_;
+    [[no_unique_address]] const Reciprocal reciprocal_;
     const bool repeats_rows_, is_of_one_depth_;
     End first_, last_;
     std::int64_t divisions_saved_ = 0;
 };
 
 /// Spans that are one block each.
-template <ReciprocalMethod Method>
+template <class Reciprocal>
 [[gnu::always_inline]] inline std::span<const Span> cut_whole_spans(std::span<const Span> spans, std::int32_t pitch,
-                                                                    const BlockCutting& cutting, BlockList& blocks) {
-    SpanEnds<Method> ends(cutting);
+                                                                    const BlockCutting& cutting, Reciprocal reciprocal,
+                                                                    BlockList& blocks) {
+    SpanEnds<Reciprocal> ends(cutting, reciprocal);
     const Span* span = spans.data();
     const Span* const end = span + spans.size();
     TexelBlock* out = blocks.end();
@@ -283,29 +293,41 @@ template <ReciprocalMethod Method>
     return {span, end};
 }
 
-template <Texturing Way, ReciprocalMethod Method>
+template <Texturing Way, class Reciprocal>
 [[gnu::always_inline]] inline std::span<const Span> cut_in_range(std::span<const Span> spans, std::int32_t pitch,
-                                                                 const BlockCutting& cutting, BlockList& blocks) {
-    if (!cutting.fits_range)
-        return cut_spans<Way, Method, PerspectiveRange::MayOverflow>(spans, pitch, cutting, blocks);
+                                                                 const BlockCutting& cutting, Reciprocal reciprocal,
+                                                                 BlockList& blocks) {
+    using enum PerspectiveRange;
+    if (!cutting.fits_range) return cut_spans<Way, MayOverflow>(spans, pitch, cutting, reciprocal, blocks);
     if (Way == Texturing::Bounded && cutting.takes_whole_spans)
-        return cut_whole_spans<Method>(spans, pitch, cutting, blocks);
-    if (Way == Texturing::Bounded && RowRepeater<Method>::serves(cutting.gradients))
-        return cut_repeating_rows<Method>(spans, pitch, cutting, blocks);
-    return cut_spans<Way, Method, PerspectiveRange::Fits>(spans, pitch, cutting, blocks);
+        return cut_whole_spans(spans, pitch, cutting, reciprocal, blocks);
+    if (Way == Texturing::Bounded && RowRepeater<Reciprocal>::serves(cutting.gradients))
+        return cut_repeating_rows(spans, pitch, cutting, reciprocal, blocks);
+    return cut_spans<Way, Fits>(spans, pitch, cutting, reciprocal, blocks);
+}
+
+/// One function for all tables: asking for the method costs nothing beside finding a reciprocal.
+template <Texturing Way>
+[[gnu::noinline]] std::span<const Span> cut_by_table(std::span<const Span> spans, std::int32_t pitch,
+                                                     const BlockCutting& cutting, TabledReciprocal reciprocal,
+                                                     BlockList& blocks) {
+    return cut_in_range<Way>(spans, pitch, cutting, reciprocal, blocks);
 }
 
 template <Texturing Way, ReciprocalMethod Method>
 std::span<const Span> append_blocks(std::span<const Span> spans, std::int32_t pitch, const BlockCutting& cutting,
                                     BlockList& blocks) {
-    return cut_in_range<Way, Method>(spans, pitch, cutting, blocks);
+    if constexpr (Method == ReciprocalMethod::Exact)
+        return cut_in_range<Way>(spans, pitch, cutting, DividedReciprocal{}, blocks);
+    else
+        return cut_by_table<Way>(spans, pitch, cutting, TabledReciprocal{Method}, blocks);
 }
 
 /// The same code for processors with BMI2, whose shifts take their count from any register. The defaults alone: other
 /// settings are not worth the room.
 OBLONG_TARGET_BMI2 std::span<const Span> append_bounded_bmi2(std::span<const Span> spans, std::int32_t pitch,
                                                              const BlockCutting& cutting, BlockList& blocks) {
-    return cut_in_range<Texturing::Bounded, ReciprocalMethod::Exact>(spans, pitch, cutting, blocks);
+    return cut_in_range<Texturing::Bounded>(spans, pitch, cutting, DividedReciprocal{}, blocks);
 }
 
 template <ReciprocalMethod Method>
@@ -339,7 +361,7 @@ TexelLimits make_texel_limits(std::int32_t width, std::int32_t height, std::int3
 TexelPosition texel_at(const TextureGradients& gradients, const TexelLimits& limits, std::int32_t column,
                        std::int32_t row) {
     const Perspective at(gradients, column, row);
-    return texel_of(at, Depth<ReciprocalMethod::Exact, PerspectiveRange::MayOverflow>(at.inverse_z), limits);
+    return texel_of(at, Depth<DividedReciprocal, PerspectiveRange::MayOverflow>(at.inverse_z, {}), limits);
 }
 
 std::int64_t divisions_of(std::span<const Span> spans, const TextureGradients& gradients, const BlockList& blocks) {

@@ -90,28 +90,32 @@ std::uint64_t scrambled(std::uint64_t hash) {
     return hash ^ hash >> 29;
 }
 
-/// A number of each vertex; equal ones where places are.
-Table<std::uint64_t, Vertex> hashes_of_places(const Level& level) {
-    Table<std::uint64_t, Vertex> hashes;
+/// Two numbers of a place.
+struct PlaceHash {
+    std::uint64_t first, second;
+};
+
+/// Of each vertex; equal ones where places are.
+Table<PlaceHash, Vertex> hashes_of_places(const Level& level) {
+    Table<PlaceHash, Vertex> hashes;
     hashes.reserve(level.vertices.size());
     for (const Vec3<World>& p : level.vertices) {
         std::uint64_t hash = 0;
         for (const World part : {p.x, p.y, p.z}) hash = scrambled(hash ^ part.bits());
-        hashes.push_back(hash);
+        hashes.push_back({hash, scrambled(~hash)});
     }
     return hashes;
 }
 
-/// Whether each edge is used as often in one direction as in the other: then the hashes of both cancel. By chance they
-/// do so in one of 2^64 other levels.
+/// Whether each edge is used as often in one direction as in the other: then both cancel. By chance they do so in one
+/// of 2^56 other levels.
 bool is_closed(const Level& level, const FaceTable& table) {
-    const Table<std::uint64_t, Vertex> hashes = hashes_of_places(level);
-    const auto hash_of = [&](VertexIndex from, VertexIndex to) {
-        return scrambled(scrambled(3 * hashes[from] + hashes[to]));
-    };
+    const Table<PlaceHash, Vertex> hashes = hashes_of_places(level);
     std::uint64_t sum = 0;
-    for_each_edge(level, table,
-                  [&](VertexIndex from, VertexIndex to) { sum += hash_of(from, to) - hash_of(to, from); });
+    for_each_edge(level, table, [&](VertexIndex from, VertexIndex to) {
+        const PlaceHash &a = hashes[from], &b = hashes[to];
+        sum += a.first * b.second - b.first * a.second;
+    });
     return sum == 0;
 }
 

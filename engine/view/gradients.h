@@ -15,6 +15,11 @@ struct LinearQuantity {
     Value at(std::int32_t column, std::int32_t row) const {
         return stepped(stepped(origin, per_column, column), per_row, row);
     }
+    /// The same of a column and a row of the screen: without a sign, the product with 64 bits is two of 32, not three.
+    Value at_shown(std::int32_t column, std::int32_t row) const {
+        return stepped(stepped(origin, per_column, static_cast<std::uint32_t>(column)), per_row,
+                       static_cast<std::uint32_t>(row));
+    }
 };
 
 /// The screen gradients of a textured plane (z in world units, u and v in texels of the mip level in use). Errors:

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "engine/base/range_probe.h"
 #include "engine/fixed/angle.h"
 #include "engine/fixed/arithmetic.h"
+#include "engine/fixed/divide.h"
 #include "engine/fixed/fixed.h"
 #include "engine/math/vec.h"
 #include "engine/view/screen.h"
@@ -59,11 +61,31 @@ bool is_drawable(const Projection& projection);
 /// project_axis() where a 64-bit product would overflow.
 ScreenWide project_axis_wide(const ProjectionAxis& axis, View view, View z);
 
+#if defined(__i386__)
+/// project_axis() of numbers of 32 bits: one product and one division, where others take function calls.
+inline std::optional<ScreenWide> project_axis_in_32_bits(const ProjectionAxis& axis, View view, View z) {
+    const auto short_view = static_cast<std::int32_t>(view.raw), short_z = static_cast<std::int32_t>(z.raw);
+    if (short_view != view.raw || short_z != z.raw || axis.coarse.raw >= 1 << 29) return std::nullopt;
+    const auto sign = static_cast<std::uint32_t>(short_view >> 31), depth = static_cast<std::uint32_t>(short_z);
+    const std::uint32_t size = (static_cast<std::uint32_t>(short_view) ^ sign) - sign;
+    if (size > std::uint64_t{depth} * 64) return std::nullopt;
+    const std::uint64_t numerator = std::uint64_t{size} * static_cast<std::uint32_t>(axis.coarse.raw);
+    const std::uint64_t half = std::uint64_t{depth} << 7;
+    if (sign == 0) return ScreenWide::from_raw(divide_to_32((numerator + half) >> 8, depth).quotient);
+    // What is below 0 by its complement, as floored_division() has it.
+    if (numerator <= half) return ScreenWide{};
+    return ScreenWide::from_raw(~std::int64_t{divide_to_32((numerator - half - 1) >> 8, depth).quotient});
+}
+#endif
+
 /// multiplier * view / z, rounded to the nearest 1/256 pixel. z above 0. Near the screen (|view| <= 64 z) the
 /// multiplier has 16 fraction bits, so that a 64-bit product fits; the error is at most 64 * 2^-17 pixel. Beyond, the
 /// exact quotient, but never nearer to the centre than the other method's result where they meet. So the result depends
 /// on view / z alone and is monotonic in it.
 inline ScreenWide project_axis(const ProjectionAxis& axis, View view, View z) {
+#if defined(__i386__)
+    if (const auto near = project_axis_in_32_bits(axis, view, z)) return *near;
+#endif
     const View size = absolute(view);
     if (size >= axis.fast_limit || size > z * 64) return project_axis_wide(axis, view, z);
     const auto numerator = bounded_product(view, axis.coarse);

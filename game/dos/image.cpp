@@ -12,8 +12,7 @@
 #include "engine/files/command_line.h"
 #include "engine/files/files.h"
 #include "engine/platform/dos/layout.h"
-#include "game/dos/level_models_file.h"
-#include "game/level/load.h"
+#include "game/dos/prepared_game.h"
 
 namespace oblong {
 namespace {
@@ -80,7 +79,10 @@ Bytes museum_archive(const fs::path& assets) {
     LevelFiles files;
     files.assets = assets.string();
     files.level = (assets / "demo.bsp").string();
-    std::vector<ArchivedFile> archived{{"assets/demo.models", encode_level_models(load_game(files).models)}};
+    const GameData data = load_game(files);
+    std::vector<ArchivedFile> archived{
+        {"assets/demo.ready", encode_prepared_game(data)},
+        {"assets/demo.edges", encode_t_junctions(data.level, TJunctions(data.level))}};
     for (const char* name : {"demo.bsp", "palette.lmp", "walk.demo", "game.json"})
         archived.push_back({std::string("assets/") + name, read_file((assets / name).string())});
     return archive_of(archived);

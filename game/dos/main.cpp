@@ -95,7 +95,7 @@ void print_memory() {
 
 // What has been read is in memory twice: the archive's bytes make room.
 void empty_read_files() {
-    for (const char* name : {"/demo.bsp", "/demo.models"}) write_file(std::string(kAssets) + name, std::string());
+    for (const char* name : {"/demo.bsp", "/demo.ready"}) write_file(std::string(kAssets) + name, std::string());
 }
 
 // As tests compare them: the hash of the state after each tick, and of the picture of that.

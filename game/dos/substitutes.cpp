@@ -3,13 +3,15 @@
 #include <string>
 
 #include "engine/base/input_error.h"
+#include "engine/base/little_endian.h"
 #include "engine/files/command_line.h"
 #include "engine/files/files.h"
 #include "engine/files/game_definition.h"
-#include "engine/files/level_models.h"
 #include "engine/files/picture.h"
-#include "game/dos/level_models_file.h"
+#include "engine/level/bsp_read.h"
+#include "engine/level/t_junctions.h"
 #include "game/dos/museum.h"
+#include "game/dos/prepared_game.h"
 
 namespace oblong {
 
@@ -24,10 +26,27 @@ GameDefinition read_game_definition(const std::string& folder) {
     return game;
 }
 
-/// There is no reader of OBJ and PNG files: the build has read them.
-LevelModels read_level_models(const Level&, const Palette&, const ModelFolders& folders) {
-    const std::string file = std::filesystem::path(folders.level_file).replace_extension(".models").string();
-    return read_parsed(file, decode_level_models);
+/// Of the museum, prepared by the build: there is no reader of OBJ and PNG files, and a 486 takes seconds for the rest.
+GameData load_game(const LevelFiles& files) {
+    const auto file = [&](const char* name) { return (std::filesystem::path(files.assets) / name).string(); };
+    GameData data;
+    data.level_file = file(kDemoLevelFile);
+    data.level = read_parsed(data.level_file, read_bsp);
+    data.effects = read_level_effects(data.level);
+    data.palette = read_parsed(files.game->palette, read_palette);
+    read_parsed(file("demo.ready"), [&](std::span<const std::uint8_t> bytes) { return decode_prepared_game(bytes, data); });
+    return data;
+}
+
+/// Those that the build has found in the museum, the only level.
+TJunctions::TJunctions(const Level& level) : found_(level.edges.size()) {
+    read_parsed("/assets/demo.edges", [&](std::span<const std::uint8_t> bytes) {
+        LittleEndianReader reader(bytes);
+        for (Found& found : found_) {
+            found = {vertices_.size(), reader.next<std::uint16_t>()};
+            for (std::size_t i = 0; i < found.count; ++i) vertices_.emplace_back(reader.next<std::int32_t>());
+        }
+    });
 }
 
 /// Of PNG files and others: the museum has none but those of its models.

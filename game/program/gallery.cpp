@@ -85,14 +85,19 @@ Gallery::Gallery(std::shared_ptr<const LoadedLevel> loaded, const SessionSetting
     show("{page-down}: next row    {help}: keys");
 }
 
+// A press, of a mouse or a thumb, turns the page: back at the left, else on.
 void Gallery::advance(const Controls& controls, std::uint64_t now_us) {
     now_us_ = now_us;
-    for (const Action command : controls.commands) {
+    std::vector<Action> commands = controls.commands;
+    const WindowSize window = platform_.window_size();
+    if (controls.pointer && controls.pointer->is_pressed)
+        commands.push_back(controls.pointer->x_px < window.width_px / 2 ? Action::PageUp : Action::PageDown);
+    for (const Action command : commands) {
         wants_screenshot_ |= command == Action::Screenshot;
-        const std::string message = apply(command, rows_, platform_.window_size(), view_options_, state_);
+        const std::string message = apply(command, rows_, window, view_options_, state_);
         if (!message.empty()) show(message);
     }
-    if (!controls.commands.empty()) is_drawn_ = false;
+    if (!commands.empty()) is_drawn_ = false;
 }
 
 void Gallery::open_page(Action command, MenuPages& pages) {

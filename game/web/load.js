@@ -5,7 +5,7 @@ Page.lines = [];  // what the program said last
 // The bytes of a file, wherever they are: in this page, packed, or beside it. The bar shows how many have come.
 let loadedBytes = 0;
 const allBytes = Object.values(SIZES).reduce((sum, size) => sum + size, 0);
-const open = async name => {
+const streamOf = async name => {
   const packed = document.getElementById(name);
   const response = await fetch(packed ? "data:;base64," + packed.textContent.trim() : name);
   if (!response.ok) throw new Error(name + ": " + response.status + " " + response.statusText);
@@ -34,13 +34,28 @@ const unpack = bytes => {
 // What is below /save is kept by the browser's database, written soon after it has changed. That takes it some time, which a
 // page that is closed does not get: what it still has to write is kept by its local storage until the next start.
 const RESCUED = "oblong:";
-const keepSaves = () => {
+const storage = (() => {
+  try {
+    return localStorage;
+  } catch (error) {
+    return null;  // a browser that keeps nothing of this page
+  }
+})();
+const readSaves = () => new Promise(resolve => {
+  const done = error => {
+    if (error) console.warn("no database: " + error);
+    if (error && !storage) Page.warn("This browser keeps no saves of this page: they go when it is closed.");
+    resolve(!error);
+  };
+  globalThis.indexedDB ? FS.syncfs(true, done) : done("this browser has none");
+});
+const keepSaves = hasDatabase => {
   let isWriting = false;
   const changed = new Set();
-  for (const key of Object.keys(localStorage).filter(key => key.startsWith(RESCUED))) {
+  for (const key of Object.keys(storage || {}).filter(key => key.startsWith(RESCUED))) {
     const path = key.slice(RESCUED.length);
     FS.mkdirTree(path.slice(0, path.lastIndexOf("/")));
-    FS.writeFile(path, Uint8Array.from(atob(localStorage[key]), letter => letter.charCodeAt(0)));
+    FS.writeFile(path, Uint8Array.from(atob(storage[key]), letter => letter.charCodeAt(0)));
     changed.add(path);
   }
   for (const change of ["close", "rename", "unlink"]) {
@@ -54,7 +69,7 @@ const keepSaves = () => {
     };
   }
   const write = () => {
-    if (changed.size === 0 || isWriting) return;
+    if (changed.size === 0 || isWriting || !hasDatabase) return;
     const written = [...changed];
     isWriting = true;
     FS.syncfs(false, error => {
@@ -62,14 +77,17 @@ const keepSaves = () => {
       if (error) return console.error("not saved: " + error);
       for (const path of written) {
         changed.delete(path);
-        localStorage.removeItem(RESCUED + path);
+        if (storage) storage.removeItem(RESCUED + path);
       }
     });
   };
   const rescue = () => {
-    for (const path of changed)
+    for (const path of storage ? changed : []) {
       if (FS.analyzePath(path).exists)
-        localStorage[RESCUED + path] = btoa(Array.from(FS.readFile(path), byte => String.fromCharCode(byte)).join(""));
+        storage[RESCUED + path] = btoa(Array.from(FS.readFile(path), byte => String.fromCharCode(byte)).join(""));
+      else
+        storage.removeItem(RESCUED + path);
+    }
   };
   setInterval(write, 500);
   document.addEventListener("visibilitychange", () => {
@@ -80,14 +98,21 @@ const keepSaves = () => {
   });
 };
 
-Page.say = text => { document.getElementById("said").textContent = text; };
+const said = document.getElementById("said");
+// Over the picture, until it is answered.
+Page.warn = text => {
+  said.textContent = text;
+  said.className = "over";
+  for (const event of ["keydown", "pointerdown"])
+    addEventListener(event, () => { if (!Page.hasEnded) said.textContent = ""; }, {once: true});
+};
 Page.end = text => {
   Page.hasEnded = true;
   Page.closeSound();
   if (document.pointerLockElement) document.exitPointerLock();
-  document.body.classList.remove("loads");
+  document.body.className = said.className = "";
   Page.canvas.hidden = true;
-  Page.say([text, ...Page.lines, "Reload the page to play again."].filter(line => line).join("\n"));
+  said.textContent = [text, ...Page.lines, "Reload the page to play again."].filter(line => line).join("\n");
 };
 
 const fail = error => {
@@ -107,7 +132,7 @@ const entered = instance => {
   return {exports: {...instance.exports, main: (...words) => { main(...words).then(() => Module.arguments.length && Page.end("The program has ended."), fail); }}};
 };
 
-const data = open("/*@program@*/.data").then(stream => new Response(stream).arrayBuffer());
+const data = streamOf("/*@program@*/.data").then(stream => new Response(stream).arrayBuffer());
 globalThis.Module = {
   // Of the address: oblong.html?--mode%20640x480
   arguments: [/*@game@*/...decodeURIComponent(location.search.slice(1)).split(" ").filter(word => word)],
@@ -117,7 +142,7 @@ globalThis.Module = {
     Page.lines = [...Page.lines, line].slice(-5);
   },
   instantiateWasm(imports, done) {
-    open("/*@program@*/.wasm")
+    streamOf("/*@program@*/.wasm")
       .then(stream => WebAssembly.instantiateStreaming(new Response(stream, {headers: {"Content-Type": "application/wasm"}}), WAITS ? suspended(imports) : imports))
       .then(made => done(WAITS ? entered(made.instance) : made.instance, made.module)).catch(fail);
     return {};
@@ -127,13 +152,9 @@ globalThis.Module = {
     FS.mkdir("/save");
     FS.mount(IDBFS, {}, "/save");
     addRunDependency("data");
-    const saves = new Promise(resolve => FS.syncfs(true, error => {
-      if (error) console.warn("saves can't be read, nor kept: " + error);
-      resolve();
-    }));
-    Promise.all([data, saves]).then(([bytes]) => {
+    Promise.all([data, readSaves()]).then(([bytes, hasDatabase]) => {
       unpack(new Uint8Array(bytes));
-      keepSaves();
+      keepSaves(hasDatabase);
       Page.start();
       removeRunDependency("data");
     }).catch(fail);

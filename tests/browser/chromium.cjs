@@ -54,9 +54,10 @@ const followPictures = () => {
 };
 
 class Tab {
-  constructor(page, said) {
+  constructor(page, said, cdp) {
     this.page = page;
     this.said = said;  // errors and warnings on the console
+    this.cdp = cdp;
   }
 
   // Once the page shows pictures.
@@ -100,6 +101,19 @@ class Tab {
     assert.ok(await this.evaluate(condition), `${what}: expected ${condition}`);
   }
 
+  // Another tab in front of it, while `work` is done.
+  async behind(work) {
+    const other = await this.page.browser().newPage();
+    await other.bringToFront();
+    await this.cdp.send("Emulation.setFocusEmulationEnabled", {enabled: false});
+    await this.until("document.hidden", "a hidden tab");
+    await work();
+    await this.page.bringToFront();
+    await this.cdp.send("Emulation.setFocusEmulationEnabled", {enabled: true});
+    await this.until("!document.hidden", "a tab in front");
+    await other.close();
+  }
+
   // The screen's own picture, also in a file to look at.
   async shot(file) {
     return readPng(Buffer.from(await this.page.screenshot({path: file})));
@@ -113,16 +127,19 @@ const start = async () => {
     args: ["--no-sandbox", "--disable-dev-shm-usage", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-gpu-watchdog",
            "--autoplay-policy=no-user-gesture-required"],
   }).catch(error => { throw new Error("Chromium does not start: " + error.message); });
-  const open = async (address, size = {width: 1280, height: 960}) => {
+  // `before`: what runs in the page before its own scripts.
+  const open = async (address, size = {width: 1280, height: 960}, before = () => {}) => {
     const page = await browser.newPage(), said = [];
     page.setDefaultTimeout(LIMIT_ms);
     page.on("console", line => { if (["error", "warn", "warning"].includes(line.type()) && !NO_FAULT.test(line.text())) said.push(line.text()); });
     page.on("pageerror", error => said.push(error.message));
     page.on("error", error => said.push("crashed: " + error.message));
-    await (await page.createCDPSession()).send("Emulation.setFocusEmulationEnabled", {enabled: true});
+    const cdp = await page.createCDPSession();
+    await cdp.send("Emulation.setFocusEmulationEnabled", {enabled: true});
     await page.setViewport(size);
+    await page.evaluateOnNewDocument(before);
     await page.goto(address);
-    return new Tab(page, said);
+    return new Tab(page, said, cdp);
   };
   return {open, close: () => browser.close()};
 };

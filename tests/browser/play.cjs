@@ -49,6 +49,22 @@ const touch = async open => {
   await tab.until("Page.axes[1] === 0", "the left thumb at rest");
   await tab.page.touchscreen.tap(900 - 48, 48);
   await tab.until("!Page.isCaptured", "the menu by its button");
+
+  // The gallery: a tap turns its pages, a thumb that moves in its menu chooses.
+  await tab.page.goto("file://" + alone + "?--gallery");
+  await tab.shows();
+  for (const [x, number] of [[800, 2], [800, 3], [100, 2]]) {
+    await tab.page.touchscreen.tap(x, 300);
+    await tab.until(`document.title.includes("gallery, ${number} of")`, "a page of the gallery by a tap");
+  }
+  await tab.page.touchscreen.tap(900 - 48, 48);
+  await tab.until("Page.events.length === 0", "the menu's button is read");
+  await tab.evaluate("globalThis.before = seen");
+  const swipe = await tab.page.touchscreen.touchStart(450, 300);
+  await swipe.move(450, 270);
+  await swipe.end();
+  await tab.until("different(seen, before) > 0", "a swipe in the menu");
+  await tab.shot(file("gallery"));
   return tab;
 };
 
@@ -58,6 +74,7 @@ const replay = async (open, address) => {
   const words = ["--replay", "/assets/walk.demo", "--record", "/walk.demo", "--headless", pictures.length, "--out", "/pictures"];
   const tab = await open(address + "?" + words.join("%20"));
   await tab.until("Page.hasEnded", "the walk without a window ends");
+  await tab.expect("getComputedStyle(Page.canvas).display === 'none'", "no picture behind what is said at the end");
   await tab.expect("FS.analyzePath('/walk.demo').exists", "the walk is recorded, and not: " + await tab.evaluate("Page.lines.join(' ')"));
   const hashes = hashesOf(await bytesOf(tab, "/walk.demo")), expected = hashesOf(fs.readFileSync(path.join(native, "walk.demo")));
   assert.ok(expected.length >= 300, expected.length + " ticks, expected 300");
@@ -119,10 +136,9 @@ const play = async (open, address) => {
   await tab.until(`different(seen, before) > ${MOVED}`, "W walks");
   await tab.up("KeyW");
   await tab.shot(file("walk"));
-  await tab.until("Page.sound && Page.sound.heard > 0", "sound");
-  const cdp = await tab.page.createCDPSession();
-  await cdp.send("Performance.enable", {timeDomain: "threadTicks"});  // without what else the machine does
-  const used_s = async () => (await cdp.send("Performance.getMetrics")).metrics.find(metric => metric.name === "TaskDuration").value;
+  await tab.evaluate("delete Page.screen.present");  // what the test follows takes time, too
+  await tab.cdp.send("Performance.enable", {timeDomain: "threadTicks"});  // without what else the machine does
+  const used_s = async () => (await tab.cdp.send("Performance.getMetrics")).metrics.find(metric => metric.name === "TaskDuration").value;
   const before_s = await used_s();
   const [from, began_ms] = await tab.evaluate("[globalThis.before = Page.screen.shown, performance.now()]");
   await tab.until("Page.screen.shown >= before + 120", "120 pictures");
@@ -177,9 +193,75 @@ const play = async (open, address) => {
   return tab;
 };
 
+// A tab behind another one: nothing moves nor sounds, and an hour later the walk is where it was.
+const rest = async (open, address) => {
+  const tab = await open(address + "?/assets/demo.bsp");
+  await tab.shows();
+  await tab.evaluate(() => {
+    const start = AudioBufferSourceNode.prototype.start;
+    globalThis.mixed = globalThis.heard = 0;
+    AudioBufferSourceNode.prototype.start = function (...when) {
+      ++mixed;
+      heard += this.buffer.getChannelData(0).some(sample => sample !== 0);
+      start.apply(this, when);
+    };
+    globalThis.before = seen;
+  });
+  await tab.down("KeyW");
+  await tab.until(`different(seen, before) > ${MOVED} && heard > 0`, "a walk with sound");
+  const showsTwo = async () => tab.until(`Page.screen.shown > ${await tab.evaluate("Page.screen.shown")} + 1`, "two pictures");
+  await tab.evaluate("performance.now = (now => () => now)(performance.now())");
+  await showsTwo();
+  await tab.evaluate("globalThis.before = seen");
+  await tab.behind(async () => {
+    await tab.until("Page.sound.context.state === 'suspended'", "no sound");
+    await tab.evaluate(() => {
+      performance.now = (now => () => now + 3600000)(performance.now());
+      globalThis.hidden = {mixed, shown: Page.screen.shown};
+      return new Promise(resolve => setTimeout(resolve, 500));
+    });
+    await tab.expect("Page.screen.shown === hidden.shown && mixed === hidden.mixed", "a hidden tab rests");
+  });
+  await tab.until("mixed > hidden.mixed && !Page.isCaptured", "the menu, and sound again");
+  await enter(tab, 1);
+  await showsTwo();
+  await tab.expect("different(seen, before) === 0", "the walk is where it was");
+  return tab;
+};
+
+// A browser that refuses all that it may: the game does without.
+const refusals = async (open, address) => {
+  const tab = await open(address, {width: 1280, height: 960}, () => {
+    const refuse = () => { throw new DOMException("refused", "SecurityError"); };
+    const getContext = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function (kind, ...more) { return kind === "webgl" ? null : getContext.call(this, kind, ...more); };
+    HTMLCanvasElement.prototype.requestPointerLock = () => { document.dispatchEvent(new Event("pointerlockerror")); };
+    for (const name of ["indexedDB", "localStorage", "AudioContext"]) Object.defineProperty(window, name, {get: name === "localStorage" ? refuse : () => undefined});
+    Object.defineProperty(Document.prototype, "fullscreenEnabled", {get: () => false});
+    navigator.getGamepads = refuse;
+  });
+  await tab.shows();
+  await tab.expect("document.body.innerText.includes('keeps no saves')", "a word on saves");
+  await tab.shot(file("refused"));
+  await enter(tab, 2);
+  await tab.expect("!document.body.innerText.trim()", "it is gone");
+  await tab.page.keyboard.down("Alt");
+  await tab.press("Enter");
+  await tab.page.keyboard.up("Alt");
+  await tab.evaluate("globalThis.before = seen");
+  await tab.page.mouse.click(300, 300);
+  await tab.page.mouse.move(900, 300);
+  await tab.until(`different(seen, before) > ${MOVED}`, "the mouse turns the view");
+  await tab.press("Escape");
+  await tab.expect("!Page.isCaptured", "the menu");
+  await checkScreen(tab, "menu without WebGL");
+  assert.deepStrictEqual(tab.said.splice(0), ["no database: this browser has none", "oblong: no sound: the browser has no AudioContext for it"]);
+  return tab;
+};
+
 run(async open => {
   const address = await serve(site);
-  for (const test of [touch, replay, play]) {
+  for (const test of [touch, replay, rest, refusals, play]) {
     console.log(test.name);
     const tab = await test(open, address);
     assert.deepStrictEqual(tab.said, [], "on the console");

@@ -30,6 +30,10 @@ run(async open => {
   await list.page.close();
   for (const name of names) await check(open, shots.find(([, example]) => example === name));
 
+  const refused = await open(page + "?fire", undefined, () => { delete WebAssembly.Suspending; });
+  await refused.until("Page.hasEnded && document.body.innerText.includes('JSPI')", "a browser where a program can't wait says so");
+  await refused.page.close();
+
   const fire = await open(page + "?fire");
   await fire.shows();
   await fire.evaluate("globalThis.before = seen");

@@ -8,6 +8,7 @@ qemu: a 486 of 16 MB, started from the disk image: the walk's ticks and pictures
 dosbox: OBLONG.COM and its way back to DOS: the same hashes.
 """
 import contextlib
+import glob
 import os
 import re
 import shutil
@@ -234,8 +235,10 @@ def check_integers(build_dir):
 def check_arithmetic(source, build_dir):
     """By a program for Linux of 32 bits."""
     program = os.path.join(build_dir, "dos/arithmetic")
+    sources = [os.path.join(source, "tests/dos/driver/arithmetic.cpp"), os.path.join(source, "engine/view/projection.cpp"),
+               *glob.glob(os.path.join(source, "engine/fixed/*.cpp"))]
     subprocess.run(["i686-linux-gnu-g++", "-std=c++20", "-O2", "-march=i486", "-static", "-I", source,
-                    os.path.join(source, "tests/dos/driver/arithmetic.cpp"), "-o", program], check=True)
+                    *sources, "-o", program], check=True)
     here, there = (subprocess.run([path], check=True, capture_output=True, text=True).stdout
                    for path in (os.path.join(build_dir, "bin/arithmetic_hash"), program))
     expect(here == there, f"arithmetic: {there}, expected {here}")

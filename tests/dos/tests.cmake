@@ -1,7 +1,7 @@
 add_executable(walk_hashes ${CMAKE_CURRENT_LIST_DIR}/driver/walk_hashes.cpp)
 target_link_libraries(walk_hashes PRIVATE oblong_game_view)
 add_executable(arithmetic_hash ${CMAKE_CURRENT_LIST_DIR}/driver/arithmetic.cpp)
-target_link_libraries(arithmetic_hash PRIVATE oblong_fixed)
+target_link_libraries(arithmetic_hash PRIVATE oblong_view)
 # Builds the game for DOS (kept in build/dos), so that only the first run is long. Skipped where the cross compiler or the
 # emulator is not installed.
 foreach(WHAT integers qemu dosbox)

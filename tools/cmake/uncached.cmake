@@ -23,11 +23,11 @@ if(NOT CMAKE_CXX_COMPILER_LAUNCHER AND NOT CMAKE_POSITION_INDEPENDENT_CODE)
                               <limits> <map> <memory> <optional> <span> <string> <string_view> <vector>)
 endif()
 
-# optimise_less(TARGETS): what runs once, or a few times a frame. Takes a quarter off the time it takes to compile.
+# optimise_less(TARGETS): what runs once, or a few times a frame. Takes a third off the time it takes to compile.
 function(optimise_less)
     foreach(NAME ${ARGN})
         if(NOT CMAKE_CXX_COMPILER_LAUNCHER)
-            target_compile_options(${NAME} PRIVATE $<$<CONFIG:Release>:-O1>)
+            target_compile_options(${NAME} PRIVATE $<$<CONFIG:Release>:-Og>)
         endif()
     endforeach()
 endfunction()

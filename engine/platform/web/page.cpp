@@ -13,7 +13,7 @@ namespace {
 
 /// What page.js knows when it is asked, as it writes it.
 struct PageState {
-    std::int32_t width_px, height_px, has_focus, is_hidden, changes_full_screen;
+    std::int32_t has_focus, is_hidden, changes_full_screen;
     std::int32_t has_pointer, pointer_x_px, pointer_y_px, has_moved, is_pressed;
     std::int32_t event_count;
 };

@@ -19,21 +19,58 @@ for (let i = 0; i < 10; ++i) KEYS["Digit" + (i + 1) % 10] = 30 + i;
 for (let i = 1; i < 10; ++i) KEYS["Numpad" + i] = 88 + i;
 for (let i = 1; i < 13; ++i) KEYS["F" + i] = 57 + i;
 
-// The picture by WebGL, with the same scaling as SDL's window has.
+// What the canvas shows, without WebGL: all but the look of a tube.
 class Screen {
   constructor(canvas) {
     this.canvas = canvas;
     this.shown = 0;
-    canvas.addEventListener("webglcontextlost", event => { event.preventDefault(); this.gl = null; });
-    canvas.addEventListener("webglcontextrestored", () => this.open());
     document.addEventListener("visibilitychange", () => { this.isLost = true; });
     this.open();
   }
 
   open() {
-    const gl = this.gl = this.canvas.getContext("webgl", {alpha: false, antialias: false, depth: false});
-    if (!gl) throw new Error("This browser has no WebGL, which shows the picture.");
-    const program = gl.createProgram();
+    const context = () => document.createElement("canvas").getContext("2d");
+    [this.picture, this.multiple, this.context] = [context(), context(), this.canvas.getContext("2d", {alpha: false})];
+  }
+
+  setMask() {}
+
+  // pixels: red, green, blue, 255. rect: x, y, width, height in the canvas, and by how much columns and rows are multiplied first.
+  present(pixels, width, height, rect, ...look) {
+    if (++this.shown === 1) {
+      this.first_ms = performance.now();
+      document.body.classList.remove("loads");
+    }
+    this.draw(pixels, width, height, rect, ...look);
+  }
+
+  draw(pixels, width, height, rect, isBlended) {
+    const {picture, multiple, context} = this, wide = width * rect[4], high = height * rect[5];
+    Object.assign(picture.canvas, {width, height});
+    picture.putImageData(new ImageData(new Uint8ClampedArray(pixels), width, height), 0, 0);
+    Object.assign(multiple.canvas, {width: wide, height: high});
+    multiple.imageSmoothingEnabled = false;
+    multiple.drawImage(picture.canvas, 0, 0, wide, high);
+    context.fillRect(0, 0, this.canvas.width, this.canvas.height);
+    context.imageSmoothingEnabled = isBlended;
+    context.drawImage(multiple.canvas, rect[0], rect[1], rect[2], rect[3]);
+  }
+}
+
+// By WebGL, with the same scaling as SDL's window has.
+class GlScreen extends Screen {
+  static context(canvas) {
+    return canvas.getContext("webgl", {alpha: false, antialias: false, depth: false});
+  }
+
+  constructor(canvas) {
+    super(canvas);
+    canvas.addEventListener("webglcontextlost", event => { event.preventDefault(); this.gl = null; });
+    canvas.addEventListener("webglcontextrestored", () => this.open());
+  }
+
+  open() {
+    const gl = this.gl = GlScreen.context(this.canvas), program = gl.createProgram();
     const add = (kind, source) => {
       const shader = gl.createShader(kind);
       gl.shaderSource(shader, source);
@@ -100,13 +137,8 @@ class Screen {
     gl.activeTexture(gl.TEXTURE1);
   }
 
-  // pixels: red, green, blue, 255. rect: x, y, width, height in the canvas, and by how much columns and rows are multiplied first.
-  present(pixels, width, height, rect, isBlended, hasCrtLook) {
+  draw(pixels, width, height, rect, isBlended, hasCrtLook) {
     const gl = this.gl;
-    if (++this.shown === 1) {
-      this.first_ms = performance.now();
-      document.body.classList.remove("loads");
-    }
     if (!gl) return;
     if (this.width === width && this.height === height) {
       gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
@@ -127,13 +159,13 @@ class Screen {
 // Samples that the program mixes, a few hundredths of a second ahead of what is heard.
 class Sound {
   constructor() {
-    if (!window.AudioContext) throw new Error("this browser has no AudioContext");
     this.context = new AudioContext({sampleRate: 44100, latencyHint: "interactive"});
     this.end = 0;  // of what has been mixed, seconds of the context's clock
-    this.heard = 0;
+    this.closed = new AbortController();
     const start = () => { if (!document.hidden) this.context.resume(); };
-    for (const event of ["keydown", "pointerdown", "pointerup"]) addEventListener(event, start, true);
-    document.addEventListener("visibilitychange", () => document.hidden ? this.context.suspend() : start());
+    const follow = (event, act) => addEventListener(event, act, {capture: true, signal: this.closed.signal});
+    for (const event of ["keydown", "pointerdown", "pointerup"]) follow(event, start);
+    follow("visibilitychange", () => document.hidden ? this.context.suspend() : start());
   }
 
   // mix(frames) returns so many pairs of 16-bit samples, left and right.
@@ -148,7 +180,6 @@ class Sound {
         for (let side = 0; side < 2; ++side) {
           const to = buffer.getChannelData(side);
           for (let i = 0; i < FRAMES; ++i) to[i] = samples[2 * i + side] / 32768;
-          if (side === 0) for (const sample of to) if (sample !== 0) { ++this.heard; break; }
         }
         const source = this.context.createBufferSource();
         source.buffer = buffer;
@@ -162,6 +193,7 @@ class Sound {
 
   close() {
     clearInterval(this.timer);
+    this.closed.abort();
     this.context.close();
   }
 }
@@ -171,13 +203,14 @@ const Page = globalThis.Page = {
   events: [],
   pointer: null,  // {x, y, hasMoved, isPressed} in the canvas' pixels; null while the mouse is captured or elsewhere
   isCaptured: false,  // the game wants the mouse
+  isLockRefused: !HTMLCanvasElement.prototype.requestPointerLock,  // then it turns the view as long as it is in the canvas
   changesFullScreen: false,
   fillsScreen: false,
   letters: null,  // the keyboard's layout, where the browser tells
   hasTouch: !matchMedia("(any-pointer: fine)").matches,  // thumbs, not a mouse, were used last
 
   start() {
-    this.screen = new Screen(this.canvas);
+    this.screen = new (GlScreen.context(this.canvas) ? GlScreen : Screen)(this.canvas);
     this.followSize();
     this.followKeys();
     this.followPointers();
@@ -189,14 +222,17 @@ const Page = globalThis.Page = {
     this.events.push([kind, device, code, Math.trunc(x), Math.trunc(y)]);
     if (this.events.length > 4096) this.events.splice(0, 1024);  // nobody asked for a long time
   },
+  tap(device, code) {
+    for (const kind of [Kind.Press, Kind.Release]) this.note(kind, device, code);
+  },
 
   // What the program asks at each picture. Offsets are in 32-bit words.
   state(words, at) {
     this.followPads();
     const pointer = this.isCaptured ? null : this.pointer;
-    words.set([this.canvas.width, this.canvas.height, document.hasFocus() ? 1 : 0, document.hidden ? 1 : 0,
-               this.changesFullScreen ? 1 : 0, pointer ? 1 : 0, pointer ? pointer.x : 0, pointer ? pointer.y : 0,
-               pointer && pointer.hasMoved ? 1 : 0, pointer && pointer.isPressed ? 1 : 0, this.events.length], at);
+    const {x, y, hasMoved, isPressed} = pointer || {};
+    words.set([document.hasFocus(), document.hidden, this.changesFullScreen, pointer !== null, x, y, hasMoved, isPressed,
+               this.events.length], at);  // true is 1; false, and what there is not, 0
     this.changesFullScreen = false;
     if (this.pointer) this.pointer.hasMoved = this.pointer.isPressed = false;
   },
@@ -265,8 +301,10 @@ const Page = globalThis.Page = {
 
   fillScreen(fills) {
     this.fillsScreen = fills;
-    if (fills && !document.fullscreenElement) document.documentElement.requestFullscreen().catch(() => { this.fillsScreen = false; this.changesFullScreen = true; });
-    if (!fills && document.fullscreenElement) document.exitFullscreen();
+    const giveUp = () => { this.fillsScreen = false; this.changesFullScreen = true; };
+    if (!fills) return document.fullscreenElement && document.exitFullscreen();
+    if (!document.fullscreenEnabled) return giveUp();
+    if (!document.fullscreenElement) document.documentElement.requestFullscreen().catch(giveUp);
   },
 
   // A mouse that turns the view can't leave the canvas. Browsers grant that after a key or a click alone, and take it
@@ -275,6 +313,7 @@ const Page = globalThis.Page = {
     if (isCaptured === this.isCaptured) return;
     this.isCaptured = isCaptured;
     this.pointer = null;
+    this.touch.release();
     this.note(Kind.ReleasePressed);
     document.body.classList.toggle("walks", isCaptured);
     if (isCaptured) this.lockPointer();
@@ -289,7 +328,10 @@ const Page = globalThis.Page = {
   lockPointer() {
     if (this.hasTouch || !this.canvas.requestPointerLock) return;
     const asked = this.canvas.requestPointerLock();
-    if (asked && asked.catch) asked.catch(() => {});  // the next click asks again
+    if (asked) asked.catch(() => {});  // pointerlockerror says it, too
+  },
+  turnsView() {
+    return this.isCaptured && (document.pointerLockElement === this.canvas || this.isLockRefused);
   },
 
   place(event) {
@@ -312,8 +354,9 @@ const Page = globalThis.Page = {
       this.hasTouch = event.pointerType === "touch";
       if (this.hasTouch) return this.touch.begin(event);
       if (this.isCaptured) {
-        if (document.pointerLockElement !== canvas) return this.lockPointer();
-        return this.note(Kind.Press, Device.MouseButton, BUTTONS[event.button]);
+        if (this.turnsView()) this.note(Kind.Press, Device.MouseButton, BUTTONS[event.button]);
+        if (document.pointerLockElement !== canvas) this.lockPointer();
+        return;
       }
       this.point(event);
       this.pointer.isPressed ||= event.button === 0;
@@ -321,27 +364,27 @@ const Page = globalThis.Page = {
     });
     // Of several buttons, all but the first are reported as moves.
     canvas.addEventListener("mousedown", event => {
-      if (event.buttons & event.buttons - 1 && document.pointerLockElement === canvas)
+      if (event.buttons & event.buttons - 1 && this.turnsView())
         this.note(Kind.Press, Device.MouseButton, BUTTONS[event.button]);
     });
     addEventListener("mouseup", event => this.note(Kind.Release, Device.MouseButton, BUTTONS[event.button]));
     canvas.addEventListener("pointermove", event => {
       if (event.pointerType === "touch") return this.touch.move(event);
       if (!this.isCaptured) return this.point(event);
-      if (document.pointerLockElement === canvas) this.note(Kind.MouseMotion, 0, 0, event.movementX, event.movementY);
+      if (this.turnsView()) this.note(Kind.MouseMotion, 0, 0, event.movementX, event.movementY);
     });
     for (const end of ["pointerup", "pointercancel"])
       canvas.addEventListener(end, event => { if (event.pointerType === "touch") this.touch.end(event); });
     canvas.addEventListener("pointerleave", event => { if (event.pointerType !== "touch") this.pointer = null; });
     canvas.addEventListener("wheel", event => {
       event.preventDefault();
-      const code = event.deltaY !== 0 ? (event.deltaY < 0 ? 0 : 1) : event.deltaX < 0 ? 2 : 3;
-      for (const kind of [Kind.Press, Kind.Release]) this.note(kind, Device.MouseWheel, code);
+      this.tap(Device.MouseWheel, event.deltaY !== 0 ? (event.deltaY < 0 ? 0 : 1) : event.deltaX < 0 ? 2 : 3);
     }, {passive: false});
     canvas.addEventListener("contextmenu", event => event.preventDefault());
+    document.addEventListener("pointerlockerror", () => { this.isLockRefused = true; });
     document.addEventListener("pointerlockchange", () => {
-      if (document.pointerLockElement || !this.isCaptured || this.hasTouch || this.isSecondEscape()) return;
-      for (const kind of [Kind.Press, Kind.Release]) this.note(kind, Device.Key, KEYS.Escape);
+      if (document.pointerLockElement) this.isLockRefused = false;
+      else if (this.isCaptured && !this.hasTouch && !this.isSecondEscape()) this.tap(Device.Key, KEYS.Escape);
     });
     for (const [id, key] of [["menu", KEYS.Escape], ["jump", KEYS.Space]]) {
       const button = document.getElementById(id);
@@ -351,25 +394,22 @@ const Page = globalThis.Page = {
     }
   },
 
-  // Two thumbs: the left one is a stick where it touches, the right one turns the view. In a menu a touch points and clicks.
+  // Two thumbs: the left one is a stick where it touches, the right one turns the view. In a menu a tap clicks, and a
+  // thumb that moves is a wheel.
   touch: {
     thumbs: new Map(),
     begin(event) {
       if (document.pointerLockElement) document.exitPointerLock();  // it would take the touches
       document.body.classList.add("touched");
-      if (!Page.isCaptured) {
-        const [x, y] = Page.place(event);
-        Page.pointer = {x, y, hasMoved: true, isPressed: true};
-        return Page.note(Kind.Click, Device.MouseButton, 1);
-      }
-      const isStick = event.clientX < innerWidth / 2;
-      this.thumbs.set(event.pointerId, {isStick, x: event.clientX, y: event.clientY});
+      const isStick = Page.isCaptured && event.clientX < innerWidth / 2;
+      this.thumbs.set(event.pointerId, {isStick, isTap: !Page.isCaptured, x: event.clientX, y: event.clientY});
     },
     move(event) {
       const thumb = this.thumbs.get(event.pointerId);
       if (!thumb) return;
       const x = event.clientX - thumb.x, y = event.clientY - thumb.y;
       if (thumb.isStick) return this.push(x, y);
+      if (!Page.isCaptured) return this.scroll(thumb, y);
       const PER_PIXEL = 3;  // a mouse's counts
       Page.note(Kind.MouseMotion, 0, 0, Math.round(x * PER_PIXEL), Math.round(y * PER_PIXEL));
       thumb.x = event.clientX;
@@ -378,7 +418,24 @@ const Page = globalThis.Page = {
     end(event) {
       const thumb = this.thumbs.get(event.pointerId);
       this.thumbs.delete(event.pointerId);
-      if (thumb && thumb.isStick) this.push(0, 0);
+      if (!thumb) return;
+      if (thumb.isStick) this.push(0, 0);
+      if (!thumb.isTap || event.type !== "pointerup") return;
+      Page.point(event);
+      Page.pointer.isPressed = true;
+      Page.note(Kind.Click, Device.MouseButton, 1);
+    },
+    release() {
+      if (this.thumbs.size > 0) this.push(0, 0);
+      this.thumbs.clear();
+    },
+    scroll(thumb, y) {
+      const ROW = 24;
+      for (; Math.abs(y) >= ROW; y -= Math.sign(y) * ROW) {
+        Page.tap(Device.MouseWheel, y > 0 ? 0 : 1);
+        thumb.y += Math.sign(y) * ROW;
+        thumb.isTap = false;
+      }
     },
     push(x, y) {
       const RADIUS = 60;
@@ -398,9 +455,16 @@ const Page = globalThis.Page = {
   usedPad: -1,
   // From the standard layout's buttons to PadButton; its two triggers are axes here.
   PAD_BUTTONS: [0, 1, 2, 3, 9, 10, -4, -5, 4, 6, 7, 8, 11, 12, 13, 14, 5],
+  padsOfBrowser() {
+    try {
+      return navigator.getGamepads();
+    } catch (error) {
+      return [];  // a frame of another page that may not
+    }
+  },
   followPads() {
     const there = new Map();
-    for (const pad of navigator.getGamepads ? navigator.getGamepads() : []) {
+    for (const pad of this.padsOfBrowser()) {
       if (!pad || !pad.connected || pad.mapping !== "standard") continue;
       const before = this.pads.get(pad.index) || {buttons: [], axes: []};
       const now = {buttons: pad.buttons.map(button => button.value), axes: pad.axes.slice(0, 4)};

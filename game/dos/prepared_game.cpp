@@ -1,4 +1,4 @@
-#include "game/dos/level_models_file.h"
+#include "game/dos/prepared_game.h"
 
 #include <algorithm>
 #include <array>
@@ -23,6 +23,7 @@ class Writer {
         number(static_cast<std::uint32_t>(list.size()));
         return list.size();
     }
+    void add(std::span<const std::uint8_t> list) { bytes.insert(bytes.end(), list.begin(), list.end()); }
     std::vector<std::uint8_t> bytes;
 };
 
@@ -42,6 +43,10 @@ class Reader {
         list.resize(size);
         return size;
     }
+    void add(std::span<std::uint8_t> list) {
+        const auto from = reader_.take(list.size());
+        std::copy(from.begin(), from.end(), list.begin());
+    }
     void expect_end() const { expect_at(reader_.offset(), reader_.rest() == 0, "more bytes than expected"); }
 
   private:
@@ -60,7 +65,10 @@ void visit_all(Archive& archive, Values&... values) {
 template <class Archive, class List>
 void visit_list(Archive& archive, List& list) {
     const std::size_t count = archive.count(list);
-    for (std::size_t i = 0; i < count; ++i) visit(archive, list[i]);
+    if constexpr (std::is_same_v<typename List::value_type, std::uint8_t>)
+        archive.add(list);
+    else
+        for (std::size_t i = 0; i < count; ++i) visit(archive, list[i]);
 }
 
 template <class Value, class Kind>
@@ -138,10 +146,7 @@ void visit_model(Archive& archive, Model& model) {
     }
 }
 
-}  // namespace
-
-std::vector<std::uint8_t> encode_level_models(const LevelModels& models) {
-    Writer writer;
+void write_models(const LevelModels& models, Writer& writer) {
     std::map<const Mesh*, std::uint32_t> numbers;
     writer.count(models.meshes);
     for (const auto& mesh : models.meshes) {
@@ -153,12 +158,9 @@ std::vector<std::uint8_t> encode_level_models(const LevelModels& models) {
         writer.number(numbers.at(model.placed.mesh));
         visit_model(writer, model);
     }
-    return std::move(writer.bytes);
 }
 
-LevelModels decode_level_models(std::span<const std::uint8_t> bytes) {
-    Reader reader(bytes);
-    LevelModels models;
+void read_models(Reader& reader, LevelModels& models) {
     const std::size_t count = reader.count(models.meshes);
     for (std::size_t i = 0; i < count; ++i) {
         auto mesh = std::make_unique<Mesh>();
@@ -173,8 +175,35 @@ LevelModels decode_level_models(std::span<const std::uint8_t> bytes) {
         model.placed.mesh = models.meshes[number].get();
         visit_model(reader, model);
     }
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> encode_prepared_game(const GameData& data) {
+    Writer writer;
+    writer.number(data.level_hash);
+    for (const auto& shade : data.colormap.shades) writer.add(shade);
+    write_models(data.models, writer);
+    return std::move(writer.bytes);
+}
+
+void decode_prepared_game(std::span<const std::uint8_t> bytes, GameData& data) {
+    Reader reader(bytes);
+    reader.number(data.level_hash);
+    for (auto& shade : data.colormap.shades) reader.add(shade);
+    data.colormap.palette = data.palette;
+    read_models(reader, data.models);
     reader.expect_end();
-    return models;
+}
+
+std::vector<std::uint8_t> encode_t_junctions(const Level& level, const TJunctions& junctions) {
+    Writer writer;
+    for (const EdgeIndex edge : level.edges.indices()) {
+        const std::span<const VertexIndex> inside = junctions.on_edge(edge);
+        writer.number(static_cast<std::uint16_t>(inside.size()));
+        for (const VertexIndex vertex : inside) writer.number(vertex.number());
+    }
+    return std::move(writer.bytes);
 }
 
 }  // namespace oblong

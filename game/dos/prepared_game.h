@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/level/t_junctions.h"
+#include "game/level/load.h"
+
+// What loading a level computes, as it is in memory then, for who has neither the libraries nor the time: the DOS
+// build's LEVEL.ready, beside LEVEL.bsp. Without warnings, and without the names of frames and skins.
+
+namespace oblong {
+
+/// The hash of the level, its colormap and its models.
+std::vector<std::uint8_t> encode_prepared_game(const GameData& data);
+
+/// Fills those. Throws InputError for bytes that end too early, or are too many.
+void decode_prepared_game(std::span<const std::uint8_t> bytes, GameData& data);
+
+/// Each edge's vertices: how many, and which.
+std::vector<std::uint8_t> encode_t_junctions(const Level& level, const TJunctions& junctions);
+
+}  // namespace oblong
