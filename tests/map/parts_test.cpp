@@ -136,10 +136,8 @@ TEST_F(MapWatchTest, FollowsTheSource) {
 
 // A map within the map, its place, and textures: none of them is in the source's own brushes.
 TEST_F(MapWatchTest, FollowsWhatTheSourceNames) {
-    const auto source = [](const Point& at) {
-        std::string external = entity_at("misc_external_map", at);
-        external.insert(external.rfind('}'), "\"_external_map\" \"part.map\"\n");
-        return with_wad(two_rooms(kLamp + external));
+    const auto source = [](const Whole& at) {
+        return with_wad(two_rooms(kLamp + entity_at("misc_external_map", at, {{"_external_map", "part.map"}})));
     };
     const std::string brick = level(box({0, 0, 0}, {32, 32, 16})), taller = level(box({0, 0, 0}, {32, 32, 48}));
     write_file(path("t.wad"), wad_bytes({"wall"}));
@@ -152,7 +150,8 @@ TEST_F(MapWatchTest, FollowsWhatTheSourceNames) {
     EXPECT_FALSE(news_after("part.map", brick + "{").has_level);
     EXPECT_TRUE(news_after("part.map", brick).has_level);
     EXPECT_TRUE(level_bytes() == first);
-    EXPECT_TRUE(news_after("t.wad", wad_bytes({"other", "wall"})).has_level) << "'wall' has the second colour now";
+    EXPECT_TRUE(news_after("t.wad", wad_bytes(std::vector<std::string>{"other", "wall"})).has_level)
+        << "'wall' has the second colour now";
     EXPECT_FALSE(level_bytes() == first);
     EXPECT_TRUE(news_after("t.wad", wad_bytes({"wall"})).has_level);
     EXPECT_TRUE(news_after("my.map", source({160, 64, 0})).has_level);
