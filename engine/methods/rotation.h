@@ -20,7 +20,6 @@ Vec3<Unit> sum_along_axes(const Vec3<Unit>& coordinates, const Basis& axes);
 struct Quaternion {
     Unit w = Unit::from_int(1), x, y, z;
 
-    constexpr Quaternion conjugate() const { return {w, -x, -y, -z}; }
     constexpr bool operator==(const Quaternion&) const = default;
 };
 

@@ -49,8 +49,4 @@ Vec3<World> transformed_point(const Matrix4& model_to_world, const Vec3<World>& 
     return saturating_convert<World>(Vec3<Entry>{world.x, world.y, world.z});
 }
 
-Vec3<Unit> transformed_normal(const Matrix3& normal_to_world, const Vec3<Unit>& model_normal) {
-    return normalised(normal_to_world * convert<Entry>(model_normal));
-}
-
 }  // namespace oblong

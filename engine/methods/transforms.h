@@ -29,7 +29,5 @@ Quaternion quaternion_of(const EulerAngles& angles);
 
 /// A model's point in the world, rounded once each coordinate; saturates.
 Vec3<World> transformed_point(const Matrix4& model_to_world, const Vec3<World>& model_point);
-/// A normal in the world, of length 1, by normal_matrix() of the model's transform.
-Vec3<Unit> transformed_normal(const Matrix3& normal_to_world, const Vec3<Unit>& model_normal);
 
 }  // namespace oblong

@@ -11,6 +11,15 @@ struct Rgb8 {
     constexpr bool operator==(const Rgb8&) const = default;
 };
 
+/// A channel as a VGA's converter (DAC) keeps it, in 6 bits.
+constexpr std::uint8_t narrow_dac6(std::uint8_t channel) {
+    return static_cast<std::uint8_t>(channel >> 2);
+}
+/// What the 6 bits of a VGA's channel show: 0 is 0, and 63 is 255.
+constexpr std::uint8_t widen_dac6(std::uint8_t six_bits) {
+    return static_cast<std::uint8_t>(six_bits << 2 | six_bits >> 4);
+}
+
 /// The last 32 colours of a palette glow: light does not change them.
 inline constexpr int kFirstFullbright = 224;
 

@@ -76,6 +76,9 @@ void add_picture(Rows& rows) {
         {"gamma", "Gamma", "of the display, kept a game: above 1, dark colours are brighter", kPage}, &Light::gamma_100,
         50, 200, {50, 60, 70, 80, 90, 100, 110, 120, 130, 140, 150, 160, 170, 180, 190, 200}));
     rows.push_back(tube_preference());
+    rows.push_back(
+        on_or_off({"dac6", "Colours of a VGA", "of 6 bits a channel: up to 3 of 255 beside the palette's", kPage},
+                  &Preferences::has_dac6));
     rows.push_back(on_or_off({"whole-screen", "Whole screen", "instead of a window (Alt+Enter)", kPage},
                              &Preferences::fills_screen));
     rows.push_back(on_or_off({"vsync", "Wait for display", "each picture is shown whole, where the system can", kPage},

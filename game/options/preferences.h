@@ -52,6 +52,7 @@ struct PicturePreferences {
     ShownAs shown_as = ShownAs::OnDisplay;
     Scaling scaling = Scaling::SharpBilinear;
     bool has_crt_look = false;
+    bool has_dac6 = false;  ///< colours of 6 bits a channel
     bool operator==(const PicturePreferences&) const = default;
 };
 

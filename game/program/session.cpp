@@ -160,7 +160,7 @@ ShownPicture Session::draw(bool is_behind_menu) {
     Settings shown_settings = settings;
     if (lab_) shown_settings.accuracy = shown_setting(overlays_.lab, settings.accuracy, last_us_);
     if (!std::exchange(has_drawn_, false) || lab_) renderer_->draw(view, shown_settings);
-    PaletteEffects effects = palette_.effects_at(view, preferences.flashes, preferences.light());
+    PaletteEffects effects = palette_.effects_at(view, preferences.flashes, preferences.light(), preferences.has_dac6);
     if (is_behind_menu) effects.flash = {};  // it would wash the menu out
     note_cost(view, shown_settings, effects);
     if (log_) renderer_->note(view, shown_settings, last_us_, *log_);
@@ -179,10 +179,11 @@ ShownPicture Session::draw(bool is_behind_menu) {
 Thumbnail Session::thumbnail() {
     follow_mode();
     const GameView view = shown_view();
-    renderer_->draw(view, settings_of(view_options_.preferences));
+    const Preferences& preferences = view_options_.preferences;
+    renderer_->draw(view, settings_of(preferences));
     has_drawn_ = true;
     const PaletteEffects effects =
-        palette_.effects_at(view, view_options_.preferences.flashes, view_options_.preferences.light());
+        palette_.effects_at(view, preferences.flashes, preferences.light(), preferences.has_dac6);
     return make_thumbnail(renderer_->canvas(), palette_of(view, effects));
 }
 

@@ -8,8 +8,8 @@
 
 namespace oblong {
 
-/// The palette in which the pictures of a game are shown: cycles, the tint of a liquid, a flash after a teleporter, and
-/// gamma.
+/// The palette in which the pictures of a game are shown: cycles, the tint of a liquid, a flash after a teleporter,
+/// gamma, and a VGA's 6 bits.
 class ShownPalette {
   public:
     /// `data` outlives it.
@@ -18,12 +18,13 @@ class ShownPalette {
     /// Notes a tick: one that teleports the player is the start of a flash.
     void note_tick(const GameState& before, const GameState& after);
     /// What is done to the palette. The flash is left out unless flashes are full.
-    PaletteEffects effects_at(const GameView& view, Flashes flashes, const Light& light);
+    PaletteEffects effects_at(const GameView& view, Flashes flashes, const Light& light, bool has_dac6);
 
   private:
     const GameData& data_;
     Light light_;
-    std::optional<GammaTable> gamma_;          // of light_; nothing where it changes nothing
+    bool has_dac6_ = false;
+    std::optional<GammaTable> channels_;       // of these; nothing where they change nothing
     std::optional<std::int64_t> teleport_ms_;  // when the player was teleported last
 };
 

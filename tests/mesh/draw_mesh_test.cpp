@@ -189,7 +189,7 @@ TEST(DrawMesh, NormalsOfMeshesThatAreScaledAlikeAreWithinThreeStepsOfTheRotation
         const Vec3<Unit> normal{unit[0], unit[1], unit[2]};
         const Vec3<Unit> found = world_normal(normal, *transform);
         if (!is_alike) {
-            ASSERT_EQ(found, transformed_normal(transform->normals, normal));
+            ASSERT_EQ(found, normalised(transform->normals * convert<Entry>(normal)));
             continue;
         }
         const std::array<double, 3> exact = turned(placed, normal);

@@ -21,6 +21,17 @@ TEST(Palette, TakesTriplesInOrder) {
     EXPECT_EQ(palette.colours[255], (Rgb8{0, 0, 4}));
 }
 
+// Hard case P3: a shift alone would make the brightest colour 252.
+TEST(Palette, SixBitsWidenToTheWholeRangeAndBack) {
+    for (int v = 0; v < 64; ++v) {
+        const std::uint8_t wide = widen_dac6(static_cast<std::uint8_t>(v));
+        EXPECT_EQ(narrow_dac6(wide), v);
+        EXPECT_LE(std::abs(wide * 63 - v * 255), 63) << "within one of " << v << " / 63";
+    }
+    EXPECT_EQ(widen_dac6(0), 0);
+    EXPECT_EQ(widen_dac6(63), 255);
+}
+
 TEST(Palette, OtherSizesAreRefused) {
     for (const std::size_t size : {0u, 767u, 769u, 1024u})
         EXPECT_THROW(read_palette(std::vector<std::uint8_t>(size)), InputError) << size;

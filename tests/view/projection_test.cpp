@@ -110,7 +110,7 @@ TEST(FacesAway, InObjectSpaceIsTheSameAsInTheWorld) {
         const Vec3<World> eye = point_at(200 * any(), 200 * any(), 50);
         const bool in_object = faces_away(corner, normal, transformed_point(*inverse(model), eye));
         const bool in_world = faces_away(transformed_point(model, corner),
-                                         transformed_normal(*normal_matrix(linear_part(model)), normal), eye);
+                                         normalised(*normal_matrix(linear_part(model)) * convert<Entry>(normal)), eye);
         differ += in_object != in_world;
     }
     EXPECT_LE(differ, 1) << "only a face seen edge-on, within rounding";

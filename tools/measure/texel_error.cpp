@@ -12,14 +12,6 @@ double length(double x, double y) {
     return std::sqrt(x * x + y * y);
 }
 
-ErrorSummary summarize(std::span<const TexelError> errors, float TexelError::*member) {
-    std::vector<float> measured;
-    measured.reserve(errors.size());
-    for (const TexelError& error : errors)
-        if (error.is_measured()) measured.push_back(error.*member);
-    return summarize_errors(std::move(measured));
-}
-
 }  // namespace
 
 TexelErrorMeter::TexelErrorMeter(const reference::Level& level, std::span<const PlacedModel> models,
@@ -70,11 +62,11 @@ std::vector<TexelError> TexelErrorMeter::measure(const FrameRecord& record) {
 }
 
 ErrorSummary summarize_pixels(std::span<const TexelError> errors) {
-    return summarize(errors, &TexelError::pixels);
-}
-
-ErrorSummary summarize_texels(std::span<const TexelError> errors) {
-    return summarize(errors, &TexelError::texels);
+    std::vector<float> measured;
+    measured.reserve(errors.size());
+    for (const TexelError& error : errors)
+        if (error.is_measured()) measured.push_back(error.pixels);
+    return summarize_errors(std::move(measured));
 }
 
 ErrorSummary summarize_errors(std::vector<float> errors) {

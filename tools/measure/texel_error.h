@@ -61,7 +61,6 @@ class TexelErrorMeter {
 
 /// Of the pixels that were measured.
 ErrorSummary summarize_pixels(std::span<const TexelError> errors);
-ErrorSummary summarize_texels(std::span<const TexelError> errors);
 
 /// What the reference renderer needs to see what the engine sees. `correct_aspect`: Settings::correct_aspect.
 reference::View reference_view(const Camera& camera, const ScreenMode& mode, bool correct_aspect = true);

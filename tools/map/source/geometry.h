@@ -80,10 +80,6 @@ struct Plane {
 /// axis.
 int plane_type(const Plane& plane);
 
-inline bool is_axial(const Plane& plane) {
-    return plane_type(plane) < 3;
-}
-
 /// One side of a plane in a PlaneList: `is_back` faces against the normal.
 struct PlaneSide {
     int plane = 0;
