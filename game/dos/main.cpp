@@ -4,6 +4,7 @@
 #include <malloc.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <map>
 #include <string>
 
@@ -21,6 +22,7 @@ namespace oblong {
 namespace {
 
 constexpr const char* kAssets = "/assets";
+constexpr const char* kData = "/oblong";  // there if DOS keeps it
 
 struct Arguments {
     Options options;
@@ -83,6 +85,7 @@ Arguments read_arguments(int count, char** words) {
     }
     check_view(arguments.options.preferences.mode, arguments.options.preferences.field_of_view);
     arguments.options.shows_title = arguments.options.replay.empty();
+    if (std::filesystem::is_directory(kData)) arguments.options.folders.data = kData;
     return arguments;
 }
 

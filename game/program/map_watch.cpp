@@ -25,6 +25,12 @@ struct MapParts {
     std::vector<std::string> entities, lights;  // the pairs of each; `lights` of those that may change light
 };
 
+// In brush entities, what moves vertices or normals of light; in any, what names files and textures.
+bool is_of_brushes(const std::string& pair, bool has_brushes) {
+    return pair.starts_with("\"wad\"") || pair.starts_with("\"texture\"") ||
+           (has_brushes && (pair.starts_with("\"classname\"") || pair.starts_with("\"_phong")));
+}
+
 bool may_change_light(const std::string& pairs) {
     return pairs.find("\"classname\" \"light") != std::string::npos || pairs.find("\"light\"") != std::string::npos ||
            pairs.find("\"_") != std::string::npos || pairs.find("\"classname\" \"worldspawn\"") != std::string::npos;
@@ -44,10 +50,10 @@ MapParts parts_of(const std::string& text) {
         else if (depth > 1)
             brushes += line + "\n";
         if (!line.starts_with('}') || --depth > 0) continue;
+        const bool is_external = pairs.find("\"_external_map\"") != std::string::npos;  // all of it places brushes
         std::istringstream each(pairs);
-        if (!brushes.empty())
-            for (std::string pair; std::getline(each, pair);)
-                if (pair.starts_with("\"classname\"") || pair.starts_with("\"_phong")) parts.brushes += pair + "\n";
+        for (std::string pair; std::getline(each, pair);)
+            if (is_external || is_of_brushes(pair, !brushes.empty())) parts.brushes += pair + "\n";
         parts.brushes += brushes;
         parts.entities.push_back(pairs);
         // The target of a spotlight lies anywhere.
@@ -92,16 +98,28 @@ MapWatch::MapWatch(std::string map_file, std::string compiler)
     level_file_ = base + ".bsp";
     said_file_ = base + ".log";
     points_file_ = base + ".pts";
+    reads_file_ = base + ".reads";
 }
 
 MapWatch::~MapWatch() {
     if (running_) waitpid(*running_, nullptr, 0);
 }
 
-std::optional<MapWatch::Stamp> MapWatch::stamp() const {
-    std::error_code error;
-    const Stamp now{fs::last_write_time(map_file_, error), error ? 0 : fs::file_size(map_file_, error)};
-    return error ? std::nullopt : std::optional(now);
+MapWatch::Stamp MapWatch::stamp_of(const std::string& file) {
+    std::error_code none, no_size;  // an editor may write it anew just now; a folder has no size
+    const auto time = fs::last_write_time(file, none);
+    const auto size = fs::file_size(file, no_size);
+    return {time, no_size ? 0 : size};
+}
+
+bool MapWatch::others_have_changed() {
+    bool have = false;
+    for (auto& [file, seen] : others_) {
+        const Stamp now = stamp_of(file);
+        have = have || now != seen;
+        seen = now;
+    }
+    return have;
 }
 
 std::optional<MapWatch::News> MapWatch::poll(std::uint64_t now_us) {
@@ -111,19 +129,25 @@ std::optional<MapWatch::News> MapWatch::poll(std::uint64_t now_us) {
         int status = 0;
         if (waitpid(*running_, &status, WNOHANG) == 0) return std::nullopt;
         running_.reset();
-        return finish(status);
+        News news = finish(status);
+        if (news.has_level || running_change_ == MapChange::All) return news;
+        begin(MapChange::All);  // more has changed than was thought
+        return std::nullopt;
     }
-    const std::optional<Stamp> now = stamp();
-    if (!now || now == seen_) return std::nullopt;  // an editor may write it anew just now
+    std::error_code ignored;
+    if (!fs::exists(map_file_, ignored)) return std::nullopt;
+    const Stamp now = stamp_of(map_file_);
+    const bool have_others = others_have_changed();
+    if (now == seen_ && !have_others) return std::nullopt;
     seen_ = now;
     tried_text_ = read_text(map_file_);
-    const MapChange change = text_.empty() ? MapChange::All : change_between(text_, tried_text_);
+    const MapChange change = have_others || has_failed_ ? MapChange::All : change_between(text_, tried_text_);
     if (change != MapChange::Nothing) begin(change);
     return std::nullopt;
 }
 
 void MapWatch::compile_first() {
-    seen_ = stamp();
+    seen_ = stamp_of(map_file_);
     tried_text_ = read_text(map_file_);
     begin(MapChange::All);
     int status = 0;
@@ -134,7 +158,7 @@ void MapWatch::compile_first() {
 }
 
 void MapWatch::begin(MapChange change) {
-    std::vector<std::string> words{compiler_, map_file_, "-o", level_file_, "--fast"};
+    std::vector<std::string> words{compiler_, map_file_, "-o", level_file_, "--fast", "--reads", reads_file_};
     if (change != MapChange::All) words.insert(words.end(), {"--only", option_of(change)});
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
@@ -150,11 +174,27 @@ void MapWatch::begin(MapChange change) {
     posix_spawn_file_actions_destroy(&files);
     if (error != 0) throw FileError(compiler_, "start", "the compiler does not start, expected oblong-map there");
     running_ = process;
+    running_change_ = change;
+}
+
+// Those known before keep the stamps that they had before they were read.
+void MapWatch::look_for_others() {
+    std::error_code ignored;
+    if (!fs::exists(reads_file_, ignored)) return;
+    std::map<std::string, Stamp> others;
+    std::istringstream lines(read_text(reads_file_));
+    for (std::string file; std::getline(lines, file);) {
+        const auto known = others_.find(file);
+        others[file] = known == others_.end() ? stamp_of(file) : known->second;
+    }
+    others_ = std::move(others);
 }
 
 MapWatch::News MapWatch::finish(int status) {
+    look_for_others();
     News news;
     news.has_level = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    has_failed_ = !news.has_level;
     if (news.has_level) {
         text_ = tried_text_;
         return news;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,12 +14,12 @@ namespace oblong {
 /// What of a level has to be made anew after its source has changed.
 enum class MapChange : std::uint8_t { Nothing, Entities, Light, All };
 
-/// Compares two texts of a Quake .map: brushes, or which entities have some, count as All; what may shine or be lit in
-/// another way as Light.
+/// Compares two texts of a Quake .map: brushes, which entities have some, and what names other files count as All; what
+/// may shine or be lit in another way as Light.
 MapChange change_between(const std::string& former, const std::string& now);
 
-/// Keeps a level up with its source: looks at the file now and then, and has oblong-map compile a draft of what changed
-/// while the game goes on.
+/// Keeps a level up with its source: looks now and then at the file, at maps within it and at its textures, and has
+/// oblong-map compile a draft of what changed while the game goes on.
 class MapWatch {
   public:
     /// `compiler` is the program oblong-map. The level is written beside the source, as NAME-draft.bsp.
@@ -47,16 +48,21 @@ class MapWatch {
         bool operator==(const Stamp&) const = default;
     };
 
-    std::optional<Stamp> stamp() const;
+    static Stamp stamp_of(const std::string& file);
+    bool others_have_changed();
+    void look_for_others();
     void begin(MapChange change);
     News finish(int status);
 
-    std::string map_file_, compiler_, level_file_, said_file_, points_file_;
+    std::string map_file_, compiler_, level_file_, said_file_, points_file_, reads_file_;
     std::string text_;        // that the level was made of
     std::string tried_text_;  // that is compiled
-    std::optional<Stamp> seen_;
+    Stamp seen_;
+    std::map<std::string, Stamp> others_;  // that the compiler read
+    bool has_failed_ = false;              // then all is due
     std::uint64_t looked_us_ = 0;
     std::optional<int> running_;  // the compiler's process
+    MapChange running_change_ = MapChange::All;
 };
 
 }  // namespace oblong

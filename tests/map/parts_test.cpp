@@ -78,45 +78,86 @@ TEST(MapChanges, SayWhatHasToBeMadeAnew) {
               MapChange::Light);
 }
 
-// As a mapper saves: a lamp moves, a wall goes, and comes back.
-TEST(MapWatchTest, FollowsTheSource) {
-    const fs::path folder = fs::temp_directory_path() / ("oblong-watch-test-" + std::to_string(getpid()));
-    fs::create_directories(folder);
-    const std::string file = (folder / "my.map").string();
-    const auto source = [&](const std::string& entities) {
-        return replaced(two_rooms(entities), "\"worldspawn\"", "\"worldspawn\"\n\"wad\" \"t.wad\"");
-    };
-    write_file((folder / "t.wad").string(), wad_bytes({"wall"}));
-    write_file(file, source(kLamp));
-    MapWatch watch(file, build_folder() + "/bin/oblong-map");
-    watch.compile_first();
-    std::uint64_t now_us = 0;
-    int saves = 0;
-    const auto news_after = [&](const std::string& text) {
-        write_file(file, text);
-        fs::last_write_time(file, fs::file_time_type::clock::now() + std::chrono::seconds(++saves));
+std::string with_wad(const std::string& source) {
+    return replaced(source, "\"worldspawn\"", "\"worldspawn\"\n\"wad\" \"t.wad\"");
+}
+
+// A folder with a source that is watched.
+class MapWatchTest : public testing::Test {
+  protected:
+    MapWatchTest() { fs::create_directories(folder_); }
+    ~MapWatchTest() override { fs::remove_all(folder_); }
+
+    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+    std::string level_bytes() const { return read_text(watch.level_file()); }
+
+    MapWatch::News news_after(const std::string& name, const std::string& text) {
+        write_file(path(name), text);
+        fs::last_write_time(path(name), fs::file_time_type::clock::now() + std::chrono::seconds(++saves_));
         for (int tries = 0; tries < 3000; ++tries) {
-            if (auto news = watch.poll(now_us += 300'000)) return *news;
+            if (auto news = watch.poll(now_us_ += 300'000)) return *news;
             std::this_thread::sleep_for(std::chrono::milliseconds(10));
         }
-        return MapWatch::News{};
-    };
-    const std::string first = read_text(watch.level_file());
-    EXPECT_TRUE(news_after(source(kOtherLamp)).has_level);
-    const std::string second = read_text(watch.level_file());
-    EXPECT_FALSE(second == first);
-    const auto broken = news_after(source(kOtherLamp) + "{");
+        return {};
+    }
+
+  private:
+    const fs::path folder_ = fs::temp_directory_path() / ("oblong-watch-test-" + std::to_string(getpid()));
+    std::uint64_t now_us_ = 0;
+    int saves_ = 0;
+
+  protected:
+    MapWatch watch{path("my.map"), build_folder() + "/bin/oblong-map"};
+};
+
+// As a mapper saves: a lamp moves, a wall goes, and comes back.
+TEST_F(MapWatchTest, FollowsTheSource) {
+    const auto source = [&](const std::string& entities) { return with_wad(two_rooms(entities)); };
+    write_file(path("t.wad"), wad_bytes({"wall"}));
+    write_file(path("my.map"), source(kLamp));
+    watch.compile_first();
+    const std::string first = level_bytes();
+    EXPECT_TRUE(news_after("my.map", source(kOtherLamp)).has_level);
+    EXPECT_FALSE(level_bytes() == first);
+    const auto broken = news_after("my.map", source(kOtherLamp) + "{");
     EXPECT_FALSE(broken.has_level);
     EXPECT_NE(broken.fault.find("line "), std::string::npos) << broken.fault;
     EXPECT_TRUE(broken.leak_path.empty());
+    EXPECT_TRUE(news_after("my.map", source(kOtherLamp)).has_level) << "as it was: the fault is gone";
     const std::string leaking = level(box({0, 0, 0}, {64, 64, 64}), entity_at("light", {0, 0, 99}));
-    const auto open = news_after(replaced(leaking, "\"worldspawn\"", "\"worldspawn\"\n\"wad\" \"t.wad\""));
+    const auto open = news_after("my.map", with_wad(leaking));
     EXPECT_FALSE(open.has_level);
     EXPECT_NE(open.fault.find("leaks"), std::string::npos) << open.fault;
     EXPECT_GE(open.leak_path.size(), 2u);
-    EXPECT_TRUE(news_after(source(kLamp)).has_level);
-    EXPECT_TRUE(read_text(watch.level_file()) == first);
-    fs::remove_all(folder);
+    EXPECT_TRUE(news_after("my.map", source(kLamp)).has_level);
+    EXPECT_TRUE(level_bytes() == first);
+}
+
+// A map within the map, its place, and textures: none of them is in the source's own brushes.
+TEST_F(MapWatchTest, FollowsWhatTheSourceNames) {
+    const auto source = [](const Whole& at) {
+        return with_wad(two_rooms(kLamp + entity_at("misc_external_map", at, {{"_external_map", "part.map"}})));
+    };
+    const std::string brick = level(box({0, 0, 0}, {32, 32, 16})), taller = level(box({0, 0, 0}, {32, 32, 48}));
+    write_file(path("t.wad"), wad_bytes({"wall"}));
+    write_file(path("part.map"), brick);
+    write_file(path("my.map"), source({160, 128, 0}));
+    watch.compile_first();
+    const std::string first = level_bytes();
+    EXPECT_TRUE(news_after("part.map", taller).has_level);
+    EXPECT_FALSE(level_bytes() == first);
+    EXPECT_FALSE(news_after("part.map", brick + "{").has_level);
+    EXPECT_TRUE(news_after("part.map", brick).has_level);
+    EXPECT_TRUE(level_bytes() == first);
+    EXPECT_TRUE(news_after("t.wad", wad_bytes(std::vector<std::string>{"other", "wall"})).has_level)
+        << "'wall' has the second colour now";
+    EXPECT_FALSE(level_bytes() == first);
+    EXPECT_TRUE(news_after("t.wad", wad_bytes({"wall"})).has_level);
+    EXPECT_TRUE(news_after("my.map", source({160, 64, 0})).has_level);
+    EXPECT_FALSE(level_bytes() == first) << "it was moved";
+    EXPECT_TRUE(news_after("my.map", source({160, 128, 0})).has_level);
+    EXPECT_TRUE(level_bytes() == first);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ namespace {
 using namespace oblong;
 
 struct Arguments {
-    std::string input, output, fgd, game, portals, trenchbroom, only;
+    std::string input, output, fgd, game, portals, trenchbroom, only, reads;
     map::TextureSources textures;
     std::int64_t threads = 0;  // as many as there are processors
     bool is_fast = false, is_strict = false, has_dirt = false, has_bounce = false;
@@ -48,6 +48,7 @@ void declare(CommandArguments& line, Arguments& arguments) {
     line.add("--prt", arguments.portals, "writes the portals too, as a .prt file");
     line.add("--only", arguments.only,
              "entities, light or vis: makes that anew in OUT.bsp, which is there; the brushes have not changed");
+    line.add("--reads", arguments.reads, "writes the names of the other files that were read, one a line");
     line.add("--threads", arguments.threads,
              "that compile; default: as many as processors. The level is the same for any number")
         .limit(1, 64);
@@ -110,22 +111,30 @@ map::CompilePart parse_part(const std::string& name) {
     throw UsageError("--only: '" + name + "', expected entities, light or vis");
 }
 
-map::ExternalSource read_external(const std::string& name, const std::string& path, int line) {
-    namespace fs = std::filesystem;
-    std::string with_slashes = name;
-    std::replace(with_slashes.begin(), with_slashes.end(), '\\', '/');
-    const fs::path found = fs::path(path).parent_path() / with_slashes;
-    if (!fs::exists(found))
-        throw InputError("line " + std::to_string(line), "\"_external_map\" names '" + name + "', which is not at " +
-                                                             found.string() + ", expected a map source there");
-    return {fs::weakly_canonical(found).string(), read_text(found.string())};
+// What a name means in the source at `path`.
+std::string external_path(std::string name, const std::string& path) {
+    std::replace(name.begin(), name.end(), '\\', '/');
+    return (std::filesystem::path(path).parent_path() / name).string();
 }
 
-std::string compile(const Arguments& arguments, const std::string& text, const char* called_as) {
+map::ExternalSource read_external(const std::string& name, const std::string& found, int line) {
+    if (!std::filesystem::exists(found))
+        throw InputError("line " + std::to_string(line), "\"_external_map\" names '" + name + "', which is not at " +
+                                                             found + ", expected a map source there");
+    return {std::filesystem::weakly_canonical(found).string(), read_text(found)};
+}
+
+// `files`: receives the names of the others that are read, before they are.
+std::string compile(const Arguments& arguments, const std::string& text, const char* called_as,
+                    std::vector<std::string>& files) {
     std::vector<map::MapEntity> entities = map::parse_map(text);
-    map::include_external_maps(entities, std::filesystem::weakly_canonical(arguments.input).string(), read_external);
+    map::include_external_maps(entities, std::filesystem::weakly_canonical(arguments.input).string(),
+                               [&](const std::string& name, const std::string& path, int line) {
+                                   files.push_back(external_path(name, path));
+                                   return read_external(name, files.back(), line);
+                               });
     const std::vector<map::Wad> wads =
-        map::read_texture_sources(arguments.textures, entities.front(), arguments.input, called_as);
+        map::read_texture_sources(arguments.textures, entities.front(), arguments.input, called_as, files);
     Reporter reporter(arguments);
     map::find_warnings(arguments.game.empty() ? entities : with_known_classes(entities, arguments.game),
                        reporter.warnings);
@@ -166,7 +175,20 @@ void compile_to_file(const Arguments& arguments, const char* called_as) {
     if (arguments.input.empty()) throw UsageError("IN.map is required");
     if (arguments.output.empty()) throw UsageError("--out is required");
     const std::string text = read_text(arguments.input);
-    write_file(arguments.output, naming_file(arguments.input, [&] { return compile(arguments, text, called_as); }));
+    std::vector<std::string> files;
+    const auto tell_files = [&] {
+        std::string names;
+        for (const std::string& file : files) names += file + "\n";
+        if (!arguments.reads.empty()) write_file(arguments.reads, names);
+    };
+    try {
+        write_file(arguments.output,
+                   naming_file(arguments.input, [&] { return compile(arguments, text, called_as, files); }));
+    } catch (...) {
+        tell_files();
+        throw;
+    }
+    tell_files();
     const std::string points = points_path(arguments);  // the way out of a leak that is closed now
     if (points != arguments.output && std::filesystem::is_regular_file(points)) std::filesystem::remove(points);
 }

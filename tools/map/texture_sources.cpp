@@ -37,9 +37,12 @@ std::string palette_of(const TextureSources& sources, const std::string& folder,
     return sources.palette.empty() && fs::exists(own) ? own.string() : palette_file(sources, called_as);
 }
 
-Wad read_source(const TextureSources& sources, const std::string& path, const char* called_as) {
+Wad read_source(const TextureSources& sources, const std::string& path, const char* called_as,
+                std::vector<std::string>& files) {
+    files.push_back(path);
     if (!fs::is_directory(path)) return naming_file(path, [&] { return Wad(read_text(path)); });
     const std::vector<std::string> pictures = pictures_in(path);
+    files.insert(files.end(), pictures.begin(), pictures.end());
     if (pictures.empty()) throw FileError(path, "folder", "has no pictures, expected PNG, TGA, JPEG or BMP files");
     const Palette palette = read_parsed(palette_of(sources, path, called_as), read_palette);
     const auto bytes = packed_textures(pictures, sources.glowing, palette, parse_dither(sources.dither));
@@ -85,13 +88,14 @@ std::string palette_file(const TextureSources& sources, const char* called_as) {
 }
 
 std::vector<Wad> read_texture_sources(const TextureSources& sources, const MapEntity& world,
-                                      const std::string& map_path, const char* called_as) {
+                                      const std::string& map_path, const char* called_as,
+                                      std::vector<std::string>& files) {
     std::vector<Wad> wads;
     std::vector<NamedSource> named;
     for (const std::string& path : sources.wads) named.push_back({path, path});
     if (named.empty()) named = named_sources(world, map_path, called_as);
     for (const NamedSource& each : named) {
-        wads.push_back(read_source(sources, each.path, called_as));
+        wads.push_back(read_source(sources, each.path, called_as, files));
         wads.back().source = each.name;
         wads.back().line = each.line;
     }

@@ -21,8 +21,10 @@ std::string palette_file(const TextureSources& sources, const char* called_as);
 
 /// Reads them. The worldspawn's key "wad" names files and folders, a ';' between two; each is looked for from the map's
 /// folder, and if it is not there by its name alone in that folder and in Oblong's own (`called_as`: argv[0]). Throws
-/// FileError, InputError where there is none, and UsageError where `glowing` names no texture.
+/// FileError, InputError where there is none, and UsageError where `glowing` names no texture. `files`: receives their
+/// names, and those of the pictures, before they are read.
 std::vector<Wad> read_texture_sources(const TextureSources& sources, const MapEntity& world,
-                                      const std::string& map_path, const char* called_as);
+                                      const std::string& map_path, const char* called_as,
+                                      std::vector<std::string>& files);
 
 }  // namespace oblong::map

@@ -42,6 +42,12 @@ begin:
     call open_file
     jc fail
     call set_bases
+#ifndef FROM_DISK
+    movw $0x2524, %ax
+    movw $critical_error, %dx
+    int $0x21
+    call check_memory
+#endif
 
 next_piece:
     call read_piece
@@ -108,6 +114,10 @@ in_real_mode:
     movzwl saved_sp, %esp
     lidtl real_idt                  // interrupts by the table at address 0 again
     sti
+#ifndef FROM_DISK
+    cmpb $0, dos_is_asked
+    jne ask_dos
+#endif
     movw $0x0003, %ax               // text of 80x25
     int $0x10
     movw $message, %si
@@ -128,6 +138,75 @@ fail:
 exit:
     movb $0x4c, %ah
     int $0x21
+#endif
+
+#ifndef FROM_DISK
+// The kernel asks DOS for something (DosCall of kernel/boot_info.h), and goes on at dos_resume.
+ask_dos:
+    movb $0, dos_is_asked
+    movw dos_bx, %bx
+    movw dos_cx, %cx
+    movw dos_dx, %dx
+    movw dos_di, %di
+    movw dos_ax, %ax
+    movw buffer, %es
+    pushw %ds
+    movw buffer, %ds
+    int $0x21
+    popw %ds
+    movw %ax, dos_ax
+    sbbw %ax, %ax
+    movw %ax, dos_has_failed
+    cli
+    lgdtl gdtr
+    movl %cr0, %eax
+    orb $1, %al
+    movl %eax, %cr0
+    ljmpl $0x28, $answered
+    .code32
+answered:
+    movw $0x10, %ax
+    movw %ax, %ds
+    movw %ax, %es
+    movw %ax, %ss
+    movw %ax, %fs
+    movw %ax, %gs
+    ljmpl *%cs:dos_resume
+    .code16
+
+// Where the driver of extended memory (XMS) has given any away, as to a disk cache, DOS is not called once the game has
+// overwritten that.
+check_memory:
+    movw $0x4300, %ax
+    int $0x2f
+    cmpb $0x80, %al
+    jne 1f
+    pushw %es
+    movw $0x4310, %ax
+    int $0x2f
+    movw %bx, xms_driver
+    movw %es, xms_driver + 2
+    popw %es
+    movb $8, %ah                    // dx: what is free, KB
+    lcall *xms_driver
+    movb $0x31, %al                 // what there is, KB, in the battery-backed clock's memory
+    outb %al, $0x70
+    inb $0x71, %al
+    movb %al, %ch
+    movb $0x30, %al
+    outb %al, $0x70
+    inb $0x71, %al
+    movb %al, %cl
+    addw $64, %dx                   // of DOS itself
+    jc 1f
+    cmpw %cx, %dx
+    jae 1f
+    movl $0, info_dos
+1:  ret
+
+critical_error:                     // DOS would ask whether to try again, in text, in the picture: the call fails
+    movb $3, %al
+    iret
 #endif
 
 print:                              // si: a text that ends with 0
@@ -171,6 +250,7 @@ set_bases:                          // this segment's address, where it is neede
     movw %ax, buffer
     movzwl %ax, %eax
     shll $4, %eax
+    movl %eax, info_buffer
     movl %eax, bios_gdt + 18
     movb $0x93, bios_gdt + 21
     xorl %eax, %eax
@@ -182,6 +262,9 @@ set_bases:                          // this segment's address, where it is neede
     addl %eax, info_words
     addl %eax, info_message
     addl %eax, info_exit_code
+#ifndef FROM_DISK
+    addl %eax, info_dos
+#endif
     orl %eax, gdt + 0x18 + 2
     orl %eax, gdt + 0x20 + 2
     orl %eax, gdt + 0x28 + 2
@@ -308,6 +391,12 @@ info_words:
 info_message: .long message
     .long message_end - message
 info_exit_code: .long exit_code
+#ifdef FROM_DISK
+info_dos: .long 0
+#else
+info_dos: .long dos_call
+#endif
+info_buffer: .long 0
 
 base: .long 0
 copy_to: .long 0
@@ -325,6 +414,17 @@ count: .word 0
 text_disk: .asciz "The disk can't be read.\r\n"
 text_end: .asciz "Switch off, or press a key to start again.\r\n"
 #else
+dos_call:                           // DosCall
+dos_resume: .long 0
+    .word 0x08
+dos_ax: .word 0
+dos_bx: .word 0
+dos_cx: .word 0
+dos_dx: .word 0
+dos_di: .word 0
+dos_has_failed: .word 0
+dos_is_asked: .byte 0
+xms_driver: .long 0
 handle: .word 0
 file_name: .asciz "OBLONG.SYS"
 text_file: .asciz "OBLONG.SYS can't be read: it belongs into the current folder, as OBLONG.COM.\r\n"

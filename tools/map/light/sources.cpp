@@ -100,7 +100,8 @@ LightSource source_of(const MapEntity& entity, const Point& origin, const std::v
     source.entity = &entity;
     double brightness = brightness_of(entity);
     if (brightness == 0 && is_light(entity)) brightness = usual("light");  // as in id's compiler and its successors
-    source.brightness = std::abs(brightness) * luminance_of_colour(entity);
+    source.brightness = std::abs(brightness);
+    source.luminance = luminance_of_colour(entity);
     source.is_subtracted = brightness < 0;
     if (!is_light(entity)) return source;  // its other keys are not those of lights
     source.wait = value_of(entity, "wait");
@@ -117,7 +118,8 @@ LightSource source_of(const MapEntity& entity, const Point& origin, const std::v
     source.surface_offset = value_of(entity, "_surface_offset");
     source.is_surface_spotlight = value_of(entity, "_surface_spotlight") > 0;
     const double cone = value_of(entity, "angle");
-    if (source.direction) source.cone_cosine = std::cos(radians((cone > 0 ? cone : usual("angle")) / 2));
+    if (source.direction || source.is_surface_spotlight)
+        source.cone_cosine = std::cos(radians((cone > 0 ? cone : usual("angle")) / 2));
     return source;
 }
 
@@ -155,17 +157,18 @@ HemisphereSettings hemisphere_of(const MapEntity& world) {
 
 double LightSource::at_distance(double distance) const {
     const double faded = std::max(distance * wait, 1.0);
+    const double full = luminance * brightness;
     switch (falloff) {
         case Falloff::kLinear:
-            return std::max(brightness - faded, 0.0);
+            return luminance * std::max(brightness - faded, 0.0);
         case Falloff::kInverse:
-            return brightness * kFadeUnit / faded;
+            return full * kFadeUnit / faded;
         case Falloff::kInverseSquare:
-            return brightness * (kFadeUnit / faded) * (kFadeUnit / faded);
+            return full * (kFadeUnit / faded) * (kFadeUnit / faded);
         case Falloff::kFarther:
-            return brightness * (kFadeUnit / (faded + kFadeUnit)) * (kFadeUnit / (faded + kFadeUnit));
+            return full * (kFadeUnit / (faded + kFadeUnit)) * (kFadeUnit / (faded + kFadeUnit));
         default:
-            return brightness;
+            return full;
     }
 }
 
@@ -193,7 +196,7 @@ Lights lights_of(const std::vector<MapEntity>& entities) {
         const auto origin = origin_of(entity);
         if ((!is_light(entity) && !shines(entity)) || !origin) continue;
         LightSource source = source_of(entity, *origin, entities);
-        if (source.brightness > 0) lights.sources.push_back(source);
+        if (source.brightness > 0 && source.luminance > 0) lights.sources.push_back(source);
     }
     const MapEntity& world = entities.front();
     lights.least = {number_of(world, "_minlight", number_of(world, "light", 0))};

@@ -21,7 +21,8 @@ enum class Falloff {
 /// where they are not given: engine/level/entity_classes.
 struct LightSource {
     Point origin;
-    double brightness = 0;       ///< at least 0
+    double brightness = 0;       ///< at least 0: also how far it reaches
+    double luminance = 1;        ///< of its colour: what arrives is that much of it
     bool is_subtracted = false;  ///< the key was negative: takes light away
     double wait = 1;
     Falloff falloff = Falloff::kLinear;

@@ -84,9 +84,7 @@ void add_lights_of_surface(std::vector<LightSource>& sources, const LightSource&
     for (const Windings& piece : pieces) {
         LightSource& source = sources.emplace_back(pattern);
         source.origin = place_of_lamp(piece, normal) + normal * pattern.surface_offset;
-        if (!pattern.is_surface_spotlight) continue;
-        source.direction = normal;
-        if (source.cone_cosine < 0) source.cone_cosine = 0;
+        if (pattern.is_surface_spotlight) source.direction = normal;
     }
 }
 

@@ -139,9 +139,8 @@ class Flow {
 
 // What does not see a portal is not seen by it, the other way round (portal k ^ 1 is portal k the other way).
 void forget_unseen(VisGraph& graph, std::size_t base, const BitSet& seen) {
-    for (std::size_t k = 0; k < graph.portals.size(); ++k) {
-        if (graph.portals[base].might_see.has(k) && !seen.has(k)) graph.portals[k ^ 1].might_see.remove(base ^ 1);
-    }
+    graph.portals[base].might_see.for_each_beyond(
+        seen, [&](std::size_t k) { graph.portals[k ^ 1].might_see.remove(base ^ 1); });
 }
 
 // Those with little to see first: they help the others.
@@ -198,13 +197,13 @@ void narrow_might_see(VisGraph& graph, const WorkSharing& sharing) {
     std::vector<BitSet> sets(graph.portals.size());
     sharing.for_each(sets.size(), [&](std::size_t i) { sets[i] = narrowed(graph, graph.portals[i]); });
     // A line of sight runs both ways: portal i ^ 1 is portal i the other way.
-    for (std::size_t i = 0; i < sets.size(); ++i) {
-        BitSet both(sets.size());
-        for (std::size_t k = 0; k < sets.size(); ++k) {
-            if (sets[i].has(k) && sets[k ^ 1].has(i ^ 1)) both.add(k);
-        }
-        graph.portals[i].might_see = std::move(both);
-    }
+    const BitSet none(sets.size());
+    sharing.for_each(sets.size(), [&](std::size_t i) {
+        BitSet& both = graph.portals[i].might_see = sets[i];
+        sets[i].for_each_beyond(none, [&](std::size_t k) {
+            if (!sets[k ^ 1].has(i ^ 1)) both.remove(k);
+        });
+    });
 }
 
 std::vector<BitSet> find_seen_portals(VisGraph& graph, const WorkSharing& sharing) {

@@ -28,7 +28,7 @@ std::vector<bool> clusters_seen_from(int cluster, const VisGraph& graph, const s
 }
 
 std::vector<BitSet> find_seen(VisGraph& graph, bool is_fast, const WorkSharing& sharing) {
-    sharing.begin("rough visibility", graph.portals.size() * (is_fast ? 1 : 1 + kNarrowingRounds));
+    sharing.begin("rough visibility", graph.portals.size() * (is_fast ? 1 : 1 + 2 * kNarrowingRounds));
     find_might_see(graph, sharing);
     if (!is_fast) {
         for (int round = 0; round < kNarrowingRounds; ++round) narrow_might_see(graph, sharing);

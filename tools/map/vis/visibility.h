@@ -50,6 +50,14 @@ class BitSet {
         return news != 0;
     }
 
+    /// Calls use(i) for each i that it has and `other` has not, in ascending order. That may remove i.
+    template <class Use>
+    void for_each_beyond(const BitSet& other, Use use) const {
+        for (std::size_t i = 0; i < words_.size(); ++i)
+            for (std::uint64_t rest = words_[i] & ~other.words_[i]; rest != 0; rest &= rest - 1)
+                use(64 * i + static_cast<std::size_t>(std::countr_zero(rest)));
+    }
+
     int count() const {
         int sum = 0;
         for (const std::uint64_t word : words_) sum += std::popcount(word);

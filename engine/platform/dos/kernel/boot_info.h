@@ -4,6 +4,13 @@
 
 namespace oblong::dos {
 
+/// A call of DOS (INT 21h), both data segments at BootInfo::buffer; and where the loader goes on after it.
+struct [[gnu::packed]] DosCall {
+    std::uint32_t resume;
+    std::uint16_t resume_segment, ax, bx, cx, dx, di, has_failed;
+    std::uint8_t is_asked;
+};
+
 /// What the loader (loader.S) hands over. Addresses are physical ones below 1 MB.
 struct BootInfo {
     std::uint32_t segments;      ///< address of what LGDT reads: the loader's segments
@@ -12,6 +19,8 @@ struct BootInfo {
     char* message;               ///< room for a text that ends with 0
     std::uint32_t message_size;
     std::uint8_t* exit_code;
+    DosCall* dos;          ///< null: started from a disk
+    std::uint8_t* buffer;  ///< 64 KB
 };
 
 }  // namespace oblong::dos

@@ -35,6 +35,26 @@ any_interrupt:
     addl $8, %esp                   // number and code
     iretl
 
+// To the loader in real mode, and back to resume_from_dos: go_to_dos(segments' register, far address).
+    .globl go_to_dos, resume_from_dos
+go_to_dos:
+    pushal
+    sgdt kept_segments
+    sidt kept_gates
+    movw %gs, kept_thread
+    movl %esp, kept_stack
+    movl 36(%esp), %eax
+    movl 40(%esp), %edx
+    lgdt (%eax)
+    ljmp *(%edx)
+resume_from_dos:
+    lgdt kept_segments
+    lidt kept_gates
+    movl kept_stack, %esp
+    movw kept_thread, %gs
+    popal
+    ret
+
     .section .rodata
 .macro ADDRESS number
     .long gate_\number
@@ -49,5 +69,9 @@ gates:
 
     .bss
     .balign 16
+kept_segments: .skip 8
+kept_gates: .skip 8
+kept_stack: .skip 4
+kept_thread: .skip 4
     .skip 8192
 stack_end:

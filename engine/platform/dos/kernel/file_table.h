@@ -19,6 +19,7 @@ enum Error : std::int32_t {
     kTooManyFiles = -23,
     kTooManyOpen = -24,
     kNoTerminal = -25,
+    kNoSpace = -28,
     kReadOnly = -30,
     kNotEmpty = -39
 };
@@ -51,6 +52,8 @@ const char* name_in(const char* folder, const char* name);
 int make_file(const Path& path, bool is_folder);
 void remove_file(int number);
 void rename_file(int number, const Path& path);
+/// Whether a file outlives the game (dos_files.cpp).
+bool is_kept(const File& file);
 /// Whether a file's bytes can be so many.
 bool make_room(File& file, std::uint32_t size);
 

@@ -137,9 +137,23 @@ std::int32_t rename(const char* from, const char* to) {
     if (file_of(file).room == 0) return kReadOnly;
     const int former = find_file(target);
     if (former == file) return 0;
-    if (former >= 0) remove_file(former);
+    // Gone for now, and for good when DOS has the new one.
+    const auto hide = [former](bool is_hidden) {
+        static char letter;
+        if (former < 0) return;
+        char& first = file_of(former).name[0];
+        if (is_hidden) letter = first;
+        first = is_hidden ? 0 : letter;
+    };
+    hide(true);
     rename_file(file, target);
-    return 0;
+    const std::int32_t error = is_kept(file_of(file)) ? keep_files() : 0;
+    hide(false);
+    if (error != 0)
+        rename_file(file, source);
+    else if (former >= 0)
+        remove_file(former);
+    return error;
 }
 
 std::int32_t unlink(const char* name, bool is_of_folder) {
@@ -149,8 +163,9 @@ std::int32_t unlink(const char* name, bool is_of_folder) {
     if (file_of(file).is_folder != is_of_folder) return is_of_folder ? kNoFolder : kIsFolder;
     if (file_of(file).room == 0) return kReadOnly;
     if (is_of_folder && has_files(path)) return kNotEmpty;
+    const bool was_kept = is_kept(file_of(file));
     remove_file(file);
-    return 0;
+    return was_kept ? keep_files() : 0;
 }
 
 std::int32_t make_folder(const char* name) {

@@ -12,6 +12,8 @@ namespace {
 constexpr std::uint16_t kFirst = 0x20, kSecond = 0xa0;  // ports of the controllers; their masks' are the next
 constexpr std::uint8_t kEndOfInterrupt = 0x20;
 constexpr std::uint32_t kFirstLine = 32, kTimer = kFirstLine, kKeyboard = kFirstLine + 1, kMouse = kFirstLine + 12;
+constexpr std::uint8_t kTimerLine = 1 << 0, kKeyLine = 1 << 1, kSecondLine = 1 << 2;  // of the first one's mask
+constexpr std::uint8_t kMouseLine = 1 << 4;                                           // of the second one's
 constexpr std::uint32_t kInvalidOpcode = 6, kSystemCall = 0x80;
 constexpr std::uint8_t kDosFirstLine = 8, kDosSecondLine = 0x70;  // where DOS has them
 
@@ -55,12 +57,16 @@ void start_interrupts() {
     asm volatile("lidt %0" ::"m"(where));
     first_mask = read_port(kFirst + 1);
     second_mask = read_port(kSecond + 1);
-    constexpr std::uint8_t kHeard = 1 << 0 | 1 << 1 | 1 << 2, kHeardOfSecond = 1 << 4;
-    set_controllers(kFirstLine, kFirstLine + 8, 0xff & ~kHeard, 0xff & ~kHeardOfSecond);
+    take_interrupts();
 }
 
-void restore_interrupts() {
-    set_controllers(kDosFirstLine, kDosSecondLine, first_mask, second_mask);
+void take_interrupts() {
+    set_controllers(kFirstLine, kFirstLine + 8, 0xff & ~(kTimerLine | kKeyLine | kSecondLine), 0xff & ~kMouseLine);
+}
+
+void restore_interrupts(bool has_keys) {
+    const std::uint8_t keys = has_keys ? 0 : kKeyLine, mouse = has_keys ? 0 : kMouseLine;
+    set_controllers(kDosFirstLine, kDosSecondLine, first_mask | keys, second_mask | mouse);
 }
 
 extern "C" void interrupt(Registers* registers);

@@ -21,8 +21,10 @@ struct Registers {
 
 // interrupts.cpp
 void start_interrupts();
-/// As DOS had them.
-void restore_interrupts();
+/// As DOS had them; all lines, or those but of keyboard and mouse.
+void restore_interrupts(bool has_keys);
+/// After that.
+void take_interrupts();
 
 // clock.cpp
 void start_clock();
@@ -56,6 +58,12 @@ MemoryState memory_state();
 void start_files(const std::uint8_t* archive);
 std::int32_t system_call_of_files(Registers& registers, bool& is_known);
 
+// dos_files.cpp: what the game writes into its folder, /oblong, in a file of DOS; without DOS that is not there.
+/// Those of an earlier run become files.
+void read_kept_files();
+/// Writes them all; an Error where that fails: the file of DOS is as it was then.
+std::int32_t keep_files();
+
 // system_calls.cpp
 std::int32_t system_call(Registers& registers);
 
@@ -67,6 +75,10 @@ std::uint32_t emulated_instructions();
 // leave.cpp
 void note_boot(const BootInfo& boot);
 const char* command_line();
+/// What DOS returns in AX, with its buffer at `buffer`; -1 where it has failed, or is not there.
+std::int32_t call_dos(std::uint16_t ax, std::uint16_t bx, std::uint16_t cx, std::uint16_t dx, std::uint16_t di = 0);
+/// Null without DOS.
+std::uint8_t* dos_buffer();
 /// A character for whoever listens on the serial port, and for the message on leaving.
 void put(char letter);
 void put(const char* text);

@@ -1,6 +1,9 @@
 #include "engine/platform/dos/kernel/kernel.h"
 #include "engine/platform/dos/kernel/ports.h"
 
+extern "C" void go_to_dos(std::uint32_t segments, const void* far_address);  // entry.S
+extern "C" const char resume_from_dos[];
+
 namespace oblong::dos {
 namespace {
 
@@ -21,6 +24,11 @@ void start_serial() {
     write_port(kSerial + 3, k8Bits);
     write_port(kSerial + 2, kBuffers);
 }
+
+struct [[gnu::packed]] FarAddress {
+    std::uint32_t offset;
+    std::uint16_t segment;
+};
 
 // Lines end as DOS has it.
 void write_message(char* to, std::uint32_t room) {
@@ -60,16 +68,38 @@ void put_hexadecimal(std::uint32_t value) {
     for (int shift = 28; shift >= 0; shift -= 4) put("0123456789abcdef"[value >> shift & 15]);
 }
 
+std::uint8_t* dos_buffer() {
+    return boot->dos != nullptr ? boot->buffer : nullptr;
+}
+
+// Meanwhile the PC is as DOS has it, but for keys: they wait.
+std::int32_t call_dos(std::uint16_t ax, std::uint16_t bx, std::uint16_t cx, std::uint16_t dx, std::uint16_t di) {
+    if (boot->dos == nullptr) return -1;
+    const WithoutInterrupts during;
+    DosCall& dos = *boot->dos;
+    dos.resume = reinterpret_cast<std::uint32_t>(resume_from_dos);
+    dos.ax = ax;
+    dos.bx = bx;
+    dos.cx = cx;
+    dos.dx = dx;
+    dos.di = di;
+    dos.is_asked = 1;
+    restore_clock();
+    restore_interrupts(false);
+    const FarAddress there{boot->leave_offset, 0x18};
+    go_to_dos(boot->segments, &there);
+    take_interrupts();
+    start_clock();
+    return dos.has_failed != 0 ? -1 : dos.ax;
+}
+
 void leave(std::uint8_t exit_code) {
     asm volatile("cli");
     restore_clock();
-    restore_interrupts();
+    restore_interrupts(true);
     write_message(boot->message, boot->message_size);
     *boot->exit_code = exit_code;
-    struct [[gnu::packed]] {
-        std::uint32_t offset;
-        std::uint16_t segment;
-    } const there{boot->leave_offset, 0x18};
+    const FarAddress there{boot->leave_offset, 0x18};
     asm volatile("lgdt (%0); ljmp *%1" ::"r"(boot->segments), "m"(there));
     for (;;) {
     }

@@ -92,6 +92,7 @@ std::uint32_t split_words(const char* line, char* room, std::uint32_t room_size,
         put("oblong: there is too little memory, expected 15 MB above 1 MB\n");
         leave(1);
     }
+    read_kept_files();
     static char name[] = "/oblong", folder[] = "HOME=/", room[256];
     static std::uint8_t random[16] = {1, 2, 3};
     constexpr std::uint32_t kMostWords = 32;
