@@ -38,9 +38,8 @@ struct ModelFile {
     World scale = World::from_int(1);
     bool is_z_up = false;
     Dither dither = Dither::None;
-    std::string glass = {};
     bool operator<(const ModelFile& b) const {
-        return std::tie(path, scale, is_z_up, dither, glass) < std::tie(b.path, b.scale, b.is_z_up, b.dither, b.glass);
+        return std::tie(path, scale, is_z_up, dither) < std::tie(b.path, b.scale, b.is_z_up, b.dither);
     }
 };
 
@@ -81,9 +80,13 @@ class LevelModelReader {
         : level_(level), palette_(palette), finder_(folders), shows_classes_(folders.has_quakes_models()) {}
 
     LevelModels read() {
-        for (const Entity& entity : level_.entities)
+        for (const Entity& entity : level_.entities) {
             if (role_of(entity) == ClassRole::Worldspawn)
                 world_type_ = parse_decimal(entity.value("worldtype"), 0).value_or(0);
+            if (std::string glass = entity.value("glass"); !glass.empty()) glasses_.push_back(std::move(glass));
+        }
+        std::sort(glasses_.begin(), glasses_.end());
+        glasses_.erase(std::unique(glasses_.begin(), glasses_.end()), glasses_.end());
         for (std::size_t i = 0; i < level_.entities.size(); ++i) read_entity(level_.entities[i], i);
         return std::move(models_);
     }
@@ -207,14 +210,22 @@ class LevelModelReader {
                         ", which is not shown");
         if (!file) return;
         LevelModel model;
-        model.placed.mesh =
-            &mesh_of({*file, World::from_int(own.scale), false, Dither::None, values.text("glass")}, values);
+        const Mesh& mesh = mesh_of({*file, World::from_int(own.scale), false, Dither::None}, values);
+        model.placed.mesh = &mesh;
+        model.skin = skin_of_glass(values.text("glass"), mesh);
         model.placed.position = resting_place(*origin, own.over_floor);
         model.placed.shading = Shading::Phong;
         model.placed.highlight = 120;
         model.placed.least_light = kLeastLight;
         model.turn_ms = kItemTurn_ms;
         models_.models.push_back(model);
+    }
+
+    /// Of the skins that read_obj() makes for all glasses_; other files have none for them.
+    std::uint32_t skin_of_glass(const std::string& glass, const Mesh& mesh) const {
+        const auto found = std::lower_bound(glasses_.begin(), glasses_.end(), glass);
+        const std::size_t skin = glass.empty() ? 0 : as_size(found - glasses_.begin()) + 1;
+        return skin < mesh.skin_sequences.size() ? static_cast<std::uint32_t>(skin) : 0;
     }
 
     /// One warning a file, of the first entity that wants it; one for all models of brushes.
@@ -250,7 +261,7 @@ class LevelModelReader {
         if (lower_case(fs::path(file.path).extension().string()) != ".obj")
             return read_parsed_game_file(file.path, [&](const auto& bytes) { return read_mdl(bytes, file.scale); });
         const double scale = number_of(file.scale);
-        ObjModel model = read_obj(file.path, palette_, {scale, file.is_z_up, file.dither, file.glass});
+        ObjModel model = read_obj(file.path, palette_, {scale, file.is_z_up, file.dither, glasses_});
         for (const std::string& warning : model.warnings) values.warn(file.path + ": " + warning);
         return std::move(model.mesh);
     }
@@ -263,7 +274,8 @@ class LevelModelReader {
     LevelModels models_;
     std::map<ModelFile, const Mesh*> meshes_;
     TurningBrushes turning_;
-    std::set<std::string> missing_;  ///< files of Quake's classes
+    std::vector<std::string> glasses_;  ///< that its entities name, in order
+    std::set<std::string> missing_;     ///< files of Quake's classes
 };
 
 }  // namespace

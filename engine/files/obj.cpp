@@ -108,9 +108,10 @@ class ObjMeshBuilder {
                                           std::to_string(kMostMeshVertices) + " vertices, expected a smaller model");
     }
 
-    Mesh finish(std::vector<Skin> skins, std::vector<std::string>& warnings) {
+    /// `used`: by faces; skins beyond them stand for these, and are as large.
+    Mesh finish(std::vector<Skin> skins, std::size_t used, std::vector<std::string>& warnings) {
         mesh_.skins = std::move(skins);
-        set_texels(warnings);
+        set_texels(used, warnings);
         const std::vector<MeshVertex> smooth = smooth_vertices();
         MeshFrame frame;
         frame.vertices.reserve(vertices_.records().size());
@@ -123,7 +124,6 @@ class ObjMeshBuilder {
         set_boxes(frame, mesh_.triangles);
         mesh_.frames.push_back(std::move(frame));
         mesh_.frame_sequences = {{}};
-        mesh_.skin_sequences = {{}};
         return std::move(mesh_);
     }
 
@@ -166,13 +166,13 @@ class ObjMeshBuilder {
     }
 
     /// Sets texels from places on skins, which are repeated as often as that takes.
-    void set_texels(std::vector<std::string>& warnings) {
-        std::vector<PlaceRange> ranges(mesh_.skins.size());
+    void set_texels(std::size_t used, std::vector<std::string>& warnings) {
+        std::vector<PlaceRange> ranges(used);
         for (const ObjVertex& vertex : vertices_.records())
             if (has_place(vertex)) item(ranges, vertex.skin).include(place_of(vertex));
         std::vector<SkinScale> scales;
-        for (std::size_t i = 0; i < ranges.size(); ++i)
-            scales.push_back(repeat_skin(mesh_.skins[i], ranges[i], warnings));
+        for (std::size_t i = 0; i < mesh_.skins.size(); ++i)
+            scales.push_back(repeat_skin(mesh_.skins[i], ranges[i % used], warnings));
         for (const ObjVertex& vertex : vertices_.records())
             mesh_.texels.push_back(has_place(vertex) ? item(scales, vertex.skin).texel_at(place_of(vertex))
                                                      : MeshTexel{kHalfTexel, kHalfTexel});
@@ -188,41 +188,53 @@ class ObjMeshBuilder {
     std::vector<std::uint32_t> numbers_, smooth_numbers_;  ///< of a face's corners: in the mesh, and of those
 };
 
+constexpr const char* kGlass = "glass";
+
 /// The skins of the materials that faces use, made when the first one does.
 class ObjSkins {
   public:
     ObjSkins(const std::vector<tinyobj::material_t>& materials, std::filesystem::path folder, const Palette& palette,
-             const ObjOptions& options, std::vector<std::string>& warnings)
-        : materials_(materials),
-          folder_(std::move(folder)),
-          palette_(palette),
-          options_(options),
-          warnings_(warnings) {}
+             Dither dither, std::vector<std::string>& warnings)
+        : materials_(materials), folder_(std::move(folder)), palette_(palette), dither_(dither), warnings_(warnings) {}
 
     std::uint32_t number_of(int material) {
-        material = shown_for(material);
         const auto [known, is_new] = numbers_.emplace(material, static_cast<std::uint32_t>(skins.size()));
-        if (is_new)
-            skins.push_back(material < 0
-                                ? grey_skin(palette_)
-                                : make_skin(item(materials_, material), folder_, palette_, options_.dither, warnings_));
+        if (is_new) skins.push_back(material < 0 ? grey_skin(palette_) : made_of(material));
         return known->second;
+    }
+
+    /// Adds all skins once more for each of these materials that there are, which is in the place of glass. Their
+    /// sequences begin with that of glass itself.
+    std::vector<MeshSequence> add_for_glass(const std::vector<std::string>& names) {
+        std::vector<MeshSequence> sequences(names.size() + 1);
+        const std::size_t used = skins.size();
+        const auto glass = numbers_.find(find(kGlass));
+        for (std::size_t k = 0; k < names.size(); ++k) {
+            const int other = find(names[k]);
+            if (other < 0 || glass == numbers_.end()) continue;
+            sequences[k + 1].first = static_cast<std::uint32_t>(skins.size());
+            for (std::size_t i = 0; i < used; ++i)
+                skins.push_back(i == glass->second ? resized(made_of(other), skins[i]) : Skin(skins[i]));
+        }
+        return sequences;
     }
 
     std::vector<Skin> skins;
 
   private:
-    int shown_for(int material) const {
-        if (material < 0 || options_.glass.empty() || item(materials_, material).name != "glass") return material;
-        const auto found = std::find_if(materials_.begin(), materials_.end(),
-                                        [&](const auto& one) { return one.name == options_.glass; });
-        return found == materials_.end() ? material : static_cast<int>(found - materials_.begin());
+    static constexpr int kNone = -2;  ///< of no face: -1 are those without a material
+
+    int find(const std::string& name) const {
+        const auto found =
+            std::find_if(materials_.begin(), materials_.end(), [&](const auto& one) { return one.name == name; });
+        return found == materials_.end() ? kNone : static_cast<int>(found - materials_.begin());
     }
+    Skin made_of(int material) { return make_skin(item(materials_, material), folder_, palette_, dither_, warnings_); }
 
     const std::vector<tinyobj::material_t>& materials_;
     std::filesystem::path folder_;
     const Palette& palette_;
-    const ObjOptions& options_;
+    Dither dither_;
     std::vector<std::string>& warnings_;
     std::map<int, std::uint32_t> numbers_;
 };
@@ -259,7 +271,7 @@ ObjModel parse_obj(const std::string& text, const std::filesystem::path& folder,
     const ObjSummary summary = check_obj(text, options.scale);
     const ObjFile file = load_obj(text, folder);
     ObjModel model{{}, lines_without_repetition(file.warnings)};
-    ObjSkins skins(file.materials, folder, palette, options, model.warnings);
+    ObjSkins skins(file.materials, folder, palette, options.dither, model.warnings);
     ObjMeshBuilder builder(file.numbers, options);
     std::int64_t flat_faces = 0;
     for (const tinyobj::shape_t& shape : file.shapes) {
@@ -272,7 +284,10 @@ ObjModel parse_obj(const std::string& text, const std::filesystem::path& folder,
             corners = corners.subspan(count);
         }
     }
-    model.mesh = builder.finish(std::move(skins.skins), model.warnings);
+    const std::size_t used = skins.skins.size();
+    std::vector<MeshSequence> sequences = skins.add_for_glass(options.glasses);
+    model.mesh = builder.finish(std::move(skins.skins), used, model.warnings);
+    model.mesh.skin_sequences = std::move(sequences);
     return model;
 }
 

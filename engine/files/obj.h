@@ -11,8 +11,8 @@ namespace oblong {
 struct ObjOptions {
     double scale = 1;      ///< world units of a unit of the file, above 0
     bool is_z_up = false;  ///< the file has the world's axes; else y is up and z ahead, as most programs write it
-    Dither dither = Dither::None;  ///< of skins
-    std::string glass = {};        ///< the material that stands for "glass"; empty: that itself
+    Dither dither = Dither::None;           ///< of skins
+    std::vector<std::string> glasses = {};  ///< materials that may stand for "glass": skins of the mesh from 1 on
 };
 
 /// So many 256ths of the file's size, for who has no floating point.

@@ -103,6 +103,16 @@ Skin make_skin(const tinyobj::material_t& material, const std::filesystem::path&
     }
 }
 
+Skin resized(const Skin& skin, const Skin& other) {
+    if (skin.width == other.width && skin.height == other.height) return skin;
+    Skin result{skin.name, other.width, other.height, {}};
+    for (std::int32_t y = 0; y < result.height; ++y)
+        for (std::int32_t x = 0; x < result.width; ++x)
+            result.texels.push_back(
+                item(skin.texels, y * skin.height / result.height * skin.width + x * skin.width / result.width));
+    return result;
+}
+
 Skin grey_skin(const Palette& palette) {
     return skin_of_colour("no material", {192, 192, 192}, palette);
 }

@@ -50,6 +50,9 @@ struct SkinScale {
 /// that is too few.
 SkinScale repeat_skin(Skin& skin, const PlaceRange& range, std::vector<std::string>& warnings);
 
+/// As large as another one, of the nearest texels.
+Skin resized(const Skin& skin, const Skin& other);
+
 /// Of faces without a material.
 Skin grey_skin(const Palette& palette);
 

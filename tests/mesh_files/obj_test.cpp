@@ -181,6 +181,26 @@ TEST_F(ObjFiles, MaterialsBecomeSkins) {
     EXPECT_NE(model.warnings[0].find("none.png"), std::string::npos) << model.warnings[0];
 }
 
+TEST_F(ObjFiles, OtherMaterialsStandForGlass) {
+    write_file(path("clear.png"), encode_indexed_png(std::vector<std::uint8_t>{1, 2, 3, 4}, 2, 2, greys()));
+    write_file(path("red.png"), encode_indexed_png(std::vector<std::uint8_t>(16, 9), 4, 4, greys()));
+    write_file(path("m.mtl"), std::string("newmtl ring\nKd 0 0 0\nnewmtl glass\nmap_Kd clear.png\nnewmtl red\n"
+                                          "map_Kd red.png\n"));
+    const std::string text = "mtllib m.mtl\n" + kSquare +
+                             "vt 0 0\nvt 1 1\nusemtl ring\nf 1 2 3\nusemtl glass\n"
+                             "f 1/1 2/2 4/1\n";
+    const Mesh mesh = read(text, {.is_z_up = true, .glasses = {"none", "red"}}).mesh;
+    ASSERT_EQ(mesh.skin_sequences.size(), 3u);
+    EXPECT_EQ(mesh.skin_sequences[1].first, 0u) << "there is no such material";
+    ASSERT_EQ(mesh.skin_sequences[2].first, 2u);
+    ASSERT_EQ(mesh.skins.size(), 4u);
+    EXPECT_EQ(mesh.skins[1].texels, (std::vector<std::uint8_t>{1, 2, 3, 4}));
+    EXPECT_EQ(mesh.skins[2].texels, mesh.skins[0].texels);
+    EXPECT_EQ(mesh.skins[3].texels, std::vector<std::uint8_t>(4, 9)) << "as large as glass itself";
+    const std::string without = text.substr(0, text.find("usemtl glass")) + "f 1/1 2/2 4/1\n";
+    EXPECT_EQ(read(without, {.is_z_up = true, .glasses = {"red"}}).mesh.skins.size(), 1u);
+}
+
 TEST_F(ObjFiles, APictureIsRepeatedAsOftenAsFacesAsk) {
     write_file(path("tile.png"), encode_indexed_png(std::vector<std::uint8_t>{1, 2, 3, 4}, 2, 2, greys()));
     write_file(path("m.mtl"), std::string("newmtl tile\nmap_Kd tile.png\n"));
