@@ -80,9 +80,8 @@ Bytes museum_archive(const fs::path& assets) {
     files.assets = assets.string();
     files.level = (assets / "demo.bsp").string();
     const GameData data = load_game(files);
-    std::vector<ArchivedFile> archived{
-        {"assets/demo.ready", encode_prepared_game(data)},
-        {"assets/demo.edges", encode_t_junctions(data.level, TJunctions(data.level))}};
+    std::vector<ArchivedFile> archived{{"assets/demo.ready", encode_prepared_game(data)},
+                                       {"assets/demo.edges", encode_t_junctions(data.level, TJunctions(data.level))}};
     for (const char* name : {"demo.bsp", "palette.lmp", "walk.demo", "game.json"})
         archived.push_back({std::string("assets/") + name, read_file((assets / name).string())});
     return archive_of(archived);

@@ -34,7 +34,8 @@ GameData load_game(const LevelFiles& files) {
     data.level = read_parsed(data.level_file, read_bsp);
     data.effects = read_level_effects(data.level);
     data.palette = read_parsed(files.game->palette, read_palette);
-    read_parsed(file("demo.ready"), [&](std::span<const std::uint8_t> bytes) { return decode_prepared_game(bytes, data); });
+    read_parsed(file("demo.ready"),
+                [&](std::span<const std::uint8_t> bytes) { return decode_prepared_game(bytes, data); });
     return data;
 }
 

@@ -128,8 +128,7 @@ void Vga::set_palette(const Palette& palette) {
     wait_for_retrace();  // or those that are shown flicker
     write_port(kColourIndex, 0);
     for (const Rgb8& colour : palette.colours)
-        for (const std::uint8_t part : {colour.red, colour.green, colour.blue})
-            write_port(kColour, narrow_dac6(part));
+        for (const std::uint8_t part : {colour.red, colour.green, colour.blue}) write_port(kColour, narrow_dac6(part));
     palette_ = palette;
     has_palette_ = true;
 }

@@ -1,5 +1,5 @@
-// Prints a hash of divisions, products and projections of numbers of every length: the same on every machine, whatever instructions
-// it has for them.
+// Prints a hash of divisions, products and projections of numbers of every length: the same on every machine, whatever
+// instructions it has for them.
 #include <algorithm>
 #include <cinttypes>
 #include <cstdio>
@@ -53,8 +53,8 @@ int main() {
         results.add(divide_to_32(fitting, short_d).quotient);
         results.add(divide_to_32(fitting, short_d).remainder);
         const auto coarse = CoarseMultiplier::from_raw(std::int64_t{128} << random() % 24 | (random() & 0xff80));
-        const ProjectionAxis axis{convert<Multiplier>(coarse), coarse,
-                                  View::from_raw((std::int64_t{1} << 61) / (coarse.raw + 1)), {}};
+        const ProjectionAxis axis{
+            convert<Multiplier>(coarse), coarse, View::from_raw((std::int64_t{1} << 61) / (coarse.raw + 1)), {}};
         const auto tie = static_cast<std::int64_t>(random() & 0xffff) + 1;  // half a step at `half`
         const View half = View::from_raw(tie * coarse.raw / 128), any = View::from_raw((c >> 33 & 0x7fffffff) + 1);
         for (const std::int64_t view : {tie, -tie, -tie - 1, a >> 16}) {
