@@ -29,7 +29,6 @@ Session::Session(std::shared_ptr<const LoadedLevel> loaded, const SessionSetting
       after_(before_),
       last_us_(platform.now_us()) {
     show("{help}: keys");
-    keep_what_is_on();
 }
 
 void Session::advance(const Controls& controls, std::uint64_t now_us) {
