@@ -69,7 +69,8 @@ void find_particles(const Things& things, std::int64_t time_ms, const Sight& sig
         if (sight.part) keep_dots_in(*sight.part, first, in_view.dots);
         const std::span<const ParticleDot> dots = std::span(in_view.dots).subspan(first);
         if (dots.empty()) continue;
-        in_view.emitters.push_back({first, dots.size(), placed.emitter.middle});
+        in_view.emitters.push_back(
+            {first, dots.size(), placed.emitter.middle, World::from_int(placed.place.box.mins[2])});
         depth.want(rectangle_around(dots));
     }
 }

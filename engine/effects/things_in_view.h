@@ -20,6 +20,7 @@ struct SpriteInView {
 struct EmitterInView {
     std::size_t first_dot = 0, dot_count = 0;  ///< in ThingsInView::dots
     Vec3<World> middle;
+    World lowest;  ///< z of their box
 };
 
 /// The things of a frame that may be seen. Kept from frame to frame, so that little is allocated.
@@ -51,14 +52,14 @@ class Cover {
 
 /// What a frame sees from where.
 struct Sight {
-    const VisibleSet& visible;
+    const LeafSet& leaves;  ///< what is in none of them is not seen
     const ViewContext& view;
     const ScreenRectangle* part = nullptr;  ///< of the screen that is drawn; null: all of it
     Cover* cover = nullptr;                 ///< null: none
     BoxCuller culler{view.frustum, view.eye};
 
     bool may_show(const PlacedBox& place) const {
-        return may_be_seen(place, visible, culler) && !(cover && cover->hides(place.box));
+        return may_be_seen(place, leaves, culler) && !(cover && cover->hides(place.box));
     }
     bool may_show(const LevelBox& box) const {
         return culler.planes_crossed(box, kAllSides) != kOutside && !(cover && cover->hides(box));

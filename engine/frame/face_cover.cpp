@@ -31,16 +31,9 @@ bool is_nearer(const LinearQuantity<InverseZ>& plane, const ScreenRectangle& pix
     return to_inverse_depth(plane.at(column, row)) > nearest;
 }
 
-/// Whether a face may own pixels of a rectangle.
-bool overlaps(CoveringFace& covering, const ScreenRectangle& pixels) {
-    const std::span<const Span> spans = covering.spans;
-    if (spans.front().y >= pixels.end_row || spans.back().y < pixels.first_row) return false;
-    PixelRange& columns = covering.columns;
-    if (columns.end == 0) {
-        const ScreenRectangle around = rectangle_around(spans);
-        columns = {around.first_column, around.end_column};
-    }
-    return columns.first < pixels.end_column && columns.end > pixels.first_column;
+bool overlap(const ScreenRectangle& a, const ScreenRectangle& b) {
+    return a.first_column < b.end_column && b.first_column < a.end_column && a.first_row < b.end_row &&
+           b.first_row < a.end_row;
 }
 
 /// Whether a pixel of a rectangle shows the sky, or a face no nearer than `nearest`.
@@ -70,10 +63,17 @@ InverseDepth farthest_depth_of(const VisibleFace& face) {
 
 void FaceCover::list_faces() {
     faces_.clear();
-    for (const VisibleFace& face : claims_.list(FaceList::Sky)) faces_.push_back({nullptr, claims_.spans_of(face)});
-    for (const FaceList list : {FaceList::Walls, FaceList::Flat, FaceList::Liquid, FaceList::Mirror})
-        for (const VisibleFace& face : claims_.list(list))
-            faces_.push_back({&face, claims_.spans_of(face), farthest_depth_of(face)});
+    const auto add = [&](FaceList list, const VisibleFace& face) {
+        const std::span<const Span> spans = claims_.spans_of(face);
+        const ScreenRectangle& bounds = face.bounds;
+        const ScreenRectangle around = bounds.first_column < bounds.end_column ? bounds : rectangle_around(spans);
+        const bool is_sky = list == FaceList::Sky;
+        faces_.push_back({is_sky ? 0 : farthest_depth_of(face), around, is_sky ? nullptr : &face, spans});
+    };
+    for (const FaceList list : {FaceList::Sky, FaceList::Walls, FaceList::Flat, FaceList::Liquid, FaceList::Mirror})
+        for (const VisibleFace& face : claims_.list(list)) add(list, face);
+    farthest_ = InverseDepth(-1);
+    for (const CoveringFace& face : faces_) farthest_ = std::min(farthest_, face.farthest);
     is_listed_ = true;
 }
 
@@ -84,11 +84,11 @@ bool FaceCover::hides(const LevelBox& box) {
 
 bool FaceCover::hides(const ScreenRectangle& pixels, InverseDepth nearest) {
     if (!is_listed_) list_faces();
-    const auto shows = [&](CoveringFace& face) {
-        return face.farthest <= nearest && overlaps(face, pixels) && shows_farther(face, pixels, nearest, frame_);
+    const auto shows = [&](const CoveringFace& face) {
+        return face.farthest <= nearest && overlap(face.bounds, pixels) && shows_farther(face, pixels, nearest, frame_);
     };
     const auto is_free = [&](const Span& span) { return overlap(span, pixels); };
-    return std::none_of(faces_.begin(), faces_.end(), shows) &&
+    return (farthest_ > nearest || std::none_of(faces_.begin(), faces_.end(), shows)) &&
            std::none_of(claims_.left_free.begin(), claims_.left_free.end(), is_free) &&
            std::none_of(claims_.torn.begin(), claims_.torn.end(),
                         [&](const TornSpan& torn) { return overlap(torn.span, pixels); });

@@ -7,10 +7,10 @@ namespace oblong {
 
 /// A face that owns pixels, as a cover looks at it.
 struct CoveringFace {
-    const VisibleFace* face = nullptr;  ///< null: the sky
+    InverseDepth farthest;    ///< or farther
+    ScreenRectangle bounds;   ///< hold its spans
+    const VisibleFace* face;  ///< null: the sky
     std::span<const Span> spans;
-    InverseDepth farthest = 0;  ///< or farther
-    PixelRange columns{};       ///< around the spans, worked out when first asked for; none: not yet
 };
 
 /// What the claimed faces of a view hide, asked before a thing is computed. Pixels that nothing owns, in a mirror's
@@ -30,6 +30,7 @@ class FaceCover : public Cover {
     const FrameContext& frame_;
     const Claims& claims_;
     std::vector<CoveringFace>& faces_;
+    InverseDepth farthest_ = 0;  ///< of all faces
     bool is_listed_ = false;
 };
 

@@ -34,6 +34,11 @@ FrameFog make_frame_fog(const FrameContext& frame) {
     return found;
 }
 
+bool is_clear(World lowest, const FrameFog& fog, const Vec3<World>& eye) {
+    constexpr auto kRounding = WorldWide::from_int(3);  // of boxes in a level's file, and of places
+    return fog.height && eye.z >= fog.top && convert<WorldWide>(lowest) > convert<WorldWide>(fog.top) + kRounding;
+}
+
 bool may_have_fog(const VisibleFace& face, std::span<const Span> spans, const FrameContext& frame) {
     const FrameFog& fog = frame.fog;
     if (!fog.tables) return false;
@@ -63,7 +68,7 @@ const ColourRow& fog_colours(std::int32_t column, std::int32_t row, InverseZ inv
 
 void find_fog(const FrameContext& frame, ViewScratch& scratch) {
     const FrameFog& fog = frame.fog;
-    if (!fog.tables) return;
+    if (!fog.tables || (scratch.claims.torn.empty() && is_clear(scratch.walk.lowest, fog, frame.view.eye))) return;
     Claims& claims = scratch.claims;
     for (const FaceList list : {FaceList::Walls, FaceList::Liquid, FaceList::Flat})
         for (const VisibleFace& claimed : claims.list(list)) {

@@ -26,6 +26,9 @@ struct FrameFog {
 /// The fog from this view, if the level has one and the settings allow it.
 FrameFog make_frame_fog(const FrameContext& frame);
 
+/// Whether what is seen from this eye, nothing of it lower than so, is surely above the fog's top, as the eye is.
+bool is_clear(World lowest, const FrameFog& fog, const Vec3<World>& eye);
+
 /// False if each of these pixels of a face is surely clear: without fog, or where they and the eye are above its top.
 bool may_have_fog(const VisibleFace& face, std::span<const Span> spans, const FrameContext& frame);
 

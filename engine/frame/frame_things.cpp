@@ -67,14 +67,15 @@ void keep_visible(const FrameContext& frame, ViewScratch& scratch) {
             pixels += visible_pixels(dot, scratch.depth);
         dot_pixels += pixels;
         if (pixels > 0)
-            things.owning.push_back({emitter.middle, emitter.first_dot, emitter.dot_count, nullptr, nullptr});
+            things.owning.push_back(
+                {emitter.middle, emitter.lowest, emitter.first_dot, emitter.dot_count, nullptr, nullptr});
     }
     const std::uint8_t* const own_colours = frame.scene.colormap.shades[Colormap::kOwnShade].data();
     for (const SpriteInView& sprite : things.in_view.sprites) {
         if (frame.mirror && is_behind(*frame.mirror, sprite.position, frame.scene.level)) continue;
         const std::int64_t pixels = visible_pixels(sprite.screen.pixels, middle_depth(sprite.screen), scratch.depth);
         sprite_pixels += pixels;
-        if (pixels > 0) things.owning.push_back({sprite.position, 0, 0, &sprite.screen, own_colours});
+        if (pixels > 0) things.owning.push_back({sprite.position, World::lowest(), 0, 0, &sprite.screen, own_colours});
     }
     EffectSet& effects = scratch.claims.effects;
     if (dot_pixels > 0) effects = effects.with(Effect::Particles);
@@ -84,10 +85,11 @@ void keep_visible(const FrameContext& frame, ViewScratch& scratch) {
     frame.observers.counts->of(Effect::Sprites) = sprite_pixels;
 }
 
-void colour_by_fog(const FrameFog& fog, ViewScratch& scratch) {
+void colour_by_fog(const FrameFog& fog, const Vec3<World>& eye, ViewScratch& scratch) {
     std::vector<FogRun>& runs = scratch.effects.thing_runs;
     FrameThings& things = scratch.claims.things;
     for (OwningThing& thing : things.owning) {
+        if (is_clear(thing.lowest, fog, eye)) continue;
         for (ParticleDot& dot : dots_of(things, thing.first_dot, thing.dot_count))
             dot.colour =
                 fog_colours(dot.first_column, dot.first_row, inverse_z_of(dot.inverse_depth), fog, runs)[dot.colour];
@@ -122,6 +124,13 @@ bool is_seen(const Shadow& shadow, const FrameContext& frame, ViewScratch& scrat
     return pixels > 0;
 }
 
+/// Leaves outside of which nothing is seen. What is behind the sky is drawn before it, and a walk within limits does
+/// not enter what pokes out of them.
+const LeafSet& leaves_in_sight(const FrameContext& frame, const ViewScratch& scratch) {
+    const bool is_walked = frame.limits.empty() && scratch.claims.list(FaceList::Sky).empty();
+    return is_walked ? scratch.walk.entered : scratch.visible.leaf_set();
+}
+
 void find_seen_shadows(const FrameContext& frame, const Sight& sight, ViewScratch& scratch) {
     ThingsInView& in_view = scratch.claims.things.in_view;
     find_shadows(frame.cache.things, sight, in_view);
@@ -146,7 +155,8 @@ void find_things(const FrameContext& frame, ViewScratch& scratch) {
     if (frame.cache.things.is_empty() && frame.scene.meshes.empty()) return;
     ThingsInView& in_view = scratch.claims.things.in_view;
     FaceCover cover(frame, scratch.claims, scratch.effects.covering);
-    const Sight sight{scratch.visible, frame.view, frame.mirror ? &frame.mirror->pixels : nullptr, &cover};
+    const Sight sight{leaves_in_sight(frame, scratch), frame.view, frame.mirror ? &frame.mirror->pixels : nullptr,
+                      &cover};
     const std::int64_t time_ms = frame.scene.time_ms;
     if (frame.allows(Effect::Particles)) find_particles(frame.cache.things, time_ms, sight, in_view, scratch.depth);
     if (frame.observers.counts) frame.observers.counts->stages.particles = in_view.particles_computed;
@@ -158,7 +168,7 @@ void find_things(const FrameContext& frame, ViewScratch& scratch) {
     fill_depth(frame, scratch);
     keep_visible(frame, scratch);
     keep_seen_meshes(frame, scratch);
-    if (frame.fog.tables) colour_by_fog(frame.fog, scratch);
+    if (frame.fog.tables) colour_by_fog(frame.fog, frame.view.eye, scratch);
 }
 
 void draw_thing(const OwningThing& thing, const FrameContext& frame, ViewScratch& scratch) {

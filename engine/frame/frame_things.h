@@ -14,6 +14,7 @@ struct ViewScratch;
 /// The dots of an emitter, or a sprite, that owns pixels.
 struct OwningThing {
     Vec3<World> middle;
+    World lowest;                              ///< or lower
     std::size_t first_dot = 0, dot_count = 0;  ///< in ThingsInView::dots
     const ScreenSprite* sprite = nullptr;
     const std::uint8_t* colours = nullptr;  ///< of the sprite: 256 of them

@@ -9,6 +9,7 @@ namespace oblong {
 ClaimScratch::ClaimScratch(const Level& level, const FaceTable& faces, const ScreenMode& mode)
     : vertices(level.vertices), rows(mode.height_px), span_buffer(mode.width_px, mode.height_px) {
     walk.face_marks.resize(level.faces.size());
+    walk.entered = LeafSet(level.leaves.size());
     walk.steps.reserve(level.nodes.size());
     polygon.clipper.reserve(faces.most_corners + kClipPlaneCount);
     polygon.projected.take(faces.most_corners + kClipPlaneCount);

@@ -36,7 +36,12 @@ Matrix3 linear_part(const Matrix4& matrix) {
 }
 
 Matrix4 model_matrix(const Vec3<World>& world_position, const Matrix3& rotation, const Vec3<Entry>& scale) {
-    return translation(convert<Entry>(world_position)) * homogeneous(rotation) * scaling(scale);
+    // translation * rotation * scaling, without their products by 0 and by 1.
+    Matrix4 result = translation(convert<Entry>(world_position));
+    const std::array scales{scale.x, scale.y, scale.z};
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j) result.rows[i][j] = multiply(rotation.rows[i][j], scales[j]);
+    return result;
 }
 
 Matrix4 model_matrix(const Vec3<World>& world_position, const EulerAngles& angles, const Vec3<Entry>& scale) {

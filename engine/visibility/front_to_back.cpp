@@ -50,6 +50,8 @@ FrontToBackWalk::FrontToBackWalk(const Level& level, const ViewContext& view, co
       culler_(view.frustum, view.eye),
       is_closed_(is_closed) {
     ++scratch_.mark;
+    scratch_.entered.clear();
+    scratch_.lowest = World::highest();
     start();
 }
 
@@ -82,6 +84,7 @@ bool FrontToBackWalk::next(VisibleFace& found) {
         } else {
             if (takes_all_faces_ || view_.shows_void || !is_closed_) break;
             takes_all_faces_ = true;
+            scratch_.lowest = World::lowest();
             start();
         }
     }
@@ -140,6 +143,8 @@ void FrontToBackWalk::descend(NodeChild at, std::uint8_t planes, bool nears_limi
 
 void FrontToBackWalk::enter_leaf(LeafIndex index, std::uint8_t planes) {
     const Leaf& leaf = level_.leaves[index];
+    scratch_.entered.add(index);
+    scratch_.lowest = std::min(scratch_.lowest, World::from_int(leaf.box.mins[2]));
     if (culler_.planes_crossed(leaf.box, planes) == kOutside) return;
     for (const FaceIndex face : level_.faces_at(leaf)) scratch_.face_marks[face] = scratch_.mark;
     if (models_ && models_->has_any_in(index))

@@ -32,6 +32,8 @@ struct WalkScratch {
     std::vector<WalkStep> steps;
     Table<std::uint32_t, Face> face_marks;  ///< the frame in which a visited leaf last named it
     std::uint32_t mark = 0;
+    LeafSet entered{0};  ///< leaves: what shows no pixel of the view's is in none of them (FrontToBackWalk)
+    World lowest{};      ///< z of their boxes; of all faces that are found by a second walk, too
 };
 
 /// A face that a walk has come to. The rest is known where it owns pixels, or sees through to those behind it
@@ -71,6 +73,9 @@ struct WalkLimit {
 /// Where faces are missing (not `is_closed`), the second walk would show the backs of other rooms through the gaps, and
 /// still leave some pixels free: there is none, and what stands at the free pixels is asked of the tree
 /// (frame/torn_pixels.h).
+///
+/// What is seen before its faces is in leaves that the first walk enters: on the way along a ray to the face that is
+/// seen there, each leaf comes before that face, while the pixel is still free.
 ///
 /// Where the void shows (ViewContext::shows_void) there is no second walk: rays begin outside, inside walls and in the
 /// open side by side, and what is free after the first shows nothing.

@@ -4,7 +4,7 @@
 
 #include "engine/level/level.h"
 #include "engine/visibility/box_culler.h"
-#include "engine/visibility/visible_set.h"
+#include "engine/visibility/leaf_set.h"
 
 namespace oblong {
 
@@ -20,8 +20,8 @@ struct PlacedBox {
 /// Finds the leaves by descending the tree: once a level, not once a frame. The box is within the limits of LevelBox.
 PlacedBox place_box(const Level& level, const LevelBox& box);
 
-/// Whether something in the box may be seen: false where the box is outside the view, or where none of its leaves is in
-/// the visible set.
-bool may_be_seen(const PlacedBox& placed, const VisibleSet& visible, const BoxCuller& culler);
+/// Whether something in the box may be seen: false where the box is outside the view, or where none of its leaves is
+/// among those that may be.
+bool may_be_seen(const PlacedBox& placed, const LeafSet& leaves, const BoxCuller& culler);
 
 }  // namespace oblong

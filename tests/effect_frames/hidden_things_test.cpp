@@ -59,7 +59,7 @@ TEST(RainBehindAWall, IsLeftOutWhereTheWallHidesAllOfItsDots) {
         ThingsInView in_view;
         DepthBuffer none(kPictureWidth, kPictureHeight);
         const ViewContext view = make_view_context(first_person_view(stage.camera), ScreenMode{}, {});
-        find_particles(stage.work.cache.things, 0, Sight{stage.work.view.visible, view}, in_view, none);
+        find_particles(stage.work.cache.things, 0, Sight{stage.work.view.visible.leaf_set(), view}, in_view, none);
         ASSERT_FALSE(in_view.dots.empty());
         for (const ParticleDot& dot : in_view.dots)
             for (std::int32_t row = dot.first_row; row < dot.end_row; ++row)

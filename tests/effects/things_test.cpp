@@ -9,6 +9,7 @@
 #include "engine/effects/things_in_view.h"
 #include "engine/level/bsp_read.h"
 #include "engine/level/entities.h"
+#include "engine/visibility/visible_set.h"
 #include "tests/support/bsp_writer.h"
 #include "tests/support/views.h"
 
@@ -35,7 +36,7 @@ ThingsInView seen_from(const Level& level, Angle yaw, std::int64_t time_ms = 0) 
     ThingsInView in_view;
     DepthBuffer depth(320, 200);
     const ViewContext view = view_from(point_at(-100, 8, 40), yaw);
-    const Sight sight{visible, view};
+    const Sight sight{visible.leaf_set(), view};
     find_particles(things, time_ms, sight, in_view, depth);
     EXPECT_EQ(depth.is_wanted(), !in_view.dots.empty());
     find_sprites(things, time_ms, level, sight, in_view, depth);

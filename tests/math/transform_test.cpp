@@ -98,6 +98,18 @@ TEST(ModelMatrix, ScalesThenTurnsThenMoves) {
     EXPECT_EQ(got, point_at(97, -48, 11));
 }
 
+TEST(ModelMatrix, IsTheProductOfItsThreeMatrices) {
+    std::mt19937 random(6);
+    for (int i = 0; i < 2'000; ++i) {
+        const Vec3<World> at = random_world(random, i % 32);
+        const auto any_scale = [&random] { return Entry::from_raw((std::int64_t{random()} << 32 | random()) >> 3); };
+        const Vec3<Entry> scale{any_scale(), any_scale(), any_scale()};
+        const Matrix3 rotation = rotation_matrix(any_angles(random));
+        ASSERT_EQ(model_matrix(at, rotation, scale),
+                  translation(convert<Entry>(at)) * homogeneous(rotation) * scaling(scale));
+    }
+}
+
 TEST(ModelMatrix, PointsAreRoundedOnceAndSaturate) {
     std::mt19937 random(4);
     for (int i = 0; i < 2'000; ++i) {

@@ -45,7 +45,7 @@ class Walker {
   private:
     VisibleSet visible_{level};
     SpanBuffer span_buffer_{320, 200};
-    WalkScratch scratch_{{}, Table<std::uint32_t, Face>(level.faces.size()), 0};
+    WalkScratch scratch_{{}, Table<std::uint32_t, Face>(level.faces.size()), 0, LeafSet(level.leaves.size())};
 };
 
 ViewContext random_view(const Level& level, std::mt19937& random) {

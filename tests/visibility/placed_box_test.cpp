@@ -52,7 +52,7 @@ TEST_P(PlacedBoxOf, MayBeSeenIfAPointOfItIsInViewInAVisibleLeaf) {
         visible.see_from(level, find_leaf(level, level.world(), eye));
         const ViewContext view = view_from(eye, Angle::from_bam(random()));
         const PlacedBox placed = place_box(level, box_around(random_open_point(level, random), 40));
-        const bool may_be = may_be_seen(placed, visible, culler_of(view));
+        const bool may_be = may_be_seen(placed, visible.leaf_set(), culler_of(view));
         (may_be ? seen : unseen) += 1;
         if (may_be) continue;
         for (int i = 0; i < 20; ++i) {
@@ -73,7 +73,7 @@ TEST_P(PlacedBoxOf, HasNoListWhereItHoldsTheWholeLevel) {
     std::mt19937 random(3);
     const Vec3<World> eye = random_open_point(level, random);
     visible.see_from(level, find_leaf(level, level.world(), eye));
-    EXPECT_TRUE(may_be_seen(placed, visible, culler_of(view_from(eye, {}))));
+    EXPECT_TRUE(may_be_seen(placed, visible.leaf_set(), culler_of(view_from(eye, {}))));
 }
 
 OBLONG_FOR_REAL_LEVELS(PlacedBoxOf);
