@@ -8,6 +8,22 @@
 
 #define PIECE 32768                 // bytes that are read at a time
 
+    // What follows runs in protected mode, with all memory as its data.
+    .macro ENTER_PROTECTED_MODE
+    lgdtl gdtr
+    movl %cr0, %eax
+    orb $1, %al
+    movl %eax, %cr0
+    ljmpl $0x28, $1f                // code of 32 bits, of this segment
+    .code32
+1:  movw $0x10, %ax
+    movw %ax, %ds
+    movw %ax, %es
+    movw %ax, %ss
+    movw %ax, %fs
+    movw %ax, %gs
+    .endm
+
     .code16
     .globl _start
 _start:
@@ -76,19 +92,7 @@ loaded:
     movl base, %ebx
     addl $boot_info, %ebx
     cli
-    lgdtl gdtr
-    movl %cr0, %eax
-    orb $1, %al
-    movl %eax, %cr0
-    ljmpl $0x28, $protected         // code of 32 bits, of this segment
-    .code32
-protected:
-    movw $0x10, %ax
-    movw %ax, %ds
-    movw %ax, %es
-    movw %ax, %ss
-    movw %ax, %fs
-    movw %ax, %gs
+    ENTER_PROTECTED_MODE
     ljmpl $0x08, $KERNEL_ADDRESS    // ebx: boot_info
     .code16
 
@@ -158,19 +162,7 @@ ask_dos:
     sbbw %ax, %ax
     movw %ax, dos_has_failed
     cli
-    lgdtl gdtr
-    movl %cr0, %eax
-    orb $1, %al
-    movl %eax, %cr0
-    ljmpl $0x28, $answered
-    .code32
-answered:
-    movw $0x10, %ax
-    movw %ax, %ds
-    movw %ax, %es
-    movw %ax, %ss
-    movw %ax, %fs
-    movw %ax, %gs
+    ENTER_PROTECTED_MODE
     ljmpl *%cs:dos_resume
     .code16
 
