@@ -68,7 +68,8 @@ const ColourRow& fog_colours(std::int32_t column, std::int32_t row, InverseZ inv
 
 void find_fog(const FrameContext& frame, ViewScratch& scratch) {
     const FrameFog& fog = frame.fog;
-    if (!fog.tables || (scratch.claims.torn.empty() && is_clear(scratch.walk.lowest, fog, frame.view.eye))) return;
+    if (!fog.tables || (scratch.claims.torn.empty() && is_clear(scratch.claiming->walk.lowest, fog, frame.view.eye)))
+        return;
     Claims& claims = scratch.claims;
     for (const FaceList list : {FaceList::Walls, FaceList::Liquid, FaceList::Flat})
         for (const VisibleFace& claimed : claims.list(list)) {

@@ -30,7 +30,7 @@ void gather_lights(const FrameContext& frame, ViewScratch& scratch) {
     if (frame.cache.things.lanterns.empty()) return;
     const BoxCuller culler(frame.view.frustum, frame.view.eye);
     const bool lights_faces_alone = scratch.claims.things.meshes.empty() && frame.limits.empty();
-    const LeafSet& leaves = lights_faces_alone ? scratch.walk.entered : scratch.visible.leaf_set();
+    const LeafSet& leaves = lights_faces_alone ? scratch.claiming->walk.entered : scratch.visible.leaf_set();
     for (const PlacedLantern& placed : frame.cache.things.lanterns) {
         if (!has_mirrors && !may_be_seen(placed.lit, leaves, culler)) continue;
         const Sprite lantern = lantern_at(placed.lantern, frame.scene.time_ms);

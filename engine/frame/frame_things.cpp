@@ -128,7 +128,7 @@ bool is_seen(const Shadow& shadow, const FrameContext& frame, ViewScratch& scrat
 /// not enter what pokes out of them.
 const LeafSet& leaves_in_sight(const FrameContext& frame, const ViewScratch& scratch) {
     const bool is_walked = frame.limits.empty() && scratch.claims.list(FaceList::Sky).empty();
-    return is_walked ? scratch.walk.entered : scratch.visible.leaf_set();
+    return is_walked ? scratch.claiming->walk.entered : scratch.visible.leaf_set();
 }
 
 void find_seen_shadows(const FrameContext& frame, const Sight& sight, ViewScratch& scratch) {

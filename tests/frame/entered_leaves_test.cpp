@@ -27,8 +27,8 @@ class EnteredLeaves : public testing::TestWithParam<const char*> {
             if (level.leaves[at.leaf()].contents != contents_ || !work_.view.visible.has_leaf(at.leaf())) return false;
             if (length(to - from) < 0.5) return true;
             ++passed_;
-            EXPECT_TRUE(work_.view.walk.entered.has(at.leaf())) << "leaf " << at.leaf().number();
-            EXPECT_GE(std::min(from.z, to.z), number_of(work_.view.walk.lowest) - 1.01);
+            EXPECT_TRUE(work_.view.claiming->walk.entered.has(at.leaf())) << "leaf " << at.leaf().number();
+            EXPECT_GE(std::min(from.z, to.z), number_of(work_.view.claiming->walk.lowest) - 1.01);
             return !HasFailure();
         }
         const Node& node = level.nodes[at.node()];
@@ -64,7 +64,8 @@ TEST_P(EnteredLeaves, HoldAllThatIsBeforeTheFaces) {
         stage_.draw(camera, work_);
         check_rays(TrueCamera(camera));
         if (HasFailure()) return;
-        for (const LeafIndex leaf : work_.view.visible.leaves()) passed_over += !work_.view.walk.entered.has(leaf);
+        for (const LeafIndex leaf : work_.view.visible.leaves())
+            passed_over += !work_.view.claiming->walk.entered.has(leaf);
     }
     EXPECT_GT(passed_, 100'000);
     EXPECT_GT(passed_over, 1'000);
