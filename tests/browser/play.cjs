@@ -192,7 +192,7 @@ const play = async (open, address) => {
   await tab.expect("Page.isCaptured", "the walk goes on");
   for (const value of [1, 0]) {
     await tab.evaluate(`push(9, ${value})`);
-    await tab.until(`Page.pads.has(0) && Page.pads.get(0).buttons[9] === ${value} && Page.events.length === 0`, "a gamepad's Start is read as " + value);
+    await tab.until(`Pads.before.has(0) && Pads.before.get(0).buttons[9] === ${value} && Page.events.length === 0`, "a gamepad's Start is read as " + value);
   }
   await tab.expect("!Page.isCaptured", "the menu by a gamepad's Start");
 
