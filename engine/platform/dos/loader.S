@@ -167,7 +167,8 @@ ask_dos:
     .code16
 
 // Where the driver of extended memory (XMS) has given any away, as to a disk cache, DOS is not called once the game has
-// overwritten that.
+// overwritten that; but what a driver of expanded memory keeps for the system, as handle 0, is none of a cache's: DOSBox
+// has 128 KB there.
 check_memory:
     movw $0x4300, %ax
     int $0x2f
@@ -181,6 +182,20 @@ check_memory:
     popw %es
     movb $8, %ah                    // dx: what is free, KB
     lcall *xms_driver
+    xorw %ax, %ax
+    movw %ax, %fs
+    cmpl $0, %fs:0x67 * 4
+    je 2f
+    pushw %dx
+    xorw %dx, %dx
+    movb $0x4c, %ah                 // bx: the pages of handle dx, 16 KB each
+    int $0x67
+    popw %dx
+    testb %ah, %ah
+    jnz 2f
+    shlw $4, %bx
+    addw %bx, %dx
+2:
     movb $0x31, %al                 // what there is, KB, in the battery-backed clock's memory
     outb %al, $0x70
     inb $0x71, %al
