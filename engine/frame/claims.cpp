@@ -24,7 +24,7 @@ std::span<const VertexIndex> corners_of(FaceIndex index, const FrameContext& fra
 
 /// Whether the part of a projected face that is within the frame's limits is in view; projects that part alone. Faces
 /// in the plane of a limit are left out: so is a mirror from its own picture.
-bool keep_within_limits(const VisibleFace& face, const FrameContext& frame, ViewScratch& scratch) {
+bool keep_within_limits(const VisibleFace& face, const FrameContext& frame, ClaimScratch& scratch) {
     std::vector<Vec3<World>>& corners = scratch.corners.world;
     world_corners(face, frame, scratch.corners);
     bool is_cut = false;
@@ -42,7 +42,7 @@ bool keep_within_limits(const VisibleFace& face, const FrameContext& frame, View
 
 /// Transforms, clips and projects the corners. False if nothing of the face is in view. `nears_limits`: it may not be
 /// well within the frame's.
-bool project(const VisibleFace& face, bool nears_limits, const FrameContext& frame, ViewScratch& scratch) {
+bool project(const VisibleFace& face, bool nears_limits, const FrameContext& frame, ClaimScratch& scratch) {
     if (frame.observers.counts) ++frame.observers.counts->faces_visited;
     const bool is_in_view = face.fragment ? project_polygon(frame.cache.brush_models.corners_of(*face.fragment),
                                                             frame.view, scratch.polygon)
@@ -52,7 +52,7 @@ bool project(const VisibleFace& face, bool nears_limits, const FrameContext& fra
 }
 
 /// Scans the projected face, but for rows at its top and its bottom that have nothing free. False if none are left.
-bool scan(const FrameContext& frame, ViewScratch& scratch) {
+bool scan(const FrameContext& frame, ClaimScratch& scratch) {
     const std::span<const ScreenVertex> corners = scratch.polygon.screen;
     const PolygonShape shape = shape_of(corners, frame.out.height_px, frame.accuracy().edges);
     const PixelRange rows = scratch.span_buffer.rows_with_free(shape.bounds);
@@ -119,10 +119,10 @@ std::span<const Vec3<World>> world_corners(const VisibleFace& face, const FrameC
 
 FacesInView::FacesInView(const FrameContext& frame, ViewScratch& scratch)
     : frame_(frame),
-      scratch_(scratch),
+      scratch_(*scratch.claiming),
       walk_(frame.scene.level, frame.view, scratch.visible,
-            frame.allows(Effect::BrushModels) ? &frame.cache.brush_models : nullptr, scratch.span_buffer, scratch.walk,
-            frame.limits, frame.cache.faces.torn_edges == 0) {}
+            frame.allows(Effect::BrushModels) ? &frame.cache.brush_models : nullptr, scratch_.span_buffer,
+            scratch_.walk, frame.limits, frame.cache.faces.torn_edges == 0) {}
 
 FacesInView::~FacesInView() {
     if (FrameCounts* const counts = frame_.observers.counts)
@@ -144,16 +144,17 @@ void claim_face(VisibleFace& face, bool is_second_walk, const FrameContext& fram
     const EffectSet needs = frame.cache.faces[face.face].effects;
     const bool is_seen_through = list_for(needs, frame.settings.allowed_effects) == FaceList::SeeThrough;
     if (is_seen_through && is_second_walk) return;
+    ClaimScratch& claiming = *scratch.claiming;
     Claims& claims = scratch.claims;
     const std::size_t first = claims.spans.size();
     if (is_seen_through)
-        scratch.span_buffer.find_free(scratch.rows, claims.spans);
+        claiming.span_buffer.find_free(claiming.rows, claims.spans);
     else
-        scratch.span_buffer.claim(scratch.rows, claims.spans);
-    face.nearest_z = scratch.polygon.nearest_z;
-    face.farthest_z = scratch.polygon.farthest_z;
-    face.bounds = {std::max(scratch.rows.columns.first, 0), std::min(scratch.rows.columns.end, frame.out.width_px),
-                   scratch.rows.first, scratch.rows.end};
+        claiming.span_buffer.claim(claiming.rows, claims.spans);
+    face.nearest_z = claiming.polygon.nearest_z;
+    face.farthest_z = claiming.polygon.farthest_z;
+    face.bounds = {std::max(claiming.rows.columns.first, 0), std::min(claiming.rows.columns.end, frame.out.width_px),
+                   claiming.rows.first, claiming.rows.end};
     add_claimed(face, first, frame, claims);
 }
 

@@ -16,6 +16,7 @@
 
 namespace oblong {
 
+struct ClaimScratch;
 struct CornerScratch;
 struct FrameContext;
 struct ViewScratch;
@@ -77,8 +78,8 @@ std::int64_t pixels_of(const Claims& claims, FaceList list);
 /// The corners of a face in the world, those at T-junctions only if the settings mend them: in `scratch.world`.
 std::span<const Vec3<World>> world_corners(const VisibleFace& face, const FrameContext& frame, CornerScratch& scratch);
 
-/// The faces in view, front to back: next() finds one, projects it into scratch.polygon and scans it into scratch.rows,
-/// for claim_face() to go on with.
+/// The faces in view, front to back: next() finds one, projects it into `polygon` of the view's ClaimScratch and scans
+/// it into its `rows`, for claim_face() to go on with.
 class FacesInView {
   public:
     /// The arguments outlive it.
@@ -94,7 +95,7 @@ class FacesInView {
 
   private:
     const FrameContext& frame_;
-    ViewScratch& scratch_;
+    ClaimScratch& scratch_;
     FrontToBackWalk walk_;
 };
 

@@ -91,7 +91,7 @@ void claim_pixels(const FrameContext& frame, ViewScratch& scratch) {
         frame.claimer->claim(frame, scratch);
     else
         claim_faces(frame, scratch);
-    if (!scratch.span_buffer.is_full()) claim_torn_pixels(frame, scratch);
+    if (!scratch.claiming->span_buffer.is_full()) claim_torn_pixels(frame, scratch);
 }
 
 }  // namespace
@@ -99,7 +99,7 @@ void claim_pixels(const FrameContext& frame, ViewScratch& scratch) {
 void start_view(const FrameContext& frame, LeafIndex leaf, ViewScratch& scratch) {
     const Scene& scene = frame.scene;
     scratch.visible.see_from(scene.level, leaf);
-    scratch.vertices.start_frame();
+    scratch.claiming->vertices.start_frame();
     scratch.claims.clear();
     const Stopwatch watch(frame.observers.times, Effect::BrushModels);
     frame.cache.brush_models.start_frame(scene.level, scene.models, frame.cache.faces);
@@ -126,7 +126,7 @@ void draw_frame(const Scene& scene, const ViewSpec& view, const ScreenMode& mode
 
     work.cache.surfaces.start_frame(settings.accuracy, settings.brightness_100, scene.colormap);
     start_view(frame, eye.leaf, work.view);
-    work.view.span_buffer.reset();
+    work.view.claiming->span_buffer.reset();
     EffectSet& effects = work.view.claims.effects;
     if (is_under_liquid(frame, eye.leaf)) effects = effects.with(Effect::Underwater);
     if (frame.shared) start_sharing(frame, work.view);

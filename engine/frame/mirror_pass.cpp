@@ -113,7 +113,7 @@ void draw_mirrored_view(const MirrorView& mirror, LeafIndex leaf, std::span<cons
     mirrored_frame.claimer = frame.claimer;
     clear(flipped, mirrored_frame.out);
     start_view(mirrored_frame, leaf, *scratch.view);
-    scratch.view->span_buffer.reset_to(flipped);
+    scratch.view->claiming->span_buffer.reset_to(flipped);
     draw_view(mirrored_frame, *scratch.view);
     copy_flipped(flipped, mirrored_frame.out, frame.out);
 }
@@ -137,7 +137,7 @@ void draw_mirrors(const FrameContext& frame, ViewScratch& scratch) {
     std::vector<VisibleFace> left = scratch.claims.list(FaceList::Mirror);
     for (std::size_t drawn = 0; drawn < kMostMirrors && !left.empty(); ++drawn) {
         const MirrorPlane mirror = plane_of(left.front(), frame);
-        const LeafIndex leaf = leaf_before(left.front(), mirror, frame, scratch.corners);
+        const LeafIndex leaf = leaf_before(left.front(), mirror, frame, scratch.claiming->corners);
         const auto others = std::stable_partition(
             left.begin(), left.end(), [&](const VisibleFace& face) { return plane_of(face, frame) == mirror; });
         const auto faces = std::span<const VisibleFace>(left).first(as_size(others - left.begin()));

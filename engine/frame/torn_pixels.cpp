@@ -277,7 +277,7 @@ class TornDrawing {
 
 void claim_torn_pixels(const FrameContext& frame, ViewScratch& scratch) {
     SpanList free;
-    scratch.span_buffer.claim_rest(free);
+    scratch.claiming->span_buffer.claim_rest(free);
     const bool shows_void = frame.view.shows_void || !scratch.visible.is_from_open();
     std::optional<Rays> rays;
     if (!shows_void) rays.emplace(frame);

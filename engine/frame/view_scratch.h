@@ -63,12 +63,6 @@ struct ViewScratch {
 
     VisibleSet visible;  ///< from the eye's leaf
     std::shared_ptr<ClaimScratch> claiming;
-    WalkScratch& walk = claiming->walk;
-    VertexCache& vertices = claiming->vertices;
-    CornerScratch& corners = claiming->corners;
-    ScreenPolygon& polygon = claiming->polygon;
-    ScanlineExtents& rows = claiming->rows;
-    SpanBuffer& span_buffer = claiming->span_buffer;
     Claims claims;      ///< of the view's faces
     DepthBuffer depth;  ///< around the things in view
     FrameLight light;

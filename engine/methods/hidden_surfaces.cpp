@@ -51,13 +51,13 @@ void HiddenSurfaceMethod::keep(const VisibleFace& face, const FrameContext& fram
     const EffectSet needs = frame.cache.faces[face.face].effects;
     ScannedFace scanned;
     static_cast<VisibleFace&>(scanned) = face;
-    scanned.nearest_z = scratch.polygon.nearest_z;
-    scanned.farthest_z = scratch.polygon.farthest_z;
+    scanned.nearest_z = scratch.claiming->polygon.nearest_z;
+    scanned.farthest_z = scratch.claiming->polygon.farthest_z;
     scanned.is_seen_through = list_for(needs, frame.settings.allowed_effects) == FaceList::SeeThrough;
     set_plane(frame, scanned);
     const std::span<const Vec3<World>> corners =
-        frame.limits.empty() ? world_corners(face, frame, scratch.corners) : scratch.corners.world;
-    add_face(scanned, scratch.rows, frame.out.width_px, corners, frame.view.eye, scanned_);
+        frame.limits.empty() ? world_corners(face, frame, scratch.claiming->corners) : scratch.claiming->corners.world;
+    add_face(scanned, scratch.claiming->rows, frame.out.width_px, corners, frame.view.eye, scanned_);
 }
 
 void HiddenSurfaceMethod::paint_by(SortDepth depth) {
@@ -94,7 +94,7 @@ void HiddenSurfaceMethod::claim_runs(const ScannedFace& face, std::span<const Ow
         if (face.is_seen_through)
             claims.spans.push_back(span);
         else
-            scratch.span_buffer.claim(span.y, span.first, span.end, claims.spans);
+            scratch.claiming->span_buffer.claim(span.y, span.first, span.end, claims.spans);
     }
     VisibleFace claimed = face;
     add_claimed(claimed, first, frame, claims);

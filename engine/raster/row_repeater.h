@@ -101,7 +101,7 @@ class RowRepeater {
 
     const TextureGradients& gradients_;
     const TexelLimits& limits_;
-    const Reciprocal reciprocal_;
+    [[no_unique_address]] const Reciprocal reciprocal_;
     Span span_{0, 0, 0};  ///< empty: no span is like it
     std::span<const TexelBlock> blocks_;
     bool knows_depths_ = false;

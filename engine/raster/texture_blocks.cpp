@@ -1,16 +1,13 @@
 #include "engine/raster/texture_blocks.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
-#include <cstdlib>
-#include <tuple>
 
 #include "engine/base/table.h"
-#include "engine/fixed/fixed.h"
 #include "engine/raster/block_steps.h"
 #include "engine/raster/perspective.h"
 #include "engine/raster/row_repeater.h"
+#include "engine/raster/span_cutter.h"
+#include "engine/raster/span_ends.h"
 
 #if defined(__x86_64__)
 #define OBLONG_TARGET_BMI2 [[gnu::target("bmi2,lzcnt")]]
@@ -21,105 +18,6 @@
 namespace oblong {
 
 namespace {
-
-/// Cuts spans of one surface into blocks, left to right. Each block ends where the next begins, so a division serves
-/// twice. Its functions are force-inlined, so that its members stay in registers.
-template <class Reciprocal, PerspectiveRange Range>
-class SpanCutter {
-  public:
-    [[gnu::always_inline]] SpanCutter(const BlockCutting& cutting, Reciprocal reciprocal, TexelBlock* out)
-        : gradients_(cutting.gradients), limits_(cutting.limits), reciprocal_(reciprocal), out_(out) {}
-
-    [[gnu::always_inline]] void start(const Span& span, std::int32_t pitch) {
-        left_ = span.end - span.first;
-        pixel_ = static_cast<std::uint32_t>(span.y * pitch + span.first);
-        here_ = Perspective(gradients_, span.first, span.y);
-        depth_ = Depth<Reciprocal, Range>(here_.inverse_z, reciprocal_);
-        texel_ = texel_of(here_, depth_, limits_);
-    }
-
-    std::int32_t left() const { return left_; }
-    InverseZ inverse_z() const { return here_.inverse_z; }
-    TexelBlock* end() const { return out_; }
-    void set_end(TexelBlock* end) { out_ = end; }
-    std::int64_t tries() const { return tries_; }
-
-    /// A block of 2^log2 pixels, all of them in the span.
-    [[gnu::always_inline]] void cut_power(int log2) {
-        const TexelPosition from = texel_;
-        advance(std::int32_t{1} << log2);
-        append(1 << log2, from, steps_by_shift(from, texel_, log2));
-    }
-
-    /// The last block, of the remaining pixels (1 or more). It ends at the span's last pixel: beyond may lie the end of
-    /// the surface, or the horizon of its plane.
-    [[gnu::always_inline]] void cut_rest() {
-        const std::int32_t steps = left_ - 1;
-        if (steps == 0) return append(1, texel_, {});
-        const TexelPosition from = texel_;
-        advance(steps);
-        append(steps + 1, from, steps_by_division(from, texel_, steps));
-    }
-
-    /// A block of 2^log2 pixels, or the last one, if it keeps u and v within `bound_256` of the truth; else nothing. A
-    /// block of one or two pixels always does.
-    [[gnu::always_inline]] bool try_block(int log2, std::int32_t bound_256) {
-        const std::int32_t size = std::int32_t{1} << log2, steps = std::min(size, left_ - 1);
-        const auto start = std::tuple(here_, depth_, texel_);
-        const TexelPosition from = texel_;
-        advance(steps);
-        ++tries_;
-        const bool is_within = steps < 2 || is_straight(std::get<Perspective>(start).inverse_z, from, steps, bound_256);
-        std::tie(here_, depth_, texel_) = start;
-        if (is_within && steps == size) cut_power(log2);
-        if (is_within && steps < size) cut_rest();
-        return is_within;
-    }
-
-  private:
-    /// Whether the texels between `from` and here lie within a bound of a straight line. With k the ratio of the two
-    /// ends' 1/z, the line is off by |du| (sqrt k - 1) / (sqrt k + 1) <= |du| (k - 1) / 4 at most; a step that is
-    /// floored loses less than 2^-16 texel a pixel.
-    bool is_straight(InverseZ from_z, TexelPosition from, std::int32_t steps, std::int32_t bound_256) const {
-        const InverseZ least = std::min(from_z, here_.inverse_z);
-        if (least < kLeastInverseZ) return false;
-        const InverseZ rise = absolute(here_.inverse_z - from_z);
-        const int shift = std::max(static_cast<int>(std::bit_width(least.bits())) - 28, 0);
-        const std::int64_t room_16 = std::int64_t{bound_256} * 256 - steps - 4;
-        const std::int64_t rise_in_steps = floor_shift(rise, shift).raw + 1;
-        if (room_16 < 0 || rise_in_steps >= std::int64_t{1} << 31) return false;
-        const std::int64_t texels_16 =
-            std::max(std::abs(std::int64_t{texel_.u_16} - from.u_16), std::abs(std::int64_t{texel_.v_16} - from.v_16));
-        return texels_16 * rise_in_steps <= 4 * room_16 * floor_shift(least, shift).raw;
-    }
-
-    [[gnu::always_inline]] void advance(std::int32_t count) {
-        const InverseZ before = here_.inverse_z;
-        const auto columns = static_cast<std::uint32_t>(count);
-        here_.inverse_z = stepped(before, gradients_.inverse_z.per_column, columns);
-        here_.u_over_z = stepped(here_.u_over_z, gradients_.u_over_z.per_column, columns);
-        here_.v_over_z = stepped(here_.v_over_z, gradients_.v_over_z.per_column, columns);
-        if (here_.inverse_z != before) depth_ = Depth<Reciprocal, Range>(here_.inverse_z, reciprocal_);
-        texel_ = texel_of(here_, depth_, limits_);
-    }
-
-    [[gnu::always_inline]] void append(std::int32_t count, TexelPosition from, TexelStep step) {
-        *out_++ = {pixel_, count, from.u_16, from.v_16, step.u_16, step.v_16};
-        pixel_ += static_cast<std::uint32_t>(count);
-        left_ -= count;
-    }
-
-    const TextureGradients gradients_;
-    const TexelLimits limits_;
-    [[no_unique_address]] const Reciprocal reciprocal_;
-    TexelBlock* out_;
-    std::int32_t left_ = 0;
-    std::uint32_t pixel_ = 0;
-    Perspective here_;
-    Depth<Reciprocal, Range> depth_;
-    TexelPosition texel_;
-    std::int64_t tries_ = 0;  ///< of try_block()
-};
 
 template <class Cutter>
 [[gnu::always_inline]] inline void cut_every(Cutter& cutter, int log2) {
@@ -205,67 +103,6 @@ template <class Reciprocal>
     blocks.add_divisions(-repeater.divisions_saved());
     return {span, end};
 }
-
-/// Texels at the ends of spans that are one block each. Where 1/z and u are the same in all rows, as a wall's are in a
-/// level view, they are those of the row above in the same column, but for v.
-template <class Reciprocal>
-class SpanEnds {
-  public:
-    [[gnu::always_inline]] SpanEnds(const BlockCutting& cutting, Reciprocal reciprocal)
-        : gradients_(cutting.gradients),
-          limits_(cutting.limits),
-          reciprocal_(reciprocal),
-          repeats_rows_(RowRepeater<Reciprocal>::serves(cutting.gradients)),
-          is_of_one_depth_(cutting.gradients.inverse_z.per_column == InverseZ{}) {}
-
-    [[gnu::always_inline]] TexelPosition first(const Span& span) {
-        if (!repeats_rows_ || span.first != first_.column)
-            set(first_, span.first, span.y, depth_at(span.first, span.y));
-        else
-            ++divisions_saved_;
-        return {first_.u_16, v_16(first_, span.y)};
-    }
-    /// After first(), of a span of two pixels at least.
-    [[gnu::always_inline]] TexelPosition last(const Span& span) {
-        const std::int32_t column = span.end - 1;
-        if (is_of_one_depth_)
-            set(last_, column, span.y, first_.depth);
-        else if (!repeats_rows_ || column != last_.column)
-            set(last_, column, span.y, depth_at(column, span.y));
-        else
-            ++divisions_saved_;
-        return {last_.u_16, v_16(last_, span.y)};
-    }
-    std::int64_t divisions_saved() const { return divisions_saved_; }
-
-  private:
-    using FittingDepth = Depth<Reciprocal, PerspectiveRange::Fits>;
-    struct End {
-        std::int32_t column = -1;
-        std::uint32_t u_16 = 0;
-        FittingDepth depth;
-    };
-
-    [[gnu::always_inline]] void set(End& end, std::int32_t column, std::int32_t row, const FittingDepth& depth) const {
-        end = {column, within(depth.times(gradients_.u_over_z.at_shown(column, row)), limits_.greatest_u), depth};
-    }
-    [[gnu::always_inline]] FittingDepth depth_at(std::int32_t column, std::int32_t row) const {
-        return FittingDepth(gradients_.inverse_z.at_shown(column, row), reciprocal_);
-    }
-    [[gnu::always_inline]] std::uint32_t v_16(const End& end, std::int32_t row) const {
-        return within(end.depth.times(gradients_.v_over_z.at_shown(end.column, row)), limits_.greatest_v);
-    }
-    [[gnu::always_inline]] std::uint32_t within(Texel texel, Texel greatest) const {
-        return texel_within(texel, limits_.least, greatest);
-    }
-
-    const TextureGradients gradients_;
-    const TexelLimits limits_;
-    [[no_unique_address]] const Reciprocal reciprocal_;
-    const bool repeats_rows_, is_of_one_depth_;
-    End first_, last_;
-    std::int64_t divisions_saved_ = 0;
-};
 
 /// Spans that are one block each.
 template <class Reciprocal>

@@ -1,6 +1,7 @@
 // The game under DOS: OBLONG [NAME=VALUE ...], options by their names on a command line elsewhere ("accuracy=1994").
 // Also replay=FILE; hashes=N, which draws N ticks of the walk as fast as it goes, each with its hash on the serial
-// port, and with hold=1 shows the last one until a key is pressed; and report=1, which counts the pictures shown there.
+// port, and with hold=1 shows the last one until a key is pressed; and report=1, which counts the pictures shown there,
+// and the keys taken.
 #include <malloc.h>
 
 #include <cstdio>
@@ -30,18 +31,24 @@ struct Arguments {
     bool holds = false, reports = false;
 };
 
-// Tells a test on the serial port that another picture is shown, whatever time that took.
+// Tells a test on the serial port that another picture is shown or another key was pressed, whatever time that took.
 class ReportingPc : public dos::Pc {
   public:
     explicit ReportingPc(bool reports) : reports_(reports) {}
     void present(Framebuffer picture, const Palette& palette, const PresentRect& shown) override {
         Pc::present(picture, palette, shown);
-        if (reports_) std::fprintf(stderr, "shown %u\n", ++count_);
+        if (reports_) std::fprintf(stderr, "shown %u\n", ++shown_);
+    }
+    PlatformInput poll() override {
+        PlatformInput input = Pc::poll();
+        for (const InputEvent& event : input.events)
+            if (reports_ && event.kind == InputEvent::Kind::Press) std::fprintf(stderr, "pressed %u\n", ++pressed_);
+        return input;
     }
 
   private:
     bool reports_;
-    unsigned count_ = 0;
+    unsigned shown_ = 0, pressed_ = 0;
 };
 
 std::size_t whole_number(const std::string& name, const std::string& text) {

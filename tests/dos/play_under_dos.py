@@ -1,39 +1,30 @@
 """The game for DOS does what the game does.
 
-usage: play_under_dos.py integers|qemu|dosbox SOURCE_DIR BUILD_DIR
+usage: play_under_dos.py integers|qemu|dosbox|saves SOURCE_DIR BUILD_DIR
 
 integers: no room of the engine has a floating-point instruction; divisions and products of an i486 are those of here.
 qemu: a 486 of 16 MB, started from the disk image: the walk's ticks and pictures have the hashes that they have here; what the
     VGA shows is the last picture; a walk begins by keys and turns by the mouse; the game ends.
 dosbox: OBLONG.COM and its way back to DOS: the same hashes.
+saves: a walk that was left in DOSBox goes on there where it was, as the game here reads its file; where DOS can't write, the
+    game asks, and what was saved before stays.
 """
-import contextlib
 import glob
 import os
 import re
 import shutil
-import socket
+import struct
 import subprocess
 import sys
 import tempfile
-import time
+
+from emulators import DosBox, Qemu, different_pixels, expect, read_ppm, skip
 
 TICKS = 300
 STILL, MOVED = 3_000, 20_000  # pixels of 64,000 that differ
-SILENCE_S = 1200  # for which the game may say nothing
 # Rooms that have times and rates, which are doubles; the readers of files; the gallery's expected numbers.
 WITH_FLOATS = {"files", "gallery", "measure", "game_lab", "game_view", "game_simulation"}
 FLOAT = re.compile(r"^\s*[0-9a-f]+:\t(?:[a-z]+ )*f[a-z]\w*", re.M)
-
-
-def skip(what):
-    print(f"skipped: {what} is not installed")
-    sys.exit(77)
-
-
-def expect(is_so, message):
-    if not is_so:
-        sys.exit(f"play_under_dos: {message}")
 
 
 def build(source):
@@ -67,102 +58,6 @@ def with_arguments(image, words):
     return disk
 
 
-def read_ppm(path):
-    """Width, height, and red, green, blue of each pixel."""
-    with open(path, "rb") as file:
-        data = file.read()
-    head = re.match(rb"P6\s+(\d+)\s+(\d+)\s+255\s", data)
-    width, height = int(head[1]), int(head[2])
-    return width, height, data[head.end():]
-
-
-def halved(picture):
-    """Of a picture whose pixels are two by two, which the VGA sends them as."""
-    width, height, data = picture
-    if width != 640:
-        return picture
-    rows = [data[y * width * 3:(y + 1) * width * 3] for y in range(0, height, 2)]
-    small = b"".join(row[x:x + 3] for row in rows for x in range(0, width * 3, 6))
-    return width // 2, height // 2, small
-
-
-class Qemu:
-    """A 486 that is told what to do by QEMU's monitor."""
-
-    def __init__(self, disk, folder):
-        self.folder, self.serial = folder, os.path.join(folder, "serial")
-        image = os.path.join(folder, "disk.img")
-        with open(image, "wb") as file:
-            file.write(disk)
-        self.process = subprocess.Popen(
-            ["qemu-system-i386", "-cpu", "486", "-m", "16", "-drive", f"file={image},format=raw", "-serial",
-             f"file:{self.serial}", "-display", "none", "-no-reboot", "-monitor", "stdio"],
-            stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True)
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        self.process.kill()
-        self.process.wait()
-
-    def tell(self, command):
-        self.process.stdin.write(command + "\n")
-        self.process.stdin.flush()
-
-    def said(self):
-        if not os.path.exists(self.serial):
-            return ""
-        with open(self.serial, errors="replace") as file:
-            return file.read()
-
-    def wait_until(self, is_so, what):
-        """However slow the machine is, as long as the game says something new now and then."""
-        said, since = self.said(), time.monotonic()
-        while not is_so(said):
-            expect(self.process.poll() is None, "QEMU has ended")
-            expect(time.monotonic() - since < SILENCE_S, f"{what}; the game said:\n{said[-2000:]}")
-            time.sleep(0.1)
-            last, said = said, self.said()
-            if said != last:
-                since = time.monotonic()
-
-    def wait_for(self, text):
-        self.wait_until(lambda said: text in said, f"the game does not say '{text}'")
-
-    def wait_for_pictures(self, count):
-        """Until so many more are shown (report=1): what was pressed before them has been read."""
-        wanted = shown_in(self.said()) + count
-        self.wait_until(lambda said: shown_in(said) >= wanted, "no more pictures are shown")
-
-    def picture(self):
-        path = os.path.join(self.folder, "screen.ppm")
-        if os.path.exists(path):
-            os.remove(path)
-        self.tell(f"screendump {path}")
-        size = -1
-        while not os.path.exists(path) or os.path.getsize(path) != size or size <= 0:
-            size = os.path.getsize(path) if os.path.exists(path) else -1
-            time.sleep(0.1)
-        picture = read_ppm(path)
-        return halved(picture) if len(picture[2]) == 3 * picture[0] * picture[1] else self.picture()
-
-    def picture_when(self, is_right, what):
-        """One of the next 300 pictures that the game shows."""
-        for _ in range(100):
-            self.wait_for_pictures(3)
-            picture = self.picture()
-            if is_right(picture):
-                return picture
-        sys.exit(f"play_under_dos: {what}")
-
-
-def shown_in(said):
-    """How many pictures the game has shown."""
-    found = re.findall(r"^shown (\d+)\r?\n", said, re.M)
-    return int(found[-1]) if found else 0
-
-
 def in_six_bits(picture):
     """As the VGA has its colours: how an emulator spreads them over 8 bits is its own."""
     return (*picture[:2], bytes(value >> 2 for value in picture[2]))
@@ -173,9 +68,7 @@ def different_pixels(a, b):
     return sum(a[2][i:i + 3] != b[2][i:i + 3] for i in range(0, len(a[2]), 3))
 
 
-def check_qemu(source, build_dir):
-    if not shutil.which("qemu-system-i386"):
-        skip("qemu-system-i386")
+def check_qemu(build_dir):
     image = os.path.join(build_dir, "dos/oblong.img")
     with tempfile.TemporaryDirectory() as folder:
         wanted = os.path.join(folder, "wanted.ppm")
@@ -186,35 +79,44 @@ def check_qemu(source, build_dir):
             shown = pc.picture()
             wrong = different_pixels(in_six_bits(shown), in_six_bits(read_ppm(wanted)))
             expect(wrong == 0, f"{wrong} pixels on the screen differ")
-            pc.tell("sendkey esc")
+            pc.press("esc")
             pc.wait_for("memory:")
     with tempfile.TemporaryDirectory() as folder, Qemu(with_arguments(image, "captions=off report=1"), folder) as pc:
-        play_in(pc)
+        start = begin(pc, "ret")
+        pc.tell("mouse_move 150 0")
+        turned = pc.picture_when(lambda p: different_pixels(p, start) > MOVED, "the mouse does not turn the view")
+        pc.press("w", 800)
+        pc.picture_when(lambda p: different_pixels(p, turned) > MOVED, "W does not walk")
+        pc.press_in_turn("esc", "up", "ret", "down", "ret")  # Leave, Yes
+        pc.wait_for("memory:")
 
 
-def play_in(pc):
-    """From the title by keys: a walk, a turn by the mouse, the menu, and out."""
-    def has_colours(picture):
-        return picture[:2] == (320, 200) and len({picture[2][i:i + 3] for i in range(0, len(picture[2]), 3)}) > 40
-
-    last = [pc.picture_when(has_colours, "no title is shown")]
+def resting(pc, what):
+    """A picture as the one before it."""
+    last = [pc.picture()]
 
     def rests(picture):
         before, last[0] = last[0], picture
         return different_pixels(picture, before) < STILL
 
-    pc.picture_when(lambda p: different_pixels(p, last[0]) > MOVED, "behind the title nothing moves")
-    pc.tell("sendkey ret")
-    start = pc.picture_when(rests, "Enter does not begin a walk")
-    pc.tell("mouse_move 150 0")
-    turned = pc.picture_when(lambda p: different_pixels(p, start) > MOVED, "the mouse does not turn the view")
-    pc.tell("sendkey w 800")
-    pc.picture_when(lambda p: different_pixels(p, turned) > MOVED, "W does not walk")
-    for key in ("esc", "up", "ret", "down"):  # Leave, Yes
-        pc.tell(f"sendkey {key}")
-        pc.wait_for_pictures(3)  # two keys at once would both go to the screen that the first one leaves
-    pc.tell("sendkey ret")
-    pc.wait_for("memory:")
+    return pc.picture_when(rests, what)
+
+
+def below_text(picture):
+    """Without what the walk says in its first lines."""
+    width, height, data = picture
+    return width, height - 30, data[30 * width * 3:]
+
+
+def begin(pc, enter):
+    """From the title, by the menu's first row."""
+    def has_colours(picture):
+        return picture[:2] == (320, 200) and len({picture[2][i:i + 3] for i in range(0, len(picture[2]), 3)}) > 40
+
+    title = pc.picture_when(has_colours, "no title is shown")
+    pc.picture_when(lambda p: different_pixels(p, title) > MOVED, "behind the title nothing moves")
+    pc.press_in_turn(enter)
+    return resting(pc, "Enter does not begin a walk")
 
 
 def check_integers(build_dir):
@@ -244,87 +146,69 @@ def check_arithmetic(source, build_dir):
     expect(here == there, f"arithmetic: {there}, expected {here}")
 
 
-DOSBOX = """[sdl]
-output=surface
-[dosbox]
-memsize=16
-[cpu]
-core=normal
-cputype=486_slow
-cycles=fixed {cycles}
-[mixer]
-nosound=true
-[serial]
-serial1=nullmodem server:127.0.0.1 port:{port} transparent:1
-[autoexec]
-mount c {folder}
-c:
-OBLONG.COM {words}
-echo BACK > BACK.TXT
-exit
-"""
+def folder_with_game(build_dir):
+    folder = tempfile.TemporaryDirectory()
+    for name in ("OBLONG.COM", "OBLONG.SYS"):
+        shutil.copy(os.path.join(build_dir, "dos", name), folder.name)
+    return folder
 
 
 def check_dosbox(build_dir):
-    for program in ("dosbox", "Xvfb"):
-        if not shutil.which(program):
-            skip(program)
-    with tempfile.TemporaryDirectory() as folder:
+    with folder_with_game(build_dir) as folder:
         expected = expected_hashes(build_dir, os.path.join(folder, "wanted.ppm"))
-        for name in ("OBLONG.COM", "OBLONG.SYS"):
-            shutil.copy(os.path.join(build_dir, "dos", name), folder)
-        with socket.create_server(("127.0.0.1", 0)) as server:
-            server.settimeout(1)
-            config = os.path.join(folder, "dosbox.conf")
-            with open(config, "w") as file:
-                file.write(DOSBOX.format(cycles=200000, port=server.getsockname()[1], folder=folder, words=f"hashes={TICKS}"))
-            for _ in range(5):  # on a busy machine SDL sometimes does not reach the display
-                said, log = run_dosbox(config, folder, server)
-                if said:
-                    break
-            expect(said, f"DOSBox has ended without a word of the game: {log}")
-        check_hashes(hashes_in(said), expected, "DOSBox")
+        with DosBox(folder, f"hashes={TICKS}", cycles=200000) as pc:
+            check_hashes(hashes_in(pc.wait_for_end()), expected, "DOSBox")
         expect(os.path.exists(os.path.join(folder, "BACK.TXT")), "the game does not come back to DOS")
 
 
-def run_dosbox(config, home, server):
-    """What the game says on the serial port until DOSBox ends, and what DOSBox says."""
-    read_end, write_end = os.pipe()
-    screen = subprocess.Popen(["Xvfb", "-displayfd", str(write_end), "-screen", "0", "800x600x24"], pass_fds=[write_end],
-                              stderr=subprocess.DEVNULL)
-    os.close(write_end)
-    try:
-        with os.fdopen(read_end) as pipe:
-            display = ":" + pipe.readline().strip()
-        with open(os.path.join(home, "dosbox.log"), "w+") as log:
-            dosbox = subprocess.Popen(["dosbox", "-conf", config], stdout=log, stderr=log,
-                                      env=dict(os.environ, DISPLAY=display, HOME=home, SDL_AUDIODRIVER="dummy"))
-            try:
-                said = listen(server, dosbox)
-            finally:
-                dosbox.kill()
-                dosbox.wait()
-            log.seek(0)
-            return said, log.read()
-    finally:
-        screen.kill()
-        screen.wait()
+def saved_place(build_dir, kept):
+    """The tick of the only walk in an OBLONG.SAV, and where the player is and looks then: as the game here reads it."""
+    count, size = struct.unpack_from("<II", kept)
+    expect(size == len(kept), f"OBLONG.SAV has {len(kept)} bytes, says {size}")
+    entries = [struct.unpack_from("<56sII", kept, 64 + 64 * i) for i in range(count)]
+    saves = [kept[offset:offset + size] for name, offset, size in entries if name.split(b"\0")[0].endswith(b".save")]
+    expect(len(saves) == 1, f"{entries}, expected one walk")
+    done = subprocess.run([os.path.join(build_dir, "bin/saved_place")], input=saves[0], check=True, capture_output=True)
+    tick, *place = done.stdout.split()
+    return int(tick), place
 
 
-def listen(server, dosbox):
-    """What comes until DOSBox ends, which may take as long as something comes now and then."""
-    connection = None
-    while connection is None and dosbox.poll() is None:
-        with contextlib.suppress(TimeoutError):
-            connection, _ = server.accept()
-    if connection is None:
-        return ""
-    said = []
-    connection.settimeout(SILENCE_S)
-    while data := connection.recv(4096):
-        said.append(data)
-    dosbox.wait(timeout=SILENCE_S)
-    return b"".join(said).decode("latin1")
+def leave(pc, *keys):
+    pc.press_in_turn(*keys[:-1])
+    pc.press(keys[-1])
+    pc.wait_for_end()
+
+
+def check_saves(build_dir):
+    to_leave = ("Escape", "Up", "Return")
+    words = "report=1 captions=off"
+    with folder_with_game(build_dir) as folder:
+        def kept():
+            with open(os.path.join(folder, "OBLONG.SAV"), "rb") as file:
+                return file.read()
+
+        with DosBox(folder, words) as pc:
+            start = begin(pc, "Return")
+            pc.hold("w")
+            pc.wait_for_pictures(20)  # some 4 s: shorter walks are not kept
+            pc.picture_when(lambda p: different_pixels(p, start) > MOVED, "W does not walk")
+            pc.let_go("w")
+            left = resting(pc, "the walk does not stop")
+            leave(pc, *to_leave)
+        tick, place = saved_place(build_dir, kept())
+        with DosBox(folder, words) as pc:
+            shown = begin(pc, "Return")
+            expect(different_pixels(*map(below_text, (shown, left))) < STILL, "Continue does not show where the walk was left")
+            leave(pc, *to_leave)
+        before = kept()
+        later, same_place = saved_place(build_dir, before)
+        expect(later > tick and same_place == place, f"{later} {same_place}, expected after {tick} {place}")
+        os.mkdir(os.path.join(folder, "OBLONG.NEW"))
+        with DosBox(folder, words) as pc:
+            begin(pc, "Return")
+            pc.press_in_turn(*to_leave, "Down")  # No, Yes: whether to leave all the same
+            leave(pc, "Return")
+        expect(kept() == before, "what was saved before is another now")
 
 
 def main():
@@ -334,9 +218,11 @@ def main():
         check_integers(build_dir)
         check_arithmetic(source, build_dir)
     elif what == "qemu":
-        check_qemu(source, build_dir)
-    else:
+        check_qemu(build_dir)
+    elif what == "dosbox":
         check_dosbox(build_dir)
+    else:
+        check_saves(build_dir)
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/accuracy/accuracy.h"
+#include "engine/base/table.h"
 
 namespace oblong {
 
@@ -10,7 +11,7 @@ namespace {
 
 std::size_t index_of(const Accuracy& accuracy, Configurations& all) {
     const auto found = std::find(all.accuracies.begin(), all.accuracies.end(), accuracy);
-    if (found != all.accuracies.end()) return static_cast<std::size_t>(found - all.accuracies.begin());
+    if (found != all.accuracies.end()) return as_size(found - all.accuracies.begin());
     all.accuracies.push_back(accuracy);
     all.is_timed.push_back(false);
     all.is_counted.push_back(false);

@@ -121,11 +121,11 @@ Palette heat_palette() {
     palette.colours[0] = {110, 110, 110};
     for (int i = kFirstHeat; i < 256; ++i) {
         const double place = (i - kFirstHeat) / (255.0 - kFirstHeat) * (kSteps.size() - 1);
-        const auto step = std::min(static_cast<std::size_t>(place), kSteps.size() - 2);
+        const auto step = std::min(as_size(place), kSteps.size() - 2);
         const double part = place - static_cast<double>(step);
         const Rgb8 &from = kSteps[step], &to = kSteps[step + 1];
-        palette.colours[static_cast<std::size_t>(i)] = {
-            mixed(from.red, to.red, part), mixed(from.green, to.green, part), mixed(from.blue, to.blue, part)};
+        item(palette.colours, i) = {mixed(from.red, to.red, part), mixed(from.green, to.green, part),
+                                    mixed(from.blue, to.blue, part)};
     }
     return palette;
 }

@@ -161,7 +161,7 @@ FrameTimes time_frames(const Configurations& configurations, std::span<LevelFram
     for (int round = 0; round < result.unlit_rounds; ++round)
         time_unlit_round(configurations, own_surfaces, levels, unlit_times);
     for (int round = 0; round < rounds; ++round, progress.step())
-        time_round(configurations, timed, levels, static_cast<std::size_t>(round), times);
+        time_round(configurations, timed, levels, as_size(round), times);
 
     for (const std::size_t i : timed) {
         result.settings[i] = summarize(times[i], levels);

@@ -89,7 +89,7 @@ const ErrorSummary& floor_of(const Report& report, const Configurations::DialRow
 
 std::vector<std::string> notes_on_presets(const Report& report) {
     std::vector<std::string> notes;
-    const auto i486 = static_cast<std::size_t>(Processor::I486);
+    const auto i486 = as_size(Processor::I486);
     for (const Configurations::Row& row : report.configurations.presets)
         for (const Configurations::Row& other : report.configurations.presets) {
             const auto &time = report.times.settings[row.index]->frame,

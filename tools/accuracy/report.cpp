@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/base/table.h"
 #include "engine/files/picture.h"
 #include "tools/accuracy/errors.h"
 
@@ -123,7 +124,7 @@ std::vector<HeatMap> draw_heat_maps(const Configurations::DialRows& dial, const 
     };
     const auto furthest =
         std::max_element(dial.rows.begin(), dial.rows.end(), [&](auto& a, auto& b) { return rms(a) < rms(b); });
-    const FrameJob& job = jobs[worst[furthest->index].job[static_cast<std::size_t>(dial.measure)]];
+    const FrameJob& job = jobs[item(worst[furthest->index].job, dial.measure)];
     const auto draw = [&](const Configurations::Row& row) {
         return draw_heat_map(row, report.configurations.accuracies[row.index], dial.measure, job);
     };
@@ -181,7 +182,7 @@ Report measure_all(const Configurations& configurations, std::span<const Measure
 
     report.times.settings.resize(worst.size());
     if (effort.rounds == 0) return report;
-    progress.begin("times", static_cast<std::size_t>(effort.rounds), 45, 100);
+    progress.begin("times", as_size(effort.rounds), 45, 100);
     report.times = time_frames(configurations, prepared.levels, effort.rounds, progress);
     return report;
 }

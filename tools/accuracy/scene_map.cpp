@@ -9,6 +9,7 @@
 #include <sstream>
 #include <vector>
 
+#include "engine/base/table.h"
 #include "engine/files/wad.h"
 #include "engine/surface/palette.h"
 #include "tools/texture/texture_files.h"
@@ -114,12 +115,12 @@ using map::Point;
 constexpr double kOnEdge_units = 1.0 / 256;
 
 int start_of(const map::BspFile& bsp, int surf_edge) {
-    const auto& ends = bsp.edges[static_cast<std::size_t>(std::abs(surf_edge))];
+    const auto& ends = item(bsp.edges, std::abs(surf_edge));
     return ends[surf_edge < 0 ? 1 : 0];
 }
 
 Point place_of(const map::BspFile& bsp, int vertex) {
-    return map::to_point(bsp.vertices[static_cast<std::size_t>(vertex)]);
+    return map::to_point(item(bsp.vertices, vertex));
 }
 
 /// Whether a corner lies on the line from the one before to the next.
@@ -131,7 +132,7 @@ bool is_within_edge(const Point& before, const Point& corner, const Point& next)
 std::vector<int> corners_of(const map::BspFile& bsp, const map::FileFace& face) {
     std::vector<int> corners;
     for (int i = 0; i < face.edge_count; ++i)
-        corners.push_back(start_of(bsp, bsp.surf_edges[static_cast<std::size_t>(face.first_surf_edge + i)]));
+        corners.push_back(start_of(bsp, item(bsp.surf_edges, face.first_surf_edge + i)));
     return corners;
 }
 

@@ -51,9 +51,9 @@ void time_walk(benchmark::State& state, const SharedFrames& stages) {
         faces = 0;
         for (const StageInputs& frame : stages->frames) {
             work.view.visible.see_from(stages->level.level, frame.leaf);
-            work.view.span_buffer.reset();
-            FrontToBackWalk walk(stages->level.level, frame.view, work.view.visible, nullptr, work.view.span_buffer,
-                                 work.view.walk);
+            work.view.claiming->span_buffer.reset();
+            FrontToBackWalk walk(stages->level.level, frame.view, work.view.visible, nullptr,
+                                 work.view.claiming->span_buffer, work.view.claiming->walk);
             VisibleFace face;
             while (walk.next(face) && !walk.takes_all_faces()) ++faces;
         }
@@ -65,10 +65,10 @@ void time_polygons(benchmark::State& state, const SharedFrames& stages) {
     FrameWorkspace& work = stages->work;
     for (auto _ : state)
         for (const StageInputs& frame : stages->frames) {
-            work.view.vertices.start_frame();
+            work.view.claiming->vertices.start_frame();
             for (const FaceIndex face : frame.visited)
-                benchmark::DoNotOptimize(
-                    project_face(work.cache.faces.corners_of(face), frame.view, work.view.vertices, work.view.polygon));
+                benchmark::DoNotOptimize(project_face(work.cache.faces.corners_of(face), frame.view,
+                                                      work.view.claiming->vertices, work.view.claiming->polygon));
         }
     show_time_per("face", stages->sum([](const StageInputs& frame) { return frame.visited.size(); }), state);
 }
@@ -76,12 +76,12 @@ void time_polygons(benchmark::State& state, const SharedFrames& stages) {
 void time_scan(benchmark::State& state, const SharedFrames& stages) {
     for (auto _ : state)
         for (const StageInputs& frame : stages->frames)
-            for (const auto& polygon : frame.polygons) scan_convex(polygon, stages->work.view.rows);
+            for (const auto& polygon : frame.polygons) scan_convex(polygon, stages->work.view.claiming->rows);
     show_time_per("face", stages->sum([](const StageInputs& frame) { return frame.polygons.size(); }), state);
 }
 
 void time_coverage(benchmark::State& state, const SharedFrames& stages) {
-    SpanBuffer& buffer = stages->work.view.span_buffer;
+    SpanBuffer& buffer = stages->work.view.claiming->span_buffer;
     SpanList owned;
     std::int64_t spans = 0;
     for (auto _ : state) {
@@ -128,20 +128,22 @@ void time_exact_spans(benchmark::State& state, const SharedFrames& stages) {
 /// The faces of a frame until no pixel is free, by the stages that a frame takes them through.
 void collect_geometry(const BenchLevel& level, FrameWorkspace& work, StageInputs& inputs) {
     work.view.visible.see_from(level.level, inputs.leaf);
-    work.view.vertices.start_frame();
-    work.view.span_buffer.reset();
+    work.view.claiming->vertices.start_frame();
+    work.view.claiming->span_buffer.reset();
     SpanList owned;
-    FrontToBackWalk walk(level.level, inputs.view, work.view.visible, nullptr, work.view.span_buffer, work.view.walk);
+    FrontToBackWalk walk(level.level, inputs.view, work.view.visible, nullptr, work.view.claiming->span_buffer,
+                         work.view.claiming->walk);
     VisibleFace visible;
     while (walk.next(visible)) {
         inputs.visited.push_back(visible.face);
-        if (!project_face(work.cache.faces.corners_of(visible.face), inputs.view, work.view.vertices,
-                          work.view.polygon))
+        if (!project_face(work.cache.faces.corners_of(visible.face), inputs.view, work.view.claiming->vertices,
+                          work.view.claiming->polygon))
             continue;
-        scan_convex(work.view.polygon.screen, work.view.rows);
-        work.view.span_buffer.claim(work.view.rows, owned);
-        inputs.polygons.emplace_back(work.view.polygon.screen.begin(), work.view.polygon.screen.end());
-        inputs.rows.push_back(work.view.rows);
+        scan_convex(work.view.claiming->polygon.screen, work.view.claiming->rows);
+        work.view.claiming->span_buffer.claim(work.view.claiming->rows, owned);
+        inputs.polygons.emplace_back(work.view.claiming->polygon.screen.begin(),
+                                     work.view.claiming->polygon.screen.end());
+        inputs.rows.push_back(work.view.claiming->rows);
     }
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/base/table.h"
 #include "engine/draw/drawing.h"
 #include "engine/draw/font.h"
 #include "engine/fixed/trig.h"
@@ -121,7 +122,7 @@ Area scene_area(Framebuffer canvas, std::int32_t width_of_320) {
 
 void draw_column(Framebuffer canvas, std::int32_t x, std::int32_t y, std::span<const std::string> lines,
                  TextColours colours) {
-    const auto room = static_cast<std::size_t>(std::max(canvas.height_px - kFooter_px - y, 0) / kLineHeight_px);
+    const auto room = as_size(std::max(canvas.height_px - kFooter_px - y, 0) / kLineHeight_px);
     for (std::size_t i = 0; i < std::min(room, lines.size()); ++i) {
         const bool is_cut = i + 1 == room && room < lines.size();
         draw_text(canvas, x, y, is_cut ? "and " + std::to_string(lines.size() - i) + " more" : lines[i], colours);

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "engine/accuracy/accuracy.h"
+#include "engine/base/table.h"
 #include "engine/frame/frame_counts.h"
 
 namespace oblong {
@@ -17,8 +18,8 @@ inline constexpr std::array<std::string_view, 3> kWidthNames{"16", "32", "64"};
 struct ByWidth {
     std::array<std::int64_t, 3> counts{};
 
-    std::int64_t& operator[](Width width) { return counts[static_cast<std::size_t>(width)]; }
-    std::int64_t operator[](Width width) const { return counts[static_cast<std::size_t>(width)]; }
+    std::int64_t& operator[](Width width) { return item(counts, width); }
+    std::int64_t operator[](Width width) const { return item(counts, width); }
     std::int64_t total() const { return counts[0] + counts[1] + counts[2]; }
     ByWidth& operator+=(const ByWidth& more);
     bool operator==(const ByWidth&) const = default;

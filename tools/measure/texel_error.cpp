@@ -44,7 +44,7 @@ TexelError TexelErrorMeter::error_of(const PixelRecord& pixel, const reference::
 }
 
 std::vector<TexelError> TexelErrorMeter::measure(const FrameRecord& record) {
-    const auto width = static_cast<std::size_t>(width_px_), height = static_cast<std::size_t>(height_px_);
+    const auto width = as_size(width_px_), height = as_size(height_px_);
     const std::size_t pitch = record.pixels.size() / height;
     std::vector<TexelError> errors(width * height);
     const reference::PlaneView* plane = nullptr;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "engine/base/table.h"
 #include "engine/fixed/wide.h"
 #include "tools/probe/projection_queries.h"
 
@@ -62,7 +63,7 @@ std::optional<int> take_exponent(std::string_view& text) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), exponent);
     const bool is_number = error == std::errc{} && !text.empty() && is_digit(text.front());
     if (!is_number || exponent > kLargestExponent) return std::nullopt;
-    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    text.remove_prefix(as_size(end - text.data()));
     return is_negative ? -exponent : exponent;
 }
 

@@ -52,7 +52,7 @@ void for_each_covered_row(const Triangle& triangle, EdgeStepping edges, Scanline
 /// row.
 class OverlapCounter {
   public:
-    OverlapCounter() : changes_(static_cast<std::size_t>(kHeight_px * kPitch)) {}
+    OverlapCounter() : changes_(as_size(kHeight_px * kPitch)) {}
 
     void add_row(std::int32_t row, std::int32_t first, std::int32_t end) {
         ++item(changes_, row * kPitch + first);

@@ -127,7 +127,7 @@ class RowSampler {
         surface_.origin_v = static_cast<std::int32_t>(floor_of(query.base_v));
         surface_.kernel = [](std::span<const TexelBlock>, const SurfaceView&, std::uint8_t*) {};
         surface_.is_wrapped_by_masks = false;  // so that pixels that are divided come to that kernel too
-        record_.pixels.resize(static_cast<std::size_t>(query.span.end));
+        record_.pixels.resize(as_size(query.span.end));
     }
 
     /// Samples a part of the row.

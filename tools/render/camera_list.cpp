@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "engine/base/input_error.h"
+#include "engine/base/table.h"
 #include "engine/base/text.h"
 #include "engine/fixed/trig.h"
 #include "engine/level/entities.h"
@@ -44,7 +45,7 @@ std::vector<std::size_t> parse_header(const std::string& line) {
     std::vector<std::size_t> columns;
     for (const std::string& name : split(line)) {
         const auto known = std::find(kColumns.begin(), kColumns.end(), name);
-        const auto index = static_cast<std::size_t>(known - kColumns.begin());
+        const auto index = as_size(known - kColumns.begin());
         if (known == kColumns.end() || std::count(columns.begin(), columns.end(), index))
             throw InputError(place(1),
                              "column '" + name + "', expected x, y, z, yaw, pitch and perhaps roll, each once");

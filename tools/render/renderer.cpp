@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/accuracy/dials.h"
+#include "engine/base/table.h"
 #include "engine/files/doubles.h"
 #include "engine/view/screen.h"
 
@@ -23,7 +24,7 @@ class ViewRenderer {
         : job_(job),
           work_(work),
           pixels_(pixel_count(job.mode.width_px, job.mode.height_px)),
-          times_(static_cast<std::size_t>(job.repeat)) {}
+          times_(as_size(job.repeat)) {}
 
     FrameReport render(const ViewSpec& view) {
         FrameReport report;

@@ -8,6 +8,22 @@
 
 #define PIECE 32768                 // bytes that are read at a time
 
+    // What follows runs in protected mode, with all memory as its data.
+    .macro ENTER_PROTECTED_MODE
+    lgdtl gdtr
+    movl %cr0, %eax
+    orb $1, %al
+    movl %eax, %cr0
+    ljmpl $0x28, $1f                // code of 32 bits, of this segment
+    .code32
+1:  movw $0x10, %ax
+    movw %ax, %ds
+    movw %ax, %es
+    movw %ax, %ss
+    movw %ax, %fs
+    movw %ax, %gs
+    .endm
+
     .code16
     .globl _start
 _start:
@@ -76,19 +92,7 @@ loaded:
     movl base, %ebx
     addl $boot_info, %ebx
     cli
-    lgdtl gdtr
-    movl %cr0, %eax
-    orb $1, %al
-    movl %eax, %cr0
-    ljmpl $0x28, $protected         // code of 32 bits, of this segment
-    .code32
-protected:
-    movw $0x10, %ax
-    movw %ax, %ds
-    movw %ax, %es
-    movw %ax, %ss
-    movw %ax, %fs
-    movw %ax, %gs
+    ENTER_PROTECTED_MODE
     ljmpl $0x08, $KERNEL_ADDRESS    // ebx: boot_info
     .code16
 
@@ -158,24 +162,13 @@ ask_dos:
     sbbw %ax, %ax
     movw %ax, dos_has_failed
     cli
-    lgdtl gdtr
-    movl %cr0, %eax
-    orb $1, %al
-    movl %eax, %cr0
-    ljmpl $0x28, $answered
-    .code32
-answered:
-    movw $0x10, %ax
-    movw %ax, %ds
-    movw %ax, %es
-    movw %ax, %ss
-    movw %ax, %fs
-    movw %ax, %gs
+    ENTER_PROTECTED_MODE
     ljmpl *%cs:dos_resume
     .code16
 
 // Where the driver of extended memory (XMS) has given any away, as to a disk cache, DOS is not called once the game has
-// overwritten that.
+// overwritten that; but what a driver of expanded memory keeps for the system, as handle 0, is none of a cache's: DOSBox
+// has 128 KB there.
 check_memory:
     movw $0x4300, %ax
     int $0x2f
@@ -189,6 +182,20 @@ check_memory:
     popw %es
     movb $8, %ah                    // dx: what is free, KB
     lcall *xms_driver
+    xorw %ax, %ax
+    movw %ax, %fs
+    cmpl $0, %fs:0x67 * 4
+    je 2f
+    pushw %dx
+    xorw %dx, %dx
+    movb $0x4c, %ah                 // bx: the pages of handle dx, 16 KB each
+    int $0x67
+    popw %dx
+    testb %ah, %ah
+    jnz 2f
+    shlw $4, %bx
+    addw %bx, %dx
+2:
     movb $0x31, %al                 // what there is, KB, in the battery-backed clock's memory
     outb %al, $0x70
     inb $0x71, %al

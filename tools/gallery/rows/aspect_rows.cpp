@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/base/table.h"
 #include "engine/draw/drawing.h"
 #include "engine/draw/font.h"
 #include "engine/fixed/trig.h"
@@ -80,7 +81,7 @@ constexpr std::array<ExpectedView, 3> kExpectedViews{
     {{277.128129211, 46.826449}, {160, 73.739795}, {92.376043070, 104.821821}}};
 
 Figures draw_field_of_view(const RowInput& input, Framebuffer canvas) {
-    const auto choice = static_cast<std::size_t>(input.values[0]);
+    const auto choice = as_size(input.values[0]);
     const auto divisor = static_cast<std::int32_t>(input.values[1]);
     const ScreenMode mode{std::max(input.mode.width_px / divisor, 40), std::max(input.mode.height_px / divisor, 25),
                           input.mode.display};

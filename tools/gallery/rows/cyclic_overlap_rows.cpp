@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/base/table.h"
 #include "engine/draw/drawing.h"
 #include "engine/fixed/arithmetic.h"
 #include "engine/level/side.h"
@@ -160,7 +161,7 @@ std::vector<int> nearest_planks(const ScannedFaces& scanned, std::span<const Pie
                 const double right = (column + 0.5 - mode.width_px / 2.0) / number_of(view.projection.x.multiplier);
                 const double up = (mode.height_px / 2.0 - span.y - 0.5) / number_of(view.projection.y.multiplier);
                 const double depth = distance / dot(normal, {right, 1, up});
-                const auto pixel = static_cast<std::size_t>(span.y * mode.width_px + column);
+                const auto pixel = as_size(span.y * mode.width_px + column);
                 if (depth < depths[pixel]) {
                     depths[pixel] = depth;
                     nearest[pixel] = piece.plank;
@@ -199,7 +200,7 @@ Figures draw_cycle(const RowInput& input, Framebuffer canvas) {
     const std::uint8_t warning = input.assets.colour(90, 255, 90), ground = input.assets.colour(20, 24, 36);
     std::int64_t wrong = 0, uncovered = 0;
     paint(canvas, [&](std::int32_t x, std::int32_t y) {
-        const auto pixel = static_cast<std::size_t>(y * canvas.width_px + x);
+        const auto pixel = as_size(y * canvas.width_px + x);
         const std::int32_t owner = owners.faces[pixel];
         const auto piece = owner < 0 ? std::size_t{0} : item(scanned.faces, owner).face.position();
         const int plank = owner < 0 ? -1 : pieces[piece].plank;

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "engine/accuracy/accuracy.h"
+#include "engine/base/table.h"
 #include "engine/draw/drawing.h"
 #include "engine/fixed/arithmetic.h"
 #include "engine/level/side.h"
@@ -58,7 +59,7 @@ std::int64_t show_differences(std::span<const std::uint8_t> shown, std::span<con
                               std::optional<std::uint8_t> warning, Framebuffer canvas) {
     std::int64_t differences = 0;
     paint(canvas, [&](std::int32_t x, std::int32_t y) {
-        const auto pixel = static_cast<std::size_t>(y * canvas.width_px + x);
+        const auto pixel = as_size(y * canvas.width_px + x);
         const bool differs = shown[pixel] != right[pixel];
         differences += differs;
         return differs && warning && (x + y) % 2 == 0 ? *warning : shown[pixel];
@@ -124,12 +125,11 @@ Figures draw_overdraw(const RowInput& input, Framebuffer canvas) {
     if (is_painter) {
         std::fill(writes.begin(), writes.end(), 0);
         for (const Span& span : frame.scanned().spans)
-            for (std::int32_t x = span.first; x < span.end; ++x)
-                ++writes[static_cast<std::size_t>(span.y * canvas.width_px + x)];
+            for (std::int32_t x = span.first; x < span.end; ++x) ++item(writes, span.y * canvas.width_px + x);
     }
     const std::vector<std::uint8_t> colours = heat_colours(input.assets);
     paint(canvas, [&](std::int32_t x, std::int32_t y) {
-        const std::int64_t count = writes[static_cast<std::size_t>(y * canvas.width_px + x)];
+        const std::int64_t count = item(writes, y * canvas.width_px + x);
         return item(colours, std::min<std::int64_t>(count, std::ssize(colours) - 1));
     });
     draw_legend(colours, input.assets, canvas);
@@ -146,7 +146,7 @@ std::uint8_t depth_colour(InverseZ inverse_z, std::span<const std::uint8_t> grey
     const double z =
         std::ldexp(1.0, InverseZ::kFractionBits) / static_cast<double>(std::max<std::int64_t>(inverse_z.raw, 1));
     const double share = std::clamp((std::log2(1200.0) - std::log2(std::max(z, 1.0))) / 4.5, 0.0, 1.0);
-    return greys[static_cast<std::size_t>(share * static_cast<double>(greys.size() - 1))];
+    return item(greys, share * static_cast<double>(greys.size() - 1));
 }
 
 std::vector<std::uint8_t> depth_greys(const GalleryAssets& assets) {
@@ -188,14 +188,13 @@ Figures draw_depth(const RowInput& input, Framebuffer canvas) {
     const std::uint8_t warning = input.assets.colour(90, 255, 90);
     std::int64_t wrong = 0;
     paint(canvas, [&](std::int32_t x, std::int32_t y) {
-        const auto pixel = static_cast<std::size_t>(y * canvas.width_px + x);
+        const auto pixel = as_size(y * canvas.width_px + x);
         const bool differs = frame.owners().faces[pixel] != right.owners().faces[pixel];
         wrong += differs;
         return differs ? warning : depth_colour(frame.by.depths()[pixel], greys);
     });
     const Pixel checked{canvas.width_px / 8, canvas.height_px / 4};
-    const InverseZ inverse_z =
-        frame.by.depths()[static_cast<std::size_t>(checked.row * canvas.width_px + checked.column)];
+    const InverseZ inverse_z = item(frame.by.depths(), checked.row * canvas.width_px + checked.column);
     const double z = std::ldexp(1.0, InverseZ::kFractionBits) / static_cast<double>(inverse_z.raw);
     const double by_tree = depth_by_tree(input.assets.demo_level, camera_in_hall(), input.mode, checked);
     Figures figures;
@@ -235,7 +234,7 @@ Figures draw_tree_order(const RowInput& input, Framebuffer canvas) {
     fill(canvas, input.assets.colour(14, 16, 24));
     std::vector<std::int32_t> order = back_to_front_by_tree(scanned);
     std::erase_if(order, [&](std::int32_t face) { return !owns_pixel(frame.owners(), face); });
-    const auto painted = static_cast<std::size_t>(input.values[0]) * order.size() / 16;
+    const auto painted = as_size(input.values[0]) * order.size() / 16;
     for (std::size_t place = 0; place < painted; ++place) {
         const std::uint8_t colour = colours[(order.size() - 1 - place) * colours.size() / order.size()];
         for (const Span& span : scanned.spans_of(item(scanned.faces, order[place]))) {

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <set>
 
+#include "engine/base/table.h"
 #include "engine/fixed/trig.h"
 #include "engine/math/plane.h"
 #include "engine/math/transform.h"
@@ -41,7 +42,7 @@ constexpr std::array<std::array<int, 2>, 12> kCubeEdges{
 
 /// A corner in the world: the notes' axes are x right, y up, z ahead; the engine's x east, y north, z up.
 Vec3<World> cube_corner(int number) {
-    const auto& [x, y, z] = kCubeCorners[static_cast<std::size_t>(number - 1)];
+    const auto& [x, y, z] = item(kCubeCorners, number - 1);
     return world_point(x, z, y);
 }
 

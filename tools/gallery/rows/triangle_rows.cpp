@@ -5,6 +5,7 @@
 #include <random>
 #include <thread>
 
+#include "engine/base/table.h"
 #include "engine/methods/triangles.h"
 #include "tools/gallery/diagram.h"
 #include "tools/gallery/row.h"
@@ -125,7 +126,7 @@ Figures draw_top_left_rule(const RowInput& input, Framebuffer canvas) {
     std::int64_t twice = 0, neither = 0, on_common_side = 0;
     for (std::int32_t row = 0; row < kRows; ++row)
         for (std::int32_t column = 0; column < kColumns; ++column) {
-            const auto pixel = static_cast<std::size_t>(row * kColumns + column);
+            const auto pixel = as_size(row * kColumns + column);
             const double across = corners[3].x - corners[1].x, down = corners[3].y - corners[1].y;
             const double beside = across * (row + 0.5 - corners[1].y) - down * (column + 0.5 - corners[1].x);
             const bool is_on_side = beside == 0 && row + 0.5 > corners[1].y && row + 0.5 < corners[3].y;
@@ -172,7 +173,7 @@ void fill_with_gradient(const ScreenTriangle& triangle, const RowInput& input, F
     scanner.scan(triangle, spans);
     for (const Span& span : spans)
         for (std::int32_t x = span.first; x < span.end; ++x) {
-            const int dither = kBayer[static_cast<std::size_t>(span.y & 3)][static_cast<std::size_t>(x & 3)] * 4 - 30;
+            const int dither = item(item(kBayer, span.y & 3), x & 3) * 4 - 30;
             const auto channel = [&](int i) {
                 return std::clamp(static_cast<int>(floor_of(item(channels, i).at(x, span.y))) + dither, 0, 255);
             };

@@ -138,17 +138,13 @@ std::int32_t rename(const char* from, const char* to) {
     const int former = find_file(target);
     if (former == file) return 0;
     // Gone for now, and for good when DOS has the new one.
-    const auto hide = [former](bool is_hidden) {
-        static char letter;
-        if (former < 0) return;
-        char& first = file_of(former).name[0];
-        if (is_hidden) letter = first;
-        first = is_hidden ? 0 : letter;
-    };
-    hide(true);
+    char none = 0;
+    char& former_start = former < 0 ? none : file_of(former).name[0];
+    const char letter = former_start;
+    former_start = 0;
     rename_file(file, target);
     const std::int32_t error = is_kept(file_of(file)) ? keep_files() : 0;
-    hide(false);
+    former_start = letter;
     if (error != 0)
         rename_file(file, source);
     else if (former >= 0)

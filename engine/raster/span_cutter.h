@@ -1,0 +1,114 @@
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <cstdlib>
+#include <tuple>
+
+#include "engine/raster/block_steps.h"
+#include "engine/raster/perspective.h"
+#include "engine/raster/texture_blocks.h"
+
+namespace oblong {
+
+/// Cuts spans of one surface into blocks, left to right. Each block ends where the next begins, so a division serves
+/// twice. Its functions are force-inlined, so that its members stay in registers.
+template <class Reciprocal, PerspectiveRange Range>
+class SpanCutter {
+  public:
+    [[gnu::always_inline]] SpanCutter(const BlockCutting& cutting, Reciprocal reciprocal, TexelBlock* out)
+        : gradients_(cutting.gradients), limits_(cutting.limits), reciprocal_(reciprocal), out_(out) {}
+
+    [[gnu::always_inline]] void start(const Span& span, std::int32_t pitch) {
+        left_ = span.end - span.first;
+        pixel_ = static_cast<std::uint32_t>(span.y * pitch + span.first);
+        here_ = Perspective(gradients_, span.first, span.y);
+        depth_ = Depth<Reciprocal, Range>(here_.inverse_z, reciprocal_);
+        texel_ = texel_of(here_, depth_, limits_);
+    }
+
+    std::int32_t left() const { return left_; }
+    InverseZ inverse_z() const { return here_.inverse_z; }
+    TexelBlock* end() const { return out_; }
+    void set_end(TexelBlock* end) { out_ = end; }
+    std::int64_t tries() const { return tries_; }
+
+    /// A block of 2^log2 pixels, all of them in the span.
+    [[gnu::always_inline]] void cut_power(int log2) {
+        const TexelPosition from = texel_;
+        advance(std::int32_t{1} << log2);
+        append(1 << log2, from, steps_by_shift(from, texel_, log2));
+    }
+
+    /// The last block, of the remaining pixels (1 or more). It ends at the span's last pixel: beyond may lie the end of
+    /// the surface, or the horizon of its plane.
+    [[gnu::always_inline]] void cut_rest() {
+        const std::int32_t steps = left_ - 1;
+        if (steps == 0) return append(1, texel_, {});
+        const TexelPosition from = texel_;
+        advance(steps);
+        append(steps + 1, from, steps_by_division(from, texel_, steps));
+    }
+
+    /// A block of 2^log2 pixels, or the last one, if it keeps u and v within `bound_256` of the truth; else nothing. A
+    /// block of one or two pixels always does.
+    [[gnu::always_inline]] bool try_block(int log2, std::int32_t bound_256) {
+        const std::int32_t size = std::int32_t{1} << log2, steps = std::min(size, left_ - 1);
+        const auto start = std::tuple(here_, depth_, texel_);
+        const TexelPosition from = texel_;
+        advance(steps);
+        ++tries_;
+        const bool is_within = steps < 2 || is_straight(std::get<Perspective>(start).inverse_z, from, steps, bound_256);
+        std::tie(here_, depth_, texel_) = start;
+        if (is_within && steps == size) cut_power(log2);
+        if (is_within && steps < size) cut_rest();
+        return is_within;
+    }
+
+  private:
+    /// Whether the texels between `from` and here lie within a bound of a straight line. With k the ratio of the two
+    /// ends' 1/z, the line is off by |du| (sqrt k - 1) / (sqrt k + 1) <= |du| (k - 1) / 4 at most; a step that is
+    /// floored loses less than 2^-16 texel a pixel.
+    bool is_straight(InverseZ from_z, TexelPosition from, std::int32_t steps, std::int32_t bound_256) const {
+        const InverseZ least = std::min(from_z, here_.inverse_z);
+        if (least < kLeastInverseZ) return false;
+        const InverseZ rise = absolute(here_.inverse_z - from_z);
+        const int shift = std::max(static_cast<int>(std::bit_width(least.bits())) - 28, 0);
+        const std::int64_t room_16 = std::int64_t{bound_256} * 256 - steps - 4;
+        const std::int64_t rise_in_steps = floor_shift(rise, shift).raw + 1;
+        if (room_16 < 0 || rise_in_steps >= std::int64_t{1} << 31) return false;
+        const std::int64_t texels_16 =
+            std::max(std::abs(std::int64_t{texel_.u_16} - from.u_16), std::abs(std::int64_t{texel_.v_16} - from.v_16));
+        return texels_16 * rise_in_steps <= 4 * room_16 * floor_shift(least, shift).raw;
+    }
+
+    [[gnu::always_inline]] void advance(std::int32_t count) {
+        const InverseZ before = here_.inverse_z;
+        const auto columns = static_cast<std::uint32_t>(count);
+        here_.inverse_z = stepped(before, gradients_.inverse_z.per_column, columns);
+        here_.u_over_z = stepped(here_.u_over_z, gradients_.u_over_z.per_column, columns);
+        here_.v_over_z = stepped(here_.v_over_z, gradients_.v_over_z.per_column, columns);
+        if (here_.inverse_z != before) depth_ = Depth<Reciprocal, Range>(here_.inverse_z, reciprocal_);
+        texel_ = texel_of(here_, depth_, limits_);
+    }
+
+    [[gnu::always_inline]] void append(std::int32_t count, TexelPosition from, TexelStep step) {
+        *out_++ = {pixel_, count, from.u_16, from.v_16, step.u_16, step.v_16};
+        pixel_ += static_cast<std::uint32_t>(count);
+        left_ -= count;
+    }
+
+    const TextureGradients gradients_;
+    const TexelLimits limits_;
+    [[no_unique_address]] const Reciprocal reciprocal_;
+    TexelBlock* out_;
+    std::int32_t left_ = 0;
+    std::uint32_t pixel_ = 0;
+    Perspective here_;
+    Depth<Reciprocal, Range> depth_;
+    TexelPosition texel_;
+    std::int64_t tries_ = 0;  ///< of try_block()
+};
+
+}  // namespace oblong
