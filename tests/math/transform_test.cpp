@@ -102,7 +102,9 @@ TEST(ModelMatrix, IsTheProductOfItsThreeMatrices) {
     std::mt19937 random(6);
     for (int i = 0; i < 2'000; ++i) {
         const Vec3<World> at = random_world(random, i % 32);
-        const auto any_scale = [&random] { return Entry::from_raw((std::int64_t{random()} << 32 | random()) >> 3); };
+        const auto any_scale = [&random] {
+            return Entry::from_raw(static_cast<std::int64_t>(random()) << (random() % 28));
+        };
         const Vec3<Entry> scale{any_scale(), any_scale(), any_scale()};
         const Matrix3 rotation = rotation_matrix(any_angles(random));
         ASSERT_EQ(model_matrix(at, rotation, scale),

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "engine/visibility/visible_set.h"
 #include "tests/visibility/visibility_fixture.h"
 
 namespace oblong::test {
