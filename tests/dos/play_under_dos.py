@@ -4,7 +4,7 @@ usage: play_under_dos.py integers|qemu|dosbox|saves SOURCE_DIR BUILD_DIR
 
 integers: no room of the engine has a floating-point instruction; divisions and products of an i486 are those of here.
 qemu: a 486 of 16 MB, started from the disk image: the walk's ticks and pictures have the hashes that they have here; what the
-    VGA shows is the last picture; a walk begins by keys and turns by the mouse; the game ends.
+    VGA shows is the last picture; a walk begins by keys and turns by the mouse, also after a long title; the game ends.
 dosbox: OBLONG.COM and its way back to DOS: the same hashes.
 saves: a walk that was left in DOSBox goes on there where it was, as the game here reads its file; where DOS can't write, the
     game asks, and what was saved before stays.
@@ -88,6 +88,19 @@ def check_qemu(build_dir):
         pc.press("w", 800)
         pc.picture_when(lambda p: different_pixels(p, turned) > MOVED, "W does not walk")
         pc.press_in_turn("esc", "up", "ret", "down", "ret")  # Leave, Yes
+        pc.wait_for("memory:")
+    check_memory(image)
+
+
+def check_memory(image):
+    """After 250 pictures of the title, over 80 s of its record, there is memory for a walk. (-icount: a processor of 31
+    million instructions a second, however busy the machine is.)"""
+    with tempfile.TemporaryDirectory() as folder, \
+            Qemu(with_arguments(image, "captions=off report=1"), folder, "-icount", "shift=5") as pc:
+        pc.wait_for_pictures(250)
+        pc.press_in_turn("ret")
+        pc.wait_for_pictures(10)
+        pc.press_in_turn("esc", "up", "ret", "down", "ret")
         pc.wait_for("memory:")
 
 
