@@ -1,7 +1,7 @@
 #include "engine/platform/module_player.h"
 
 #include <algorithm>
-#include <cstdlib>
+#include <array>
 #include <utility>
 
 #include "engine/base/table.h"
@@ -11,8 +11,7 @@ namespace {
 
 constexpr std::int32_t kLeastPeriod = 113, kMostPeriod = 856;
 constexpr std::int32_t kLeastBeats = 32;
-constexpr std::int32_t kOwnSide_256 = 192;   // of a channel at first
-constexpr std::int32_t kLoudness_256 = 128;  // of a channel: two on a side are as loud as 16 bits can be
+constexpr std::int32_t kOwnSide_256 = 192;  // of a channel at first
 
 /// What an effect's number means; those of kExtended by the parameter's upper half.
 enum ModuleEffect : std::uint8_t {
@@ -48,18 +47,6 @@ enum Extended : std::uint8_t {
     kHold
 };
 
-// 65,536 times 2 to the power of so many 12ths: what a semitone multiplies a rate by.
-constexpr std::array<std::int64_t, 16> kSemitones_16{65'536,  69'433,  73'562,  77'936,  82'570,  87'480,
-                                                     92'682,  98'193,  104'032, 110'218, 116'772, 123'715,
-                                                     131'072, 138'866, 147'123, 155'872};
-// The same of 96ths, from -8 to 7.
-constexpr std::array<std::int64_t, 16> kFinetunes_16{61'858, 62'306, 62'757, 63'212, 63'670, 64'132, 64'596, 65'065,
-                                                     65'536, 66'011, 66'489, 66'971, 67'456, 67'945, 68'438, 68'933};
-// ProTracker's half a sine.
-constexpr std::array<std::int32_t, 32> kSine_255{0,   24,  49,  74,  97,  120, 141, 161, 180, 197, 212,
-                                                 224, 235, 244, 250, 253, 255, 253, 250, 244, 235, 224,
-                                                 212, 197, 180, 161, 141, 120, 97,  74,  49,  24};
-
 std::int32_t upper(const ModuleNote& note) {
     return note.parameter >> 4;
 }
@@ -81,50 +68,11 @@ std::int32_t bounded_volume(std::int32_t volume_64) {
 
 }  // namespace
 
-std::int32_t ModulePlayer::Wave::value_255() const {
-    const std::int32_t half = at_64 % 32;
-    const bool is_second = at_64 >= 32;
-    switch (form & 3) {
-        case 0:
-            return is_second ? -item(kSine_255, half) : item(kSine_255, half);
-        case 1:  // a ramp down
-            return is_second ? 255 - half * 8 - 256 : 255 - half * 8;
-        default:
-            return is_second ? -255 : 255;
-    }
-}
-
-void ModulePlayer::Wave::set(std::uint8_t parameter) {
-    if (parameter >> 4 != 0) speed = parameter >> 4;
-    if ((parameter & 15) != 0) depth = parameter & 15;
-}
-
-// The sample after the last one of a loop is its first one.
-std::int32_t ModulePlayer::Channel::level_8() const {
-    const auto at = static_cast<std::size_t>(at_32 >> 32);
-    const auto share_8 = static_cast<std::int32_t>(at_32 >> 24 & 255);
-    std::size_t next = at + 1;
-    if (sample->loop_length > 0 && next == sample->loop_start + sample->loop_length) next = sample->loop_start;
-    const std::int32_t here = sample->samples[at], there = next < sample->samples.size() ? sample->samples[next] : 0;
-    return here * 256 + (there - here) * share_8;
-}
-
-void ModulePlayer::Channel::advance(std::uint64_t step_32) {
-    at_32 += step_32;
-    const std::uint64_t loop_end = sample->loop_start + sample->loop_length;
-    if (sample->loop_length > 0) {
-        if (at_32 >> 32 >= loop_end)
-            at_32 -= ((at_32 >> 32) - sample->loop_start) / sample->loop_length * sample->loop_length << 32;
-    } else if (at_32 >> 32 >= sample->samples.size()) {
-        is_playing = false;
-    }
-}
-
 // Channels are left, right, right, left, as the Amiga has them.
 ModulePlayer::ModulePlayer(TrackerModule module) : module_(std::move(module)), channels_(module_.channels) {
     for (std::size_t i = 0; i < channels_.size(); ++i) {
         const bool is_right = i % 4 == 1 || i % 4 == 2;
-        channels_[i].right_256 = is_right ? kOwnSide_256 : 256 - kOwnSide_256;
+        channels_[i].right_share_256 = is_right ? kOwnSide_256 : 256 - kOwnSide_256;
     }
     begin_row();
 }
@@ -134,26 +82,10 @@ void ModulePlayer::add(std::span<std::int32_t> sums, std::int32_t volume_256) {
         if (samples_left_ == 0) begin_tick();
         const std::size_t frames = std::min(sums.size() / 2, as_size(samples_left_));
         if (frames == 0) return;
-        for (Channel& channel : channels_) add_channel(channel, sums.first(2 * frames), volume_256);
+        for (ModuleChannel& channel : channels_) channel.add(sums.first(2 * frames), volume_256);
         sums = sums.subspan(2 * frames);
         samples_left_ -= static_cast<std::int32_t>(frames);
         if (samples_left_ == 0) go_on();
-    }
-}
-
-void ModulePlayer::add_channel(Channel& channel, std::span<std::int32_t> sums, std::int32_t volume_256) const {
-    if (!channel.is_playing || channel.heard_period <= 0) return;
-    const std::int64_t tuned_16 = item(kFinetunes_16, channel.finetune_8 + 8);
-    const std::int64_t raised_16 = tuned_16 * item(kSemitones_16, channel.semitones) >> 16;
-    const auto step_32 = static_cast<std::uint64_t>((kClock_hz * raised_16 << 16) / (channel.heard_period * kRate_hz));
-    const std::int32_t loudness_256 =
-        volume_256 * channel.heard_volume_64 * kLoudness_256 / (256 * kMostModuleVolume_64);
-    const std::int32_t right_256 = loudness_256 * channel.right_256 / 256, left_256 = loudness_256 - right_256;
-    for (std::size_t at = 0; at < sums.size() && channel.is_playing; at += 2) {
-        const std::int32_t level = channel.level_8();
-        sums[at] += level * left_256 / 256;
-        sums[at + 1] += level * right_256 / 256;
-        channel.advance(step_32);
     }
 }
 
@@ -167,7 +99,7 @@ void ModulePlayer::begin_tick() {
 
 void ModulePlayer::go_on() {
     if (++tick_ < speed_ * (1 + rows_held_)) {
-        for (Channel& channel : channels_) apply_at_tick(channel);
+        for (ModuleChannel& channel : channels_) apply_at_tick(channel);
         return;
     }
     tick_ = rows_held_ = 0;
@@ -186,7 +118,7 @@ void ModulePlayer::begin_row() {
     }
 }
 
-void ModulePlayer::begin_note(Channel& channel, const ModuleNote& note) {
+void ModulePlayer::begin_note(ModuleChannel& channel, const ModuleNote& note) {
     channel.note = note;
     channel.semitones = 0;
     if (note.sample > 0) {
@@ -197,22 +129,13 @@ void ModulePlayer::begin_note(Channel& channel, const ModuleNote& note) {
     const bool is_delayed = note.effect == kExtended && upper(note) == kDelay && lower(note) > 0;
     if (note.period > 0) {
         channel.target = note.period;
-        if (!slides_to_note(note) && !is_delayed) strike(channel, note.period);
+        if (!slides_to_note(note) && !is_delayed) channel.strike(note.period);
     }
     channel.heard_period = channel.period;
     channel.heard_volume_64 = channel.volume_64;
 }
 
-void ModulePlayer::strike(Channel& channel, std::int32_t period) {
-    channel.period = channel.heard_period = period;
-    channel.at_32 = 0;
-    channel.sample = channel.next_sample;
-    channel.is_playing = channel.sample != nullptr && !channel.sample->samples.empty();
-    if (channel.vibrato.form < 4) channel.vibrato.at_64 = 0;
-    if (channel.tremolo.form < 4) channel.tremolo.at_64 = 0;
-}
-
-void ModulePlayer::apply_at_row(Channel& channel) {
+void ModulePlayer::apply_at_row(ModuleChannel& channel) {
     const ModuleNote& note = channel.note;
     switch (note.effect) {
         case kSlideToNote:
@@ -225,7 +148,7 @@ void ModulePlayer::apply_at_row(Channel& channel) {
             channel.tremolo.set(note.parameter);
             break;
         case kPanning:
-            channel.right_256 = note.parameter;
+            channel.right_share_256 = note.parameter;
             break;
         case kOffset:
             if (note.parameter > 0) channel.offset = std::size_t{note.parameter} * 256;
@@ -259,7 +182,7 @@ void ModulePlayer::apply_at_row(Channel& channel) {
     }
 }
 
-void ModulePlayer::apply_extended_at_row(Channel& channel) {
+void ModulePlayer::apply_extended_at_row(ModuleChannel& channel) {
     const std::int32_t value = lower(channel.note);
     switch (upper(channel.note)) {
         case kFineSlideUp:
@@ -305,7 +228,7 @@ void ModulePlayer::apply_extended_at_row(Channel& channel) {
 }
 
 // At each tick of a row but its first.
-void ModulePlayer::apply_at_tick(Channel& channel) {
+void ModulePlayer::apply_at_tick(ModuleChannel& channel) {
     const ModuleNote& note = channel.note;
     const bool has_vibrato = note.effect == kVibrato || note.effect == kVibratoAndVolume;
     channel.heard_period = channel.period;
@@ -318,7 +241,7 @@ void ModulePlayer::apply_at_tick(Channel& channel) {
     }
     if (!has_vibrato) channel.heard_period = channel.period;
     if (has_vibrato && channel.period > 0) {
-        Wave& wave = channel.vibrato;
+        ModuleWave& wave = channel.vibrato;
         channel.heard_period = std::max(channel.period + wave.value_255() * wave.depth / 128, 1);
         wave.at_64 = (wave.at_64 + wave.speed) % 64;
     }
@@ -328,20 +251,19 @@ void ModulePlayer::apply_at_tick(Channel& channel) {
     }
     channel.heard_volume_64 = channel.volume_64;
     if (note.effect == kTremolo) {
-        Wave& wave = channel.tremolo;
+        ModuleWave& wave = channel.tremolo;
         channel.heard_volume_64 = bounded_volume(channel.volume_64 + wave.value_255() * wave.depth / 64);
         wave.at_64 = (wave.at_64 + wave.speed) % 64;
     }
     if (note.effect == kExtended) apply_extended_at_tick(channel);
 }
 
-void ModulePlayer::apply_extended_at_tick(Channel& channel) {
+void ModulePlayer::apply_extended_at_tick(ModuleChannel& channel) {
     const std::int32_t value = lower(channel.note), in_row = tick_ % speed_;
     const std::int32_t which = upper(channel.note);
-    if (which == kRetrigger && value > 0 && in_row % value == 0) strike(channel, channel.period);
+    if (which == kRetrigger && value > 0 && in_row % value == 0) channel.strike(channel.period);
     if (which == kCut && in_row == value) channel.volume_64 = channel.heard_volume_64 = 0;
-    if (which == kDelay && value > 0 && in_row == value && channel.note.period > 0)
-        strike(channel, channel.note.period);
+    if (which == kDelay && value > 0 && in_row == value && channel.note.period > 0) channel.strike(channel.note.period);
 }
 
 }  // namespace oblong

@@ -68,9 +68,9 @@ def main(build, assets, site, game=None):
         page = under_own_name(page, game)
     files = {program + '.wasm': read(build, program + '.wasm'), program + '.data': packed_data(assets, game)}
     sizes = ', '.join('"%s": %d' % (name, len(content)) for name, content in files.items())
-    scripts = {'page.js': read(HERE, '../../engine/platform/web/page.js'), 'load.js': read(HERE, 'load.js'),
-               'oblong.js': read(build, program + '.js')}
-    for name, script in scripts.items():
+    for name in ('page.js', 'screen.js', 'pads.js', 'touch.js', 'sound.js'):
+        page = page.replace('//@%s@' % name, read(HERE, '../../engine/platform/web', name).decode())
+    for name, script in {'load.js': read(HERE, 'load.js'), 'oblong.js': read(build, program + '.js')}.items():
         page = page.replace('//@%s@' % name, script.decode())
     page = page.replace('/*@program@*/', program).replace('/*@waits@*/', 'false' if program == 'oblong' else 'true')
     page = page.replace('/*@sizes@*/', sizes).replace('/*@game@*/', '"--game", "/assets/game", ' if game else '')

@@ -1,5 +1,6 @@
 "use strict";
-// What of engine/platform/web only the browser can do: input, the picture, the whole screen, sound. page.cpp asks it.
+// What of engine/platform/web only the browser can do: input, the whole screen, and by the other scripts the picture,
+// gamepads, touches, sound. page.cpp asks it.
 
 // The numbers of InputEvent::Kind and Device.
 const Kind = {Press: 0, Repeat: 1, Release: 2, Click: 3, Axis: 4, MouseMotion: 5, ReleasePressed: 6, ReleasePad: 7, ReleaseAll: 8};
@@ -18,185 +19,6 @@ for (let i = 0; i < 26; ++i) KEYS["Key" + String.fromCharCode(65 + i)] = 4 + i;
 for (let i = 0; i < 10; ++i) KEYS["Digit" + (i + 1) % 10] = 30 + i;
 for (let i = 1; i < 10; ++i) KEYS["Numpad" + i] = 88 + i;
 for (let i = 1; i < 13; ++i) KEYS["F" + i] = 57 + i;
-
-// What the canvas shows, without WebGL: all but the look of a tube.
-class Screen {
-  constructor(canvas) {
-    this.canvas = canvas;
-    this.shown = 0;
-    document.addEventListener("visibilitychange", () => { this.isLost = true; });
-    this.open();
-  }
-
-  open() {
-    const context = () => document.createElement("canvas").getContext("2d");
-    [this.picture, this.multiple, this.context] = [context(), context(), this.canvas.getContext("2d", {alpha: false})];
-  }
-
-  setMask() {}
-
-  // pixels: red, green, blue, 255. rect: x, y, width, height in the canvas, and by how much columns and rows are multiplied first.
-  present(pixels, width, height, rect, ...look) {
-    if (++this.shown === 1) {
-      this.first_ms = performance.now();
-      document.body.classList.remove("loads");
-    }
-    this.draw(pixels, width, height, rect, ...look);
-  }
-
-  draw(pixels, width, height, rect, isBlended) {
-    const {picture, multiple, context} = this, wide = width * rect[4], high = height * rect[5];
-    Object.assign(picture.canvas, {width, height});
-    picture.putImageData(new ImageData(new Uint8ClampedArray(pixels), width, height), 0, 0);
-    Object.assign(multiple.canvas, {width: wide, height: high});
-    multiple.imageSmoothingEnabled = false;
-    multiple.drawImage(picture.canvas, 0, 0, wide, high);
-    context.fillRect(0, 0, this.canvas.width, this.canvas.height);
-    context.imageSmoothingEnabled = isBlended;
-    context.drawImage(multiple.canvas, rect[0], rect[1], rect[2], rect[3]);
-  }
-}
-
-// By WebGL, with the same scaling as SDL's window has.
-class GlScreen extends Screen {
-  static context(canvas) {
-    return canvas.getContext("webgl", {alpha: false, antialias: false, depth: false});
-  }
-
-  constructor(canvas) {
-    super(canvas);
-    canvas.addEventListener("webglcontextlost", event => { event.preventDefault(); this.gl = null; });
-    canvas.addEventListener("webglcontextrestored", () => this.open());
-  }
-
-  open() {
-    const gl = this.gl = GlScreen.context(this.canvas), program = gl.createProgram();
-    const add = (kind, source) => {
-      const shader = gl.createShader(kind);
-      gl.shaderSource(shader, source);
-      gl.compileShader(shader);
-      gl.attachShader(program, shader);
-    };
-    add(gl.VERTEX_SHADER, `
-      attribute vec2 corner;
-      varying vec2 at;
-      void main() { at = vec2(corner.x + 1.0, 1.0 - corner.y) / 2.0; gl_Position = vec4(corner, 0.0, 1.0); }`);
-    add(gl.FRAGMENT_SHADER, `
-      precision highp float;
-      varying vec2 at;
-      uniform sampler2D picture, mask;
-      uniform vec2 size, upscale;
-      uniform bool is_blended, has_crt_look;
-      vec3 mean_of_four(vec2 place) {
-        return texture2D(picture, (clamp(place, vec2(0.0), floor(size / 2.0) - 1.0) * 2.0 + 1.0) / size).rgb;
-      }
-      void main() {
-        vec2 texel = floor(at * size);
-        if (is_blended) {  // whole multiples first, then one linear step, which is the texture's own
-          vec2 place = at * size * upscale - 0.5, first = floor(place);
-          vec2 a = floor((first + 0.25) / upscale), b = floor((first + 1.25) / upscale);
-          texel = a + (b - a) * (place - first);
-        }
-        vec3 colour = texture2D(picture, (texel + 0.5) / size).rgb;
-        if (has_crt_look) {  // the mask, and the glow of a copy of half the size
-          vec2 place = at * size / 2.0 - 0.5, a = floor(place), share = place - a, b = a + 1.0;
-          vec3 glow = mix(mix(mean_of_four(a), mean_of_four(vec2(b.x, a.y)), share.x),
-                          mix(mean_of_four(vec2(a.x, b.y)), mean_of_four(b), share.x), share.y);
-          colour = colour * texture2D(mask, at).bgr + glow * 90.0 / 255.0;
-        }
-        gl_FragColor = vec4(colour, 1.0);
-      }`);
-    gl.linkProgram(program);
-    if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error("WebGL: " + gl.getProgramInfoLog(program));
-    gl.useProgram(program);
-    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
-    gl.bufferData(gl.ARRAY_BUFFER, new Float32Array([-1, -1, 3, -1, -1, 3]), gl.STATIC_DRAW);
-    const corner = gl.getAttribLocation(program, "corner");
-    gl.enableVertexAttribArray(corner);
-    gl.vertexAttribPointer(corner, 2, gl.FLOAT, false, 0, 0);
-    this.place = name => gl.getUniformLocation(program, name);
-    ["mask", "picture"].forEach((name, unit) => {  // the last one stays the active one
-      gl.activeTexture(gl.TEXTURE0 + unit);
-      gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
-      for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, filter, unit ? gl.LINEAR : gl.NEAREST);
-      for (const wrap of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, wrap, gl.CLAMP_TO_EDGE);
-      gl.uniform1i(this.place(name), unit);
-    });
-    this.places = Object.fromEntries(["size", "upscale", "is_blended", "has_crt_look"].map(name => [name, this.place(name)]));
-    this.width = this.height = 0;  // of the texture
-    this.isLost = true;  // what the canvas showed
-    if (this.mask) this.setMask(...this.mask);
-  }
-
-  setMask(pixels, width, height) {
-    const gl = this.gl;
-    this.mask = [pixels.slice(), width, height];
-    if (!gl) return;
-    gl.activeTexture(gl.TEXTURE0);
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, width, height, 0, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-    gl.activeTexture(gl.TEXTURE1);
-  }
-
-  draw(pixels, width, height, rect, isBlended, hasCrtLook) {
-    const gl = this.gl;
-    if (!gl) return;
-    if (this.width === width && this.height === height) {
-      gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-    } else {
-      gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, width, height, 0, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-      [this.width, this.height] = [width, height];
-      gl.uniform2f(this.places.size, width, height);
-    }
-    gl.uniform2f(this.places.upscale, rect[4], rect[5]);
-    gl.uniform1i(this.places.is_blended, isBlended ? 1 : 0);
-    gl.uniform1i(this.places.has_crt_look, hasCrtLook ? 1 : 0);
-    gl.clear(gl.COLOR_BUFFER_BIT);
-    gl.viewport(rect[0], this.canvas.height - rect[1] - rect[3], rect[2], rect[3]);
-    gl.drawArrays(gl.TRIANGLES, 0, 3);
-  }
-}
-
-// Samples that the program mixes, a few hundredths of a second ahead of what is heard.
-class Sound {
-  constructor() {
-    this.context = new AudioContext({sampleRate: 44100, latencyHint: "interactive"});
-    this.end = 0;  // of what has been mixed, seconds of the context's clock
-    this.closed = new AbortController();
-    const start = () => { if (!document.hidden) this.context.resume(); };
-    const follow = (event, act) => addEventListener(event, act, {capture: true, signal: this.closed.signal});
-    for (const event of ["keydown", "pointerdown", "pointerup"]) follow(event, start);
-    follow("visibilitychange", () => document.hidden ? this.context.suspend() : start());
-  }
-
-  // mix(frames) returns so many pairs of 16-bit samples, left and right.
-  play(mix) {
-    const AHEAD_s = 0.08, FRAMES = 882;
-    const goOn = () => {
-      if (this.context.state !== "running") return;
-      const now = this.context.currentTime;
-      if (this.end < now) this.end = now + 0.02;
-      while (this.end < now + AHEAD_s) {
-        const samples = mix(FRAMES), buffer = this.context.createBuffer(2, FRAMES, 44100);
-        for (let side = 0; side < 2; ++side) {
-          const to = buffer.getChannelData(side);
-          for (let i = 0; i < FRAMES; ++i) to[i] = samples[2 * i + side] / 32768;
-        }
-        const source = this.context.createBufferSource();
-        source.buffer = buffer;
-        source.connect(this.context.destination);
-        source.start(this.end);
-        this.end += FRAMES / 44100;
-      }
-    };
-    this.timer = setInterval(goOn, 10);
-  }
-
-  close() {
-    clearInterval(this.timer);
-    this.closed.abort();
-    this.context.close();
-  }
-}
 
 const Page = globalThis.Page = {
   canvas: document.getElementById("screen"),
@@ -228,7 +50,7 @@ const Page = globalThis.Page = {
 
   // What the program asks at each picture. Offsets are in 32-bit words.
   state(words, at) {
-    this.followPads();
+    Pads.follow();
     const pointer = this.isCaptured ? null : this.pointer;
     const {x, y, hasMoved, isPressed} = pointer || {};
     words.set([document.hasFocus(), document.hidden, this.changesFullScreen, pointer !== null, x, y, hasMoved, isPressed,
@@ -313,7 +135,7 @@ const Page = globalThis.Page = {
     if (isCaptured === this.isCaptured) return;
     this.isCaptured = isCaptured;
     this.pointer = null;
-    this.touch.release();
+    Touch.release();
     this.note(Kind.ReleasePressed);
     document.body.classList.toggle("walks", isCaptured);
     if (isCaptured) this.lockPointer();
@@ -352,7 +174,7 @@ const Page = globalThis.Page = {
       event.preventDefault();
       canvas.focus();
       this.hasTouch = event.pointerType === "touch";
-      if (this.hasTouch) return this.touch.begin(event);
+      if (this.hasTouch) return Touch.begin(event);
       if (this.isCaptured) {
         if (this.turnsView()) this.note(Kind.Press, Device.MouseButton, BUTTONS[event.button]);
         if (document.pointerLockElement !== canvas) this.lockPointer();
@@ -369,12 +191,12 @@ const Page = globalThis.Page = {
     });
     addEventListener("mouseup", event => this.note(Kind.Release, Device.MouseButton, BUTTONS[event.button]));
     canvas.addEventListener("pointermove", event => {
-      if (event.pointerType === "touch") return this.touch.move(event);
+      if (event.pointerType === "touch") return Touch.move(event);
       if (!this.isCaptured) return this.point(event);
       if (this.turnsView()) this.note(Kind.MouseMotion, 0, 0, event.movementX, event.movementY);
     });
     for (const end of ["pointerup", "pointercancel"])
-      canvas.addEventListener(end, event => { if (event.pointerType === "touch") this.touch.end(event); });
+      canvas.addEventListener(end, event => { if (event.pointerType === "touch") Touch.end(event); });
     canvas.addEventListener("pointerleave", event => { if (event.pointerType !== "touch") this.pointer = null; });
     canvas.addEventListener("wheel", event => {
       event.preventDefault();
@@ -386,7 +208,7 @@ const Page = globalThis.Page = {
       if (document.pointerLockElement) this.isLockRefused = false;
       else if (this.isCaptured && !this.hasTouch && !this.isSecondEscape()) this.tap(Device.Key, KEYS.Escape);
     });
-    for (const [id, key] of [["menu", KEYS.Escape], ["jump", KEYS.Space]]) {
+    for (const [id, key] of [["menu", KEYS.Escape], ["jump", KEYS.Space], ["accept", KEYS.Enter]]) {
       const button = document.getElementById(id);
       button.addEventListener("pointerdown", event => { event.preventDefault(); this.note(Kind.Press, Device.Key, key); });
       for (const end of ["pointerup", "pointercancel", "pointerleave"])
@@ -394,101 +216,11 @@ const Page = globalThis.Page = {
     }
   },
 
-  // Two thumbs: the left one is a stick where it touches, the right one turns the view. In a menu a tap clicks, and a
-  // thumb that moves is a wheel.
-  touch: {
-    thumbs: new Map(),
-    begin(event) {
-      if (document.pointerLockElement) document.exitPointerLock();  // it would take the touches
-      document.body.classList.add("touched");
-      const isStick = Page.isCaptured && event.clientX < innerWidth / 2;
-      this.thumbs.set(event.pointerId, {isStick, isTap: !Page.isCaptured, x: event.clientX, y: event.clientY});
-    },
-    move(event) {
-      const thumb = this.thumbs.get(event.pointerId);
-      if (!thumb) return;
-      const x = event.clientX - thumb.x, y = event.clientY - thumb.y;
-      if (thumb.isStick) return this.push(x, y);
-      if (!Page.isCaptured) return this.scroll(thumb, y);
-      const PER_PIXEL = 3;  // a mouse's counts
-      Page.note(Kind.MouseMotion, 0, 0, Math.round(x * PER_PIXEL), Math.round(y * PER_PIXEL));
-      thumb.x = event.clientX;
-      thumb.y = event.clientY;
-    },
-    end(event) {
-      const thumb = this.thumbs.get(event.pointerId);
-      this.thumbs.delete(event.pointerId);
-      if (!thumb) return;
-      if (thumb.isStick) this.push(0, 0);
-      if (!thumb.isTap || event.type !== "pointerup") return;
-      Page.point(event);
-      Page.pointer.isPressed = true;
-      Page.note(Kind.Click, Device.MouseButton, 1);
-    },
-    release() {
-      if (this.thumbs.size > 0) this.push(0, 0);
-      this.thumbs.clear();
-    },
-    scroll(thumb, y) {
-      const ROW = 24;
-      for (; Math.abs(y) >= ROW; y -= Math.sign(y) * ROW) {
-        Page.tap(Device.MouseWheel, y > 0 ? 0 : 1);
-        thumb.y += Math.sign(y) * ROW;
-        thumb.isTap = false;
-      }
-    },
-    push(x, y) {
-      const RADIUS = 60;
-      Page.noteAxis(0, x / RADIUS);
-      Page.noteAxis(1, y / RADIUS);
-    },
-  },
-
   // Both halves of an axis from -1 to 1; the code of the positive half is odd.
   noteAxis(axis, value) {
     const raw = Math.round(Math.max(-1, Math.min(1, value)) * FULL_AXIS);
     this.note(Kind.Axis, Device.PadAxis, 2 * axis + 1, raw);
     this.note(Kind.Axis, Device.PadAxis, 2 * axis, -raw);
-  },
-
-  pads: new Map(),
-  usedPad: -1,
-  // From the standard layout's buttons to PadButton; its two triggers are axes here.
-  PAD_BUTTONS: [0, 1, 2, 3, 9, 10, -4, -5, 4, 6, 7, 8, 11, 12, 13, 14, 5],
-  padsOfBrowser() {
-    try {
-      return navigator.getGamepads();
-    } catch (error) {
-      return [];  // a frame of another page that may not
-    }
-  },
-  followPads() {
-    const there = new Map();
-    for (const pad of this.padsOfBrowser()) {
-      if (!pad || !pad.connected || pad.mapping !== "standard") continue;
-      const before = this.pads.get(pad.index) || {buttons: [], axes: []};
-      const now = {buttons: pad.buttons.map(button => button.value), axes: pad.axes.slice(0, 4)};
-      there.set(pad.index, now);
-      now.axes.forEach((value, i) => {
-        const isOther = this.usedPad >= 0 && this.usedPad !== pad.index;
-        if (value === (before.axes[i] || 0) || (isOther && Math.abs(value) < 0.5)) return;
-        this.usePad(pad.index);
-        this.noteAxis(i, value);
-      });
-      now.buttons.forEach((value, i) => {
-        const button = this.PAD_BUTTONS[i], was = before.buttons[i] || 0;
-        if (button === undefined || value === was) return;
-        this.usePad(pad.index);
-        if (button < 0) return this.noteAxis(-button, value);
-        if ((value > 0.5) !== (was > 0.5)) this.note(value > 0.5 ? Kind.Press : Kind.Release, Device.PadButton, button);
-      });
-    }
-    if (this.usedPad >= 0 && !there.has(this.usedPad)) this.usePad(-1);
-    this.pads = there;
-  },
-  usePad(index) {
-    if (this.usedPad !== index) this.note(Kind.ReleasePad);
-    this.usedPad = index;
   },
 
   openSound(mix) {

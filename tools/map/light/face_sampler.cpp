@@ -64,6 +64,11 @@ FaceSampler::FaceSampler(const BspFile& bsp, const FileFace& face, std::vector<P
     }
     centre_ = centre_ * (1.0 / static_cast<double>(corners_.size()));
     for (const Point& corner : corners_) radius_ = std::max(radius_, length(corner - centre_));
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+        const Point along = corners_[(i + 1) % corners_.size()] - corners_[i];
+        const Point outward = cross(normal_, along) * (1 / length(along));
+        edges_.push_back({outward, dot(outward, corners_[i])});
+    }
 
     // u = s . p + s0, v = t . p + t0, distance = n . p, solved for p by Cramer's rule.
     const FileTexInfo& texinfo = item(bsp.texinfos, face.texinfo);
@@ -84,6 +89,7 @@ FaceSampler::FaceSampler(const BspFile& bsp, const FileFace& face, std::vector<P
 Point FaceSampler::point_at(double u, double v) const {
     const Point point = base_ + step_u_ * u + step_v_ * v;
     const Point over_face = nearest_over_face(point);
+    if (over_face == point) return point;
     return tracer_.is_clear(over_face, point) ? point : over_face;
 }
 
@@ -114,7 +120,6 @@ Point FaceSampler::normal_at(const Point& point) const {
 }
 
 std::optional<std::size_t> FaceSampler::sample_at(const Point& point) const {
-    constexpr double kSlack = 1.0 / 64;
     for (std::size_t i = 0; i < corners_.size(); ++i) {
         const Point along = corners_[(i + 1) % corners_.size()] - corners_[i];
         if (dot(normal_, cross(along, point - corners_[i])) > kSlack * length(along)) return std::nullopt;
@@ -130,6 +135,9 @@ std::optional<std::size_t> FaceSampler::sample_at(const Point& point) const {
 
 // Within the polygon the point itself; else on its nearest edge, and a little inward.
 Point FaceSampler::nearest_over_face(const Point& point) const {
+    if (std::all_of(edges_.begin(), edges_.end(),
+                    [&](const Plane& edge) { return edge.height_of(point) < -kInset - kSlack; }))
+        return point;
     Point nearest = point;
     double nearest_distance = -1;
     bool is_inside = true;

@@ -43,7 +43,7 @@ class FaceSampler {
     std::optional<std::size_t> sample_at(const Point& point) const;
 
   private:
-    static constexpr double kLift = 1, kInset = 1;
+    static constexpr double kLift = 1, kInset = 1, kSlack = 1.0 / 64;
 
     Point nearest_over_face(const Point& point) const;
 
@@ -51,6 +51,7 @@ class FaceSampler {
     LightGrid grid_;
     Point normal_;
     std::vector<Point> corners_;  // lifted
+    std::vector<Plane> edges_;    // stand on the face along its edges, and face away from it
     std::vector<Point> corner_normals_;
     std::array<Point, 2> axes_;  // of texels
     std::array<double, 2> offsets_{};

@@ -5,7 +5,10 @@ namespace oblong::map {
 Tracer::Tracer(const BspFile& bsp) : root_(bsp.models.front().head_nodes[0]) {
     for (const FileNode& node : bsp.nodes) {
         const FilePlane& plane = item(bsp.planes, node.plane);
-        nodes_.push_back({to_point(plane.normal), static_cast<double>(plane.distance), node.children});
+        const Point normal = to_point(plane.normal);
+        TraceNode& trace = nodes_.emplace_back(TraceNode{normal, static_cast<double>(plane.distance), node.children});
+        for (int axis = 0; axis < 3; ++axis)
+            if (normal == axis_vector(axis)) trace.axis = axis;
     }
     for (const FileLeaf& leaf : bsp.leaves) opaque_.push_back(is_opaque(leaf.contents) ? leaf.contents : 0);
 }
@@ -14,7 +17,7 @@ int Tracer::leaf_at(const Point& point) const {
     int child = root_;
     while (child >= 0) {
         const TraceNode& node = item(nodes_, child);
-        child = node.children[dot(node.normal, point) < node.distance ? 1 : 0];
+        child = node.children[node.height_of(point) < 0 ? 1 : 0];
     }
     return -1 - child;
 }
@@ -22,8 +25,8 @@ int Tracer::leaf_at(const Point& point) const {
 int Tracer::follow(int child, const Point& from, const Point& to, bool stops_at_sky) const {
     while (child >= 0) {
         const TraceNode& node = item(nodes_, child);
-        const double from_height = dot(node.normal, from) - node.distance;
-        const double to_height = dot(node.normal, to) - node.distance;
+        const double from_height = node.height_of(from);
+        const double to_height = node.height_of(to);
         const std::size_t near = from_height < 0 ? 1 : 0, far = to_height < 0 ? 1 : 0;
         if (near != far) {
             const Point at = from + (to - from) * (from_height / (from_height - to_height));
@@ -47,8 +50,8 @@ bool Tracer::find_hit(int child, const Point& from, const Point& to, double from
                       RayHit& hit) const {
     while (child >= 0) {
         const TraceNode& node = item(nodes_, child);
-        const double from_height = dot(node.normal, from) - node.distance;
-        const double to_height = dot(node.normal, to) - node.distance;
+        const double from_height = node.height_of(from);
+        const double to_height = node.height_of(to);
         const std::size_t near = from_height < 0 ? 1 : 0, far = to_height < 0 ? 1 : 0;
         if (near != far) {
             const double part = from_height / (from_height - to_height);

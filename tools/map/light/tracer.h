@@ -37,6 +37,9 @@ class Tracer {
         Point normal;
         double distance = 0;
         std::array<int, 2> children{};
+        int axis = 3;  // of the normal; 3: along none
+
+        double height_of(const Point& point) const { return (axis < 3 ? point[axis] : dot(normal, point)) - distance; }
     };
 
     int follow(int child, const Point& from, const Point& to, bool stops_at_sky) const;

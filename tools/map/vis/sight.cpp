@@ -5,6 +5,8 @@
 #include <numeric>
 #include <span>
 
+#include "tools/map/vis/separators.h"
+
 namespace oblong::map {
 
 namespace {
@@ -61,7 +63,7 @@ class Flow {
     BitSet run() {
         Link& first = link(0);
         first.source = base_.winding;
-        first.might_see = base_.might_see;
+        first.might_see.set(base_.might_see);
         pass_cluster(base_.cluster, 0);
         return steps_ < max_steps_ ? std::move(found_) : base_.might_see;
     }
@@ -74,7 +76,7 @@ class Flow {
         Winding source;              // the part of the base portal that lines of sight may start from
         Winding target;              // the part of the last portal that they may pass
         std::vector<Plane> frustum;  // everything seen beyond is in front of these
-        BitSet might_see;
+        ThinSet might_see;
     };
 
     // Goes on from a cluster that was reached through `depth` portals after the base.
@@ -98,7 +100,7 @@ class Flow {
         Link& next = links_[depth + 1];
         if (!find_target(portal, here.frustum, next.target)) return;
         next.source = here.source;
-        cutter_.cut_to_front(next.source, portal.plane.flipped());
+        cut_where_near(next.source, base_, portal.plane.flipped());
         if (next.source.empty()) return;
         found_.add(index);
         if (!has_news) return;
@@ -112,17 +114,22 @@ class Flow {
             if (plane.height_of(portal.centre) <= -portal.radius) return false;
         }
         target = portal.winding;
-        cutter_.cut_to_front(target, base_.plane);
+        cut_where_near(target, portal, base_.plane);
         for (const Plane& plane : frustum) {
             if (target.empty()) return false;
-            if (plane.height_of(portal.centre) < portal.radius) cutter_.cut_to_front(target, plane);
+            cut_where_near(target, portal, plane);
         }
         return !target.empty();
     }
 
+    // `part`: some of the portal, which is in front of most planes as a whole.
+    void cut_where_near(Winding& part, const VisPortal& portal, const Plane& plane) {
+        if (plane.height_of(portal.centre) < portal.radius) cutter_.cut_to_front(part, plane);
+    }
+
     // In a deque, as references to links stay in use while it grows.
     Link& link(std::size_t depth) {
-        while (links_.size() <= depth) links_.push_back({{}, {}, {}, BitSet(graph_.portals.size())});
+        while (links_.size() <= depth) links_.push_back({{}, {}, {}, ThinSet(graph_.portals.size())});
         return links_[depth];
     }
 
@@ -151,44 +158,6 @@ std::vector<std::size_t> by_might_see(const VisGraph& graph) {
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return counts[a] < counts[b]; });
     return order;
-}
-
-// `size_squared`: of the normal, which need not be of length 1.
-bool is_off(double scaled_height, double size_squared) {
-    return scaled_height * scaled_height > kOnEpsilon * kOnEpsilon * size_squared;
-}
-
-// Whether the winding is on the side of a plane through `origin` that `normal` points to, but not all of it on the
-// plane.
-bool is_in_front(const Winding& winding, const Point& normal, const Point& origin, double size_squared) {
-    bool is_off_plane = false;
-    for (const Point& point : winding) {
-        const double height = dot(normal, point - origin);
-        if (!is_off(height, size_squared)) continue;
-        if (height < 0) return false;
-        is_off_plane = true;
-    }
-    return is_off_plane;
-}
-
-// Appends those through an edge of `a`; they face `b`. All of `a` is on one side of such a plane: that of its middle.
-void add_separators_at_edges(const Winding& a, const Winding& b, std::vector<Plane>& planes) {
-    const Point middle_of_a = middle(a);
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        const Point edge = a[(i + 1) % a.size()] - a[i];
-        const std::size_t known = planes.size();
-        for (const Point& corner : b) {
-            if (planes.size() > known && std::abs(planes.back().height_of(corner)) <= kOnEpsilon) continue;
-            Point across = cross(edge, corner - a[i]);
-            const double size_squared = dot(across, across);
-            const double height_of_a = dot(across, middle_of_a - a[i]);
-            if (size_squared < kOnEpsilon * kOnEpsilon || !is_off(height_of_a, size_squared)) continue;
-            if (height_of_a > 0) across = -across;
-            if (!is_in_front(b, across, a[i], size_squared)) continue;
-            const Point normal = across * (1 / std::sqrt(size_squared));
-            planes.push_back({normal, dot(normal, a[i])});
-        }
-    }
 }
 
 }  // namespace
@@ -233,41 +202,6 @@ std::vector<BitSet> find_seen_portals(VisGraph& graph, const WorkSharing& sharin
         }
     }
     return seen;
-}
-
-void find_separators(const Winding& source, const Winding& pass, std::vector<Plane>& planes) {
-    planes.clear();
-    add_separators_at_edges(pass, source, planes);
-    for (Plane& plane : planes) plane = plane.flipped();
-    add_separators_at_edges(source, pass, planes);
-}
-
-void SightCutter::cut_to_front(Winding& winding, const Plane& plane) {
-    if (heights_.size() < winding.size()) heights_.resize(winding.size());
-    double highest = 0, lowest = 0;
-    for (std::size_t i = 0; i < winding.size(); ++i) {
-        const double height = plane.height_of(winding[i]);
-        heights_[i] = std::abs(height) <= kOnEpsilon ? 0 : height;
-        highest = std::max(highest, heights_[i]);
-        lowest = std::min(lowest, heights_[i]);
-    }
-    if (highest == 0) {
-        winding.clear();
-    } else if (lowest < 0) {
-        keep_front(winding);
-        std::swap(winding, kept_);
-    }
-}
-
-void SightCutter::keep_front(const Winding& winding) {
-    kept_.clear();
-    for (std::size_t i = 0; i < winding.size(); ++i) {
-        const std::size_t next = (i + 1) % winding.size();
-        if (heights_[i] >= 0) kept_.push_back(winding[i]);
-        if (heights_[i] * heights_[next] >= 0) continue;
-        const double part = heights_[i] / (heights_[i] - heights_[next]);
-        kept_.push_back(winding[i] + (winding[next] - winding[i]) * part);
-    }
 }
 
 }  // namespace oblong::map

@@ -1,13 +1,12 @@
 #pragma once
 
-#include <bit>
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "tools/map/tree/bsp_file.h"
 #include "tools/map/tree/mesh.h"
+#include "tools/map/vis/bit_set.h"
 #include "tools/map/vis/portal_file.h"
 #include "tools/map/work_sharing.h"
 
@@ -24,50 +23,6 @@ std::vector<bool> unpacked_row(const std::string& visibility, int offset, std::s
 /// without cutting lines of sight, so more is thought to be seen. `portals`, if not null, receives them.
 void add_visibility(BspFile& bsp, const CompiledModel& world, const std::vector<int>& leaf_indices,
                     const PlaneList& planes, bool is_fast, const WorkSharing& sharing, PortalFile* portals);
-
-/// A set of small numbers, for fast unions and intersections of sets of one size.
-class BitSet {
-  public:
-    explicit BitSet(std::size_t size = 0) : words_((size + 64 * kBlock - 1) / (64 * kBlock) * kBlock, 0) {}
-
-    bool has(std::size_t i) const { return (words_[i / 64] >> (i % 64) & 1) != 0; }
-    void add(std::size_t i) { words_[i / 64] |= std::uint64_t{1} << (i % 64); }
-    void remove(std::size_t i) { words_[i / 64] &= ~(std::uint64_t{1} << (i % 64)); }
-
-    void add_all(const BitSet& other) {
-        for (std::size_t i = 0; i < words_.size(); ++i) words_[i] |= other.words_[i];
-    }
-
-    /// Becomes the intersection of both sets; returns whether that holds anything that `known` does not.
-    bool set_common(const BitSet& a, const BitSet& b, const BitSet& known) {
-        std::uint64_t news = 0;
-        for (std::size_t block = 0; block < words_.size(); block += kBlock) {
-            for (std::size_t i = block; i < block + kBlock; ++i) {
-                words_[i] = a.words_[i] & b.words_[i];
-                news |= words_[i] & ~known.words_[i];
-            }
-        }
-        return news != 0;
-    }
-
-    /// Calls use(i) for each i that it has and `other` has not, in ascending order. That may remove i.
-    template <class Use>
-    void for_each_beyond(const BitSet& other, Use use) const {
-        for (std::size_t i = 0; i < words_.size(); ++i)
-            for (std::uint64_t rest = words_[i] & ~other.words_[i]; rest != 0; rest &= rest - 1)
-                use(64 * i + static_cast<std::size_t>(std::countr_zero(rest)));
-    }
-
-    int count() const {
-        int sum = 0;
-        for (const std::uint64_t word : words_) sum += std::popcount(word);
-        return sum;
-    }
-
-  private:
-    static constexpr std::size_t kBlock = 4;  // words at a time: compilers make them wide instructions
-    std::vector<std::uint64_t> words_;
-};
 
 /// Leaves that are told apart by details only are a cluster: visible sets are found for clusters.
 struct Clusters {

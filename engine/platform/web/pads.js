@@ -1,0 +1,42 @@
+// Gamepads of the standard layout; the last one that was used plays.
+const Pads = {
+  before: new Map(),  // by index: what buttons and axes were
+  used: -1,
+  // From the standard layout's buttons to PadButton; its two triggers are axes here.
+  BUTTONS: [0, 1, 2, 3, 9, 10, -4, -5, 4, 6, 7, 8, 11, 12, 13, 14, 5],
+  ofBrowser() {
+    try {
+      return navigator.getGamepads();
+    } catch (error) {
+      return [];  // a frame of another page that may not
+    }
+  },
+  follow() {
+    const there = new Map();
+    for (const pad of this.ofBrowser()) {
+      if (!pad || !pad.connected || pad.mapping !== "standard") continue;
+      const before = this.before.get(pad.index) || {buttons: [], axes: []};
+      const now = {buttons: pad.buttons.map(button => button.value), axes: pad.axes.slice(0, 4)};
+      there.set(pad.index, now);
+      now.axes.forEach((value, i) => {
+        const isOther = this.used >= 0 && this.used !== pad.index;
+        if (value === (before.axes[i] || 0) || (isOther && Math.abs(value) < 0.5)) return;
+        this.use(pad.index);
+        Page.noteAxis(i, value);
+      });
+      now.buttons.forEach((value, i) => {
+        const button = this.BUTTONS[i], was = before.buttons[i] || 0;
+        if (button === undefined || value === was) return;
+        this.use(pad.index);
+        if (button < 0) return Page.noteAxis(-button, value);
+        if ((value > 0.5) !== (was > 0.5)) Page.note(value > 0.5 ? Kind.Press : Kind.Release, Device.PadButton, button);
+      });
+    }
+    if (this.used >= 0 && !there.has(this.used)) this.use(-1);
+    this.before = there;
+  },
+  use(index) {
+    if (this.used !== index) Page.note(Kind.ReleasePad);
+    this.used = index;
+  },
+};

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace oblong::map {
+
+/// A set of small numbers, for fast unions and intersections of sets of one size.
+class BitSet {
+  public:
+    explicit BitSet(std::size_t size = 0) : words_((size + 63) / 64, 0) {}
+
+    bool has(std::size_t i) const { return (words_[i / 64] >> (i % 64) & 1) != 0; }
+    void add(std::size_t i) { words_[i / 64] |= std::uint64_t{1} << (i % 64); }
+    void remove(std::size_t i) { words_[i / 64] &= ~(std::uint64_t{1} << (i % 64)); }
+
+    void add_all(const BitSet& other) {
+        for (std::size_t i = 0; i < words_.size(); ++i) words_[i] |= other.words_[i];
+    }
+
+    /// Calls use(i) for each i that it has and `other` has not, in ascending order. That may remove i.
+    template <class Use>
+    void for_each_beyond(const BitSet& other, Use use) const {
+        for (std::size_t i = 0; i < words_.size(); ++i)
+            for (std::uint64_t rest = words_[i] & ~other.words_[i]; rest != 0; rest &= rest - 1)
+                use(64 * i + static_cast<std::size_t>(std::countr_zero(rest)));
+    }
+
+    int count() const {
+        int sum = 0;
+        for (const std::uint64_t word : words_) sum += std::popcount(word);
+        return sum;
+    }
+
+  private:
+    friend class ThinSet;
+    std::vector<std::uint64_t> words_;
+};
+
+/// A set that is a small part of its size, as what is seen at the end of a chain of portals is: only words that hold
+/// anything are looked at, 6 of 100 there.
+class ThinSet {
+  public:
+    explicit ThinSet(std::size_t size) : bits_(size), held_(bits_.words_.size(), 0) {}
+
+    bool has(std::size_t i) const { return bits_.has(i); }
+
+    void set(const BitSet& all) {
+        bits_ = all;
+        held_count_ = 0;
+        for (std::size_t i = 0; i < held_.size(); ++i)
+            if (all.words_[i] != 0) held_[held_count_++] = i;
+    }
+
+    /// Becomes the intersection of two other sets; returns whether that holds anything that `known` does not.
+    bool set_common(const ThinSet& a, const BitSet& b, const BitSet& known) {
+        for (std::size_t k = 0; k < held_count_; ++k) bits_.words_[held_[k]] = 0;
+        held_count_ = 0;
+        std::uint64_t news = 0;
+        for (std::size_t k = 0; k < a.held_count_; ++k) {
+            const std::size_t i = a.held_[k];
+            const std::uint64_t common = a.bits_.words_[i] & b.words_[i];
+            bits_.words_[i] = common;
+            held_[held_count_] = i;
+            held_count_ += common != 0 ? 1u : 0u;
+            news |= common & ~known.words_[i];
+        }
+        return news != 0;
+    }
+
+  private:
+    BitSet bits_;
+    std::vector<std::size_t> held_;  // the first held_count_: of words that are not 0
+    std::size_t held_count_ = 0;
+};
+
+}  // namespace oblong::map

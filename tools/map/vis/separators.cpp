@@ -1,0 +1,110 @@
+#include "tools/map/vis/separators.h"
+
+#include <algorithm>
+
+namespace oblong::map {
+
+namespace {
+
+// Less than this is the arithmetic's error.
+constexpr double kNoHeight = 1e-8;
+
+// A plane through an edge, by a normal that need not be of length 1, and a point of the edge.
+struct EdgePlane {
+    Point normal, origin;
+    double on_squared = 0;  // of the scaled height from which on a point is off the plane
+
+    EdgePlane(const Point& across, const Point& through)
+        : normal(across), origin(through), on_squared(kOnEpsilon * kOnEpsilon * dot(across, across)) {}
+
+    // The square of a scaled height, with the height's sign.
+    double signed_square_of(const Point& point) const {
+        const double height = dot(normal, point - origin);
+        return height * std::abs(height);
+    }
+};
+
+// Whether the winding is on the side that the plane faces, but not all of it on the plane. Asks the neighbours of
+// `corner`, which is on the plane, first: where they are in front, nearly always all are.
+bool is_in_front(const Winding& winding, std::size_t corner, const EdgePlane& plane) {
+    const std::size_t last = winding.size() - 1;
+    const double after = plane.signed_square_of(winding[corner == last ? 0 : corner + 1]);
+    const double before = plane.signed_square_of(winding[corner == 0 ? last : corner - 1]);
+    if (std::min(before, after) < -plane.on_squared) return false;
+    double highest = 0, lowest = 0;
+    for (const Point& point : winding) {
+        const double square = plane.signed_square_of(point);
+        highest = std::max(highest, square);
+        lowest = std::min(lowest, square);
+    }
+    return lowest >= -plane.on_squared && highest > plane.on_squared;
+}
+
+// Appends those through an edge of `a`; they face `b`. All of `a` is on one side of such a plane: that of its middle.
+// An edge that lies in one of the planes that are there needs none.
+void add_separators_at_edges(const Winding& a, const Winding& b, std::vector<Plane>& planes) {
+    const Point middle_of_a = middle(a);
+    const auto there = static_cast<std::ptrdiff_t>(planes.size());
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const Point& end = a[i + 1 == a.size() ? 0 : i + 1];
+        if (std::any_of(planes.begin(), planes.begin() + there, [&](const Plane& plane) {
+                return std::abs(plane.height_of(a[i])) < kNoHeight && std::abs(plane.height_of(end)) < kNoHeight;
+            }))
+            continue;
+        const Point edge = end - a[i];
+        const Point to_middle = middle_of_a - a[i];
+        const std::size_t known = planes.size();
+        for (std::size_t corner = 0; corner < b.size(); ++corner) {
+            if (planes.size() > known && std::abs(planes.back().height_of(b[corner])) <= kOnEpsilon) continue;
+            const Point across = cross(edge, b[corner] - a[i]);
+            const double size_squared = dot(across, across);
+            const double height_of_a = dot(across, to_middle);
+            const EdgePlane plane(across * std::copysign(1.0, -height_of_a), a[i]);  // no branch: half of them turn
+            if (size_squared < kOnEpsilon * kOnEpsilon || height_of_a * height_of_a <= plane.on_squared) continue;
+            if (!is_in_front(b, corner, plane)) continue;
+            const Point normal = plane.normal * (1 / std::sqrt(size_squared));
+            planes.push_back({normal, dot(normal, a[i])});
+        }
+    }
+}
+
+}  // namespace
+
+void find_separators(const Winding& source, const Winding& pass, std::vector<Plane>& planes) {
+    planes.clear();
+    add_separators_at_edges(pass, source, planes);
+    for (Plane& plane : planes) plane = plane.flipped();
+    add_separators_at_edges(source, pass, planes);
+}
+
+void SightCutter::cut_to_front(Winding& winding, const Plane& plane) {
+    if (heights_.size() < winding.size()) heights_.resize(winding.size());
+    double highest = 0, lowest = 0;
+    for (std::size_t i = 0; i < winding.size(); ++i) {
+        const double height = heights_[i] = plane.height_of(winding[i]);
+        highest = std::max(highest, height);
+        lowest = std::min(lowest, height);
+    }
+    if (highest <= kOnEpsilon) {
+        winding.clear();
+    } else if (lowest < -kOnEpsilon) {
+        keep_front(winding);
+        std::swap(winding, kept_);
+    }
+}
+
+void SightCutter::keep_front(const Winding& winding) {
+    const std::size_t count = winding.size();
+    for (std::size_t i = 0; i < count; ++i)
+        if (std::abs(heights_[i]) <= kOnEpsilon) heights_[i] = 0;
+    kept_.clear();
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t next = i + 1 == count ? 0 : i + 1;
+        if (heights_[i] >= 0) kept_.push_back(winding[i]);
+        if (heights_[i] * heights_[next] >= 0) continue;
+        const double part = heights_[i] / (heights_[i] - heights_[next]);
+        kept_.push_back(winding[i] + (winding[next] - winding[i]) * part);
+    }
+}
+
+}  // namespace oblong::map
