@@ -90,7 +90,7 @@ def check_qemu(build_dir):
         turned = pc.picture_when(lambda p: different_pixels(p, start) > MOVED, "the mouse does not turn the view")
         pc.press("w", 800)
         pc.picture_when(lambda p: different_pixels(p, turned) > MOVED, "W does not walk")
-        pc.press_in_turn("esc", "up", "ret", "down", "ret")  # Leave, Yes
+        pc.press_in_turn("esc", "up", "ret", "down", "ret")  # Leave; Yes, if so much was walked that it asks
         pc.wait_for("memory:")
     check_memory(image)
 
@@ -223,6 +223,7 @@ def check_saves(build_dir):
         with DosBox(folder, words) as pc:
             begin(pc, "Return")
             pc.press_in_turn(*to_leave, "Down")  # No, Yes: whether to leave all the same
+            expect("memory:" not in pc.said(), "the game leaves though nothing could be saved")
             leave(pc, "Return")
         expect(kept() == before, "what was saved before is another now")
 
