@@ -13,6 +13,7 @@
 #include "engine/files/arguments.h"
 #include "engine/files/files.h"
 #include "engine/platform/dos/calls.h"
+#include "engine/platform/dos/card_sound.h"
 #include "engine/platform/dos/pc.h"
 #include "game/lab/timedemo.h"
 #include "game/options/preference_table.h"
@@ -149,7 +150,7 @@ void play(const Options& options, dos::Pc& pc) {
     store.begin_with(options.preferences);
     ProgramFiles files = load_program_files(options, kAssets);
     empty_read_files();
-    Program(options, std::move(files), store, pc, nullptr).run();
+    Program(options, std::move(files), store, pc, nullptr, dos::sound_of_card()).run();
 }
 
 int run(int count, char** words) {

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -125,6 +126,53 @@ TEST_F(TrenchBroom, AChangedWayToCompileIsKept) {
     EXPECT_EQ(read_text(installed("CompilationProfiles.cfg.old")), "{ mine }");
     EXPECT_NO_THROW(config("CompilationProfiles.cfg"));
 }
+
+TEST_F(TrenchBroom, AWayToCompileThatWasKeptBeforeIsNotLost) {
+    for (const char* const text : {"{ mine }", "{ newer }"}) {
+        write_file(installed("CompilationProfiles.cfg"), text);
+        ASSERT_EQ(run("'" + program() + "' --install-trenchbroom '" + path("games/Oblong") + "'"), 0);
+    }
+    EXPECT_EQ(read_text(installed("CompilationProfiles.cfg.old")), "{ mine }");
+    EXPECT_EQ(read_text(installed("CompilationProfiles.cfg.old2")), "{ newer }");
+    EXPECT_NO_THROW(config("CompilationProfiles.cfg"));
+}
+
+// What is there in the place of a folder or of a file of the configuration, and what the error names.
+struct InTheWay {
+    std::string name, is, where;
+
+    friend void PrintTo(const InTheWay& row, std::ostream* out) { *out << row.is << " at " << row.name; }
+};
+
+class TrenchBroomInstaller : public TrenchBroom, public testing::WithParamInterface<InTheWay> {};
+
+TEST_P(TrenchBroomInstaller, NamesWhatIsInTheWayAndLeavesNothingHalfWritten) {
+    const auto& [name, is, where] = GetParam();
+    const fs::path in_the_way = path("other/" + name);
+    fs::create_directories(in_the_way.parent_path());
+    if (is == "a folder") fs::create_directory(in_the_way);
+    if (is == "a file") write_file(in_the_way.string(), std::string("mine"));
+    if (is == "a full disk") fs::create_symlink("/dev/full", in_the_way);
+    EXPECT_EQ(WEXITSTATUS(run("'" + program() + "' --install-trenchbroom '" + path("other/Oblong") + "'")), 1);
+    EXPECT_NE(read_text(path("out.txt")).find("oblong-map: " + path("other/" + where) + ": "), std::string::npos)
+        << read_text(path("out.txt"));
+    if (is == "a file") {
+        EXPECT_EQ(read_text(in_the_way.string()), "mine");
+    }
+    for (const auto& file : fs::recursive_directory_iterator(path("other"))) {
+        const fs::path same = path("games") / fs::relative(file, path("other"));
+        if (file.path() == in_the_way || !file.is_regular_file()) continue;
+        EXPECT_EQ(read_text(file.path().string()), read_text(same.string())) << file.path();
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Places, TrenchBroomInstaller,
+                         testing::Values(InTheWay{"Oblong", "a file", "Oblong/assets/gfx"},
+                                         InTheWay{"Oblong/assets", "a file", "Oblong/assets/gfx"},
+                                         InTheWay{"Oblong/GameConfig.cfg", "a folder", "Oblong/GameConfig.cfg"},
+                                         InTheWay{"Oblong/Oblong.fgd", "a folder", "Oblong/Oblong.fgd"},
+                                         InTheWay{"Oblong/Icon.png", "a full disk", "Oblong/Icon.png"},
+                                         InTheWay{"Oblong/assets/models", "a file", "Oblong/assets/models"}));
 
 TEST_F(TrenchBroom, ClassesAreReadWithTheirModels) {
     const std::vector<EditorClass> classes = read_fgd(read_text(installed("Oblong.fgd")));

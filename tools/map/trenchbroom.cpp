@@ -42,11 +42,19 @@ void copy_folder(const fs::path& from, const fs::path& to) {
         if (file.is_regular_file()) write_file((to / file.path().filename()).string(), read_file(file.path().string()));
 }
 
+// The mapper's own may be the first of several that were kept.
+std::string free_name_beside(const fs::path& path) {
+    std::string name = path.string() + ".old";
+    for (int number = 2; fs::exists(fs::symlink_status(name)); ++number)
+        name = path.string() + ".old" + std::to_string(number);
+    return name;
+}
+
 void write_kept(const fs::path& path, const std::string& text) {
-    const std::string old = path.string() + ".old";
     if (!fs::exists(path) || read_text(path.string()) == text) return write_file(path.string(), text);
-    std::cout << path.string() << " was changed: kept as " << old << '\n';
+    const std::string old = free_name_beside(path);
     replace_file(path.string(), old, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+    std::cout << path.string() << " was changed: kept as " << old << '\n';
 }
 
 }  // namespace
