@@ -96,10 +96,11 @@ def check_qemu(build_dir):
 
 
 def check_memory(image):
-    """After 250 pictures of the title, over 80 s of its record, there is memory for a walk. (-icount: a processor of 31
-    million instructions a second, however busy the machine is.)"""
+    """After 250 pictures of the title, 90 s of its record, there is memory for a walk, with all sounds. (-icount: a
+    processor of 31 million instructions a second, however busy the machine is.)"""
     with tempfile.TemporaryDirectory() as folder, \
-            Qemu(with_arguments(image, "captions=off report=1"), folder, "-icount", "shift=5") as pc:
+            Qemu(with_arguments(image, "captions=off report=1"), folder, "-icount", "shift=5",
+                 "-device", "sb16,audiodev=card", "-audiodev", "none,id=card") as pc:
         pc.wait_for_pictures(250)
         pc.press_in_turn("ret")
         pc.wait_for_pictures(10)
