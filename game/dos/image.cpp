@@ -11,7 +11,9 @@
 #include "engine/files/arguments.h"
 #include "engine/files/command_line.h"
 #include "engine/files/files.h"
+#include "engine/files/flac.h"
 #include "engine/platform/dos/layout.h"
+#include "engine/platform/small_mixer.h"
 #include "game/dos/prepared_game.h"
 
 namespace oblong {
@@ -75,6 +77,13 @@ Bytes loaded_program(const Bytes& elf) {
     return memory;
 }
 
+// As game/dos/substitutes.cpp reads it.
+Bytes sound_of(const std::string& file) {
+    const SoundSamples sound = read_parsed(file, decode_flac);
+    const std::vector<std::int8_t> samples = SmallMixer::at_own_rate(sound.samples, sound.rate_hz);
+    return {samples.begin(), samples.end()};
+}
+
 Bytes museum_archive(const fs::path& assets) {
     LevelFiles files;
     files.assets = assets.string();
@@ -84,6 +93,11 @@ Bytes museum_archive(const fs::path& assets) {
                                        {"assets/demo.edges", encode_t_junctions(data.level, TJunctions(data.level))}};
     for (const char* name : {"demo.bsp", "palette.lmp", "walk.demo", "game.json"})
         archived.push_back({std::string("assets/") + name, read_file((assets / name).string())});
+    std::vector<fs::path> sounds(fs::directory_iterator(assets / "sounds"), {});
+    std::sort(sounds.begin(), sounds.end());
+    for (const fs::path& sound : sounds)
+        if (sound.extension() == ".flac")
+            archived.push_back({"assets/sounds/" + sound.filename().string(), sound_of(sound.string())});
     return archive_of(archived);
 }
 

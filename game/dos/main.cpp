@@ -8,11 +8,14 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "engine/base/fnv.h"
 #include "engine/files/arguments.h"
 #include "engine/files/files.h"
 #include "engine/platform/dos/calls.h"
+#include "engine/platform/dos/card_sound.h"
 #include "engine/platform/dos/pc.h"
 #include "game/lab/timedemo.h"
 #include "game/options/preference_table.h"
@@ -108,6 +111,14 @@ void empty_read_files() {
     for (const char* name : {"/demo.bsp", "/demo.ready"}) write_file(std::string(kAssets) + name, std::string());
 }
 
+// Without a card nobody reads them.
+void empty_sounds() {
+    std::vector<std::string> files;
+    for (const auto& entry : std::filesystem::directory_iterator(std::string(kAssets) + "/sounds"))
+        files.push_back(entry.path().string());
+    for (const std::string& file : files) write_file(file, std::string());
+}
+
 // As tests compare them: the hash of the state after each tick, and of the picture of that.
 void print_hashes(const Options& options, std::size_t ticks, dos::Pc& pc) {
     const auto now_ms = [&pc] { return static_cast<unsigned>(pc.now_us() / 1000); };
@@ -145,11 +156,13 @@ void wait_for_key(dos::Pc& pc) {
 }
 
 void play(const Options& options, dos::Pc& pc) {
+    OpenSound open_sound = dos::sound_of_card();
+    if (!open_sound) empty_sounds();
     PreferencesStore store;
     store.begin_with(options.preferences);
     ProgramFiles files = load_program_files(options, kAssets);
     empty_read_files();
-    Program(options, std::move(files), store, pc, nullptr).run();
+    Program(options, std::move(files), store, pc, nullptr, std::move(open_sound)).run();
 }
 
 int run(int count, char** words) {

@@ -6,10 +6,12 @@
 #include "engine/base/little_endian.h"
 #include "engine/files/command_line.h"
 #include "engine/files/files.h"
+#include "engine/files/flac.h"
 #include "engine/files/game_definition.h"
 #include "engine/files/picture.h"
 #include "engine/level/bsp_read.h"
 #include "engine/level/t_junctions.h"
+#include "engine/platform/small_mixer.h"
 #include "game/dos/museum.h"
 #include "game/dos/prepared_game.h"
 
@@ -32,6 +34,7 @@ GameData load_game(const LevelFiles& files) {
     GameData data;
     data.level_file = file(kDemoLevelFile);
     data.level = read_parsed(data.level_file, read_bsp);
+    data.sounds = read_level_sounds(data.level, {file("sounds")});
     data.effects = read_level_effects(data.level);
     data.palette = read_parsed(files.game->palette, read_palette);
     read_parsed(file("demo.ready"),
@@ -48,6 +51,15 @@ TJunctions::TJunctions(const Level& level) : found_(level.edges.size()) {
             for (std::size_t i = 0; i < found.count; ++i) vertices_.emplace_back(reader.next<std::int32_t>());
         }
     });
+}
+
+/// The build has made them what the mixer plays.
+SoundSamples decode_flac(std::span<const std::uint8_t> file) {
+    SoundSamples sound{SmallMixer::kRate_hz, {}};
+    sound.samples.reserve(file.size());
+    for (const std::uint8_t byte : file)
+        sound.samples.push_back(static_cast<std::int16_t>(static_cast<std::int8_t>(byte) * 256));
+    return sound;
 }
 
 /// Of PNG files and others: the museum has none but those of its models.

@@ -86,11 +86,14 @@ class Pc:
         sys.exit(f"play_under_dos: {what}")
 
     def press_in_turn(self, *keys):
-        """Two at once would both go to the screen that the first one leaves."""
+        """Until the game ends. Two at once would both go to the screen that the first one leaves."""
         for key in keys:
             wanted = count_in(self.said(), "pressed") + 1
+            if "memory:" in self.said():
+                return
             self.press(key)
-            self.wait_until(lambda said: count_in(said, "pressed") >= wanted, f"the key {key} is not taken")
+            self.wait_until(lambda said: count_in(said, "pressed") >= wanted or "memory:" in said,
+                            f"the key {key} is not taken")
 
 
 class Qemu(Pc):

@@ -1,15 +1,17 @@
 """The game for DOS does what the game does.
 
-usage: play_under_dos.py integers|qemu|dosbox|saves SOURCE_DIR BUILD_DIR
+usage: play_under_dos.py integers|qemu|dosbox|saves|sound SOURCE_DIR BUILD_DIR
 
 integers: no room of the engine has a floating-point instruction; divisions and products of an i486 are those of here.
 qemu: a 486 of 16 MB, started from the disk image: the walk's ticks and pictures have the hashes that they have here; what the
-    VGA shows is the last picture; a walk begins by keys and turns by the mouse; the game ends.
+    VGA shows is the last picture; a walk begins by keys and turns by the mouse, also after a long title; the game ends.
 dosbox: OBLONG.COM and its way back to DOS: the same hashes.
 saves: a walk that was left in DOSBox goes on there where it was, as the game here reads its file; where DOS can't write, the
     game asks, and what was saved before stays.
+sound: what QEMU's Sound Blaster plays of the walk is as loud, from moment to moment, as what the game plays here.
 """
 import glob
+import math
 import os
 import re
 import shutil
@@ -17,6 +19,7 @@ import struct
 import subprocess
 import sys
 import tempfile
+import wave
 
 from emulators import DosBox, Qemu, different_pixels, expect, read_ppm, skip
 
@@ -87,7 +90,21 @@ def check_qemu(build_dir):
         turned = pc.picture_when(lambda p: different_pixels(p, start) > MOVED, "the mouse does not turn the view")
         pc.press("w", 800)
         pc.picture_when(lambda p: different_pixels(p, turned) > MOVED, "W does not walk")
-        pc.press_in_turn("esc", "up", "ret", "down", "ret")  # Leave, Yes
+        pc.press_in_turn("esc", "up", "ret", "down", "ret")  # Leave; Yes, if so much was walked that it asks
+        pc.wait_for("memory:")
+    check_memory(image)
+
+
+def check_memory(image):
+    """After 250 pictures of the title, 90 s of its record, there is memory for a walk, with all sounds. (-icount: a
+    processor of 31 million instructions a second, however busy the machine is.)"""
+    with tempfile.TemporaryDirectory() as folder, \
+            Qemu(with_arguments(image, "captions=off report=1"), folder, "-icount", "shift=5",
+                 "-device", "sb16,audiodev=card", "-audiodev", "none,id=card") as pc:
+        pc.wait_for_pictures(250)
+        pc.press_in_turn("ret")
+        pc.wait_for_pictures(10)
+        pc.press_in_turn("esc", "up", "ret", "down", "ret")
         pc.wait_for("memory:")
 
 
@@ -207,8 +224,49 @@ def check_saves(build_dir):
         with DosBox(folder, words) as pc:
             begin(pc, "Return")
             pc.press_in_turn(*to_leave, "Down")  # No, Yes: whether to leave all the same
+            expect("memory:" not in pc.said(), "the game leaves though nothing could be saved")
             leave(pc, "Return")
         expect(kept() == before, "what was saved before is another now")
+
+
+def loudness(path):
+    """Of each tenth of a second of a recording of 8 bits."""
+    with wave.open(path) as file:
+        channels, window = file.getnchannels(), file.getframerate() // 10
+        samples = file.readframes(file.getnframes())[::channels]
+    return [math.sqrt(sum((sample - 128) ** 2 for sample in samples[at:at + window]) / window)
+            for at in range(0, len(samples) - window, window)]
+
+
+def means(list, count):
+    """Of so many that follow each other: a sound begins with a picture, which may be late."""
+    return [sum(list[at:at + count]) / count for at in range(len(list) - count + 1)]
+
+
+def correlation(a, b):
+    count = min(len(a), len(b))
+    a, b = ([value - sum(list[:count]) / count for value in list[:count]] for list in (a, b))
+    norm = math.sqrt(sum(x * x for x in a) * sum(y * y for y in b))
+    return sum(x * y for x, y in zip(a, b)) / norm if norm > 0 else 0
+
+
+def check_sound(build_dir):
+    done = subprocess.run([os.path.join(build_dir, "bin/walk_sounds"), os.path.join(build_dir, "assets"), "1000"],
+                          check=True, capture_output=True, text=True)
+    expected = means([float(line) for line in done.stdout.split()], 3)
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "sound.wav")
+        options = ["-icount", "shift=3", "-device", "sb16,audiodev=card", "-audiodev",
+                   f"wav,id=card,path={path},out.frequency=11025,out.channels=2,out.format=u8"]
+        image = os.path.join(build_dir, "dos/oblong.img")
+        with Qemu(with_arguments(image, "captions=off report=1 replay=/assets/walk.demo"), folder, *options) as pc:
+            pc.wait_for_pictures(70)
+            pc.tell("quit")  # which writes the recording's head
+            pc.process.wait()
+        found = means(loudness(path), 3)
+    # The card plays from before the walk on. Played backwards, it would be 0.7.
+    best = max(correlation(found[start:], expected) for start in range(len(found) - 40))
+    expect(best > 0.85, f"the card plays something else: a correlation of {best:.2f} in {found}, expected as {expected}")
 
 
 def main():
@@ -221,8 +279,10 @@ def main():
         check_qemu(build_dir)
     elif what == "dosbox":
         check_dosbox(build_dir)
-    else:
+    elif what == "saves":
         check_saves(build_dir)
+    else:
+        check_sound(build_dir)
 
 
 if __name__ == "__main__":

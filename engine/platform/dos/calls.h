@@ -12,7 +12,9 @@ enum class Call : std::uint32_t {
     Key,           ///< returns the next byte from the keyboard (scan codes of set 1), or -1
     Mouse,         ///< ebx: MouseState; its motion begins anew
     Idle,          ///< until the next interrupt
-    Memory         ///< ebx: MemoryState
+    Memory,        ///< ebx: MemoryState
+    LowMemory,     ///< returns the address of kLowMemory bytes below 1 MB, which cross no boundary of 64 KB
+    Timer          ///< ebx: TimerHook, from now on
 };
 
 /// What the PC's timer (an 8253 or 8254) counts by: a third of the colour subcarrier of American television.
@@ -27,6 +29,14 @@ struct MemoryState {
     std::uint32_t size = 0;      ///< of the PC, from 1 MB on, bytes
     std::uint32_t most = 0;      ///< of that in use at any time, the program and its files with it
     std::uint32_t emulated = 0;  ///< instructions that the processor did not know
+};
+
+inline constexpr std::uint32_t kLowMemory = 4096;
+
+/// What each interrupt of the timer calls, 291 times a second; null: nothing.
+struct TimerHook {
+    void (*function)(void* argument) = nullptr;
+    void* argument = nullptr;
 };
 
 inline std::int32_t call(Call number, void* argument = nullptr) {

@@ -10,6 +10,7 @@ namespace {
 constexpr std::uint16_t kCounter0 = 0x40, kMode = 0x43, kInterruptController = 0x20;
 constexpr std::uint32_t kPeriod = 4096;  // counts: 291 interrupts a second
 volatile std::uint32_t periods;
+TimerHook timer_hook;
 
 void set_period(std::uint8_t mode, std::uint32_t counts) {
     write_port(kMode, mode);
@@ -31,6 +32,14 @@ void restore_clock() {
 
 void tick_clock() {
     periods = periods + 1;
+}
+
+void call_timer_hook() {
+    if (timer_hook.function != nullptr) timer_hook.function(timer_hook.argument);
+}
+
+void set_timer_hook(const TimerHook& hook) {
+    timer_hook = hook;
 }
 
 std::uint64_t clock_counts() {

@@ -82,6 +82,7 @@ void interrupt(Registers* registers) {
         if (number == kMouse) take_mouse_byte();
         if (number >= kFirstLine + 8) write_port(kSecond, kEndOfInterrupt);
         write_port(kFirst, kEndOfInterrupt);
+        if (number == kTimer) call_timer_hook();
         return;
     }
     if (number == kInvalidOpcode && emulate(*registers)) return;

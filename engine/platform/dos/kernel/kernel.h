@@ -30,6 +30,9 @@ void take_interrupts();
 void start_clock();
 void restore_clock();
 void tick_clock();
+/// After the interrupt has been answered.
+void call_timer_hook();
+void set_timer_hook(const TimerHook& hook);
 /// Counts of the timer, kTimerHz a second.
 std::uint64_t clock_counts();
 
@@ -75,6 +78,10 @@ std::uint32_t emulated_instructions();
 // leave.cpp
 void note_boot(const BootInfo& boot);
 const char* command_line();
+/// A variable of DOS, as NAME=VALUE; null: there is none.
+const char* dos_variable(const char* name);
+/// kLowMemory bytes.
+std::uint8_t* low_memory();
 /// What DOS returns in AX, with its buffer at `buffer`; -1 where it has failed, or is not there.
 std::int32_t call_dos(std::uint16_t ax, std::uint16_t bx, std::uint16_t cx, std::uint16_t dx, std::uint16_t di = 0);
 /// Null without DOS.

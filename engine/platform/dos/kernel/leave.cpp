@@ -52,6 +52,25 @@ const char* command_line() {
     return boot->words;
 }
 
+// The program segment prefix, which the command line is in, has the segment of all variables, each ended by 0.
+const char* dos_variable(const char* name) {
+    constexpr std::uint32_t kWords = 0x81, kVariables = 0x2c;
+    if (boot->dos == nullptr) return nullptr;
+    const auto segment = *reinterpret_cast<const std::uint16_t*>(boot->words - kWords + kVariables);
+    for (const char* at = reinterpret_cast<const char*>(std::uint32_t{segment} << 4); *at != 0; ++at) {
+        std::uint32_t same = 0;
+        while (name[same] != 0 && at[same] == name[same]) ++same;
+        if (name[same] == 0 && at[same] == '=') return at;
+        while (*at != 0) ++at;
+    }
+    return nullptr;
+}
+
+// In the buffer, between what dos_files.cpp has there.
+std::uint8_t* low_memory() {
+    return reinterpret_cast<std::uint8_t*>(whole_pages(reinterpret_cast<std::uint32_t>(boot->buffer) + 0x8000));
+}
+
 void put(char letter) {
     kept[kept_end++ % kKept] = letter;
     constexpr std::uint8_t kMaySend = 0x20;

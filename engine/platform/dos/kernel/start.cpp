@@ -105,6 +105,7 @@ std::uint32_t split_words(const char* line, char* room, std::uint32_t room_size,
     for (std::uint32_t i = 0; i < count; ++i) *at++ = words[i];
     *at++ = 0;
     *at++ = reinterpret_cast<std::uint32_t>(folder);
+    if (const char* const card = dos_variable("BLASTER")) *at++ = reinterpret_cast<std::uint32_t>(card);
     *at++ = 0;
     const Told told[] = {{3, headers},
                          {4, sizeof(ElfPart)},

@@ -83,6 +83,11 @@ std::int32_t own_call(const Registers& registers, bool& is_known) {
         case Call::Memory:
             *reinterpret_cast<MemoryState*>(registers.ebx) = memory_state();
             return 0;
+        case Call::LowMemory:
+            return reinterpret_cast<std::int32_t>(low_memory());
+        case Call::Timer:
+            set_timer_hook(*reinterpret_cast<const TimerHook*>(registers.ebx));
+            return 0;
     }
     is_known = false;
     return 0;

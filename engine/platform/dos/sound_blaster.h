@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace oblong::dos {
+
+/// A Sound Blaster 2.0 or a later one.
+class SoundBlaster {
+  public:
+    /// Where DOS's variable BLASTER has it ("A220 I5 D1"), which may be null: where most have it.
+    static std::optional<SoundBlaster> find(const char* blaster);
+
+    /// Plays these bytes again and again until stop(): samples around 128, `rate_hz` a second. They are below 1 MB and
+    /// cross no boundary of 64 KB.
+    void start(std::span<const std::uint8_t> ring, std::int32_t rate_hz);
+    /// Which byte of the ring is played.
+    std::size_t position() const;
+    void stop();
+
+  private:
+    SoundBlaster(std::uint16_t base, std::uint8_t channel) : base_(base), channel_(channel) {}
+    std::uint16_t port(int offset) const { return static_cast<std::uint16_t>(base_ + offset); }
+    bool reset() const;
+    void tell(std::uint8_t byte) const;
+    std::uint8_t heard() const;
+
+    std::uint16_t base_;
+    std::uint8_t channel_;  // of the DMA controller
+    std::uint8_t version_ = 0;
+    std::size_t ring_size_ = 0;
+};
+
+}  // namespace oblong::dos
