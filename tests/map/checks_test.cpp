@@ -27,6 +27,18 @@ using Said = std::vector<std::string>;
 
 const std::string kBrush = box({0, 0, 0}, {8, 8, 8});
 
+TEST(Warnings, CountOnlyWhatCameSinceTheyWereTaken) {
+    map::Warnings warnings;
+    warnings.add(3, "it");
+    warnings.add(5, "it");
+    EXPECT_EQ(warnings.take().at(0).what, "it (so 1 more)");
+    warnings.add(7, "it");
+    const auto later = warnings.take();
+    ASSERT_EQ(later.size(), 1u);
+    EXPECT_EQ(later[0].line, 7);
+    EXPECT_EQ(later[0].what, "it");
+}
+
 TEST(Checks, AreSilentAboutWhatQuakeKnows) {
     EXPECT_EQ(warnings_of(entity_at("light_flame_large_yellow", {1, 2, 3}, {{"light", "200"}, {"style", "4"}}) +
                           entity("func_door", {{"lip", "8"}, {"dmg", "2"}, {"_tb_group", "3"}}, kBrush) +

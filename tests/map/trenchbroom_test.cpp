@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <regex>
 #include <set>
 
 #include "engine/files/files.h"
@@ -173,6 +174,15 @@ INSTANTIATE_TEST_SUITE_P(Places, TrenchBroomInstaller,
                                          InTheWay{"Oblong/Oblong.fgd", "a folder", "Oblong/Oblong.fgd"},
                                          InTheWay{"Oblong/Icon.png", "a full disk", "Oblong/Icon.png"},
                                          InTheWay{"Oblong/assets/models", "a file", "Oblong/assets/models"}));
+
+TEST(Fgd, NoFlagIsSetInANewEntity) {
+    const std::string text = map::fgd_text();
+    const std::regex flag("\\n\\t\\t[0-9]+ : \"[^\"\\n]*\" : ([0-9]+)");
+    int count = 0;
+    for (std::sregex_iterator row(text.begin(), text.end(), flag), end; row != end; ++row, ++count)
+        EXPECT_EQ((*row)[1].str(), "0") << row->str();
+    EXPECT_GT(count, 20);
+}
 
 TEST_F(TrenchBroom, ClassesAreReadWithTheirModels) {
     const std::vector<EditorClass> classes = read_fgd(read_text(installed("Oblong.fgd")));
