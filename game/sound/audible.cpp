@@ -99,8 +99,8 @@ VoiceLevels times_256(VoiceLevels levels, std::int32_t gain_256) {
 
 class Hearing {
   public:
-    Hearing(const GameLevel& level, const GameState& state, const Listener& listener)
-        : level_(level), state_(state), listener_(listener) {}
+    Hearing(const GameLevel& level, const GameState& state, const Listener& listener, HeardFrom* heard_from)
+        : level_(level), state_(state), listener_(listener), heard_from_(heard_from) {}
 
     void add(const Heard& heard) {
         const SoundSource& source = *heard.source;
@@ -146,17 +146,27 @@ class Hearing {
         return is_clear(level_, state_, listener_.ear, end, source.model);
     }
 
-    // How loud it is from the first of its places that is in sight.
+    // The first of its places that is in sight; their count: none is.
+    std::size_t place_in_sight(const SoundSource& source, const HeardPlaces& found) {
+        const bool is_remembered = heard_from_ != nullptr && source.serial == 0;
+        if (is_remembered)
+            if (const auto known = heard_from_->place_of(source)) return *known;
+        std::size_t place = 0;
+        while (place < found.count && !is_in_sight(source, found.places[place])) ++place;
+        if (is_remembered) heard_from_->note(source, place);
+        return place;
+    }
+
+    // How loud it is from there.
     VoiceLevels levels_of(const Heard& heard) {
         const SoundSource& source = *heard.source;
         if (row_of(source.sound).range == 0) return heard.levels;
         const HeardPlaces found = places_of(source, listener_.ear);
-        for (std::size_t i = 0; i < found.count; ++i) {
-            const Position& place = found.places[i];
-            if (!is_in_sight(source, place)) continue;
-            if (i == 0) return heard.levels;
+        const std::size_t place = place_in_sight(source, found);
+        if (place == 0) return heard.levels;
+        if (place < found.count) {
             SoundSource part = source;
-            part.box = {place, place};
+            part.box = {found.places[place], found.places[place]};
             return levels_at(part, listener_);
         }
         VoiceLevels levels = times_256(heard.levels, source.sound == Sound::Wind ? kBlockedWind_256 : kBlockedGain_256);
@@ -167,6 +177,7 @@ class Hearing {
     const GameLevel& level_;
     const GameState& state_;
     const Listener& listener_;
+    HeardFrom* const heard_from_;
     Audible audible_;
 };
 
@@ -176,6 +187,22 @@ bool stops_line(const Level& bsp, ModelIndex model, const Position& from, const 
 }
 
 }  // namespace
+
+void HeardFrom::start_tick() {
+    ++tick_;
+    std::erase_if(known_, [this](const Known& known) { return tick_ - known.tick >= kTicks; });
+}
+
+std::optional<std::size_t> HeardFrom::place_of(const SoundSource& source) const {
+    for (const Known& known : known_)
+        if (known.sound == source.sound && known.box.mins == source.box.mins && known.box.maxs == source.box.maxs)
+            return known.place;
+    return {};
+}
+
+void HeardFrom::note(const SoundSource& source, std::size_t place) {
+    known_.push_back({source.sound, source.box, place, tick_});
+}
 
 Listener listener_of(const Player& player) {
     return {player.position + world_vector(0, 0, kEyeHeight), player.yaw, player.depth == Depth::Eyes};
@@ -211,9 +238,9 @@ bool is_clear(const GameLevel& level, const GameState& state, const Position& fr
 }
 
 Audible audible_sounds(const GameLevel& level, const GameState& state, const Listener& listener,
-                       std::span<const SoundSource> sources) {
+                       std::span<const SoundSource> sources, HeardFrom* heard_from) {
     std::array<std::vector<Heard>, kSoundCount> loops;
-    Hearing hearing(level, state, listener);
+    Hearing hearing(level, state, listener, heard_from);
     for (const SoundSource& source : sources) {
         const Heard heard{&source, levels_at(source, listener)};
         if (loudness(heard.levels) < kFaintest_256) continue;

@@ -48,10 +48,32 @@ VoiceLevels levels_at(const SoundSource& source, const Listener& listener);
 bool is_clear(const GameLevel& level, const GameState& state, const Position& from, const Position& to,
               ModelIndex except);
 
+/// From which of its places each loop that stays where it is was heard. It is asked anew every fourth tick: on a 486,
+/// lines through the level would take longer than all else of a tick.
+class HeardFrom {
+  public:
+    static constexpr std::uint32_t kTicks = 4;
+
+    /// Forgets what was asked so many ticks ago.
+    void start_tick();
+    std::optional<std::size_t> place_of(const SoundSource& source) const;
+    void note(const SoundSource& source, std::size_t place);
+
+  private:
+    struct Known {
+        Sound sound;
+        Box box;
+        std::size_t place;
+        std::uint32_t tick;
+    };
+    std::vector<Known> known_;
+    std::uint32_t tick_ = 0;
+};
+
 /// What a listener hears of some sources. Loops of one sound become one: each ear hears the loudest of them. An area is
 /// heard from the nearest of its parts that a straight line reaches. What no line reaches is softer and muffled; under
-/// water, all is muffled.
+/// water, all is muffled. With `heard_from`, of loops that it knows no lines are traced.
 Audible audible_sounds(const GameLevel& level, const GameState& state, const Listener& listener,
-                       std::span<const SoundSource> sources);
+                       std::span<const SoundSource> sources, HeardFrom* heard_from = nullptr);
 
 }  // namespace oblong

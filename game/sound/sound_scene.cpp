@@ -32,7 +32,8 @@ void SoundScene::note_tick(const GameState& before, const GameState& after, cons
         source.sound = Sound::UnderWater;
         sources.push_back(source);
     }
-    audible_ = audible_sounds(level_, after, listener, sources);
+    heard_from_.start_tick();
+    audible_ = audible_sounds(level_, after, listener, sources, &heard_from_);
     keep_heard();
 }
 

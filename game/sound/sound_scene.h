@@ -31,6 +31,7 @@ class SoundScene {
     const LevelSounds* own_;
     Ambience ambience_;
     SoundStarts starts_;
+    HeardFrom heard_from_;
     std::vector<OneShot> one_shots_;  // that have begun, were heard in each tick so far, and have not ended
     Audible audible_;
 };

@@ -121,6 +121,46 @@ TEST(Audible, AnAreaBehindAWallIsMuffled) {
     EXPECT_EQ(audible.traces, static_cast<int>(kMostLinesOfASource));
 }
 
+/// What is heard of an area and of a place as one passes a column: by lines of at most four ticks ago.
+TEST(Audible, OfLoopsThatAreKnownNoLinesAreTracedForFourTicks) {
+    const ToyGame game(test::with_column());
+    SoundSource area = source_at(Sound::Rain, 80, -100, 20);
+    area.box.maxs = world_vector(280, 100, 220);
+    const std::vector<SoundSource> sources{area, source_at(Sound::Fire, 120, 0)};
+    HeardFrom heard_from;
+    std::int32_t traces = 0, all_traces = 0;
+    bool is_muffled = false, has_changed = false;
+    for (int tick = 0; tick < 80; ++tick) {
+        const Listener ear{world_vector(20, 2 * tick - 80, 46), Angle{}, false};
+        heard_from.start_tick();
+        const Audible audible = audible_sounds(game.level, game.state, ear, sources, &heard_from);
+        const Audible now = audible_sounds(game.level, game.state, ear, sources);
+        ASSERT_EQ(audible.sounds.size(), now.sounds.size());
+        EXPECT_EQ(audible.traces == 0, tick % 4 != 0) << tick;
+        for (std::size_t i = 0; tick % 4 == 0 && i < now.sounds.size(); ++i)
+            EXPECT_EQ(audible.sounds[i].levels, now.sounds[i].levels) << tick;
+        traces += audible.traces;
+        all_traces += now.traces;
+        for (const AudibleSound& sound : now.sounds) {
+            if (sound.sound != Sound::Fire) continue;
+            has_changed |= tick > 0 && sound.levels.is_muffled != is_muffled;
+            is_muffled = sound.levels.is_muffled;
+        }
+    }
+    EXPECT_TRUE(has_changed) << "the column comes between";
+    EXPECT_LT(3 * traces, all_traces);
+}
+
+TEST(Audible, SoundsThatBeginAreTracedAtEachTick) {
+    const ToyGame game(test::with_wall());
+    const std::vector<SoundSource> one{source_at(Sound::GateStart, -300, 0, 46, 1)};
+    HeardFrom heard_from;
+    for (int tick = 0; tick < 8; ++tick) {
+        heard_from.start_tick();
+        EXPECT_EQ(audible_sounds(game.level, game.state, kListener, one, &heard_from).traces, 1) << tick;
+    }
+}
+
 TEST(Audible, IsMuffledUnderWaterAllOfIt) {
     const ToyGame game(test::with_wall());
     Listener diver = kListener;
