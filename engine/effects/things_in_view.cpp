@@ -12,11 +12,6 @@ namespace {
 /// Of an emitter's box: particles cost more than to look at its parts.
 constexpr int kCuts = 4;
 
-bool overlap(const ScreenRectangle& a, const ScreenRectangle& b) {
-    return a.first_column < b.end_column && b.first_column < a.end_column && a.first_row < b.end_row &&
-           b.first_row < a.end_row;
-}
-
 /// Leaves out the dots from `first` on that are not in the part of the screen that is drawn.
 void keep_dots_in(const ScreenRectangle& part, std::size_t first, std::vector<ParticleDot>& dots) {
     const auto is_outside = [&part](const ParticleDot& dot) {

@@ -31,11 +31,6 @@ bool is_nearer(const LinearQuantity<InverseZ>& plane, const ScreenRectangle& pix
     return to_inverse_depth(plane.at(column, row)) > nearest;
 }
 
-bool overlap(const ScreenRectangle& a, const ScreenRectangle& b) {
-    return a.first_column < b.end_column && b.first_column < a.end_column && a.first_row < b.end_row &&
-           b.first_row < a.end_row;
-}
-
 /// Whether a pixel of a rectangle shows the sky, or a face no nearer than `nearest`.
 bool shows_farther(const CoveringFace& covering, const ScreenRectangle& pixels, InverseDepth nearest,
                    const FrameContext& frame) {

@@ -40,6 +40,11 @@ struct PixelPosition {
 struct ScreenRectangle {
     std::int32_t first_column, end_column, first_row, end_row;
 };
+/// Whether two rectangles, of which neither is empty, share a pixel.
+inline bool overlap(const ScreenRectangle& a, const ScreenRectangle& b) {
+    return a.first_column < b.end_column && b.first_column < a.end_column && a.first_row < b.end_row &&
+           b.first_row < a.end_row;
+}
 
 /// Columns or rows [first, end), perhaps none.
 struct PixelRange {
