@@ -99,7 +99,7 @@ VoiceLevels times_256(VoiceLevels levels, std::int32_t gain_256) {
 
 class Hearing {
   public:
-    Hearing(const GameLevel& level, const GameState& state, const Listener& listener, HeardFrom* heard_from)
+    Hearing(const GameLevel& level, const GameState& state, const Listener& listener, HeardFrom& heard_from)
         : level_(level), state_(state), listener_(listener), heard_from_(heard_from) {}
 
     void add(const Heard& heard) {
@@ -148,12 +148,12 @@ class Hearing {
 
     // The first of its places that is in sight; their count: none is.
     std::size_t place_in_sight(const SoundSource& source, const HeardPlaces& found) {
-        const bool is_remembered = heard_from_ != nullptr && source.serial == 0;
-        if (is_remembered)
-            if (const auto known = heard_from_->place_of(source)) return *known;
+        const bool is_loop = source.serial == 0;
+        if (is_loop)
+            if (const auto known = heard_from_.place_of(source)) return *known;
         std::size_t place = 0;
         while (place < found.count && !is_in_sight(source, found.places[place])) ++place;
-        if (is_remembered) heard_from_->note(source, place);
+        if (is_loop) heard_from_.note(source, place);
         return place;
     }
 
@@ -177,7 +177,7 @@ class Hearing {
     const GameLevel& level_;
     const GameState& state_;
     const Listener& listener_;
-    HeardFrom* const heard_from_;
+    HeardFrom& heard_from_;
     Audible audible_;
 };
 
@@ -238,7 +238,7 @@ bool is_clear(const GameLevel& level, const GameState& state, const Position& fr
 }
 
 Audible audible_sounds(const GameLevel& level, const GameState& state, const Listener& listener,
-                       std::span<const SoundSource> sources, HeardFrom* heard_from) {
+                       std::span<const SoundSource> sources, HeardFrom& heard_from) {
     std::array<std::vector<Heard>, kSoundCount> loops;
     Hearing hearing(level, state, listener, heard_from);
     for (const SoundSource& source : sources) {

@@ -48,8 +48,8 @@ VoiceLevels levels_at(const SoundSource& source, const Listener& listener);
 bool is_clear(const GameLevel& level, const GameState& state, const Position& from, const Position& to,
               ModelIndex except);
 
-/// From which of its places each loop that stays where it is was heard. It is asked anew every fourth tick: on a 486,
-/// lines through the level would take longer than all else of a tick.
+/// From which of its places each loop that stays where it is was heard. It is asked anew every fourth tick, as lines
+/// through the level are most of the work of hearing.
 class HeardFrom {
   public:
     static constexpr std::uint32_t kTicks = 4;
@@ -72,8 +72,8 @@ class HeardFrom {
 
 /// What a listener hears of some sources. Loops of one sound become one: each ear hears the loudest of them. An area is
 /// heard from the nearest of its parts that a straight line reaches. What no line reaches is softer and muffled; under
-/// water, all is muffled. With `heard_from`, of loops that it knows no lines are traced.
+/// water, all is muffled. Of loops that `heard_from` knows no lines are traced.
 Audible audible_sounds(const GameLevel& level, const GameState& state, const Listener& listener,
-                       std::span<const SoundSource> sources, HeardFrom* heard_from = nullptr);
+                       std::span<const SoundSource> sources, HeardFrom& heard_from);
 
 }  // namespace oblong

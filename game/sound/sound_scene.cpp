@@ -33,7 +33,7 @@ void SoundScene::note_tick(const GameState& before, const GameState& after, cons
         sources.push_back(source);
     }
     heard_from_.start_tick();
-    audible_ = audible_sounds(level_, after, listener, sources, &heard_from_);
+    audible_ = audible_sounds(level_, after, listener, sources, heard_from_);
     keep_heard();
 }
 

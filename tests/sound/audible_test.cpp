@@ -21,6 +21,12 @@ SoundSource source_at(Sound sound, int x, int y, int z = 46, std::uint32_t seria
 
 const Listener kListener{world_vector(0, 0, 46), Angle{}, false};  // looks along +x: right is -y
 
+Audible audible_now(const GameLevel& level, const GameState& state, const Listener& listener,
+                    std::span<const SoundSource> sources) {
+    HeardFrom nowhere;
+    return audible_sounds(level, state, listener, sources, nowhere);
+}
+
 // (1 - d / range)^2 of the gain, to the sides with constant power.
 void expect_levels(const SoundSource& source, const Listener& listener) {
     const double x = (source.box.mins.x.raw - listener.ear.x.raw) / 4096.0;
@@ -62,7 +68,7 @@ TEST(Levels, OfABoxAreThoseOfItsNearestPoint) {
 TEST(Audible, LeavesOutWhatIsOutOfRangeAndTracesNothingForIt) {
     const ToyGame game(test::with_wall());
     const std::vector<SoundSource> sources{source_at(Sound::Hum, -170, 0), source_at(Sound::Wind, -2'000, 0)};
-    const Audible audible = audible_sounds(game.level, game.state, kListener, sources);
+    const Audible audible = audible_now(game.level, game.state, kListener, sources);
     EXPECT_TRUE(audible.sounds.empty());
     EXPECT_EQ(audible.traces, 0);
 }
@@ -71,7 +77,7 @@ TEST(Audible, IsMuffledAndSofterBehindAWall) {
     const ToyGame game(test::with_wall());
     const auto heard = [&](int x) {
         const std::vector<SoundSource> one{source_at(Sound::GateStart, x, 0, 46, 1)};
-        return audible_sounds(game.level, game.state, kListener, one);
+        return audible_now(game.level, game.state, kListener, one);
     };
     const Audible behind = heard(300), before = heard(-300);
     ASSERT_EQ(behind.sounds.size(), 1u);
@@ -94,7 +100,7 @@ TEST(Audible, AnAreaIsNeitherMuffledNorMuchSofterBehindAColumn) {
         double before_db = 0;
         for (int y = -80; y <= 80; y += 4) {
             const Listener ear{world_vector(20, y, 46), Angle{}, false};
-            const Audible audible = audible_sounds(game.level, game.state, ear, sources);
+            const Audible audible = audible_now(game.level, game.state, ear, sources);
             ASSERT_EQ(audible.sounds.size(), 1u);
             const VoiceLevels levels = audible.sounds[0].levels;
             EXPECT_FALSE(levels.is_muffled) << y;
@@ -107,7 +113,7 @@ TEST(Audible, AnAreaIsNeitherMuffledNorMuchSofterBehindAColumn) {
     // The column does stand between: a sound of one place is behind it.
     const std::vector<SoundSource> one{source_at(Sound::Fire, 120, 0)};
     EXPECT_TRUE(
-        audible_sounds(game.level, game.state, {world_vector(20, 0, 46), {}, false}, one).sounds[0].levels.is_muffled);
+        audible_now(game.level, game.state, {world_vector(20, 0, 46), {}, false}, one).sounds[0].levels.is_muffled);
 }
 
 TEST(Audible, AnAreaBehindAWallIsMuffled) {
@@ -115,7 +121,7 @@ TEST(Audible, AnAreaBehindAWallIsMuffled) {
     SoundSource area = source_at(Sound::Rain, 140, -100, 20);
     area.box.maxs = world_vector(340, 100, 220);
     const std::vector<SoundSource> sources{area};
-    const Audible audible = audible_sounds(game.level, game.state, kListener, sources);
+    const Audible audible = audible_now(game.level, game.state, kListener, sources);
     ASSERT_EQ(audible.sounds.size(), 1u);
     EXPECT_TRUE(audible.sounds[0].levels.is_muffled);
     EXPECT_EQ(audible.traces, static_cast<int>(kMostLinesOfASource));
@@ -133,8 +139,8 @@ TEST(Audible, OfLoopsThatAreKnownNoLinesAreTracedForFourTicks) {
     for (int tick = 0; tick < 80; ++tick) {
         const Listener ear{world_vector(20, 2 * tick - 80, 46), Angle{}, false};
         heard_from.start_tick();
-        const Audible audible = audible_sounds(game.level, game.state, ear, sources, &heard_from);
-        const Audible now = audible_sounds(game.level, game.state, ear, sources);
+        const Audible audible = audible_sounds(game.level, game.state, ear, sources, heard_from);
+        const Audible now = audible_now(game.level, game.state, ear, sources);
         ASSERT_EQ(audible.sounds.size(), now.sounds.size());
         EXPECT_EQ(audible.traces == 0, tick % 4 != 0) << tick;
         for (std::size_t i = 0; tick % 4 == 0 && i < now.sounds.size(); ++i)
@@ -157,7 +163,7 @@ TEST(Audible, SoundsThatBeginAreTracedAtEachTick) {
     HeardFrom heard_from;
     for (int tick = 0; tick < 8; ++tick) {
         heard_from.start_tick();
-        EXPECT_EQ(audible_sounds(game.level, game.state, kListener, one, &heard_from).traces, 1) << tick;
+        EXPECT_EQ(audible_sounds(game.level, game.state, kListener, one, heard_from).traces, 1) << tick;
     }
 }
 
@@ -167,7 +173,7 @@ TEST(Audible, IsMuffledUnderWaterAllOfIt) {
     diver.is_under_water = true;
     const std::vector<SoundSource> sources{source_at(Sound::GateStart, -300, 0, 46, 1),
                                            source_at(Sound::UnderWater, 0, 0)};
-    for (const AudibleSound& sound : audible_sounds(game.level, game.state, diver, sources).sounds)
+    for (const AudibleSound& sound : audible_now(game.level, game.state, diver, sources).sounds)
         EXPECT_EQ(sound.levels.is_muffled, sound.sound != Sound::UnderWater);
 }
 
@@ -175,7 +181,7 @@ TEST(Audible, OneVoiceForALoopHoweverManySound) {
     const ToyGame game(test::with_wall());
     std::vector<SoundSource> sources;
     for (int i = 0; i < 50; ++i) sources.push_back(source_at(Sound::Water, -100 - i, i % 2 == 0 ? 200 : -200));
-    const Audible audible = audible_sounds(game.level, game.state, kListener, sources);
+    const Audible audible = audible_now(game.level, game.state, kListener, sources);
     ASSERT_EQ(audible.sounds.size(), 1u);
     EXPECT_LE(audible.traces, static_cast<int>(kMostSourcesOfALoop * kMostLinesOfASource));
     const VoiceLevels levels = audible.sounds[0].levels;
@@ -187,7 +193,7 @@ TEST(Audible, HasNoMoreThanItsMostAndKeepsTheLoudest) {
     std::vector<SoundSource> sources;
     for (int i = 0; i < 60; ++i)
         sources.push_back(source_at(Sound::GateStop, -10 * i, 0, 46, 1 + static_cast<std::uint32_t>(i)));
-    const Audible audible = audible_sounds(game.level, game.state, kListener, sources);
+    const Audible audible = audible_now(game.level, game.state, kListener, sources);
     ASSERT_EQ(audible.sounds.size(), kMostAudible);
     for (const AudibleSound& sound : audible.sounds) EXPECT_LE(sound.serial, kMostAudible + 8);
 }
