@@ -66,11 +66,6 @@ def in_six_bits(picture):
     return (*picture[:2], bytes(value >> 2 for value in picture[2]))
 
 
-def different_pixels(a, b):
-    expect(a[:2] == b[:2], f"{a[0]}x{a[1]} pixels, expected {b[0]}x{b[1]}")
-    return sum(a[2][i:i + 3] != b[2][i:i + 3] for i in range(0, len(a[2]), 3))
-
-
 def check_qemu(build_dir):
     image = os.path.join(build_dir, "dos/oblong.img")
     with tempfile.TemporaryDirectory() as folder:
