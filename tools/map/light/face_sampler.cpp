@@ -120,10 +120,8 @@ Point FaceSampler::normal_at(const Point& point) const {
 }
 
 std::optional<std::size_t> FaceSampler::sample_at(const Point& point) const {
-    for (std::size_t i = 0; i < corners_.size(); ++i) {
-        const Point along = corners_[(i + 1) % corners_.size()] - corners_[i];
-        if (dot(normal_, cross(along, point - corners_[i])) > kSlack * length(along)) return std::nullopt;
-    }
+    if (std::any_of(edges_.begin(), edges_.end(), [&](const Plane& edge) { return edge.height_of(point) > kSlack; }))
+        return std::nullopt;
     std::array<int, 2> place{};
     for (std::size_t axis = 0; axis < 2; ++axis) {
         const double texel = dot(axes_[axis], point) + offsets_[axis];
