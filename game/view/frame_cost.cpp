@@ -122,32 +122,26 @@ void draw_cost(const CostText& text, const CostTable& table, std::int32_t page, 
 }
 
 FrameCost::FrameCost(const Palette& palette, std::uint64_t now_us)
-    : background_(darker_colours(palette, kBackground)), since_us_(now_us) {}
+    : text_{darker_colours(palette, kBackground), {}, {}, {}}, since_us_(now_us) {}
 
-bool FrameCost::note(const GameView& view, const Settings& settings, GameRenderer& renderer, std::uint64_t now_us) {
+void FrameCost::note(const GameView& view, const Settings& settings, const Palette& palette,
+                     const PaletteEffects& effects, std::uint64_t now_us, GameRenderer& renderer) {
     times_.time(view, settings, renderer);
     ++frames_;
     const std::uint64_t since_us = now_us - since_us_;
-    if (since_us < kMeasured_us) return false;
-    frames_a_second_ = frames_ * 1'000'000 / since_us;
+    if (since_us < kMeasured_us) return;
+    const std::uint64_t frames_a_second = frames_ * 1'000'000 / since_us;
     since_us_ = now_us;
     frames_ = 0;
-    return true;
-}
-
-CostText FrameCost::measure(const GameView& view, const Settings& settings, const Palette& palette,
-                            const PaletteEffects& effects, GameRenderer& renderer) const {
-    CostText text{background_, {}, {}, {}};
     const RenderingTimes& times = times_.renderings();
     const TimeSpread frame = times.frame_ns();
-    text.frame = short_time(frame.median) + " us " + spread_text(frame) + ", " + std::to_string(frames_a_second_) +
-                 " frames/s, " + std::to_string(view.state.after.active_movers.size()) + " movers";
+    text_.frame = short_time(frame.median) + " us " + spread_text(frame) + ", " + std::to_string(frames_a_second) +
+                  " frames/s, " + std::to_string(view.state.after.active_movers.size()) + " movers";
     const FrameCounts counts = renderer.draw_and_count(view, settings);
-    text.passes = times.pass_lines(renderer.plan(), counts);
-    text.effects = other_lines(times.effect_lines(renderer.plan(), counts), text.passes);
+    text_.passes = times.pass_lines(renderer.plan(), counts);
+    text_.effects = other_lines(times.effect_lines(renderer.plan(), counts), text_.passes);
     if (!effects.is_plain())
-        text.effects.push_back({"palette", 0, palette_time_ns(palette, effects, time_ms_at(view.state))});
-    return text;
+        text_.effects.push_back({"palette", 0, palette_time_ns(palette, effects, time_ms_at(view.state))});
 }
 
 }  // namespace oblong

@@ -36,17 +36,16 @@ class FrameCost {
   public:
     FrameCost(const Palette& palette, std::uint64_t now_us);
 
-    /// Times one more rendering of the view that `renderer` has just drawn. True each half second: the text is to be
-    /// made anew.
-    bool note(const GameView& view, const Settings& settings, GameRenderer& renderer, std::uint64_t now_us);
-    /// Of the view noted last. Draws it once more, to the same picture, to count pixels.
-    CostText measure(const GameView& view, const Settings& settings, const Palette& palette,
-                     const PaletteEffects& effects, GameRenderer& renderer) const;
+    /// Times one more rendering of the view that `renderer` has just drawn. Each half second the text is made anew:
+    /// then draws the view once more, to the same picture, to count pixels.
+    void note(const GameView& view, const Settings& settings, const Palette& palette, const PaletteEffects& effects,
+              std::uint64_t now_us, GameRenderer& renderer);
+    const CostText& text() const { return text_; }
 
   private:
-    ColourTable background_;
+    CostText text_;
     ViewTimes times_;
-    std::uint64_t since_us_, frames_ = 0, frames_a_second_ = 0;
+    std::uint64_t since_us_, frames_ = 0;
 };
 
 }  // namespace oblong

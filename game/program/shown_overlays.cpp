@@ -1,0 +1,129 @@
+#include "game/program/shown_overlays.h"
+
+#include "engine/files/arguments.h"
+#include "engine/files/crosshair.h"
+#include "game/input/key_names.h"
+#include "game/lab/aspect_guide.h"
+#include "game/view/sign_colours.h"
+
+namespace oblong {
+namespace {
+
+constexpr Rgb8 kPathColour{255, 40, 20};
+
+// Makes an object once it is wanted, and frees it when it no longer is.
+template <class Object, class Make>
+void keep(std::unique_ptr<Object>& object, bool is_wanted, Make make) {
+    if (!is_wanted)
+        object.reset();
+    else if (!object)
+        object = make();
+}
+
+}  // namespace
+
+ShownOverlays::ShownOverlays(const LoadedLevel& loaded, const ViewOptions& view_options, Overlays& on,
+                             const Platform& platform)
+    : data_(loaded.data),
+      level_(loaded.level),
+      view_options_(view_options),
+      on_(on),
+      platform_(platform),
+      text_colours_(text_colours_of(loaded.data.palette)) {}
+
+std::string ShownOverlays::with_keys(const std::string& note) const {
+    return KeyNames(preferences().bindings, platform_, view_options_.uses_pad).in(note);
+}
+
+// As large as the mode and the player want it.
+std::int32_t ShownOverlays::text_scale() const {
+    const ScreenMode& mode = preferences().mode;
+    return text_scale_in(mode.width_px, mode.height_px, preferences().text_scale);
+}
+
+void ShownOverlays::drag(Controls& controls) {
+    drag_split(shown_rect(preferences(), platform_.window_size()), on_.lab, controls);
+}
+
+void ShownOverlays::free_all() {
+    lab_.reset();
+    map_.reset();
+    cost_.reset();
+    edge_colour_.reset();
+}
+
+void ShownOverlays::follow(std::uint64_t now_us) {
+    text_colours_.scale = text_scale();
+    const MadeFor wanted{preferences().mode, preferences().colours, text_colours_.scale};
+    if (made_for_ != wanted) free_all();
+    made_for_ = wanted;
+    keep(lab_, needs_lab(on_.lab),
+         [&] { return std::make_unique<Lab>(data_, level_, wanted.mode, wanted.colours, wanted.text_scale); });
+    keep(four_aspects_, on_.shows_four_aspects, [&] { return std::make_unique<FourAspects>(data_, level_); });
+    if (log_ && log_->channels() != on_.log) log_.reset();
+    keep(log_, !on_.log.is_empty(), [&] { return std::make_unique<FrameLog>(on_.log, standard_error_lines()); });
+    keep(map_, on_.map != MapView::Off, [&] { return std::make_unique<Automap>(data_, level_, wanted.colours); });
+    keep(edge_colour_, on_.wireframe != Wireframe::Off,
+         [&] { return std::make_unique<LineColour>(data_.palette, sign_colours_of(wanted.colours).edges); });
+    keep(path_colour_, !path_.empty(), [&] { return std::make_unique<LineColour>(data_.palette, kPathColour); });
+    keep(cost_, on_.cost_page != 0, [&] { return std::make_unique<FrameCost>(data_.palette, now_us); });
+}
+
+Settings ShownOverlays::shown(Settings settings, std::uint64_t now_us) const {
+    if (lab_) settings.accuracy = shown_setting(on_.lab, settings.accuracy, now_us);
+    return settings;
+}
+
+void ShownOverlays::note(const GameView& view, const Settings& drawn, const PaletteEffects& effects,
+                         std::uint64_t now_us, GameRenderer& renderer) {
+    if (cost_) cost_->note(view, drawn, data_.palette, effects, now_us, renderer);
+    if (log_) renderer.note(view, drawn, now_us, *log_);
+}
+
+void ShownOverlays::draw_lines(const GameView& view, const Settings& drawn, GameRenderer& renderer) {
+    if (edge_colour_) {
+        const Framebuffer canvas = renderer.canvas();
+        if (on_.wireframe == Wireframe::Alone)
+            fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, text_colours_.dark);
+        renderer.draw_edges(view, drawn, edge_colour_->style(on_.line_method));
+    }
+    if (path_colour_) renderer.draw_path(path_, view, drawn, path_colour_->style(on_.line_method));
+}
+
+PanelText ShownOverlays::draw_panels(const GameView& view, const Settings& settings, std::uint64_t now_us,
+                                     Framebuffer canvas) {
+    const ScreenMode& mode = preferences().mode;
+    const WindowSize window = platform_.window_size();
+    PanelText text{{}, canvas.height_px - kTextMargin_px};
+    if (four_aspects_) {
+        const Ratio pixel = shown_pixel(shown_rect(preferences(), window), mode);
+        four_aspects_->draw(view, settings, mode, pixel, text_colours_, canvas);
+        return {};  // their captions leave no room
+    }
+    if (map_) map_->draw(view, on_.map, on_.line_method, mode, settings, canvas);
+    if (lab_) {
+        text.bottom = lab_->draw(on_.lab, view, settings, now_us, cost_ != nullptr, canvas);
+        for (const std::string& note : lab_->notes(on_.lab, settings.accuracy, now_us))
+            text.notes.push_back(with_keys(note));
+    }
+    if (on_.inspects && !view.other) {
+        const std::vector<PlacedModel> models = placed_models(level_, view.state);
+        draw_crosshair(canvas, text_colours_);
+        text.notes.push_back(describe_picked(data_.level, models, pick_ahead(data_.level, models, view.camera)));
+    }
+    if (on_.shows_aspect_guide) {
+        draw_aspect_guide(mode, text_colours_, canvas);
+        text.notes.push_back(
+            aspect_caption(mode, settings.correct_aspect, preferences().shown_as, preferences().scaling, window));
+    }
+    return text;
+}
+
+void ShownOverlays::draw_text(PanelText panels, std::vector<std::string> captions, Messages& messages,
+                              std::uint64_t played_us, const ColourTable& background, Framebuffer canvas) {
+    const HudText text{std::move(captions), std::move(panels.notes), cost_ ? &cost_->text() : nullptr, on_.cost_page};
+    const HudLayout layout = draw_hud(text, messages, played_us, panels.bottom, text_colours_, background, canvas);
+    if (layout.cost_table.pages < on_.cost_page) on_.cost_page = 0;  // the last one was up
+}
+
+}  // namespace oblong
