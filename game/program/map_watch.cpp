@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kBetweenLooks_us = 200'000;
+constexpr std::uint64_t kBetweenLooks_us = 200'000, kBetweenReminders_us = 3'000'000;
 
 // The parts of a source in which a difference means different work.
 struct MapParts {
@@ -130,7 +130,10 @@ std::optional<MapWatch::News> MapWatch::poll(std::uint64_t now_us) {
         if (waitpid(*running_, &status, WNOHANG) == 0) return std::nullopt;
         running_.reset();
         News news = finish(status);
-        if (news.has_level || running_change_ == MapChange::All) return news;
+        if (news.has_level || running_change_ == MapChange::All) {
+            remind_of(news.fault);
+            return news;
+        }
         begin(MapChange::All);  // more has changed than was thought
         return std::nullopt;
     }
@@ -144,6 +147,17 @@ std::optional<MapWatch::News> MapWatch::poll(std::uint64_t now_us) {
     const MapChange change = have_others || has_failed_ ? MapChange::All : change_between(text_, tried_text_);
     if (change != MapChange::Nothing) begin(change);
     return std::nullopt;
+}
+
+void MapWatch::remind_of(std::string fault) {
+    fault_ = std::move(fault);
+    reminded_us_ = 0;
+}
+
+std::string MapWatch::due_reminder(std::uint64_t now_us) {
+    if (fault_.empty() || now_us < reminded_us_ + kBetweenReminders_us) return "";
+    reminded_us_ = now_us;
+    return fault_;
 }
 
 void MapWatch::compile_first() {

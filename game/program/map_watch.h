@@ -38,6 +38,10 @@ class MapWatch {
 
     /// Begins what is due, and returns what has ended. Reads files at most five times a second.
     std::optional<News> poll(std::uint64_t now_us);
+    /// What is wrong with the level, each few seconds until it is mended; empty: nothing is, or not now.
+    std::string due_reminder(std::uint64_t now_us);
+    /// The new level is wrong in a way that the compiler does not know of.
+    void remind_of(std::string fault);
     /// Compiles all and waits for it. Throws FileError where there is no level then.
     void compile_first();
 
@@ -60,7 +64,8 @@ class MapWatch {
     Stamp seen_;
     std::map<std::string, Stamp> others_;  // that the compiler read
     bool has_failed_ = false;              // then all is due
-    std::uint64_t looked_us_ = 0;
+    std::string fault_;                    // of the level; empty: none
+    std::uint64_t looked_us_ = 0, reminded_us_ = 0;
     std::optional<int> running_;  // the compiler's process
     MapChange running_change_ = MapChange::All;
 };

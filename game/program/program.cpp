@@ -7,7 +7,6 @@
 
 #include "engine/files/arguments.h"
 #include "engine/files/files.h"
-#include "engine/level/entity_classes.h"
 #include "game/program/own_files.h"
 #include "game/view/screenshot.h"
 
@@ -48,30 +47,22 @@ std::optional<Sound> sound_of(MenuEvent event) {
     return {};
 }
 
-std::string value_of_world(const Level& level, const std::string& key) {
-    for (const Entity& entity : level.entities)
-        if (role_of(entity) == ClassRole::Worldspawn) return entity.value(key);
-    return {};
-}
-
 }  // namespace
 
 Program::Program(const Options& options, ProgramFiles files, PreferencesStore& store, Platform& platform,
                  Workers* workers, OpenSound open_sound)
     : options_(options),
-      assets_folder_(files.assets_folder),
-      level_files_(files_of_game(*files.loaded, options)),
-      game_(*level_files_.game),
+      game_(options_, files.assets_folder, *files.loaded),
       view_options_(view_options_of(options)),
       store_(store),
       platform_(platform),
       settings_{workers},
       watch_(std::move(files.watch)),
-      sound_(std::move(open_sound), assets_folder_, own_sounds_of(game_)),
+      sound_(std::move(open_sound), files.assets_folder, own_sounds_of(game_.definition())),
       saves_(saves_folder_of(options)),
       input_(view_options_.preferences.bindings),
       pages_(menu_, *this) {
-    show_icon(game_, platform_);
+    show_icon(game_.definition(), platform_);
     if (options_.shows_gallery)
         show_only(std::make_unique<Gallery>(std::move(files.loaded), settings_, view_options_, platform_));
     else if (options_.shows_title) {
@@ -179,33 +170,28 @@ void Program::follow_preferences() {
 }
 
 void Program::follow_map() {
-    constexpr std::uint64_t kBetweenReminders_us = 3'000'000;
     if (!watch_ || !walk_) return;
     const std::uint64_t now_us = platform_.now_us();
     if (const auto news = watch_->poll(now_us)) {
-        map_fault_ = news->fault;
-        map_fault_shown_us_ = 0;
-        print_fault("oblong", map_fault_);
+        print_fault("oblong", news->fault);
         if (news->has_level) show_changed_level();
         walk_->show_path(news->leak_path);
     }
-    if (map_fault_.empty() || now_us < map_fault_shown_us_ + kBetweenReminders_us) return;
-    walk_->show(map_fault_);
-    map_fault_shown_us_ = now_us;
+    if (const std::string fault = watch_->due_reminder(now_us); !fault.empty()) walk_->show(fault);
 }
 
 // The player stays in place; all else is as the level begins.
 void Program::show_changed_level() {
     try {
         const Player player = walk_->state().player;
-        start_walk(loaded_as(watch_->level_file()));
+        start_walk(load_level(watch_->level_file()));
         GameState state = walk_->state();
         state.player = player;
         state.player.ground = Player::kNoGround;
         walk_->restore(state);
         walk_->show("The level as it is now");
     } catch (const FileError& error) {
-        map_fault_ = error.what();
+        watch_->remind_of(error.what());
     }
 }
 
@@ -268,8 +254,8 @@ void Program::start(std::shared_ptr<const LoadedLevel> loaded, TickInputSource i
 
 void Program::start_title(std::shared_ptr<const LoadedLevel> loaded) {
     finish_walk(*loaded);
-    show_only(std::make_unique<Title>(std::move(loaded), game_.demo, settings_, view_options_, platform_));
-    sound_.play_music(game_.music);
+    show_only(std::make_unique<Title>(std::move(loaded), game_.definition().demo, settings_, view_options_, platform_));
+    sound_.play_music(game_.definition().music);
     name_window();
     last_walk_ = saves_.is_kept() ? saves_.slots().last_walk() : std::nullopt;
     pages_.open_title();
@@ -280,9 +266,7 @@ void Program::start_title(std::shared_ptr<const LoadedLevel> loaded) {
 void Program::follow_game(const LoadedLevel& loaded) {
     if (options_.headless_frames > 0) return;
     Preferences& now = view_options_.preferences;
-    const std::string museum = (fs::path(assets_folder_) / "palette.lmp").string();
-    const bool is_museum =
-        fs::exists(museum) && read_parsed(museum, read_palette).colours == loaded.data.palette.colours;
+    const bool is_museum = game_.is_museum(loaded.data.palette);
     now.game = is_museum ? kMuseum : game_name(options_.game);
     if (is_first_game_ && !is_museum) {
         now.lights = store_.kept().lights;
@@ -292,22 +276,15 @@ void Program::follow_game(const LoadedLevel& loaded) {
     is_first_game_ = false;
 }
 
-// A level's own, by its world's "music": a file below the folder of its game, or beside the level.
 void Program::play_level_music() {
-    const LoadedLevel& loaded = walk_->loaded();
-    const fs::path named = value_of_world(loaded.data.level, "music");
-    if (named.empty() || !stays_below(named)) return sound_.play_music("");
-    std::error_code ignored;
-    for (const fs::path& folder : {fs::path(game_.folder), fs::path(loaded.data.level_file).parent_path()})
-        if (fs::is_regular_file(folder / named, ignored)) return sound_.play_music((folder / named).string());
-    sound_.play_music("");
-    print_fault("oblong", loaded.data.level_file + ": worldspawn: there is no file " + named.string() +
-                              " for its music, expected one in " + game_.folder);
+    const LevelMusic music = game_.music_of(walk_->loaded());
+    sound_.play_music(music.file);
+    print_fault("oblong", music.fault);
 }
 
 void Program::name_window() {
     const fs::path level = level_below().data.level_file;
-    platform_.set_title((game_.title + " - " + level.stem().string()).c_str());
+    platform_.set_title((game_.definition().title + " - " + level.stem().string()).c_str());
 }
 
 void Program::start_walk(std::shared_ptr<const LoadedLevel> loaded) {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "game/input/input_mapper.h"
-#include "game/level/level_search.h"
 #include "game/menu/menu_pages.h"
 #include "game/program/gallery.h"
+#include "game/program/played_game.h"
 #include "game/program/program_files.h"
 #include "game/program/session.h"
 #include "game/program/title.h"
@@ -16,9 +16,6 @@
 #include "game/sound/game_sound.h"
 
 namespace oblong {
-
-/// "3:12"
-std::string time_text(std::int64_t ticks);
 
 /// The game from its start until it is left: the one loop of input, the screen that is up, and the window.
 class Program final : private MenuHost {
@@ -65,15 +62,11 @@ class Program final : private MenuHost {
     void start(std::shared_ptr<const LoadedLevel> loaded, TickInputSource input, SessionKind kind);
     void start_walk(std::shared_ptr<const LoadedLevel> loaded);
     void start_title(std::shared_ptr<const LoadedLevel> loaded);
-    /// Where the levels of the game that is played are; the demo level is of none.
-    const LevelFiles& game_files() const;
-    std::shared_ptr<const LoadedLevel> loaded_as(const std::string& level);
+    std::shared_ptr<const LoadedLevel> load_level(const std::string& file) const;
     void keep_recorded();
     void follow_game(const LoadedLevel& loaded);
     void play_level_music();
     void name_window();  ///< after the level
-    LevelPlaces places() const;
-    std::string next_level() const;  ///< empty: there is none
     /// Does something with files; where it fails, says why on a page of the menu.
     void try_with_files(const std::string& what, const std::function<void()>& work);
 
@@ -91,14 +84,14 @@ class Program final : private MenuHost {
     }
     std::string local_name_of(Input input) const override { return platform_.local_name_of(input); }
     std::vector<KeyHelp> key_help() const override { return screens_.back()->key_help(key_names()); }
-    std::string game_title() const override;
+    std::string game_title() const override { return game_.title(); }
     Goal goal() const override;
     std::vector<std::string> told() const override { return walk_ ? walk_->told() : std::vector<std::string>(); }
     std::string figures() const override { return screens_.back()->figures(); }
-    std::vector<LevelEntry> levels() const override;
+    std::vector<LevelEntry> levels() const override { return game_.levels(level_below()); }
     std::vector<SaveEntry> saves() const override;
-    EndFigures end_figures() const override;
-    std::string credits() const override;
+    EndFigures end_figures() const override { return game_.end_figures(walk_->loaded(), walk_->state()); }
+    std::string credits() const override { return game_.credits(); }
     bool can_save() const override { return saves_.can_save(); }
     std::optional<SaveEntry> last_walk() const override;
     bool has_unsaved_progress() const override { return saves_.has_unsaved_progress(); }
@@ -116,16 +109,12 @@ class Program final : private MenuHost {
     void leave() override;
 
     const Options options_;
-    const std::string assets_folder_;
-    const LevelFiles level_files_;  // that the options name, but for its `level`
-    const GameDefinition game_;     // that is played; without a title where the level is nobody's
+    const PlayedGame game_;
     ViewOptions view_options_;
     PreferencesStore& store_;
     Platform& platform_;
     SessionSettings settings_;
     const std::shared_ptr<MapWatch> watch_;
-    std::string map_fault_;  // of the source that is watched; empty: none
-    std::uint64_t map_fault_shown_us_ = 0;
     GameSound sound_;
     WalkSaves saves_;
     std::unique_ptr<FirstWalk> first_walk_;             // until the title's Walk starts it

@@ -50,7 +50,7 @@ std::vector<SaveEntry> Program::saves() const {
     if (!saves_.is_kept()) return entries;
     listed_ = saves_.slots().list();
     for (const ListedSlot& content : listed_) {
-        entries.push_back(entry_of(content, own_words(game_, kLenses)));
+        entries.push_back(entry_of(content, own_words(game_.definition(), kLenses)));
         entries.back().is_of_this_walk = saves_.is_own(content.slot);
     }
     return entries;
@@ -58,7 +58,7 @@ std::vector<SaveEntry> Program::saves() const {
 
 std::optional<SaveEntry> Program::last_walk() const {
     if (!last_walk_) return {};
-    return entry_of(*last_walk_, own_words(game_, kLenses));
+    return entry_of(*last_walk_, own_words(game_.definition(), kLenses));
 }
 
 void Program::quick_save() {
@@ -121,7 +121,7 @@ void Program::go_on_with(const SlotContent& content, std::optional<HeldWalk> hel
     const SavedGame& game = *content.game;
     const bool is_here = saved_level_of(level_below()) == game.level;
     auto loaded = is_here ? screens_.front()->shared_level()
-                          : std::make_shared<const LoadedLevel>(files_of(game.level, level_files_));
+                          : std::make_shared<const LoadedLevel>(files_of(game.level, game_.files()));
     naming_file(game.level.name, [&] { check_level(game, loaded->data.level_hash, loaded->level); });
     const std::string gone = what_is_gone(game.level, saved_level_of(*loaded));
     if (saves_.is_own(content.slot)) held = saves_.release();
