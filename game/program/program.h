@@ -1,24 +1,14 @@
 #pragma once
 
-#include <memory>
-#include <optional>
 #include <string>
-#include <vector>
 
 #include "game/input/input_mapper.h"
-#include "game/menu/menu_pages.h"
-#include "game/program/gallery.h"
-#include "game/program/played_game.h"
-#include "game/program/program_files.h"
-#include "game/program/session.h"
-#include "game/program/title.h"
-#include "game/program/walk_saves.h"
-#include "game/sound/game_sound.h"
+#include "game/program/screens.h"
 
 namespace oblong {
 
 /// The game from its start until it is left: the one loop of input, the screen that is up, and the window.
-class Program final : private MenuHost {
+class Program {
   public:
     /// `store`, which keeps what the player changes, `platform` and `workers`, which may be null, outlive the program.
     /// `open_sound` may be empty: all is silent.
@@ -35,99 +25,22 @@ class Program final : private MenuHost {
     void keep();
 
   private:
-    /// What a title that was asked for begins with: a replay, or what is recorded.
-    struct FirstWalk {
-        std::shared_ptr<const LoadedLevel> loaded;
-        TickInputSource input;
-    };
-
     void show_frame();
-    void finish();
     void take(const Controls& controls);
     void take_in_menu(const Controls& controls);
     void take_on_screen(const Controls& controls);
-    void close_gallery();
+    void follow_preferences();
     void draw();
     void draw_menu(const ShownPicture& picture);
-    bool is_moving() const;
-    GameScreen& screen() { return *screens_.back(); }
-    const LoadedLevel& level_below() const { return *screens_.front()->shared_level(); }
-    void follow_preferences();
-    void follow_map();
-    void show_changed_level();
-    void follow_sound();
+    bool is_moving() { return !screens_.menu().is_open() || screens_.up().moves_behind_menu(); }
+    const Preferences& preferences() { return screens_.view_options().preferences; }
 
-    void show_only(std::unique_ptr<GameScreen> screen);
-    void finish_walk(const LoadedLevel& next);
-    void start(std::shared_ptr<const LoadedLevel> loaded, TickInputSource input, SessionKind kind);
-    void start_walk(std::shared_ptr<const LoadedLevel> loaded);
-    void start_title(std::shared_ptr<const LoadedLevel> loaded);
-    std::shared_ptr<const LoadedLevel> load_level(const std::string& file) const;
-    void keep_recorded();
-    void follow_game(const LoadedLevel& loaded);
-    void play_level_music();
-    void name_window();  ///< after the level
-    /// Does something with files; where it fails, says why on a page of the menu.
-    void try_with_files(const std::string& what, const std::function<void()>& work);
-
-    void quick_save();
-    void quick_load();
-    void load_from(SaveSlot slot);
-    void go_on_with(const SlotContent& content, std::optional<HeldWalk> held);
-    /// Saves the walk, then goes; where that fails, asks whether to go all the same.
-    void leave_walk(const std::function<void()>& go);
-
-    // What the menu's pages ask and do.
-    Preferences& preferences() override { return view_options_.preferences; }
-    KeyNames key_names() const override {
-        return {view_options_.preferences.bindings, platform_, view_options_.uses_pad};
-    }
-    std::string local_name_of(Input input) const override { return platform_.local_name_of(input); }
-    std::vector<KeyHelp> key_help() const override { return screens_.back()->key_help(key_names()); }
-    std::string game_title() const override { return game_.title(); }
-    Goal goal() const override;
-    std::vector<std::string> told() const override { return walk_ ? walk_->told() : std::vector<std::string>(); }
-    std::string figures() const override { return screens_.back()->figures(); }
-    std::vector<LevelEntry> levels() const override { return game_.levels(level_below()); }
-    std::vector<SaveEntry> saves() const override;
-    EndFigures end_figures() const override { return game_.end_figures(walk_->loaded(), walk_->state()); }
-    std::string credits() const override { return game_.credits(); }
-    bool can_save() const override { return saves_.can_save(); }
-    std::optional<SaveEntry> last_walk() const override;
-    bool has_unsaved_progress() const override { return saves_.has_unsaved_progress(); }
-    bool saves_on_leaving() const override { return can_save(); }
-    void walk() override;
-    void continue_walk() override;
-    void restart() override;
-    void play_level(const std::string& file) override;
-    void play_next() override;
-    void save(std::size_t entry) override;
-    void load(std::size_t entry) override { load_from(listed_.at(entry).slot); }
-    std::string remove_save(std::size_t entry) override;
-    void show_title() override;
-    void show_gallery() override;
-    void leave() override;
-
-    const Options options_;
-    const PlayedGame game_;
-    ViewOptions view_options_;
+    const std::string replayed_;  // file; "": none
     PreferencesStore& store_;
     Platform& platform_;
-    SessionSettings settings_;
-    const std::shared_ptr<MapWatch> watch_;
-    GameSound sound_;
-    WalkSaves saves_;
-    std::unique_ptr<FirstWalk> first_walk_;             // until the title's Walk starts it
-    std::vector<std::unique_ptr<GameScreen>> screens_;  // the title or a walk, and perhaps the gallery over it
-    Session* walk_ = nullptr;                           // the walk, if the first screen is one
-    std::unique_ptr<Demo> recorded_;                    // once what was recorded has ended before the program
+    Screens screens_;
     InputMapper input_;
-    Menu menu_;
-    MenuPages pages_;
-    std::optional<ListedSlot> last_walk_;     // as the title offers it
-    mutable std::vector<ListedSlot> listed_;  // as the menu showed them last
-    bool has_left_ = false, had_focus_ = false, is_mouse_captured_ = false;
-    bool is_first_game_ = true;
+    bool had_focus_ = false, is_mouse_captured_ = false;
     bool wants_screenshot_ = false;  // of a menu
     bool is_stale_ = true;           // the window shows something else than what is up
     WindowSize shown_size_;

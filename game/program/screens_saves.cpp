@@ -1,4 +1,4 @@
-// How the program saves walks and goes on with them.
+// How walks are saved and gone on with.
 #include <algorithm>
 #include <chrono>
 #include <exception>
@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "engine/files/files.h"
-#include "game/program/program.h"
+#include "game/program/screens.h"
 #include "game/saves/saved_level.h"
 #include "game/simulation/items.h"
 
@@ -45,7 +45,7 @@ SaveEntry entry_of(const ListedSlot& content, const std::string& lenses) {
 
 }  // namespace
 
-std::vector<SaveEntry> Program::saves() const {
+std::vector<SaveEntry> Screens::saves() const {
     std::vector<SaveEntry> entries;
     if (!saves_.is_kept()) return entries;
     listed_ = saves_.slots().list();
@@ -56,12 +56,12 @@ std::vector<SaveEntry> Program::saves() const {
     return entries;
 }
 
-std::optional<SaveEntry> Program::last_walk() const {
+std::optional<SaveEntry> Screens::last_walk() const {
     if (!last_walk_) return {};
     return entry_of(*last_walk_, own_words(game_.definition(), kLenses));
 }
 
-void Program::quick_save() {
+void Screens::quick_save() {
     if (!can_save()) return walk_->show("This game cannot be saved.");
     try_with_files("Save", [&] {
         saves_.save(saves_.own_slot(SaveKind::Quick));
@@ -69,13 +69,13 @@ void Program::quick_save() {
     });
 }
 
-void Program::quick_load() {
+void Screens::quick_load() {
     if (!saves_.has_place()) return walk_->show("Nothing was saved in this walk: the menu loads others");
     load_from(saves_.own_slot(SaveKind::Quick));
 }
 
 // What was listed may be another by now: another program may have saved there.
-void Program::save(std::size_t entry) {
+void Screens::save(std::size_t entry) {
     const ListedSlot& listed = listed_.at(entry);
     try_with_files("Save", [&] {
         if (saves_.slots().head_of(listed.slot).game != listed.game)
@@ -86,7 +86,7 @@ void Program::save(std::size_t entry) {
     });
 }
 
-std::string Program::remove_save(std::size_t entry) {
+std::string Screens::remove_save(std::size_t entry) {
     try {
         saves_.slots().remove(listed_.at(entry).slot);
     } catch (const FileError& error) {
@@ -96,12 +96,12 @@ std::string Program::remove_save(std::size_t entry) {
     return "";
 }
 
-void Program::continue_walk() {
+void Screens::continue_walk() {
     load_from(last_walk_->slot);
 }
 
 // A walk that another program is in, and a save of the player's, go on as new walks.
-void Program::load_from(SaveSlot slot) {
+void Screens::load_from(SaveSlot slot) {
     try_with_files("Load", [&] {
         saves_.finish_autosave();
         auto held = std::make_shared<std::optional<HeldWalk>>();
@@ -117,7 +117,7 @@ void Program::load_from(SaveSlot slot) {
     });
 }
 
-void Program::go_on_with(const SlotContent& content, std::optional<HeldWalk> held) {
+void Screens::go_on_with(const SlotContent& content, std::optional<HeldWalk> held) {
     const SavedGame& game = *content.game;
     const bool is_here = saved_level_of(level_below()) == game.level;
     auto loaded = is_here ? screens_.front()->shared_level()
@@ -135,7 +135,7 @@ void Program::go_on_with(const SlotContent& content, std::optional<HeldWalk> hel
     if (content.is_former) pages_.open_message("Load", "The one saved before it was loaded. " + content.refusal);
 }
 
-void Program::leave_walk(const std::function<void()>& go) {
+void Screens::leave_walk(const std::function<void()>& go) {
     const std::string fault = saves_.save_on_leaving();
     if (fault.empty()) return go();
     pages_.open_not_saved(fault, go);

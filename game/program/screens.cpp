@@ -1,0 +1,223 @@
+#include "game/program/screens.h"
+
+#include <filesystem>
+#include <utility>
+
+#include "engine/files/arguments.h"
+#include "engine/files/files.h"
+#include "game/program/own_files.h"
+
+namespace oblong {
+namespace {
+
+namespace fs = std::filesystem;
+
+ViewOptions view_options_of(const Options& options) {
+    ViewOptions view_options;
+    view_options.preferences = options.preferences;
+    view_options.log = options.log;
+    view_options.map = options.automap;
+    view_options.wireframe = options.wireframe;
+    view_options.line_method = options.line_method;
+    return view_options;
+}
+
+}  // namespace
+
+Screens::Screens(const Options& options, ProgramFiles files, PreferencesStore& store, Platform& platform,
+                 Workers* workers, OpenSound open_sound)
+    : options_(options),
+      game_(options_, files.assets_folder, *files.loaded),
+      view_options_(view_options_of(options)),
+      store_(store),
+      platform_(platform),
+      settings_{workers},
+      watch_(std::move(files.watch)),
+      sound_(std::move(open_sound), files.assets_folder, own_sounds_of(game_.definition())),
+      saves_(saves_folder_of(options)),
+      pages_(menu_, *this) {
+    show_icon(game_.definition(), platform_);
+    if (options_.shows_gallery)
+        show_only(std::make_unique<Gallery>(std::move(files.loaded), settings_, view_options_, platform_));
+    else if (options_.shows_title) {
+        if (!(options_.replay + options_.record).empty())
+            first_walk_ = std::make_unique<FirstWalk>(FirstWalk{files.loaded, std::move(files.input)});
+        start_title(std::move(files.loaded));
+    } else
+        start(std::move(files.loaded), std::move(files.input),
+              options_.replay.empty() ? SessionKind::Walk : SessionKind::Replay);
+}
+
+void Screens::follow() {
+    saves_.autosave_when_due(&up() == walk_ && !menu_.is_open());
+    follow_map();
+    const Preferences& now = view_options_.preferences;
+    sound_.set({now.volume_100, now.sounds_volume_100, now.music_volume_100, now.shows_captions});
+    sound_.hold(!up().is_heard(menu_.is_open()));
+}
+
+void Screens::finish() {
+    keep_recorded();
+    if (recorded_) write_file(options_.record, encode_demo(*recorded_));
+}
+
+void Screens::close_gallery() {
+    screens_.pop_back();
+    name_window();
+    up().open_page(Action::Menu, pages_);
+    up().advance_behind_menu(platform_.now_us());
+}
+
+void Screens::follow_map() {
+    if (!watch_ || !walk_) return;
+    const std::uint64_t now_us = platform_.now_us();
+    if (const auto news = watch_->poll(now_us)) {
+        print_fault("oblong", news->fault);
+        if (news->has_level) show_changed_level();
+        walk_->show_path(news->leak_path);
+    }
+    if (const std::string fault = watch_->due_reminder(now_us); !fault.empty()) walk_->show(fault);
+}
+
+// The player stays in place; all else is as the level begins.
+void Screens::show_changed_level() {
+    try {
+        const Player player = walk_->state().player;
+        start_walk(load_level(watch_->level_file()));
+        GameState state = walk_->state();
+        state.player = player;
+        state.player.ground = Player::kNoGround;
+        walk_->restore(state);
+        walk_->show("The level as it is now");
+    } catch (const FileError& error) {
+        watch_->remind_of(error.what());
+    }
+}
+
+// What was up goes with all that belongs to it.
+void Screens::show_only(std::unique_ptr<GameScreen> screen) {
+    saves_.begin(nullptr);
+    walk_ = nullptr;
+    screens_.clear();
+    screens_.push_back(std::move(screen));
+    has_changed_ = true;
+}
+
+// The walk that was on ends.
+void Screens::finish_walk(const LoadedLevel& next) {
+    saves_.finish_autosave();
+    keep_recorded();
+    follow_game(next);
+    sound_.enter(nullptr);  // before the level that is heard goes
+}
+
+void Screens::start(std::shared_ptr<const LoadedLevel> loaded, TickInputSource input, SessionKind kind) {
+    finish_walk(*loaded);
+    SessionSettings settings = settings_;
+    settings.kind = kind;
+    settings.sound = &sound_;
+    auto walk = std::make_unique<Session>(std::move(loaded), settings, view_options_, std::move(input), platform_);
+    Session* const session = walk.get();
+    show_only(std::move(walk));
+    walk_ = session;
+    play_level_music();
+    sound_.enter(&walk_->loaded().level, &walk_->loaded().data.sounds);
+    saves_.begin(kind == SessionKind::Walk ? walk_ : nullptr);
+    name_window();
+}
+
+void Screens::start_title(std::shared_ptr<const LoadedLevel> loaded) {
+    finish_walk(*loaded);
+    show_only(std::make_unique<Title>(std::move(loaded), game_.definition().demo, settings_, view_options_, platform_));
+    sound_.play_music(game_.definition().music);
+    name_window();
+    last_walk_ = saves_.is_kept() ? saves_.slots().last_walk() : std::nullopt;
+    pages_.open_title();
+    if (!options_.folders.config_file.empty() && !view_options_.preferences.has_set_light) pages_.open_light();
+}
+
+// Light is kept a game. Frames that are written are shown by nobody's taste: as the museum's.
+void Screens::follow_game(const LoadedLevel& loaded) {
+    if (options_.headless_frames > 0) return;
+    Preferences& now = view_options_.preferences;
+    const bool is_museum = game_.is_museum(loaded.data.palette);
+    now.game = is_museum ? kMuseum : game_name(options_.game);
+    if (is_first_game_ && !is_museum) {
+        now.lights = store_.kept().lights;
+        for (const auto& [name, text] : options_.light) preference_named(name).parse(now, text);
+        store_.begin_with(now);
+    }
+    is_first_game_ = false;
+}
+
+void Screens::play_level_music() {
+    const LevelMusic music = game_.music_of(walk_->loaded());
+    sound_.play_music(music.file);
+    print_fault("oblong", music.fault);
+}
+
+void Screens::name_window() {
+    const fs::path level = level_below().data.level_file;
+    platform_.set_title((game_.definition().title + " - " + level.stem().string()).c_str());
+}
+
+void Screens::start_walk(std::shared_ptr<const LoadedLevel> loaded) {
+    const GameState state = start_of(loaded->level);
+    start(std::move(loaded), TickInputSource(state, std::nullopt, false), SessionKind::Walk);
+}
+
+Goal Screens::goal() const {
+    return walk_ ? goal_of(walk_->loaded().level, walk_->state()) : Goal{};
+}
+
+void Screens::try_with_files(const std::string& what, const std::function<void()>& work) {
+    try {
+        work();
+    } catch (const std::exception& error) {
+        pages_.open_message(what, error.what());
+    }
+}
+
+std::shared_ptr<const LoadedLevel> Screens::load_level(const std::string& file) const {
+    return game_.load(file, screens_.front()->shared_level());
+}
+
+void Screens::walk() {
+    if (const auto first = std::move(first_walk_))
+        return start(std::move(first->loaded), std::move(first->input),
+                     options_.replay.empty() ? SessionKind::Walk : SessionKind::Replay);
+    try_with_files("Walk", [&] { start_walk(load_level("")); });
+}
+
+void Screens::play_level(const std::string& file) {
+    try_with_files("Levels", [&] { leave_walk([this, loaded = load_level(file)] { start_walk(loaded); }); });
+}
+
+void Screens::play_next() {
+    try_with_files("Levels", [&] {
+        start_walk(load_level(game_.find(game_.next_level(walk_->loaded(), walk_->state()), walk_->loaded())));
+    });
+}
+
+void Screens::restart() {
+    leave_walk([this] { start_walk(walk_->shared_level()); });
+}
+
+void Screens::show_gallery() {
+    menu_.close_all();
+    screens_.push_back(std::make_unique<Gallery>(up().shared_level(), settings_, view_options_, platform_));
+}
+
+void Screens::show_title() {
+    leave_walk([this] { try_with_files("Title", [this] { start_title(load_level("")); }); });
+}
+
+void Screens::leave() {
+    leave_walk([this] { has_left_ = true; });
+}
+
+void Screens::keep_recorded() {
+    if (walk_ && walk_->input().records() && !recorded_) recorded_ = std::make_unique<Demo>(walk_->input().recorded());
+}
+
+}  // namespace oblong

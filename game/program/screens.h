@@ -1,0 +1,132 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "game/menu/menu_pages.h"
+#include "game/options/preferences_store.h"
+#include "game/program/gallery.h"
+#include "game/program/played_game.h"
+#include "game/program/program_files.h"
+#include "game/program/session.h"
+#include "game/program/title.h"
+#include "game/program/walk_saves.h"
+#include "game/sound/game_sound.h"
+
+namespace oblong {
+
+/// What is up behind the menu: the title, a walk or the gallery, how one follows another, and what of them is saved and
+/// heard. Answers what the menu's pages ask, and does what they have it do.
+class Screens final : public MenuHost {
+  public:
+    /// `store`, which keeps what the player changes, `platform` and `workers`, which may be null, outlive it.
+    Screens(const Options& options, ProgramFiles files, PreferencesStore& store, Platform& platform, Workers* workers,
+            OpenSound open_sound);
+
+    GameScreen& up() { return *screens_.back(); }
+    const GameScreen& up() const { return *screens_.back(); }
+    Menu& menu() { return menu_; }
+    MenuPages& pages() { return pages_; }
+    ViewOptions& view_options() { return view_options_; }
+    const std::string& screenshot_folder() const { return settings_.screenshot_folder; }
+    bool has_left() const { return has_left_; }
+    bool is_gallery_over_another() const { return screens_.size() > 1; }
+    bool is_walking() const { return walk_ && &up() == walk_ && walk_->kind() == SessionKind::Walk; }
+    /// Whether another screen is up, or another level in it, than when this was asked last.
+    bool take_has_changed() { return std::exchange(has_changed_, false); }
+
+    /// What is due between two pictures: the walk is saved beside the game, the level follows its source, what is heard
+    /// follows the player's preferences.
+    void follow();
+    void play(Sound sound) { sound_.play(sound); }
+    void close_gallery();  ///< back to what it was opened from
+    void quick_save();
+    void quick_load();
+    /// Saves the walk, as leaving does. The message if that failed, else "".
+    std::string keep() { return saves_.save_on_leaving(); }
+    /// Writes what was to be recorded. Throws FileError.
+    void finish();
+
+    // MenuHost's.
+    Preferences& preferences() override { return view_options_.preferences; }
+    KeyNames key_names() const override {
+        return {view_options_.preferences.bindings, platform_, view_options_.uses_pad};
+    }
+    std::string local_name_of(Input input) const override { return platform_.local_name_of(input); }
+    std::vector<KeyHelp> key_help() const override { return screens_.back()->key_help(key_names()); }
+    std::string game_title() const override { return game_.title(); }
+    Goal goal() const override;
+    std::vector<std::string> told() const override { return walk_ ? walk_->told() : std::vector<std::string>(); }
+    std::string figures() const override { return screens_.back()->figures(); }
+    std::vector<LevelEntry> levels() const override { return game_.levels(level_below()); }
+    std::vector<SaveEntry> saves() const override;
+    EndFigures end_figures() const override { return game_.end_figures(walk_->loaded(), walk_->state()); }
+    std::string credits() const override { return game_.credits(); }
+    bool can_save() const override { return saves_.can_save(); }
+    std::optional<SaveEntry> last_walk() const override;
+    bool has_unsaved_progress() const override { return saves_.has_unsaved_progress(); }
+    bool saves_on_leaving() const override { return can_save(); }
+    void walk() override;
+    void continue_walk() override;
+    void restart() override;
+    void play_level(const std::string& file) override;
+    void play_next() override;
+    void save(std::size_t entry) override;
+    void load(std::size_t entry) override { load_from(listed_.at(entry).slot); }
+    std::string remove_save(std::size_t entry) override;
+    void show_title() override;
+    void show_gallery() override;
+    void leave() override;
+
+  private:
+    /// What a title that was asked for begins with: a replay, or what is recorded.
+    struct FirstWalk {
+        std::shared_ptr<const LoadedLevel> loaded;
+        TickInputSource input;
+    };
+
+    void show_only(std::unique_ptr<GameScreen> screen);
+    void finish_walk(const LoadedLevel& next);
+    void start(std::shared_ptr<const LoadedLevel> loaded, TickInputSource input, SessionKind kind);
+    void start_walk(std::shared_ptr<const LoadedLevel> loaded);
+    void start_title(std::shared_ptr<const LoadedLevel> loaded);
+    const LoadedLevel& level_below() const { return *screens_.front()->shared_level(); }
+    std::shared_ptr<const LoadedLevel> load_level(const std::string& file) const;
+    void keep_recorded();
+    void follow_map();
+    void show_changed_level();
+    void follow_game(const LoadedLevel& loaded);
+    void play_level_music();
+    void name_window();  ///< after the level
+    /// Does something with files; where it fails, says why on a page of the menu.
+    void try_with_files(const std::string& what, const std::function<void()>& work);
+    void load_from(SaveSlot slot);
+    void go_on_with(const SlotContent& content, std::optional<HeldWalk> held);
+    /// Saves the walk, then goes; where that fails, asks whether to go all the same.
+    void leave_walk(const std::function<void()>& go);
+
+    const Options options_;
+    const PlayedGame game_;
+    ViewOptions view_options_;
+    PreferencesStore& store_;
+    Platform& platform_;
+    SessionSettings settings_;
+    const std::shared_ptr<MapWatch> watch_;
+    GameSound sound_;
+    WalkSaves saves_;
+    std::unique_ptr<FirstWalk> first_walk_;             // until the title's Walk starts it
+    std::vector<std::unique_ptr<GameScreen>> screens_;  // the title or a walk, and perhaps the gallery over it
+    Session* walk_ = nullptr;                           // the walk, if the first screen is one
+    std::unique_ptr<Demo> recorded_;                    // once what was recorded has ended before the program
+    Menu menu_;
+    MenuPages pages_;
+    std::optional<ListedSlot> last_walk_;     // as the title offers it
+    mutable std::vector<ListedSlot> listed_;  // as the menu showed them last
+    bool has_left_ = false, has_changed_ = true, is_first_game_ = true;
+};
+
+}  // namespace oblong
