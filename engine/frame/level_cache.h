@@ -2,14 +2,13 @@
 
 #include <array>
 #include <cstdint>
-#include <map>
 #include <memory>
-#include <utility>
 #include <vector>
 
 #include "engine/effects/sky.h"
 #include "engine/effects/things.h"
 #include "engine/effects/warp.h"
+#include "engine/frame/continued_face.h"
 #include "engine/frame/frame_fog.h"
 #include "engine/mesh/placed_mesh.h"
 #include "engine/scene/face_surface.h"
@@ -38,9 +37,9 @@ struct LevelCache {
     Things things;         ///< what is in it beside its faces
     FaceSurfaces surfaces;
     BrushModels brush_models;
-    std::vector<MeshPlace> mesh_places;  ///< of the scene's meshes; made anew for those that have moved
-    std::map<std::pair<std::int32_t, std::int32_t>, FaceIndex> continued_faces;  ///< of torn walls, by leaf and node
-    std::unique_ptr<LevelFogTables> fog_tables;                                  ///< null until a frame shows fog
+    std::vector<MeshPlace> mesh_places;                 ///< of the scene's meshes; made anew for those that have moved
+    ContinuedFaces continued_faces;                     ///< of torn walls
+    std::unique_ptr<LevelFogTables> fog_tables;         ///< null until a frame shows fog
     std::array<std::unique_ptr<BlendTable>, 4> blends;  ///< by LiquidKind; null until a frame sees through one
     WarpTables warp{};                                  ///< of liquids
     std::int64_t warp_time_ms = -1;                     ///< the time of `warp`

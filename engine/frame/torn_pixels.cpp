@@ -5,6 +5,7 @@
 
 #include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"
+#include "engine/frame/continued_face.h"
 #include "engine/frame/frame_context.h"
 #include "engine/frame/frame_record.h"
 #include "engine/frame/view_scratch.h"
@@ -17,18 +18,6 @@
 namespace oblong {
 
 namespace {
-
-/// Where a ray leaves the open: from a leaf, through a node's plane.
-struct OpenEnd {
-    LeafIndex from = LeafIndex::none();
-    NodeIndex node = NodeIndex::none();  ///< none: it does not
-    bool is_sky = false;
-    Vec3<World> place;
-
-    bool is_same_wall(const OpenEnd& other) const {
-        return from == other.from && node == other.node && is_sky == other.is_sky;
-    }
-};
 
 bool is_open(const Level& level, LeafIndex leaf) {
     return level.leaves[leaf].contents != contents::kSolid && level.leaves[leaf].contents != contents::kSky;
@@ -90,95 +79,6 @@ class Rays {
     World reach_;
 };
 
-/// How far a face is from a place: to its nearest corner. One that is farther than `farthest` may be any such distance.
-WorldWide distance_of(const Level& level, const Face& face, const Vec3<World>& place, WorldWide farthest) {
-    WorldWide nearest = WorldWide::highest();
-    for (const SurfEdge step : level.edges_of(face)) {
-        const Vec3<WorldWide> way = widening_difference(level.vertices[level.start_of(step)], place);
-        if (std::max({absolute(way.x), absolute(way.y), absolute(way.z)}) > farthest) continue;
-        nearest = std::min(nearest, length(saturating_convert<World>(way)));
-    }
-    return nearest;
-}
-
-/// Whether two planes are within 60 degrees of each other: the texture of one is then at most twice as long on the
-/// other.
-bool is_along(const LevelPlane& a, const LevelPlane& b) {
-    return absolute(dot(a.normal, b.normal)) > Sine60::from_raw(std::int64_t{1} << 59);
-}
-
-/// Searches the tree for the face whose texture goes on where a wall has none: of those on the wall's plane the nearest
-/// to the open before it, unless one on another plane is nearer by kOtherPlane. The search goes nearer sides first and
-/// leaves out what is too far away.
-class ContinuedFaceSearch {
-  public:
-    ContinuedFaceSearch(const Level& level, const OpenEnd& end, bool is_back)
-        : level_(level),
-          plane_(level.nodes[end.node].plane),
-          is_back_(is_back),
-          material_(end.is_sky ? Material::Sky : Material::Lit),
-          place_(middle_of(level.leaves[end.from].box)) {}
-
-    /// None: no face will do.
-    FaceIndex find() {
-        search(level_.world().root);
-        return best_;
-    }
-
-  private:
-    static constexpr WorldWide kOtherPlane = WorldWide::from_int(256);
-
-    void search(NodeChild at) {
-        if (at.is_leaf()) return;
-        const Node& node = level_.nodes[at.node()];
-        if (is_too_far(node.box)) return;
-        const bool is_behind = plane_distance(level_.planes[node.plane], place_) < PlaneDistance{};
-        search(node.children[is_behind]);
-        for (const FaceIndex face : node.faces) look_at(face);
-        search(node.children[!is_behind]);
-    }
-
-    void look_at(FaceIndex index) {
-        const Face& face = level_.faces[index];
-        if (level_.texinfos[face.texinfo].material != material_) return;
-        const bool is_on_it = face.plane == plane_ && face.is_back == is_back_;
-        if (!is_on_it && !is_along(level_.planes[face.plane], level_.planes[plane_])) return;
-        const WorldWide more = is_on_it ? WorldWide{} : kOtherPlane, farthest = least_ - more;
-        const WorldWide distance = distance_of(level_, face, place_, farthest);
-        if (distance > farthest || (distance == farthest && index > best_)) return;
-        least_ = distance + more;
-        best_ = index;
-    }
-
-    /// Boxes are rounded to whole units: a face may reach beyond its node's by one.
-    bool is_too_far(const LevelBox& box) const {
-        const auto is_off = [&](std::int32_t least, std::int32_t most, World at) {
-            const WorldWide off = convert<WorldWide>(at);
-            return WorldWide::from_int(least - 1) - off > least_ || off - WorldWide::from_int(most + 1) > least_;
-        };
-        return is_off(box.mins[0], box.maxs[0], place_.x) || is_off(box.mins[1], box.maxs[1], place_.y) ||
-               is_off(box.mins[2], box.maxs[2], place_.z);
-    }
-
-    const Level& level_;
-    PlaneIndex plane_;
-    bool is_back_;
-    Material material_;
-    Vec3<World> place_;
-    FaceIndex best_ = FaceIndex::none();
-    WorldWide least_ = WorldWide::highest();
-};
-
-/// The same, looked up where it was asked for before.
-FaceIndex continued_face(const OpenEnd& end, bool is_back, const FrameContext& frame) {
-    constexpr std::size_t kMostKept = 4096;  // pairs of leaves and nodes are many more
-    auto& kept = frame.cache.continued_faces;
-    if (kept.size() >= kMostKept) kept.clear();
-    const auto [found, is_new] = kept.try_emplace({end.from.number(), end.node.number()});
-    if (is_new) found->second = ContinuedFaceSearch(frame.scene.level, end, is_back).find();
-    return found->second;
-}
-
 /// Gives a span to what stands behind it.
 void claim(const Span& span, const OpenEnd& end, const FrameContext& frame, ViewScratch& scratch) {
     const Level& level = frame.scene.level;
@@ -186,7 +86,7 @@ void claim(const Span& span, const OpenEnd& end, const FrameContext& frame, View
     if (end.node == NodeIndex::none()) return claims.left_free.push_back(span);
     const PlaneIndex plane = level.nodes[end.node].plane;
     const bool is_back = plane_distance(level.planes[plane], frame.view.eye) < PlaneDistance{};
-    const FaceIndex face = continued_face(end, is_back, frame);
+    const FaceIndex face = continued_face(end, is_back, level, frame.cache.continued_faces);
     if (face == FaceIndex::none()) return claims.left_free.push_back(span);
     if (!end.is_sky) return claims.torn.push_back({span, plane, is_back, face, end.place});
     claims.spans.push_back(span);

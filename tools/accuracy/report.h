@@ -10,6 +10,7 @@
 #include "tools/accuracy/frame_times.h"
 #include "tools/accuracy/measured_level.h"
 #include "tools/measure/operations.h"
+#include "tools/measure/processors.h"
 
 namespace oblong {
 
