@@ -9,10 +9,11 @@
 namespace oblong::test {
 namespace {
 
-// How many samples a reader of the file counts in a face's lightmap, which keeps texels in floats.
-int samples_of(const map::BspFile& bsp, const map::FileFace& face) {
-    int count = 1;
-    for (const auto& axis : bsp.texinfos.at(static_cast<std::size_t>(face.texinfo)).axes) {
+// How many samples a reader of the file counts along each axis of a face's lightmap; it keeps texels in floats.
+std::array<int, 2> sides_of(const map::BspFile& bsp, const map::FileFace& face) {
+    std::array<int, 2> sides{};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto& axis = bsp.texinfos.at(static_cast<std::size_t>(face.texinfo)).axes[i];
         float low = 1e9F, high = -1e9F;
         for (const Point& p : corners_of(bsp, face)) {
             const auto [x, y, z] = axis.direction;
@@ -20,9 +21,14 @@ int samples_of(const map::BspFile& bsp, const map::FileFace& face) {
             low = std::min(low, static_cast<float>(sum));
             high = std::max(high, static_cast<float>(sum));
         }
-        count *= static_cast<int>(std::ceil(high / 16) - std::floor(low / 16)) + 1;
+        sides[i] = static_cast<int>(std::ceil(high / 16) - std::floor(low / 16)) + 1;
     }
-    return count;
+    return sides;
+}
+
+int samples_of(const map::BspFile& bsp, const map::FileFace& face) {
+    const auto [width, height] = sides_of(bsp, face);
+    return width * height;
 }
 
 // Axes that an editor turned: as doubles, corners at 16 and 256 texels lie a hair beyond the border of a sample.
@@ -39,6 +45,24 @@ TEST(Samples, PartsOfAxesThatNoFloatSeesAddNoSamples) {
     }
     EXPECT_EQ(sample_count, bsp.lighting.size());
     EXPECT_EQ(full_faces, 2) << "floor and ceiling of 240 by 240 texels";
+}
+
+// 16 is what engines have room for; a face of fewer than 16 beside one that goes on has been cut too soon.
+TEST(Samples, LargeSurfacesAreCutIntoFacesOfSixteenSamplesAndNoMore) {
+    for (const char* tail :
+         {"0 0 0 1 1", "5 -7 0 1 1", "3 0 0 0.5 0.75", "0 0 30 1 1", "0 9 45 2 1", "0 0 0 0.3 1.1"}) {
+        const std::string large =
+            replaced(room({0, 0, 0}, {1200, 1000, 700}), "wall 0 0 0 1 1", std::string("wall ") + tail);
+        const auto bsp = compile(level(large), {true});
+        int widest = 0, highest = 0;
+        for (const auto& face : bsp.faces) {
+            const auto [width, height] = sides_of(bsp, face);
+            widest = std::max(widest, width);
+            highest = std::max(highest, height);
+        }
+        EXPECT_EQ(widest, 16) << tail;
+        EXPECT_EQ(highest, 16) << tail;
+    }
 }
 
 }  // namespace

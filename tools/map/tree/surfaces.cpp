@@ -149,14 +149,28 @@ void check_count(std::size_t count) {
                                            " faces, expected larger texture scales or a smaller level");
 }
 
+// Corners keep multiples of 1/256 on planes across an axis.
+bool keeps_corners(const Plane& plane) {
+    const Point& n = plane.normal;
+    return std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)}) == 1.0 &&
+           plane.distance * 256 == std::round(plane.distance * 256);
+}
+
+// Where to cut off the last whole step that fits. Other corners come to lie a hair on either side of it, so that a
+// reader would count a step more for both faces: they are cut in the middle of a step.
+Plane cut_at_step(const TexInfo& texinfo, int axis, double texel) {
+    const Plane at_step = plane_at_texel(texinfo, axis, texel);
+    return keeps_corners(at_step) ? at_step : plane_at_texel(texinfo, axis, texel - kStep / 2);
+}
+
 // A rounding error over a whole step is no reason to cut: the reader rounds the same numbers.
 std::vector<Winding> cut_along(Winding winding, const TexInfo& texinfo, int axis) {
     std::vector<Winding> pieces;
     while (true) {
         const Span span = texel_span(winding, texinfo, axis);
-        const double cut = std::floor(span.low / kStep + kOnEpsilon) * kStep + kMaxExtent;
-        if (span.high <= cut + kStep * kOnEpsilon) break;
-        SplitWinding parts = split(winding, plane_at_texel(texinfo, axis, cut));
+        const double last = std::floor(span.low / kStep + kOnEpsilon) * kStep + kMaxExtent;
+        if (span.high <= last + kStep * kOnEpsilon) break;
+        SplitWinding parts = split(winding, cut_at_step(texinfo, axis, last));
         if (parts.front.empty() || parts.back.empty()) break;
         pieces.push_back(std::move(parts.back));
         check_count(pieces.size());
