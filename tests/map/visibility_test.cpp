@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <random>
+#include <sstream>
 
 #include "engine/files/files.h"
 #include "engine/level/bsp_read.h"
@@ -79,6 +80,31 @@ TEST(Visibility, DetailsDoNotSplitTheSets) {
     ASSERT_NE(south, north);
     EXPECT_TRUE(visible_leaves(bsp, south)[static_cast<std::size_t>(north)]);
     EXPECT_EQ(first_fault_of_rays(bsp, 2000, 4), "");
+}
+
+// As other programs read the file: a polygon runs clockwise seen from the cluster that is named first, which is a leaf
+// here. Cluster 0 is leaf 1.
+TEST(Visibility, PortalsInTheFileFaceTheirFirstCluster) {
+    map::PortalFile portals;
+    const auto bsp = compile(level(two_rooms()), {.portals = &portals});
+    std::istringstream text(portals.text);
+    std::string word;
+    std::size_t clusters = 0, count = 0;
+    text >> word >> clusters >> count;
+    EXPECT_EQ(clusters, static_cast<std::size_t>(bsp.models[0].visible_leaf_count));
+    EXPECT_GT(count, 2u);
+    for (std::size_t i = 0; i < count; ++i) {
+        std::size_t corners = 0;
+        int first = 0, second = 0;
+        text >> corners >> first >> second;
+        map::Winding winding(corners);
+        char bracket = 0;
+        for (Point& corner : winding) text >> bracket >> corner.x >> corner.y >> corner.z >> bracket;
+        const Point back = map::area_vector(winding), middle = map::middle(winding);
+        EXPECT_EQ(leaf_at(bsp, middle - back * (1 / map::length(back))), first + 1);
+        EXPECT_EQ(leaf_at(bsp, middle + back * (1 / map::length(back))), second + 1);
+    }
+    EXPECT_TRUE(text);
 }
 
 // Lines of sight nearer to a brush than this are not judged.

@@ -10,7 +10,7 @@ struct VisGraph;
 struct PortalFile {
     std::size_t count = 0;
     std::string text;  ///< of a .prt file: "PRT1", the number of clusters and of portals, then a line a portal: number
-                       ///< of points, the two clusters and the points
+                       ///< of points, the cluster that sees them run clockwise, the other one, and the points
 };
 
 PortalFile portal_file(const VisGraph& graph);
