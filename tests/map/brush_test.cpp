@@ -51,7 +51,7 @@ double random_within(std::mt19937& random, double low, double high) {
 TEST(Brushes, GrownByAMoverAreSolidWhereTheMoversBoxOverlapsABrush) {
     const std::string shape = ball({0, 0, 256}, 90, 4, 6);
     const std::string source = level(room({-512, -512, 0}, {512, 512, 512}) + shape);
-    const auto bsp = compile(source, {true});
+    const auto bsp = compile(source);
     map::PlaneList planes;
     map::TextureList textures;
     const map::Brush brush = map::make_brush(map::parse_map(level(shape)).front().brushes.front(), planes, textures);
@@ -74,12 +74,20 @@ TEST(Brushes, GrownByAMoverAreSolidWhereTheMoversBoxOverlapsABrush) {
 }
 
 TEST(Brushes, GrownKeepPlayersOffTheWalls) {
-    const auto bsp = compile(level(room({0, 0, 0}, {256, 256, 256})), {true});
+    const auto bsp = compile(level(room({0, 0, 0}, {256, 256, 256})));
     EXPECT_EQ(contents_at(bsp, 0, 1, {16.5, 128, 24.5}), contents::kEmpty);
     EXPECT_EQ(contents_at(bsp, 0, 1, {15.5, 128, 24.5}), contents::kSolid);
     EXPECT_EQ(contents_at(bsp, 0, 1, {16.5, 128, 23.5}), contents::kSolid);
     EXPECT_EQ(contents_at(bsp, 0, 2, {32.5, 128, 191.5}), contents::kEmpty);
     EXPECT_EQ(contents_at(bsp, 0, 2, {32.5, 128, 192.5}), contents::kSolid);
+}
+
+TEST(Brushes, LargeMoversArePlayersInADraft) {
+    const auto bsp = compile(
+        level(room({0, 0, 0}, {256, 256, 256}), entity("func_wall", {}, box({64, 64, 0}, {96, 96, 64}))), {true});
+    for (const map::FileModel& model : bsp.models) EXPECT_EQ(model.head_nodes[2], model.head_nodes[1]);
+    EXPECT_EQ(contents_at(bsp, 0, 2, {16.5, 128, 24.5}), contents::kEmpty);
+    EXPECT_EQ(contents_at(bsp, 0, 2, {15.5, 128, 24.5}), contents::kSolid);
 }
 
 TEST(Brushes, WithoutExtentAreRefused) {

@@ -117,16 +117,16 @@ void check_world(const ModelResult& world, const Inhabitants& inhabitants, const
 }
 
 // The world first.
-std::vector<CompiledModel> compile_models(LevelBrushes& level, const std::vector<MapEntity>& entities,
+std::vector<CompiledModel> compile_models(LevelBrushes& level, const std::vector<MapEntity>& entities, bool is_draft,
                                           const WorkSharing& sharing) {
     const Inhabitants inhabitants = inhabitants_of(entities);
     std::deque<ModelCompiler> compilers;
     for (const std::vector<Brush>& brushes : level.models)
         compilers.emplace_back(brushes, level.planes, level.textures.texinfos(),
-                               compilers.empty() ? SealStarts(inhabitants.starts) : std::nullopt);
-    constexpr std::size_t kParts = ModelCompiler::kParts;
-    sharing.begin("tree", kParts * compilers.size());
-    sharing.for_each(kParts * compilers.size(), [&](std::size_t i) { compilers[i / kParts].do_part(i % kParts); });
+                               compilers.empty() ? SealStarts(inhabitants.starts) : std::nullopt, is_draft);
+    const std::size_t parts = compilers.front().part_count();
+    sharing.begin("tree", parts * compilers.size());
+    sharing.for_each(parts * compilers.size(), [&](std::size_t i) { compilers[i / parts].do_part(i % parts); });
     check_world(compilers.front().result(), inhabitants, entities.front());
     std::vector<CompiledModel> models;
     for (ModelCompiler& compiler : compilers) models.push_back(std::move(compiler.result().model));
@@ -209,7 +209,7 @@ BspFile compile_map(std::vector<MapEntity> entities, const std::vector<Wad>& wad
         return changed_level(entities, level, options, sharing);
     BspFile bsp;
     bsp.textures = collect_textures(level.textures.names(), wads);
-    const std::vector<CompiledModel> models = compile_models(level, entities, sharing);
+    const std::vector<CompiledModel> models = compile_models(level, entities, options.is_fast, sharing);
     const CompiledModel& world = models.front();
     Emitter emitter(bsp, level.planes);
     emitter.add_texinfos(level.textures.texinfos());

@@ -18,7 +18,7 @@ namespace oblong::map {
 enum class CompilePart { All, Entities, Light, Visibility };
 
 struct CompileOptions {
-    bool is_fast = false;   ///< rougher visibility and light
+    bool is_fast = false;   ///< rougher visibility and light, and no hull of its own for large bodies
     bool has_dirt = false;  ///< LightOptions
     bool has_bounce = false;
     const Palette* palette = nullptr;

@@ -52,7 +52,7 @@ void declare(CommandArguments& line, Arguments& arguments) {
     line.add("--threads", arguments.threads,
              "that compile; default: as many as processors. The level is the same for any number")
         .limit(1, 64);
-    line.add_flag("--fast", arguments.is_fast, "rougher visibility and light");
+    line.add_flag("--fast", arguments.is_fast, "rougher visibility and light; large bodies take the player's room");
     line.add_flag("--bounce", arguments.has_bounce, "light goes on from surface to surface, as with _bounce 1");
     line.add_flag("--dirt", arguments.has_dirt, "corners are darker, as with _dirt 1");
     line.add_flag("--strict", arguments.is_strict, "warnings are errors");

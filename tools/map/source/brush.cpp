@@ -127,12 +127,20 @@ bool set_windings(Brush& brush, const PlaneList& planes) {
     });
 }
 
-int contents_at(const std::vector<Brush>& brushes, const PlaneList& planes, const Point& point) {
+BrushContents::BrushContents(const std::vector<Brush>& brushes, const PlaneList& planes) : planes_(planes) {
+    for (const Brush& brush : brushes)
+        for (int slab = slab_of(brush.box.mins.x); slab <= slab_of(brush.box.maxs.x); ++slab)
+            in_slabs_[slab].push_back(&brush);
+}
+
+int BrushContents::at(const Point& point) const {
     int found = contents::kEmpty;
-    const Box at = box_of(std::span(&point, 1));
-    for (const Brush& brush : brushes) {
-        if (contents_rank(brush.contents) <= contents_rank(found) || !brush.box.touches(at, 0)) continue;
-        if (contains(brush, planes, point)) found = brush.contents;
+    const auto slab = in_slabs_.find(slab_of(point.x));
+    if (slab == in_slabs_.end()) return found;
+    const Box box = box_of(std::span(&point, 1));
+    for (const Brush* brush : slab->second) {
+        if (contents_rank(brush->contents) <= contents_rank(found) || !brush->box.touches(box, 0)) continue;
+        if (contains(*brush, planes_, point)) found = brush->contents;
     }
     return found;
 }

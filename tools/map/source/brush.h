@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <string_view>
 #include <vector>
 
@@ -39,8 +41,21 @@ Brush make_brush(const MapBrush& source, PlaneList& planes, TextureList& texture
 /// volume, or no end to it.
 bool set_windings(Brush& brush, const PlaneList& planes);
 
-/// What the brushes put at a point (contents of the highest rank), empty if there is none.
-int contents_at(const std::vector<Brush>& brushes, const PlaneList& planes, const Point& point);
+/// What brushes put at points; they must outlive it.
+class BrushContents {
+  public:
+    BrushContents(const std::vector<Brush>& brushes, const PlaneList& planes);
+
+    /// The contents of the highest rank, empty if there is none.
+    int at(const Point& point) const;
+
+  private:
+    static constexpr double kWidth = 64;
+    static int slab_of(double x) { return static_cast<int>(std::floor(x / kWidth)); }
+
+    std::map<int, std::vector<const Brush*>> in_slabs_;  // across x, so that few are asked for a point
+    const PlaneList& planes_;
+};
 
 /// The boxes that move through a level, around their origin: players, and large monsters.
 inline constexpr Box kPlayerBox{{-16, -16, -24}, {16, 16, 32}};

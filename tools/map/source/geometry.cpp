@@ -74,26 +74,19 @@ Point crossing(const Point& front, double front_height, const Point& back, doubl
     return at;
 }
 
-void add_crossing(SplitWinding& parts, const Point& a, double a_height, const Point& b, double b_height,
-                  const Plane& plane) {
-    if (a_height * b_height >= 0) return;
-    const Point at =
-        a_height > 0 ? crossing(a, a_height, b, b_height, plane) : crossing(b, b_height, a, a_height, plane);
-    parts.front.push_back(at);
-    parts.back.push_back(at);
-}
-
-SplitWinding cut(const Winding& winding, const Plane& plane, const Heights& heights) {
-    SplitWinding parts;
-    parts.front.reserve(winding.size() + 1);
-    parts.back.reserve(winding.size() + 1);
+// Calls add_front(point) and add_back(point) for the corners of what is on either side.
+template <class AddFront, class AddBack>
+void cut(const Winding& winding, const Plane& plane, const Heights& heights, AddFront add_front, AddBack add_back) {
     for (std::size_t i = 0; i < winding.size(); ++i) {
-        const std::size_t next = (i + 1) % winding.size();
-        if (heights[i] >= 0) parts.front.push_back(winding[i]);
-        if (heights[i] <= 0) parts.back.push_back(winding[i]);
-        add_crossing(parts, winding[i], heights[i], winding[next], heights[next], plane);
+        const std::size_t next = i + 1 == winding.size() ? 0 : i + 1;
+        if (heights[i] >= 0) add_front(winding[i]);
+        if (heights[i] <= 0) add_back(winding[i]);
+        if (heights[i] * heights[next] >= 0) continue;
+        const std::size_t front = heights[i] > 0 ? i : next, back = heights[i] > 0 ? next : i;
+        const Point at = crossing(winding[front], heights[front], winding[back], heights[back], plane);
+        add_front(at);
+        add_back(at);
     }
-    return parts;
 }
 
 // Corners nearer than this are the same; an angle that bends less is straight.
@@ -213,14 +206,24 @@ SplitWinding split(Winding winding, const Plane& plane) {
     if (!heights.has_front && !heights.has_back) return {std::move(winding), {}, true};
     if (!heights.has_back) return {std::move(winding), {}, false};
     if (!heights.has_front) return {{}, std::move(winding), false};
-    return cut(winding, plane, heights);
+    SplitWinding parts;
+    parts.front.reserve(winding.size() + 1);
+    parts.back.reserve(winding.size() + 1);
+    cut(
+        winding, plane, heights, [&](const Point& point) { parts.front.push_back(point); },
+        [&](const Point& point) { parts.back.push_back(point); });
+    return parts;
 }
 
 Winding clipped_to_front(Winding winding, const Plane& plane) {
     const Heights heights(winding, plane);
     if (!heights.has_back) return winding;
     if (!heights.has_front) return {};
-    return std::move(cut(winding, plane, heights).front);
+    Winding front;
+    front.reserve(winding.size() + 1);
+    cut(
+        winding, plane, heights, [&](const Point& point) { front.push_back(point); }, [](const Point&) {});
+    return front;
 }
 
 Reach reach(const Winding& winding, const Plane& plane) {

@@ -67,7 +67,9 @@ std::vector<int> Emitter::add_model(const CompiledModel& model) {
     Box box;
     numbers.head_nodes[0] = add_child(model, model.tree.root, numbering, box);
     numbers.visible_leaf_count = count(bsp_.leaves) - leaves_before;
-    for (std::size_t i = 0; i < 2; ++i) numbers.head_nodes[i + 1] = add_clip_child(model.hulls[i], model.hulls[i].root);
+    for (std::size_t i = 0; i < model.hulls.size(); ++i)
+        numbers.head_nodes[i + 1] = add_clip_child(model.hulls[i], model.hulls[i].root);
+    if (model.hulls.size() < 2) numbers.head_nodes[2] = numbers.head_nodes[1];
     bsp_.models.push_back(numbers);
     return std::move(numbering.leaf_indices);
 }

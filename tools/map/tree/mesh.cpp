@@ -120,7 +120,8 @@ Partition partition_brushes(const std::vector<Brush>& brushes, const PlaneList& 
     Partition made;
     made.tree = build_tree(outline(brushes, planes), planes);
     made.portals = find_portals(made.tree, planes, outer);
-    fill_leaves(made.tree, made.portals, [&](const Point& point) { return contents_at(brushes, planes, point); });
+    const BrushContents contents(brushes, planes);
+    fill_leaves(made.tree, made.portals, [&](const Point& point) { return contents.at(point); });
     return made;
 }
 
@@ -218,13 +219,12 @@ void fix_t_junctions(std::vector<Loop>& loops, const VertexPool& pool) {
 }
 
 ModelCompiler::ModelCompiler(const std::vector<Brush>& brushes, PlaneList& planes, const std::vector<TexInfo>& texinfos,
-                             SealStarts starts)
-    : brushes_(brushes),
-      grown_{hull_brushes(brushes, kPlayerBox, planes), hull_brushes(brushes, kLargeBox, planes)},
-      planes_(planes),
-      texinfos_(texinfos),
-      starts_(std::move(starts)) {
+                             SealStarts starts, bool is_draft)
+    : brushes_(brushes), planes_(planes), texinfos_(texinfos), starts_(std::move(starts)) {
     result_.model.box = box_of_brushes(brushes);
+    grown_.push_back(hull_brushes(brushes, kPlayerBox, planes));
+    if (!is_draft) grown_.push_back(hull_brushes(brushes, kLargeBox, planes));
+    result_.model.hulls.resize(grown_.size());
 }
 
 void ModelCompiler::do_part(std::size_t part) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <map>
 #include <optional>
 #include <vector>
@@ -50,7 +49,7 @@ struct CompiledModel {
     std::vector<Surface> surfaces;  ///< grouped by node
     std::vector<Loop> loops;        ///< of each surface, the corners in `vertices`
     VertexPool vertices;
-    std::array<Tree, 2> hulls;  ///< for kPlayerBox and kLargeBox; leaves are solid or empty
+    std::vector<Tree> hulls;  ///< for kPlayerBox, and kLargeBox unless it is a draft; leaves are solid or empty
 };
 
 /// Where a sealed level must not be open to the void, or nothing for a model that needs no seal.
@@ -64,11 +63,11 @@ struct ModelResult {
 /// Compiles brushes into a model: with `starts`, fills what is outside of the level. What it is given must outlive it.
 class ModelCompiler {
   public:
-    /// Adds planes. All that it does later only reads them.
+    /// Adds planes. All that it does later only reads them. `is_draft`: without a hull for kLargeBox.
     ModelCompiler(const std::vector<Brush>& brushes, PlaneList& planes, const std::vector<TexInfo>& texinfos,
-                  SealStarts starts);
+                  SealStarts starts, bool is_draft);
 
-    static constexpr std::size_t kParts = 3;  ///< what is drawn, and the hulls
+    std::size_t part_count() const { return 1 + grown_.size(); }  ///< what is drawn, and the hulls
     /// Each once, in any order, several at a time.
     void do_part(std::size_t part);
 
@@ -78,7 +77,7 @@ class ModelCompiler {
     void make_drawn(const Box& outer);
 
     const std::vector<Brush>& brushes_;
-    std::array<std::vector<Brush>, 2> grown_;  // of the hulls
+    std::vector<std::vector<Brush>> grown_;  // of the hulls
     const PlaneList& planes_;
     const std::vector<TexInfo>& texinfos_;
     SealStarts starts_;

@@ -1,10 +1,22 @@
 #include "tools/map/vis/portal_file.h"
 
-#include <cstdio>
+#include <charconv>
+#include <iterator>
 
 #include "tools/map/vis/visibility.h"
 
 namespace oblong::map {
+
+namespace {
+
+// With six digits, and a space.
+void add_number(std::string& text, double number) {
+    char digits[32];
+    text.append(digits, std::to_chars(std::begin(digits), std::end(digits), number, std::chars_format::general, 6).ptr);
+    text += ' ';
+}
+
+}  // namespace
 
 PortalFile portal_file(const VisGraph& graph) {
     PortalFile file;
@@ -15,9 +27,9 @@ PortalFile portal_file(const VisGraph& graph) {
         file.text += std::to_string(portal.winding.size()) + " " + std::to_string(portal.cluster) + " " +
                      std::to_string(graph.portals[i + 1].cluster);
         for (const Point& point : portal.winding) {
-            char text[96];
-            std::snprintf(text, sizeof text, " (%.6g %.6g %.6g )", point.x, point.y, point.z);
-            file.text += text;
+            file.text += " (";
+            for (int axis = 0; axis < 3; ++axis) add_number(file.text, point[axis]);
+            file.text += ")";
         }
         file.text += "\n";
     }

@@ -11,6 +11,7 @@ namespace oblong::map {
 
 namespace {
 
+constexpr const char *kRoughStage = "rough visibility", *kStage = "visibility";
 constexpr int kNarrowingRounds = 3;  // each starts from the last one's sets; a fourth takes hardly anything away
 
 std::vector<bool> clusters_seen_from(int cluster, const VisGraph& graph, const std::vector<BitSet>& seen) {
@@ -28,11 +29,11 @@ std::vector<bool> clusters_seen_from(int cluster, const VisGraph& graph, const s
 }
 
 std::vector<BitSet> find_seen(VisGraph& graph, bool is_fast, const WorkSharing& sharing) {
-    sharing.begin("rough visibility", graph.portals.size() * (is_fast ? 1 : 1 + 2 * kNarrowingRounds));
+    sharing.begin(kRoughStage, graph.portals.size() * (is_fast ? 1 : 1 + 2 * kNarrowingRounds));
     find_might_see(graph, sharing);
     if (!is_fast) {
         for (int round = 0; round < kNarrowingRounds; ++round) narrow_might_see(graph, sharing);
-        sharing.begin("visibility", graph.portals.size());
+        sharing.begin(kStage, graph.portals.size());
         return find_seen_portals(graph, sharing);
     }
     std::vector<BitSet> seen;
@@ -156,12 +157,17 @@ void add_visibility(BspFile& bsp, const CompiledModel& world, const std::vector<
     if (portals != nullptr) *portals = portal_file(graph);
     const std::vector<BitSet> seen = find_seen(graph, is_fast, sharing);
     const std::vector<int> cluster_of_leaf = clusters_in_file_order(clusters, leaf_indices, leaf_count);
+    std::vector<std::string> rows(clusters.count);
+    sharing.begin(is_fast ? kRoughStage : kStage, rows.size());
+    sharing.for_each(rows.size(), [&](std::size_t cluster) {
+        rows[cluster] = row_of(static_cast<int>(cluster), graph, seen, cluster_of_leaf);
+    });
     std::vector<int> offsets(clusters.count, -1);  // leaves of a cluster share a row
     for (std::size_t leaf = 0; leaf < leaf_count; ++leaf) {
         int& offset = item(offsets, cluster_of_leaf[leaf]);
         if (offset < 0) {
             offset = static_cast<int>(bsp.visibility.size());
-            bsp.visibility += row_of(cluster_of_leaf[leaf], graph, seen, cluster_of_leaf);
+            bsp.visibility += item(rows, cluster_of_leaf[leaf]);
         }
         bsp.leaves[leaf + 1].visibility_offset = offset;
     }
