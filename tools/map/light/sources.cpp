@@ -141,8 +141,11 @@ HemisphereSettings hemisphere_of(const MapEntity& world) {
         return number_of(world, key, std::stod(std::string(usual_text("worldspawn", key))));
     };
     HemisphereSettings settings;
-    settings.sunlight2 = std::max(value("_sunlight2"), 0.0);
-    settings.sunlight3 = std::max(value("_sunlight3"), 0.0);
+    // In ericw-tools these are suns all over the sky, which share the brightness and count by (1 + cosine) / 2 as lamps
+    // do: the mean of that over an open half of directions is 3/4.
+    constexpr double kDome = 0.75;
+    settings.sunlight2 = kDome * std::max(value("_sunlight2"), 0.0);
+    settings.sunlight3 = kDome * std::max(value("_sunlight3"), 0.0);
     settings.has_dirt = value("_dirt") > 0;
     settings.dirt_depth = std::max(value("_dirtdepth"), 1.0);
     settings.dirt_scale = std::max(value("_dirtscale"), 0.0);
