@@ -1,6 +1,6 @@
 """The measuring scripts on the demo level: their tables account for all that was counted, and they say what is missing.
 
-usage: scripts_test.py ROOT BUILD OBLONG_RENDER stages|peer|scale
+usage: scripts_test.py ROOT BUILD OBLONG_RENDER stages|peer|scale|compilers
 Exit code 77: skipped.
 """
 import importlib
@@ -105,9 +105,43 @@ def check_scale_chart(folder):
         check(file.read().count("<circle") == 2 * 4, "a point is not on the chart")
 
 
+def make_tools(folder, oblong):
+    """A qbsp that is oblong-map, a vis that does nothing, and a light that makes one sample 51 brighter."""
+    texts = {"qbsp": 'exec %s "$3" -o "$4" --fast --prt "${4%%.bsp}.prt"' % oblong, "vis": "exit 0",
+             "light": "exec python3 -c 'import sys; b = bytearray(open(sys.argv[1], \"rb\").read()); "
+                      "i = int.from_bytes(b[68:72], \"little\"); b[i] = (b[i] + 51) % 256; "
+                      "open(sys.argv[1], \"wb\").write(b)' \"$4\""}
+    for name, text in texts.items():
+        path = os.path.join(folder, name)
+        with open(path, "w") as file:
+            file.write("#!/bin/sh\n" + text + "\n")
+        os.chmod(path, os.stat(path).st_mode | stat.S_IXUSR)
+
+
+def check_compare_ericw(folder):
+    oblong = os.path.join(os.path.dirname(RENDER), "oblong-map")
+    make_tools(folder, oblong)
+    page = os.path.join(folder, "page.md")
+    with open(page, "w") as file:
+        file.write("before\n<!-- table compilers -->\nold\n<!-- end -->\nafter\n")
+    ran = subprocess.run([sys.executable, os.path.join(ROOT, "tools/map/compare_ericw.py"), folder, os.path.join(BUILD, "assets"),
+                          "--map", "demo", "--oblong", oblong, "--threads", "2", "--page", page], capture_output=True, text=True)
+    check(ran.returncode == 0, "compare_ericw: " + ran.stderr)
+    name, figures, times = json.loads(ran.stderr)
+    check(name == "demo" and len(times) == 1 and min(times[0]) > 0, "times: %s" % times)
+    check(all(figures[i] == figures[i + 1] > 0 for i in (0, 2, 4)), "the same level has other figures: %s" % figures)
+    check(1 < figures[6] == figures[7] and figures[8:10] == [0, 0], "the same leaves see others: %s" % figures)
+    with open(os.path.join(BUILD, "assets/demo.bsp"), "rb") as file:
+        samples = int.from_bytes(file.read()[72:76], "little")
+    check(0.5 / samples < figures[11] < 2 / samples, "one sample in %d differs, found %g" % (samples, figures[11]))
+    with open(page) as file:
+        text = file.read()
+    check(text.startswith("before\n") and text.endswith("after\n") and "old" not in text and "| demo |" in text, "page: " + text)
+
+
 def main():
     with tempfile.TemporaryDirectory() as folder:
-        {"stages": check_stage_costs, "peer": check_compare_peer, "scale": check_scale_chart}[sys.argv[4]](folder)
+        {"stages": check_stage_costs, "peer": check_compare_peer, "scale": check_scale_chart, "compilers": check_compare_ericw}[sys.argv[4]](folder)
 
 
 if __name__ == "__main__":
