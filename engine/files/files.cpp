@@ -9,8 +9,6 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iostream>
 #include <memory>
 
 #include "engine/base/table.h"
@@ -141,7 +139,7 @@ std::vector<std::uint8_t> read_file(const std::string& path, std::size_t most_by
 }
 
 std::vector<std::uint8_t> read_file_part(const std::string& path, std::uint64_t offset, std::size_t length) {
-    std::ifstream file(path, std::ios::binary);
+    const File file(std::fopen(path.c_str(), "rb"));
     if (!file) throw FileError(path, "open", "expected a readable file");
     std::error_code ignored;
     const std::uint64_t size = std::filesystem::file_size(path, ignored);
@@ -150,9 +148,9 @@ std::vector<std::uint8_t> read_file_part(const std::string& path, std::uint64_t 
             path, "offset " + std::to_string(offset),
             "the file has " + std::to_string(size) + " bytes, expected " + std::to_string(length) + " from here on");
     std::vector<std::uint8_t> bytes(length);
-    file.seekg(static_cast<std::streamoff>(offset));
-    file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(length));
-    if (!file) throw FileError(path, "read", "expected a readable file");
+    if (fseeko(file.get(), static_cast<off_t>(offset), SEEK_SET) != 0 ||
+        std::fread(bytes.data(), 1, length, file.get()) != length)
+        throw FileError(path, "read", "expected a readable file");
     return bytes;
 }
 
@@ -209,8 +207,7 @@ void write_file(const std::string& path, const std::string& text, FileUse use) {
 
 void flush_standard_output() {
     errno = 0;
-    std::cout.flush();
-    if (std::cout && std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
     const std::string why = errno == 0 ? "failed" : reason();
     throw FileError("standard output", "write", why + ", expected it to be writable");
 }

@@ -1,4 +1,5 @@
 // What the game asks of libraries that are not there under DOS.
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 
@@ -14,6 +15,7 @@
 #include "engine/platform/small_mixer.h"
 #include "game/dos/museum.h"
 #include "game/dos/prepared_game.h"
+#include "game/program/map_watch.h"
 
 namespace oblong {
 
@@ -72,9 +74,23 @@ std::vector<std::uint8_t> encode_indexed_png(std::span<const std::uint8_t>, std:
     throw InputError("image", "no pictures are written under DOS");
 }
 
+/// No maps are watched.
+std::optional<MapWatch::News> MapWatch::poll(std::uint64_t) {
+    return std::nullopt;
+}
+std::string MapWatch::due_reminder(std::uint64_t) {
+    return {};
+}
+void MapWatch::remind_of(std::string) {}
+
 /// The options file is not kept.
 std::optional<ConfigLine> parse_config_line(const std::string&) {
     return std::nullopt;
 }
 
 }  // namespace oblong
+
+// Or the library's own comes along, with a reader of mangled names.
+void __gnu_cxx::__verbose_terminate_handler() {
+    std::abort();
+}

@@ -1,9 +1,10 @@
 #include "game/lab/timedemo.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
-#include <iomanip>
-#include <sstream>
+#include <cinttypes>
+#include <cstdio>
 #include <vector>
 
 #include "game/input/tick_input_source.h"
@@ -39,11 +40,12 @@ TimedemoResult run_timedemo(const LoadedLevel& loaded, const Demo& demo, GameRen
 
 std::string describe(const TimedemoResult& result) {
     const double seconds = static_cast<double>(result.total_us) / 1e6;
-    std::ostringstream text;
-    text << std::fixed << result.frames << " frames, " << std::setprecision(3) << seconds << " seconds, "
-         << std::setprecision(1) << (seconds > 0 ? static_cast<double>(result.frames) / seconds : 0.0)
-         << " frames a second, median " << result.median_us << " microseconds";
-    return text.str();
+    std::array<char, 160> text;
+    std::snprintf(text.data(), text.size(),
+                  "%" PRId64 " frames, %.3f seconds, %.1f frames a second, median %" PRId64 " microseconds",
+                  result.frames, seconds, seconds > 0 ? static_cast<double>(result.frames) / seconds : 0.0,
+                  result.median_us);
+    return text.data();
 }
 
 }  // namespace oblong

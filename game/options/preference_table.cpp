@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <sstream>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -177,6 +177,17 @@ void add_sound(Rows& rows) {
                                 tenths, " %"));
 }
 
+// What lies between any of the separators; may be empty.
+std::vector<std::string_view> parts_of(std::string_view text, std::string_view separators) {
+    std::vector<std::string_view> parts;
+    for (std::size_t at = 0; at <= text.size();) {
+        const std::size_t end = std::min(text.find_first_of(separators, at), text.size());
+        parts.push_back(text.substr(at, end - at));
+        at = end + 1;
+    }
+    return parts;
+}
+
 // The light of all games but the museum, whose values are options of their own: "quake:1.4:1:on", a word a game.
 KeptValue lights_value() {
     KeptValue value;
@@ -194,18 +205,16 @@ KeptValue lights_value() {
     };
     value.parse = [values = value.values](Preferences& of, const std::string& text) {
         Preferences read;
-        std::istringstream words(text == "none" ? "" : text);
-        for (std::string word; words >> word;) {
-            std::istringstream parts(word);
-            std::string brightness, gamma, tube;
-            const bool is_whole = std::getline(parts, read.game, ':') && std::getline(parts, brightness, ':') &&
-                                  std::getline(parts, gamma, ':') && std::getline(parts, tube, ':');
-            if (!is_whole || std::count(word.begin(), word.end(), ':') != 3 || read.game.empty() ||
-                read.game == kMuseum)
-                refuse("game-lights", word, values);
+        const std::string_view games = text == "none" ? std::string_view{} : text;
+        for (const std::string_view word : parts_of(games, " \t\n\r\f\v")) {
+            if (word.empty()) continue;
+            const std::vector<std::string_view> parts = parts_of(word, ":");
+            if (parts.size() != 4 || parts[0].empty() || parts[0] == kMuseum)
+                refuse("game-lights", std::string(word), values);
+            read.game = parts[0];
             for (const auto& [name, part] :
-                 {std::pair("brightness", brightness), {"gamma", gamma}, {"tube-light", tube}})
-                preference_named(name).parse(read, part);
+                 {std::pair("brightness", parts[1]), {"gamma", parts[2]}, {"tube-light", parts[3]}})
+                preference_named(name).parse(read, std::string(part));
         }
         if (const auto museum = of.lights.find(kMuseum); museum != of.lights.end()) read.lights.insert(*museum);
         of.lights = read.lights;

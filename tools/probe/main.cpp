@@ -2,6 +2,7 @@
 
 #include "engine/files/arguments.h"
 #include "engine/files/command_line.h"
+#include "engine/files/files.h"
 #include "tools/probe/probe.h"
 
 int main(int argc, char** argv) {
@@ -14,5 +15,7 @@ int main(int argc, char** argv) {
         std::ios::sync_with_stdio(false);
         std::cin.tie(nullptr);
         oblong::answer_lines(accuracy, std::cin, std::cout);
+        if (!std::cout.flush())
+            throw oblong::FileError("standard output", "write", "failed, expected it to be writable");
     });
 }
