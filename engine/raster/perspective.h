@@ -64,8 +64,16 @@ constexpr Number clamp_value(Number value, Number least, Number greatest) {
 /// 2^-26.
 struct DividedReciprocal {
     [[gnu::always_inline]] static std::int64_t of(std::int64_t value, int shift) {
+#if defined(__i386__)
+        // The divisor is 2^27 or more, below 2^28: the quotient's upper half is 1, but 2 for 2^27.
+        const auto divisor = static_cast<std::uint32_t>(upper_half(value, shift));
+        if (divisor == 1u << 27) return std::int64_t{1} << 33;
+        const std::uint64_t rest = std::uint64_t{(1u << 28) - divisor} << 32;
+        return static_cast<std::int64_t>(std::uint64_t{1} << 32 | divide_to_32(rest, divisor).quotient);
+#else
         return static_cast<std::int64_t>(
             divide(std::uint64_t{1} << 60, static_cast<std::uint64_t>(upper_half(value, shift))).quotient);
+#endif
     }
 };
 
@@ -103,6 +111,17 @@ struct Depth {
     [[gnu::always_inline]] Texel times(TexelOverZ over_z) const {
         using Scaled = Fixed<std::int64_t, 60>;
         if constexpr (kClamps) over_z = clamp_value(over_z, {}, greatest_over_z);
+#if defined(__i386__)
+        if constexpr (!kClamps) {
+            // Of 32 bits: what is below 0 stays there, and all else needs no sign.
+            const std::int64_t upper = upper_half(over_z.raw, shift);
+            const auto size = static_cast<std::uint32_t>(upper);
+            if (upper < 0) return Texel::from_raw(-1);
+            const std::uint64_t low = std::uint64_t{size} * static_cast<std::uint32_t>(mantissa);
+            const std::uint64_t high = std::uint64_t{size * static_cast<std::uint32_t>(mantissa >> 32)} << 32;
+            return Texel::from_raw(static_cast<std::int64_t>((low + high) >> 30));
+        }
+#endif
         const std::int64_t product = upper_half(over_z.raw, shift) * mantissa;
         note_range<"u/z, normalised">(Scaled::from_raw(over_z.raw * (std::int64_t{1} << shift)));
         note_range<"u/z x reciprocal">(Scaled::from_raw(product));

@@ -1,5 +1,5 @@
-// Prints a hash of divisions, products and projections of numbers of every length: the same on every machine, whatever
-// instructions it has for them.
+// Prints a hash of divisions, products, projections, texels and their steps of numbers of every length: the same on
+// every machine, whatever instructions it has for them.
 #include <algorithm>
 #include <cinttypes>
 #include <cstdio>
@@ -7,6 +7,8 @@
 
 #include "engine/base/fnv.h"
 #include "engine/fixed/wide.h"
+#include "engine/raster/block_steps.h"
+#include "engine/raster/perspective.h"
 #include "engine/view/projection.h"
 
 namespace {
@@ -25,6 +27,24 @@ class Results {
   private:
     Fnv1a hash_;
 };
+
+/// What a block of texels is made of: `depth` is 1/z, `over_z` u/z.
+void add_block(Results& results, std::int64_t depth, std::int64_t over_z, std::uint64_t bits) {
+    const Depth<DividedReciprocal, PerspectiveRange::Fits> at(InverseZ::from_raw(depth), {});
+    results.add(at.mantissa);
+    // Below 65,536 texels, as where the range fits; all that is below 0 is clamped.
+    const TexelOverZ fitting = TexelOverZ::from_raw(over_z % (4 * depth));
+    results.add(texel_within(at.times(fitting), Texel::from_raw(40), Texel::from_raw(0xffff0000)));
+    const int size = static_cast<int>(bits % 32);
+    const TexelPosition from{static_cast<std::uint32_t>(depth) >> size, static_cast<std::uint32_t>(over_z) >> size};
+    const TexelPosition to{static_cast<std::uint32_t>(bits >> 32), static_cast<std::uint32_t>(bits >> 8) >> size};
+    const auto count = static_cast<std::int32_t>(bits >> 40 & 0xfff) + 1;
+    for (const TexelStep step : {steps_by_division(from, to, count), steps_by_division(to, from, 1),
+                                 steps_by_shift(from, to, static_cast<int>(bits % 9))}) {
+        results.add(step.u_16);
+        results.add(step.v_16);
+    }
+}
 
 }  // namespace
 
@@ -52,6 +72,9 @@ int main() {
         const std::uint64_t fitting = n % (std::uint64_t{short_d} << 32);
         results.add(divide_to_32(fitting, short_d).quotient);
         results.add(divide_to_32(fitting, short_d).remainder);
+        const std::int64_t depth = std::max<std::int64_t>(detail::magnitude(c) & ((std::int64_t{1} << 59) - 1), 1);
+        for (const std::int64_t inverse_z : {depth, std::int64_t{1} << shift % 60})
+            add_block(results, inverse_z, a, random());
         const auto coarse = CoarseMultiplier::from_raw(std::int64_t{128} << random() % 24 | (random() & 0xff80));
         const ProjectionAxis axis{
             convert<Multiplier>(coarse), coarse, View::from_raw((std::int64_t{1} << 61) / (coarse.raw + 1)), {}};
