@@ -16,6 +16,7 @@ class SmallMixer : public SoundOutput {
   public:
     static constexpr std::int32_t kRate_hz = 11'025, kVoices = 16;
     static constexpr std::uint8_t kSilence = 128;
+    using Recordings = std::vector<std::vector<std::int8_t>>;
 
     SoundNumber add_sound(std::span<const std::int16_t> samples, std::int32_t rate_hz) override;
     VoiceNumber start(SoundNumber sound, bool is_loop, const VoiceLevels& levels) override;
@@ -33,6 +34,9 @@ class SmallMixer : public SoundOutput {
     /// A sound at kRate_hz: each sample the mean of those that it stands for.
     static std::vector<std::int8_t> at_own_rate(std::span<const std::int16_t> samples, std::int32_t rate_hz);
 
+  protected:
+    Recordings recordings_;
+
   private:
     struct Voice {
         VoiceNumber number = kNoVoice;  // kNoVoice: none is heard here
@@ -47,7 +51,6 @@ class SmallMixer : public SoundOutput {
     void add_voice(Voice& voice, std::span<std::int32_t> sums) const;
 
     mutable std::mutex mutex_;
-    std::vector<std::vector<std::int8_t>> recordings_;
     std::array<Voice, kVoices> voices_;
     VoiceNumber next_voice_ = 0;
 };

@@ -111,7 +111,7 @@ void empty_read_files() {
     for (const char* name : {"/demo.bsp", "/demo.ready"}) write_file(std::string(kAssets) + name, std::string());
 }
 
-// Without a card nobody reads them.
+// Nobody reads them without a card, or again.
 void empty_sounds() {
     std::vector<std::string> files;
     for (const auto& entry : std::filesystem::directory_iterator(std::string(kAssets) + "/sounds"))
@@ -156,7 +156,7 @@ void wait_for_key(dos::Pc& pc) {
 }
 
 void play(const Options& options, dos::Pc& pc) {
-    OpenSound open_sound = dos::sound_of_card();
+    OpenSound open_sound = dos::sound_of_card(empty_sounds);
     if (!open_sound) empty_sounds();
     PreferencesStore store;
     store.begin_with(options.preferences);

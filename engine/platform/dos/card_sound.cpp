@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 #include "engine/platform/dos/calls.h"
 #include "engine/platform/dos/sound_blaster.h"
@@ -13,10 +14,16 @@ namespace {
 constexpr std::size_t kLead = 1024;  // samples that are ready, 93 ms
 constexpr std::uint32_t kEvery = 8;  // interrupts of the timer: 27 ms
 
+/// What outlives the device while all is silent.
+struct Kept {
+    std::function<void()> when_loaded;  ///< empty: has been called
+    SmallMixer::Recordings recordings;
+};
+
 /// Fills the ring that the card plays, in interrupts, so that no picture is too slow for it.
 class CardSound final : public SmallMixer {
   public:
-    explicit CardSound(SoundBlaster card) : card_(card) {
+    CardSound(SoundBlaster card, std::shared_ptr<Kept> kept) : card_(card), kept_(std::move(kept)) {
         std::fill(ring_.begin(), ring_.end(), kSilence);
         card_.start(ring_, kRate_hz);
         TimerHook hook{[](void* sound) { static_cast<CardSound*>(sound)->fill_sometimes(); }, this};
@@ -26,6 +33,18 @@ class CardSound final : public SmallMixer {
         TimerHook none;
         call(Call::Timer, &none);
         card_.stop();
+        kept_->recordings = std::move(recordings_);
+    }
+    /// A file that was emptied is a recording that was kept.
+    SoundNumber add_sound(std::span<const std::int16_t> samples, std::int32_t rate_hz) override {
+        const std::size_t number = recordings_.size();
+        if (!samples.empty() || number >= kept_->recordings.size()) return SmallMixer::add_sound(samples, rate_hz);
+        recordings_.push_back(std::move(kept_->recordings[number]));
+        return static_cast<SoundNumber>(number);
+    }
+    VoiceNumber start(SoundNumber sound, bool is_loop, const VoiceLevels& levels) override {
+        if (kept_->when_loaded) std::exchange(kept_->when_loaded, nullptr)();
+        return SmallMixer::start(sound, is_loop, levels);
     }
     CardSound(const CardSound&) = delete;
     CardSound& operator=(const CardSound&) = delete;
@@ -61,6 +80,7 @@ class CardSound final : public SmallMixer {
     }
 
     SoundBlaster card_;
+    std::shared_ptr<Kept> kept_;
     std::span<std::uint8_t> ring_{reinterpret_cast<std::uint8_t*>(call(Call::LowMemory)), kLowMemory};
     std::uint32_t interrupts_ = 0;
     std::size_t played_ = 0, end_ = 0;  // in the ring: up to where silence is, and up to where samples are
@@ -68,10 +88,11 @@ class CardSound final : public SmallMixer {
 
 }  // namespace
 
-OpenSound sound_of_card() {
+OpenSound sound_of_card(std::function<void()> when_loaded) {
     const auto card = SoundBlaster::find(std::getenv("BLASTER"));
     if (!card) return nullptr;
-    return [card = *card] { return std::make_unique<CardSound>(card); };
+    auto kept = std::make_shared<Kept>(std::move(when_loaded), SmallMixer::Recordings{});
+    return [card = *card, kept = std::move(kept)] { return std::make_unique<CardSound>(card, kept); };
 }
 
 }  // namespace oblong::dos
