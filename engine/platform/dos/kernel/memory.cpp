@@ -77,10 +77,17 @@ void* take_pages(std::uint32_t bytes) {
     return memset(reinterpret_cast<void*>(at), 0, size);
 }
 
+// Files of the archive share pages: the one in which two meet is free when both are, the former one first.
 void free_pages(const void* bytes, std::uint32_t size) {
-    const std::uint32_t at = reinterpret_cast<std::uint32_t>(bytes);
+    constexpr std::uint32_t kFilesApart = 16;
+    static std::uint32_t freed_from, freed_to;
+    const std::uint32_t at = reinterpret_cast<std::uint32_t>(bytes), its_page = at & ~(kPage - 1);
     if (at >= end || size > end - at) return;
-    for (std::uint32_t page = whole_pages(at); page + kPage <= at + size; page += kPage) {
+    const bool goes_on = at - freed_to < kFilesApart;
+    if (!goes_on) freed_from = at;
+    freed_to = at + size;
+    for (std::uint32_t page = goes_on && freed_from <= its_page ? its_page : whole_pages(at); page + kPage <= freed_to;
+         page += kPage) {
         taken -= is_taken[page / kPage];
         is_taken[page / kPage] = false;
     }
