@@ -116,17 +116,18 @@ std::vector<int> candidates_of(const std::vector<BoundaryPiece>& pieces, const P
     return some;
 }
 
-long cost_of(int plane, const std::vector<BoundaryPiece>& pieces, const PlaneList& planes) {
+// `most`: what is returned for any cost that is not below it.
+long cost_of(int plane, const std::vector<BoundaryPiece>& pieces, const PlaneList& planes, long most) {
+    const auto weighted = [is_axial = planes.type(plane) < 3](long cost) { return is_axial ? 2 * cost : 3 * cost + 4; };
     long front = 0, back = 0, cuts = 0;
     for (const BoundaryPiece& piece : pieces) {
         const Side side = side_of(piece, plane, planes);
         if (side == Side::kOn) continue;
         if (side != Side::kBack) ++front;
         if (side != Side::kFront) ++back;
-        if (side == Side::kBoth) ++cuts;
+        if (side == Side::kBoth && weighted(kCutCost * ++cuts) >= most) return most;
     }
-    const long cost = kCutCost * cuts + std::labs(front - back);
-    return planes.type(plane) < 3 ? 2 * cost : 3 * cost + 4;
+    return std::min(weighted(kCutCost * cuts + std::labs(front - back)), most);
 }
 
 // The plane to cut these pieces by: one of theirs.
@@ -134,7 +135,7 @@ int choose_plane(const std::vector<BoundaryPiece>& pieces, const PlaneList& plan
     int best = pieces.front().plane.plane;
     long best_cost = std::numeric_limits<long>::max();
     for (const int plane : candidates_of(pieces, planes)) {
-        const long cost = cost_of(plane, pieces, planes);
+        const long cost = cost_of(plane, pieces, planes, best_cost);
         if (cost >= best_cost) continue;
         best = plane;
         best_cost = cost;
