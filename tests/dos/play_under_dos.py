@@ -21,9 +21,11 @@ import sys
 import tempfile
 import wave
 
-from emulators import DosBox, Qemu, different_pixels, expect, read_ppm, skip
+from emulators import DosBox, Qemu, count_in, different_pixels, expect, read_ppm, skip
 
 TICKS = 300
+# A processor of 31 million instructions a second, however busy the machine is.
+WITH_CARD = ["-icount", "shift=5", "-device", "sb16,audiodev=card", "-audiodev", "none,id=card"]
 STILL, MOVED = 3_000, 20_000  # pixels of 64,000 that differ
 # Rooms that have times and rates, which are doubles; the readers of files; the gallery's expected numbers.
 WITH_FLOATS = {"files", "gallery", "measure", "game_lab", "game_view", "game_simulation"}
@@ -91,16 +93,19 @@ def check_qemu(build_dir):
 
 
 def check_memory(image):
-    """After 250 pictures of the title, 90 s of its record, there is memory for a walk, with all sounds. (-icount: a
-    processor of 31 million instructions a second, however busy the machine is.)"""
+    """After 250 pictures of the title, 90 s of its record, there is memory for a walk, with all sounds."""
     with tempfile.TemporaryDirectory() as folder, \
-            Qemu(with_arguments(image, "captions=off report=1"), folder, "-icount", "shift=5",
-                 "-device", "sb16,audiodev=card", "-audiodev", "none,id=card") as pc:
+            Qemu(with_arguments(image, "captions=off report=1"), folder, *WITH_CARD) as pc:
         pc.wait_for_pictures(250)
         pc.press_in_turn("ret")
         pc.wait_for_pictures(10)
         pc.press_in_turn("esc", "up", "ret", "down", "ret")
         pc.wait_for("memory:")
+    # The record leads through all rooms.
+    with tempfile.TemporaryDirectory() as folder, \
+            Qemu(with_arguments(image, "captions=off report=1 replay=/assets/walk.demo"), folder, *WITH_CARD) as pc:
+        pc.wait_until(lambda said: count_in(said, "shown") >= 600 or "out of memory" in said, "the record does not go on")
+        expect("out of memory" not in pc.said(), "memory is full before the record has led through all rooms")
 
 
 def resting(pc, what):
