@@ -43,6 +43,12 @@ InverseDepth nearest_depth(const ScreenSprite& sprite) {
     return static_cast<InverseDepth>(std::max(sprite.inverse_depth_16, last_16) >> 16);
 }
 
+InverseDepth nearest_depth(std::span<const ParticleDot> dots) {
+    InverseDepth nearest = 0;
+    for (const ParticleDot& dot : dots) nearest = std::max(nearest, dot.inverse_depth);
+    return nearest;
+}
+
 void add_sprite(const Sprite& sprite, const Level& level, const Sight& sight, ThingsInView& in_view,
                 DepthBuffer& depth) {
     const std::optional<ScreenSprite> screen = project_sprite(sprite, level.textures[sprite.texture], sight.view);
@@ -63,10 +69,14 @@ void find_particles(const Things& things, std::int64_t time_ms, const Sight& sig
         in_view.particles_computed += placed.emitter.count;
         if (sight.part) keep_dots_in(*sight.part, first, in_view.dots);
         const std::span<const ParticleDot> dots = std::span(in_view.dots).subspan(first);
-        if (dots.empty()) continue;
+        const ScreenRectangle pixels = rectangle_around(dots);
+        if (dots.empty() || !sight.may_show(pixels, nearest_depth(dots))) {
+            in_view.dots.resize(first);
+            continue;
+        }
         in_view.emitters.push_back(
             {first, dots.size(), placed.emitter.middle, World::from_int(placed.place.box.mins[2])});
-        depth.want(rectangle_around(dots));
+        depth.want(pixels);
     }
 }
 

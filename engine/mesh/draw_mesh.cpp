@@ -96,7 +96,12 @@ bool is_inside(const std::array<const ViewVertex*, 3>& vertices) {
     return (vertices[0]->outcode | vertices[1]->outcode | vertices[2]->outcode) == 0;
 }
 
-/// The corners of a triangle that is, without values.
+/// Whether it is surely all outside of it.
+bool is_outside(const std::array<const ViewVertex*, 3>& vertices) {
+    return (vertices[0]->outcode & vertices[1]->outcode & vertices[2]->outcode) != 0;
+}
+
+/// The corners of a triangle all inside, without values.
 std::array<ScreenCorner, 3> places_of(const std::array<const ViewVertex*, 3>& vertices) {
     const auto place = [](const ViewVertex& vertex) { return ScreenCorner{vertex.screen, vertex.inverse_z, {}}; };
     return {place(*vertices[0]), place(*vertices[1]), place(*vertices[2])};
@@ -184,14 +189,14 @@ void draw_clipped(const MeshTriangle& triangle, const std::array<const ViewVerte
 /// Draws one triangle of the mesh.
 void draw_polygon(const MeshTriangle& triangle, const MeshContext& mesh, MeshScratch& scratch, MeshCounts& counts) {
     const std::array<const ViewVertex*, 3> vertices = seen_vertices(triangle, mesh, scratch);
-    const auto& [a, b, c] = vertices;
-    if ((a->outcode & b->outcode & c->outcode) != 0) return;
+    if (is_outside(vertices)) return;
     (is_inside(vertices) ? draw_whole : draw_clipped)(triangle, vertices, mesh, scratch, counts);
 }
 
 /// Whether a triangle has a pixel at which nothing is nearer.
 bool is_seen(const MeshTriangle& triangle, const MeshPlacement& mesh, MeshScratch& scratch, MeshCounts& counts) {
     const auto vertices = seen_vertices(triangle, mesh, scratch);
+    if (is_outside(vertices)) return false;
     if (is_inside(vertices)) {
         const std::array<ScreenCorner, 3> corners = places_of(vertices);
         return find_triangle({&corners[0], &corners[1], &corners[2]}, mesh.target, scratch, counts).has_value();

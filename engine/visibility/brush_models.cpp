@@ -129,7 +129,7 @@ const FragmentTree& BrushModels::tree_of(LeafModels& leaf, const Level& level) {
 void BrushModels::order_model(PlacedIndex placed, const ModelView& view) {
     const PlacedModel& at = placed_[placed];
     const SubModel& model = view.level.models[at.model];
-    const bool is_outside = view.culler.planes_crossed(box_of(model, at.offset), kAllSides) == kOutside;
+    const bool is_outside = !view.may_show(box_of(model, at.offset));
     orders_[placed] = {frame_, distance_order(model, at, view.viewpoint), is_outside};
     if (!is_outside) rank_faces(view.level, model, view.viewpoint.relative_to(at.offset), steps_, face_ranks_);
 }
@@ -168,8 +168,8 @@ void BrushModels::walk_tree(const FragmentTree& tree, Index<FragmentTree::Node> 
 }
 
 std::span<const Fragment* const> BrushModels::front_to_back_in(LeafIndex leaf, const Level& level,
-                                                               const Viewpoint& viewpoint, const BoxCuller& culler) {
-    const ModelView view{level, viewpoint, culler};
+                                                               const Viewpoint& viewpoint, const MayShow& may_show) {
+    const ModelView view{level, viewpoint, may_show};
     found_.clear();
     LeafModels& in_leaf = leaves_[leaf];
     if (in_leaf.has_several) {

@@ -1,13 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
 #include "engine/level/level.h"
 #include "engine/scene/face_table.h"
 #include "engine/view/view_context.h"
-#include "engine/visibility/box_culler.h"
 #include "engine/visibility/fragment_tree.h"
 
 namespace oblong {
@@ -31,10 +31,12 @@ class BrushModels {
     void start_frame(const Level& level, std::span<const PlacedModel> models, const FaceTable& table);
 
     bool has_any_in(LeafIndex leaf) const { return !leaves_[leaf].first_link.is_none(); }
-    /// The parts in a leaf that face the viewpoint, nearest first, of models that the culler does not find outside of
-    /// the view. Valid until the next call; culler and viewpoint are the same in all calls of a frame.
+    /// Whether something in a box may own pixels. What it says no to, it says no to for the rest of the frame.
+    using MayShow = std::function<bool(const LevelBox&)>;
+    /// The parts in a leaf that face the viewpoint, nearest first, of models whose box may show: asked when the frame
+    /// first comes to them. Valid until the next call; the viewpoint is the same in all calls of a frame.
     std::span<const Fragment* const> front_to_back_in(LeafIndex leaf, const Level& level, const Viewpoint& viewpoint,
-                                                      const BoxCuller& culler);
+                                                      const MayShow& may_show);
     std::span<const Vec3<World>> corners_of(const Fragment& fragment) const {
         const auto& corners = fragment.tree.is_none() ? cuts_[fragment.placed].corners : trees_[fragment.tree].corners;
         return std::span(corners).subspan(fragment.first_corner, fragment.corner_count);
@@ -53,7 +55,7 @@ class BrushModels {
     struct ModelView {
         const Level& level;
         const Viewpoint& viewpoint;
-        const BoxCuller& culler;
+        const MayShow& may_show;
     };
     /// What a leaf holds of models.
     struct LeafModels {
@@ -65,7 +67,7 @@ class BrushModels {
     struct Order {
         std::uint32_t frame = 0;
         std::int64_t distance = 0;  ///< squared, or along the rays of a parallel view: of use for comparing only
-        bool is_outside = false;    ///< of the view: its faces have no order
+        bool is_outside = false;    ///< of the view, or hidden: its faces have no order
     };
 
     void place(const Level& level, std::span<const PlacedModel> models, const FaceTable& table);

@@ -147,8 +147,11 @@ void FrontToBackWalk::enter_leaf(LeafIndex index, std::uint8_t planes) {
     scratch_.lowest = std::min(scratch_.lowest, World::from_int(leaf.box.mins[2]));
     if (culler_.planes_crossed(leaf.box, planes) == kOutside) return;
     for (const FaceIndex face : level_.faces_at(leaf)) scratch_.face_marks[face] = scratch_.mark;
-    if (models_ && models_->has_any_in(index))
-        fragments_ = models_->front_to_back_in(index, level_, view_.viewpoint, culler_);
+    if (!models_ || !models_->has_any_in(index)) return;
+    const auto may_show = [this](const LevelBox& box) {
+        return culler_.planes_crossed(box, kAllSides) != kOutside && may_be_free(box);
+    };
+    fragments_ = models_->front_to_back_in(index, level_, view_.viewpoint, may_show);
 }
 
 bool FrontToBackWalk::is_beyond_limits(const LevelBox& box) const {
@@ -166,8 +169,12 @@ bool FrontToBackWalk::is_well_within_limits(const LevelBox& box) const {
 
 bool FrontToBackWalk::is_hidden(const Node& node) const {
     if (!takes_all_faces_ && (node.children[0].is_leaf() || node.children[1].is_leaf())) return false;
-    const std::optional<ScreenRectangle> rectangle = rectangle_of(node.box, view_);
-    return rectangle && !span_buffer_.may_be_free(*rectangle);
+    return !may_be_free(node.box);
+}
+
+bool FrontToBackWalk::may_be_free(const LevelBox& box) const {
+    const std::optional<ScreenRectangle> rectangle = rectangle_of(box, view_);
+    return !rectangle || span_buffer_.may_be_free(*rectangle);
 }
 
 }  // namespace oblong

@@ -113,6 +113,8 @@ class FrontToBackWalk {
     /// Whether no pixel is free where a node's faces are. Is asked in the first walk of nodes between other nodes only:
     /// near the leaves there are few faces, and the test costs more than they do.
     bool is_hidden(const Node& node) const;
+    /// False only if no pixel is free where a box is.
+    bool may_be_free(const LevelBox& box) const;
     bool is_wanted(FaceIndex face) const;
 
     const Level& level_;
