@@ -133,17 +133,22 @@ def report_of(program, place, repeat, mode, options=()):
     return json.loads(run.stdout)
 
 
-def functions_under_callgrind(command, path, valgrind_options=()):
-    """Runs a command; instructions by function, by the names in its symbol table."""
+def run_callgrind(command, path, valgrind_options=()):
+    """Runs a command; what it takes is written to the path."""
     run = subprocess.run(["valgrind", "--tool=callgrind", "--dump-line=no", "--demangle=no",
                           "--callgrind-out-file=" + path, *valgrind_options, *command], capture_output=True, text=True)
     if run.returncode != 0:
         fail("valgrind failed:\n%s" % run.stderr)
+
+
+def functions_under_callgrind(command, path, valgrind_options=()):
+    """Runs a command; instructions by function, by the names in its symbol table."""
+    run_callgrind(command, path, valgrind_options)
     return read_callgrind(path)
 
 
-def read_callgrind(path):
-    """Instructions by function: the lines `POSITION COUNT` below each `fn=`; what a call costs in all is left out."""
+def read_callgrind(path, with_calls=False):
+    """Instructions by function: the lines `POSITION COUNT` below each `fn=`; with or without those of what it calls."""
     names, costs, function, is_of_call = {}, {}, None, False
     with open(path) as file:
         for line in file:
@@ -156,7 +161,7 @@ def read_callgrind(path):
             elif line.startswith("calls="):
                 is_of_call = True
             elif line[0].isdigit() or line[0] in "+-*":
-                if not is_of_call and function:
+                if function and (with_calls or not is_of_call):
                     name = re.sub(r"'\d+$", "", function)  # the same function in a recursion
                     costs[name] = costs.get(name, 0) + int(line.split()[1])
                 is_of_call = False
