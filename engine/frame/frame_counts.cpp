@@ -90,9 +90,9 @@ void count_divided_pixels(std::span<const Span> spans, std::int64_t divisions, s
     counts.divisions += pixels;
 }
 
-void count_blocks(std::span<const Span> spans, const TextureGradients& gradients, const BlockList& blocks,
+void count_blocks(std::span<const Span> spans, const BlockCutting& cutting, const BlockList& blocks,
                   FrameCounts& counts) {
-    counts.divisions += divisions_of(spans, gradients, blocks);
+    counts.divisions += divisions_of(spans, cutting, blocks);
     for (const TexelBlock& block : blocks.waiting()) {
         count_run(block.pixel, static_cast<std::uint32_t>(block.count), counts.writes);
         counts.stages.textured_pixels += block.count;

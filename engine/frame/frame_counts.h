@@ -70,7 +70,7 @@ void count_face(EffectSet effects, std::span<const Span> spans, FrameCounts& cou
 /// Adds a write to each pixel of spans that are drawn without a surface. `pitch` is the framebuffer's.
 void count_writes(std::span<const Span> spans, std::int32_t pitch, FrameCounts& counts);
 /// Adds spans that were cut into these blocks, which are drawn.
-void count_blocks(std::span<const Span> spans, const TextureGradients& gradients, const BlockList& blocks,
+void count_blocks(std::span<const Span> spans, const BlockCutting& cutting, const BlockList& blocks,
                   FrameCounts& counts);
 /// Adds spans drawn by raster/exact_spans.h, which made so many divisions.
 void count_divided_pixels(std::span<const Span> spans, std::int64_t divisions, std::int32_t pitch, FrameCounts& counts);

@@ -122,7 +122,7 @@ void draw_blocks(const TexturedFace& face, std::span<const Span> spans, BlockCut
             face.effect.kernel(blocks.waiting(), face.effect.texels, target.out.pixels);
         else
             face.surface.kernel(blocks.waiting(), face.surface.view, target.out.pixels);
-        if (counts) count_blocks(spans.first(spans.size() - left.size()), cutting.gradients, blocks, *counts);
+        if (counts) count_blocks(spans.first(spans.size() - left.size()), cutting, blocks, *counts);
         if (record) record_blocks(record_of(face.face), blocks.waiting(), face.surface, *record);
         blocks.clear();
         spans = left;

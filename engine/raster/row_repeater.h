@@ -11,8 +11,7 @@
 namespace oblong {
 
 /// Cuts rows of a surface whose 1/z and u are the same in all rows, as a wall's are in a level view. Between the same
-/// columns as in a row before, blocks have the same lengths, ends of the same depth, and the same u: v alone is
-/// another.
+/// columns as in a row above, blocks have the same lengths, ends of the same depth, and the same u: v alone is another.
 template <class Reciprocal>
 class RowRepeater {
   public:
@@ -20,26 +19,17 @@ class RowRepeater {
         return gradients.inverse_z.per_row == InverseZ{} && gradients.u_over_z.per_row == TexelOverZ{};
     }
 
-    [[gnu::always_inline]] RowRepeater(const TextureGradients& gradients, const TexelLimits& limits,
-                                       Reciprocal reciprocal)
-        : gradients_(gradients), limits_(limits), reciprocal_(reciprocal) {}
-
-    /// Remembers the blocks of a span, which must stay where they are.
-    [[gnu::always_inline]] void remember(const Span& span, std::span<const TexelBlock> blocks) {
-        span_ = span;
-        blocks_ = blocks;
-        knows_depths_ = false;
+    /// For rows like one of these blocks, which must stay where they are: fewer than kMostEnds.
+    [[gnu::always_inline]] RowRepeater(const Span& above, std::span<const TexelBlock> blocks,
+                                       const BlockCutting& cutting, Reciprocal reciprocal)
+        : above_(above), blocks_(blocks), gradients_(cutting.gradients), limits_(cutting.limits) {
+        find_depths(reciprocal);
     }
 
-    [[gnu::always_inline]] bool can_repeat(const Span& span) const {
-        return span.first == span_.first && span.end == span_.end && blocks_.size() < kMostEnds;
-    }
-
-    /// Appends the blocks of a span that it can repeat. Returns the list's new end.
-    [[gnu::always_inline]] TexelBlock* repeat(const Span& span, std::int32_t pitch, TexelBlock* out) {
-        if (!knows_depths_) find_depths();
-        const auto down = static_cast<std::uint32_t>((span.y - span_.y) * pitch);
-        TexelOverZ v_over_z = gradients_.v_over_z.at(span.first, span.y);
+    /// Appends the blocks of such a row. Returns the list's new end.
+    [[gnu::always_inline]] TexelBlock* repeat(std::int32_t row, std::int32_t pitch, TexelBlock* out) const {
+        const auto down = static_cast<std::uint32_t>((row - above_.y) * pitch);
+        TexelOverZ v_over_z = gradients_.v_over_z.at(above_.first, row);
         const BlockDepth* depth = depths_.data();
         std::uint32_t v_16 = v_at(v_over_z, *depth);
         const TexelBlock* above = blocks_.data();
@@ -53,38 +43,32 @@ class RowRepeater {
         const std::int32_t steps = above->count - 1;
         v_over_z = stepped(v_over_z, gradients_.v_over_z.per_column, steps);
         const std::uint32_t to_16 = v_at(v_over_z, *++depth);
-        divisions_saved_ += std::ssize(blocks_) + (steps != 0);
         *out++ = moved(*above, down, v_16, steps == 0 ? 0 : steps_by_division({0, v_16}, {0, to_16}, steps).v_16);
         return out;
     }
 
-    /// How many fewer divisions than for spans that are cut.
-    std::int64_t divisions_saved() const { return divisions_saved_; }
+    static constexpr std::size_t kMostEnds = 64;
 
   private:
     using FittingDepth = Depth<Reciprocal, PerspectiveRange::Fits>;
-    static constexpr std::size_t kMostEnds = 64;
-
     struct BlockDepth {
         std::int64_t mantissa;
         int shift;
     };
 
     /// Where each block begins, and where the last one ends.
-    void find_depths() {
+    void find_depths(Reciprocal reciprocal) {
         std::size_t count = 0;
         const auto add = [&](std::int32_t column) {
-            const FittingDepth depth(gradients_.inverse_z.at(column, span_.y), reciprocal_);
+            const FittingDepth depth(gradients_.inverse_z.at(column, above_.y), reciprocal);
             item(depths_, count++) = {depth.mantissa, depth.shift};
         };
-        std::int32_t column = span_.first;
+        std::int32_t column = above_.first;
         for (const TexelBlock& block : blocks_) {
             add(column);
             column += block.count;
         }
         add(column - 1);
-        knows_depths_ = true;
-        divisions_saved_ -= static_cast<std::int64_t>(count);
     }
 
     [[gnu::always_inline]] std::uint32_t v_at(TexelOverZ v_over_z, const BlockDepth& known) const {
@@ -99,14 +83,11 @@ class RowRepeater {
         return {block.pixel + pixels, block.count, block.u_16, v_16, block.u_step_16, v_step_16};
     }
 
+    const Span& above_;
+    const std::span<const TexelBlock> blocks_;
     const TextureGradients& gradients_;
     const TexelLimits& limits_;
-    [[no_unique_address]] const Reciprocal reciprocal_;
-    Span span_{0, 0, 0};  ///< empty: no span is like it
-    std::span<const TexelBlock> blocks_;
-    bool knows_depths_ = false;
-    std::int64_t divisions_saved_ = 0;
-    std::array<BlockDepth, kMostEnds + 1> depths_;  ///< where knows_depths_
+    std::array<BlockDepth, kMostEnds> depths_;
 };
 
 }  // namespace oblong

@@ -23,8 +23,6 @@ class SpanEnds {
     [[gnu::always_inline]] TexelPosition first(const Span& span) {
         if (!repeats_rows_ || span.first != first_.column)
             set(first_, span.first, span.y, depth_at(span.first, span.y));
-        else
-            ++divisions_saved_;
         return {first_.u_16, v_16(first_, span.y)};
     }
     /// After first(), of a span of two pixels at least.
@@ -34,11 +32,8 @@ class SpanEnds {
             set(last_, column, span.y, first_.depth);
         else if (!repeats_rows_ || column != last_.column)
             set(last_, column, span.y, depth_at(column, span.y));
-        else
-            ++divisions_saved_;
         return {last_.u_16, v_16(last_, span.y)};
     }
-    std::int64_t divisions_saved() const { return divisions_saved_; }
 
   private:
     using FittingDepth = Depth<Reciprocal, PerspectiveRange::Fits>;
@@ -66,7 +61,6 @@ class SpanEnds {
     [[no_unique_address]] const Reciprocal reciprocal_;
     const bool repeats_rows_, is_of_one_depth_;
     End first_, last_;
-    std::int64_t divisions_saved_ = 0;
 };
 
 }  // namespace oblong

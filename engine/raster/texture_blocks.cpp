@@ -1,6 +1,7 @@
 #include "engine/raster/texture_blocks.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/base/table.h"
 #include "engine/raster/block_steps.h"
@@ -78,30 +79,42 @@ template <Texturing Way, PerspectiveRange Range, class Reciprocal>
     return {span, end};
 }
 
-/// The same for RowRepeater's surfaces.
-template <class Reciprocal>
+/// The first of the spans, as many as are in these columns, but `most` of them.
+[[gnu::always_inline]] inline std::span<const Span> spans_in(const Span& columns, std::span<const Span> spans,
+                                                             std::size_t most) {
+    std::size_t count = 0;
+    most = std::min(most, spans.size());
+    while (count < most && spans[count].first == columns.first && spans[count].end == columns.end) ++count;
+    return spans.first(count);
+}
+
+/// The same for RowRepeater's surfaces. repeat(above, its blocks, spans, out) appends rows' blocks.
+template <class Reciprocal, class Repeat>
 [[gnu::always_inline]] inline std::span<const Span> cut_repeating_rows(std::span<const Span> spans, std::int32_t pitch,
                                                                        const BlockCutting& cutting,
-                                                                       Reciprocal reciprocal, BlockList& blocks) {
+                                                                       Reciprocal reciprocal, Repeat repeat,
+                                                                       BlockList& blocks) {
     SpanCutter<Reciprocal, PerspectiveRange::Fits> cutter(cutting, reciprocal, blocks.end());
-    RowRepeater<Reciprocal> repeater(cutting.gradients, cutting.limits, reciprocal);
     const TexelBlock* const full = blocks.full();
-    std::int64_t log2 = 0;
-    const Span* span = spans.data();
-    const Span* const end = span + spans.size();
-    for (; span != end && cutter.end() <= full; ++span) {
-        if (repeater.can_repeat(*span)) {
-            cutter.set_end(repeater.repeat(*span, pitch, cutter.end()));
-            continue;
-        }
+    std::int64_t log2 = 0, divisions_saved = 0;
+    while (!spans.empty() && cutter.end() <= full) {
+        const Span& above = spans.front();
         const TexelBlock* const first = cutter.end();
-        cutter.start(*span, pitch);
+        cutter.start(above, pitch);
         cut_bounded(cutter, cutting.thresholds, log2);
-        repeater.remember(*span, {first, cutter.end()});
+        spans = spans.subspan(1);
+        const std::span<const TexelBlock> row(first, cutter.end());
+        if (row.size() >= RowRepeater<Reciprocal>::kMostEnds || cutter.end() > full) continue;
+        const std::size_t room = as_size(full - cutter.end()) / row.size() + 1;
+        const std::span<const Span> below = spans_in(above, spans, room);
+        if (below.empty()) continue;
+        cutter.set_end(repeat(above, row, below, cutter.end()));
+        divisions_saved += std::ssize(below) * (std::ssize(row) + (row.back().count > 1)) - (std::ssize(row) + 1);
+        spans = spans.subspan(below.size());
     }
     blocks.set_end(cutter.end());
-    blocks.add_divisions(-repeater.divisions_saved());
-    return {span, end};
+    blocks.add_divisions(-divisions_saved);
+    return spans;
 }
 
 /// Spans that are one block each.
@@ -126,7 +139,6 @@ template <class Reciprocal>
                   step.v_16};
     }
     blocks.set_end(out);
-    blocks.add_divisions(-ends.divisions_saved());
     return {span, end};
 }
 
@@ -138,8 +150,15 @@ template <Texturing Way, class Reciprocal>
     if (!cutting.fits_range) return cut_spans<Way, MayOverflow>(spans, pitch, cutting, reciprocal, blocks);
     if (Way == Texturing::Bounded && cutting.takes_whole_spans)
         return cut_whole_spans(spans, pitch, cutting, reciprocal, blocks);
-    if (Way == Texturing::Bounded && RowRepeater<Reciprocal>::serves(cutting.gradients))
-        return cut_repeating_rows(spans, pitch, cutting, reciprocal, blocks);
+    if (Way == Texturing::Bounded && RowRepeater<Reciprocal>::serves(cutting.gradients)) {
+        const auto repeat = [&](const Span& above, std::span<const TexelBlock> row, std::span<const Span> below,
+                                TexelBlock* out) {
+            const RowRepeater<Reciprocal> repeater(above, row, cutting, reciprocal);
+            for (const Span& span : below) out = repeater.repeat(span.y, pitch, out);
+            return out;
+        };
+        return cut_repeating_rows(spans, pitch, cutting, reciprocal, repeat, blocks);
+    }
     return cut_spans<Way, Fits>(spans, pitch, cutting, reciprocal, blocks);
 }
 
@@ -201,13 +220,30 @@ TexelPosition texel_at(const TextureGradients& gradients, const TexelLimits& lim
     return texel_of(at, Depth<DividedReciprocal, PerspectiveRange::MayOverflow>(at.inverse_z, {}), limits);
 }
 
-std::int64_t divisions_of(std::span<const Span> spans, const TextureGradients& gradients, const BlockList& blocks) {
+namespace {
+
+/// Of spans that are one block each: how many ends are in the column of an end before (SpanEnds).
+std::int64_t repeated_ends(std::span<const Span> spans) {
+    std::int64_t count = 0;
+    std::int32_t first = -1, end = -1;
+    for (const Span& span : spans) {
+        count += span.first == std::exchange(first, span.first);
+        if (span.end - span.first > 1) count += span.end == std::exchange(end, span.end);
+    }
+    return count;
+}
+
+}  // namespace
+
+std::int64_t divisions_of(std::span<const Span> spans, const BlockCutting& cutting, const BlockList& blocks) {
+    const TextureGradients& gradients = cutting.gradients;
     if (gradients.inverse_z.per_column == InverseZ{}) return std::ssize(spans);
     std::int64_t divisions = std::ssize(spans) + blocks.more_divisions();
     const TexelBlock* block = blocks.waiting().data();
     for (const Span& span : spans)
         for (std::int32_t left = span.end - span.first; left > 0; left -= block++->count) divisions += left > 1;
-    return divisions;
+    const bool repeats_ends = cutting.takes_whole_spans && RowRepeater<DividedReciprocal>::serves(gradients);
+    return repeats_ends ? divisions - repeated_ends(spans) : divisions;
 }
 
 BlockCutter block_cutter(const Accuracy& accuracy, bool has_bmi2) {

@@ -71,7 +71,7 @@ BlockCutter block_cutter(const Accuracy& accuracy, bool has_bmi2 = oblong::has_b
 /// How many divisions cutting these spans into these blocks took: one where a span begins, and one where each block
 /// ends, or was tried to; but none for a last block of one pixel, where 1/z is constant along rows, or where it is that
 /// of a row before.
-std::int64_t divisions_of(std::span<const Span> spans, const TextureGradients& gradients, const BlockList& blocks);
+std::int64_t divisions_of(std::span<const Span> spans, const BlockCutting& cutting, const BlockList& blocks);
 
 /// The exact texel at the centre of a pixel.
 TexelPosition texel_at(const TextureGradients& gradients, const TexelLimits& limits, std::int32_t column,

@@ -110,7 +110,7 @@ TEST(BlockBound, FacedSquarelyIsOneDivision) {
     constexpr Span kRow{0, 0, kWidth};
     const BlockCutting cutting{floor_row, kNoLimits, make_block_thresholds(rule, {})};
     block_cutter(accuracy)({&kRow, 1}, kWidth, cutting, blocks);
-    EXPECT_EQ(divisions_of({&kRow, 1}, cutting.gradients, blocks), 1);
+    EXPECT_EQ(divisions_of({&kRow, 1}, cutting, blocks), 1);
     EXPECT_EQ(blocks.waiting().size(), 1u);
 }
 
