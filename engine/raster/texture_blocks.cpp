@@ -5,6 +5,7 @@
 
 #include "engine/base/table.h"
 #include "engine/raster/block_steps.h"
+#include "engine/raster/kernels/cut_by_eights.h"
 #include "engine/raster/perspective.h"
 #include "engine/raster/row_repeater.h"
 #include "engine/raster/span_cutter.h"
@@ -186,6 +187,22 @@ OBLONG_TARGET_BMI2 std::span<const Span> append_bounded_bmi2(std::span<const Spa
     return cut_in_range<Texturing::Bounded>(spans, pitch, cutting, DividedReciprocal{}, blocks);
 }
 
+/// The same for processors with AVX-512, but where cut_by_eights.h has nothing for a surface.
+OBLONG_TARGET_BMI2 std::span<const Span> append_bounded_avx512(std::span<const Span> spans, std::int32_t pitch,
+                                                               const BlockCutting& cutting, BlockList& blocks) {
+    const bool repeats_rows = RowRepeater<DividedReciprocal>::serves(cutting.gradients);
+    if (!can_cut_by_eights(cutting) || !(cutting.takes_whole_spans || repeats_rows))
+        return append_bounded_bmi2(spans, pitch, cutting, blocks);
+    if (cutting.takes_whole_spans) {
+        const std::size_t count = std::min(spans.size(), as_size(blocks.full() - blocks.end() + 1));
+        blocks.set_end(cut_whole_spans_by_eights(spans.first(count), pitch, cutting, blocks.end()));
+        return spans.subspan(count);
+    }
+    const auto repeat = [&](const Span& above, std::span<const TexelBlock> row, std::span<const Span> below,
+                            TexelBlock* out) { return repeat_rows_by_eights(above, row, below, pitch, cutting, out); };
+    return cut_repeating_rows(spans, pitch, cutting, DividedReciprocal{}, repeat, blocks);
+}
+
 template <ReciprocalMethod Method>
 BlockCutter cutter_by(Texturing texturing) {
     switch (texturing) {
@@ -246,7 +263,7 @@ std::int64_t divisions_of(std::span<const Span> spans, const BlockCutting& cutti
     return repeats_ends ? divisions - repeated_ends(spans) : divisions;
 }
 
-BlockCutter block_cutter(const Accuracy& accuracy, bool has_bmi2) {
+BlockCutter block_cutter(const Accuracy& accuracy, Instructions instructions) {
     switch (accuracy.reciprocal) {
         case ReciprocalMethod::Table256:
             return cutter_by<ReciprocalMethod::Table256>(accuracy.texturing);
@@ -259,7 +276,8 @@ BlockCutter block_cutter(const Accuracy& accuracy, bool has_bmi2) {
         case ReciprocalMethod::Exact:
             break;
     }
-    if (accuracy.texturing == Texturing::Bounded && has_bmi2) return append_bounded_bmi2;
+    if (accuracy.texturing == Texturing::Bounded && instructions == Instructions::Avx512) return append_bounded_avx512;
+    if (accuracy.texturing == Texturing::Bounded && instructions == Instructions::Bmi2) return append_bounded_bmi2;
     return cutter_by<ReciprocalMethod::Exact>(accuracy.texturing);
 }
 

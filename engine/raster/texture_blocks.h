@@ -28,7 +28,7 @@ TexelLimits make_texel_limits(std::int32_t width, std::int32_t height, std::int3
 class BlockList {
   public:
     /// For spans of up to `longest_px` pixels.
-    explicit BlockList(std::int32_t longest_px) : blocks_(as_size(longest_px) + kBatch) {}
+    explicit BlockList(std::int32_t longest_px) : blocks_(as_size(longest_px) + kBatch + kWrittenAtOnce) {}
 
     /// Blocks of a span that begin beyond this one might not fit.
     const TexelBlock* full() const { return blocks_.data() + kBatch; }
@@ -44,6 +44,8 @@ class BlockList {
 
   private:
     static constexpr std::size_t kBatch = 2048;
+    static constexpr std::size_t kWrittenAtOnce =
+        8;  ///< as many may be written beyond the list's end (cut_by_eights.h)
 
     std::vector<TexelBlock> blocks_;
     std::size_t used_ = 0;
@@ -65,8 +67,8 @@ struct BlockCutting {
 using BlockCutter = std::span<const Span> (*)(std::span<const Span> spans, std::int32_t pitch,
                                               const BlockCutting& cutting, BlockList& blocks);
 
-/// The cutter for these settings, chosen once a frame. `has_bmi2`: of the processor.
-BlockCutter block_cutter(const Accuracy& accuracy, bool has_bmi2 = oblong::has_bmi2());
+/// The cutter for these settings, chosen once a frame.
+BlockCutter block_cutter(const Accuracy& accuracy, Instructions instructions = best_instructions());
 
 /// How many divisions cutting these spans into these blocks took: one where a span begins, and one where each block
 /// ends, or was tried to; but none for a last block of one pixel, where 1/z is constant along rows, or where it is that

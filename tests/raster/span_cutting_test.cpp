@@ -1,11 +1,12 @@
 // The fast ways of cutting spans into blocks, held against the slow ones: divisions by the table, and cutters without
-// clamps, that repeat rows, or for processors with BMI2.
+// clamps, that repeat rows, take whole spans, or are for processors with BMI2 or AVX-512.
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <tuple>
 
+#include "engine/raster/kernels/eights.h"
 #include "engine/raster/texture_blocks.h"
 #include "tests/support/random.h"
 
@@ -14,6 +15,7 @@ namespace oblong::test {
 namespace {
 
 constexpr std::int32_t kWidth = 320, kHeight = 200;
+constexpr Instructions kInstructions[] = {Instructions::Baseline, Instructions::Bmi2, Instructions::Avx512};
 
 template <class Value>
 double value_at(const LinearQuantity<Value>& quantity, std::int32_t column, std::int32_t row) {
@@ -108,20 +110,103 @@ TEST(SpanCutting, EveryCutterCutsTheSameBlocks) {
         TextureGradients plane = random_plane(random);
         if (trial % 3 == 0) plane.inverse_z.per_row = {}, plane.u_over_z.per_row = {};  // a wall in a level view
         const std::vector<Span> spans = random_spans(random);
+        const std::int32_t width = trial % 4 == 0 ? 2048 : 200;
         for (const Texturing texturing : {Texturing::Bounded, Texturing::Every16, Texturing::BoundedTexels}) {
             Accuracy accuracy;
             accuracy.texturing = texturing;
             const BlockRule rule = make_block_rule(accuracy);
-            BlockCutting cutting{plane, make_texel_limits(2048, 300, kWidth),
+            BlockCutting cutting{plane, make_texel_limits(width, 300, kWidth),
                                  make_block_thresholds(rule, plane.inverse_z.per_column), rule.texel_bound_256};
-            const auto expected = cut(spans, cutting, block_cutter(accuracy, false));
-            ASSERT_EQ(cut(spans, cutting, block_cutter(accuracy)), expected) << trial;
-            cutting.fits_range = fits_range(plane, rectangle_around(spans));
-            ASSERT_EQ(cut(spans, cutting, block_cutter(accuracy, false)), expected) << trial;
-            ASSERT_EQ(cut(spans, cutting, block_cutter(accuracy)), expected) << trial;
+            const auto expected = cut(spans, cutting, block_cutter(accuracy, Instructions::Baseline));
+            const bool fits = fits_range(plane, rectangle_around(spans));
+            for (const Instructions instructions : kInstructions) {
+                if (instructions > best_instructions()) continue;
+                cutting.fits_range = false;
+                ASSERT_EQ(cut(spans, cutting, block_cutter(accuracy, instructions)), expected) << trial;
+                cutting.fits_range = fits;
+                ASSERT_EQ(cut(spans, cutting, block_cutter(accuracy, instructions)), expected) << trial;
+            }
         }
     }
 }
+
+// Spans that the thresholds would leave whole, cut by those and without them.
+TEST(SpanCutting, WholeSpansAreTheBlocksThatThresholdsLeave) {
+    std::mt19937 random(9);
+    Accuracy accuracy;
+    const BlockRule rule = make_block_rule(accuracy);
+    int with_many_rows = 0;
+    for (int trial = 0; trial < 3000; ++trial) {
+        TextureGradients plane = random_plane(random);
+        plane.inverse_z.per_column = floor_shift(plane.inverse_z.per_column, 4 + trial % 12);
+        if (trial % 3 == 0) plane.inverse_z.per_row = {}, plane.u_over_z.per_row = {};
+        if (trial % 5 == 0) plane.inverse_z.per_column = {};
+        const std::vector<Span> spans = random_spans(random);
+        const ScreenRectangle around = rectangle_around(spans);
+        if (!fits_range(plane, around)) continue;
+        BlockCutting cutting{plane, make_texel_limits(1 + trial % 3000, 64, kWidth),
+                             make_block_thresholds(rule, plane.inverse_z.per_column)};
+        const auto expected = cut(spans, cutting, block_cutter(accuracy, Instructions::Baseline));
+        if (expected.size() != spans.size()) continue;
+        with_many_rows += spans.size() > 8;
+        cutting.fits_range = cutting.takes_whole_spans = true;
+        for (const Instructions instructions : kInstructions) {
+            if (instructions > best_instructions()) continue;
+            ASSERT_EQ(cut(spans, cutting, block_cutter(accuracy, instructions)), expected) << trial;
+        }
+    }
+    EXPECT_GT(with_many_rows, 50);
+}
+
+// From the last texel of a surface to its first, where steps by a reciprocal are not exact on the larger ones.
+TEST(SpanCutting, StepsAcrossWholeSurfacesAreTheSame) {
+    std::vector<Span> spans;
+    for (std::int32_t row = 0; row < 30; ++row) spans.push_back({row, 0, 2 + row});
+    for (std::int32_t width = 500; width < 3000; ++width) {
+        BlockCutting floor{{}, make_texel_limits(width, 64, kWidth), {}};
+        floor.gradients.inverse_z = {fixed_of<InverseZ>(0x1p-7), {}, {}};
+        floor.gradients.u_over_z = {fixed_of<TexelOverZ>(width * 0x1p-7), fixed_of<TexelOverZ>(width * -0x1p-7), {}};
+        floor.fits_range = floor.takes_whole_spans = true;
+        const auto expected = cut(spans, floor, block_cutter({}, Instructions::Baseline));
+        for (const Instructions instructions : kInstructions) {
+            if (instructions > best_instructions()) continue;
+            ASSERT_EQ(cut(spans, floor, block_cutter({}, instructions)), expected) << width;
+        }
+    }
+}
+
+TEST(SpanCutting, EndsInTheColumnOfAnEndBeforeAreNoDivisions) {
+    BlockCutting wall{{}, make_texel_limits(64, 64, kWidth), {}};
+    wall.gradients.inverse_z = {fixed_of<InverseZ>(0.01), fixed_of<InverseZ>(1e-8), {}};
+    wall.fits_range = wall.takes_whole_spans = true;
+    const std::vector<Span> spans = {{0, 0, 50}, {1, 0, 50}, {2, 5, 50}, {3, 5, 6}, {4, 6, 9}};
+    for (const Instructions instructions : kInstructions) {
+        if (instructions > best_instructions()) continue;
+        BlockList blocks(kWidth);
+        block_cutter({}, instructions)(spans, kWidth, wall, blocks);
+        EXPECT_EQ(divisions_of(spans, wall, blocks), 5);  // at 0 and 49, 5, 6 and 8
+    }
+}
+
+#if defined(OBLONG_EIGHTS)
+[[OBLONG_AVX512]] std::array<std::uint64_t, 8> reciprocals_from(std::uint64_t divisor) {
+    std::array<std::uint64_t, 8> reciprocals;
+    store_eight(reciprocals_60(eight_of(static_cast<std::int64_t>(divisor)) + Eight{0, 1, 2, 3, 4, 5, 6, 7}),
+                reciprocals.data());
+    return reciprocals;
+}
+
+TEST(SpanCutting, EightReciprocalsAreThoseOfDivisions) {
+    if (best_instructions() < Instructions::Avx512) GTEST_SKIP() << "a processor without AVX-512";
+    constexpr std::uint64_t kFirst = 1 << 27, kEnd = 1 << 28;
+    for (std::uint64_t divisor = kFirst; divisor < kEnd; divisor += divisor % 1024 < 512 ? 8 : 1001) {
+        divisor = std::min(divisor, kEnd - 8);
+        const auto reciprocals = reciprocals_from(divisor);
+        for (std::uint64_t i = 0; i < 8; ++i)
+            ASSERT_EQ(reciprocals[i], (std::uint64_t{1} << 60) / (divisor + i)) << divisor + i;
+    }
+}
+#endif
 
 TEST(SpanCutting, StopsWhereTheListIsFullAndGoesOnFromThere) {
     const std::vector<Span> rows(3000, Span{0, 0, 4});

@@ -34,6 +34,15 @@ void draw_blocks_any_size(std::span<const TexelBlock> blocks, const SurfaceView&
 /// Whether this processor has the BMI2 instructions, and a fast `pext` among them.
 bool has_bmi2();
 
+/// What an x86-64 processor has beyond what all of them have, each with what is before it.
+enum class Instructions : std::uint8_t {
+    Baseline,
+    Bmi2,   ///< has_bmi2()
+    Avx512  ///< vectors of 512 bits: AVX-512 F, CD and DQ
+};
+/// The most that this processor has.
+Instructions best_instructions();
+
 struct NamedKernel {
     const char* name;
     BlockKernel draw;
