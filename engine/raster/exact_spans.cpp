@@ -7,6 +7,7 @@
 
 #include "engine/raster/block_steps.h"
 #include "engine/raster/kernels/kernels.h"
+#include "engine/raster/kernels/octave_by_eights.h"
 #include "engine/raster/octave_row.h"
 #include "engine/raster/perspective.h"
 
@@ -99,9 +100,10 @@ struct PieceLengths {
 /// The same bytes as by a division at each pixel, with two for each piece whose texels lie almost on a line. `out` is
 /// the octave's first pixel. Returns how many it made.
 std::int64_t draw_octave(const Octave& octave, const OctaveRow& row, BlockKernel kernel, const SurfaceView& surface,
-                         PieceLengths& lengths, std::uint8_t* out) {
+                         PieceLengths& lengths, bool by_eights, std::uint8_t* out) {
     constexpr std::int64_t kMost_16 = 2048;  // beyond, too many pixels would be near a border
     const std::int32_t end = octave.end - octave.first;
+    if (by_eights && end >= kFewestByEights) return draw_divided_by_eights(row, end, out);
     if (!kernel || row.is_constant()) return row.draw_divided(0, end, out);
     LinePieces pieces(row, kernel, surface, out);
     std::int64_t divisions = 0;
@@ -178,7 +180,8 @@ std::int64_t draw_octaves(std::span<const Span> spans, const BlockCutting& cutti
 }  // namespace
 
 std::int64_t draw_exact_spans(std::span<const Span> spans, const BlockCutting& cutting, const SurfaceView& surface,
-                              BlockKernel kernel, Framebuffer out) {
+                              BlockKernel kernel, Framebuffer out, Instructions instructions) {
+    const bool by_eights = instructions == Instructions::Avx512;
     const TextureGradients& gradients = cutting.gradients;
     const auto colour_at = [&](TexelPosition texel) { return texel_from(surface, texel.u_16 >> 16, texel.v_16 >> 16); };
     if (spans.size() > 1 && gradients.inverse_z.per_row == InverseZ{}) {
@@ -188,7 +191,11 @@ std::int64_t draw_exact_spans(std::span<const Span> spans, const BlockCutting& c
         const auto draw = [&](const Octave& octave, const OctaveRow& row, std::uint8_t* pixels) {
             const ColumnTexel* const first = columns.from(octave.first);
             const std::int32_t count = octave.end - octave.first;
-            is_upright ? row.draw_columns(first, count, pixels) : row.draw_at_depths(first, count, pixels);
+            if (by_eights && count >= kFewestByEights)
+                is_upright ? draw_columns_by_eights(row, first, count, pixels)
+                           : draw_at_depths_by_eights(row, first, count, pixels);
+            else
+                is_upright ? row.draw_columns(first, count, pixels) : row.draw_at_depths(first, count, pixels);
             return 0;
         };
         return rectangle.end_column - rectangle.first_column +
@@ -196,7 +203,7 @@ std::int64_t draw_exact_spans(std::span<const Span> spans, const BlockCutting& c
     }
     PieceLengths lengths;
     const auto draw = [&](const Octave& octave, const OctaveRow& row, std::uint8_t* pixels) {
-        return draw_octave(octave, row, kernel, surface, lengths, pixels);
+        return draw_octave(octave, row, kernel, surface, lengths, by_eights, pixels);
     };
     return draw_octaves(spans, cutting, surface, out, draw, colour_at);
 }

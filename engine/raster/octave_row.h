@@ -52,6 +52,18 @@ struct ColumnTexel {
 /// 1/z, u/z and v/z over an octave, brought to 60 bits; modulo 2^64, as long as the values at its pixels fit.
 class OctaveRow {
   public:
+    /// A quantity at the octave's first pixel, and its step.
+    struct Scaled {
+        std::uint64_t first, step;
+
+        template <class Value>
+        Scaled(const LinearQuantity<Value>& quantity, const Octave& octave, std::int32_t row)
+            : first(quantity.at(octave.first, row).bits() << octave.shift),
+              step(quantity.per_column.bits() << octave.shift) {}
+        std::uint64_t at(std::int32_t pixel) const { return first + step * static_cast<std::uint64_t>(pixel); }
+        std::int64_t upper_half(std::int32_t pixel) const { return static_cast<std::int64_t>(at(pixel)) >> 32; }
+    };
+
     OctaveRow(const Octave& octave, std::int32_t row, const TextureGradients& gradients, const SurfaceView& surface)
         : inverse_z_(gradients.inverse_z, octave, row),
           u_over_z_(gradients.u_over_z, octave, row),
@@ -60,6 +72,14 @@ class OctaveRow {
           u_mask_(surface.u_mask),
           row_mask_(std::uint64_t{surface.v_mask} << surface.stride_log2),
           stride_log2_(surface.stride_log2) {}
+
+    const Scaled& inverse_z() const { return inverse_z_; }
+    const Scaled& u_over_z() const { return u_over_z_; }
+    const Scaled& v_over_z() const { return v_over_z_; }
+    const std::uint8_t* texels() const { return texels_; }
+    std::uint64_t u_mask() const { return u_mask_; }
+    std::uint64_t row_mask() const { return row_mask_; }
+    int stride_log2() const { return stride_log2_; }
 
     /// `pixel` counts from the octave's first.
     DividedTexel at(std::int32_t pixel) const {
@@ -150,17 +170,6 @@ class OctaveRow {
             v_over_z += row.v_over_z_.step;
         }
     }
-
-    struct Scaled {
-        std::uint64_t first, step;
-
-        template <class Value>
-        Scaled(const LinearQuantity<Value>& quantity, const Octave& octave, std::int32_t row)
-            : first(quantity.at(octave.first, row).bits() << octave.shift),
-              step(quantity.per_column.bits() << octave.shift) {}
-        std::uint64_t at(std::int32_t pixel) const { return first + step * static_cast<std::uint64_t>(pixel); }
-        std::int64_t upper_half(std::int32_t pixel) const { return static_cast<std::int64_t>(at(pixel)) >> 32; }
-    };
 
     Scaled inverse_z_, u_over_z_, v_over_z_;
     const std::uint8_t* texels_;

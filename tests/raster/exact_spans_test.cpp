@@ -125,7 +125,7 @@ BlockCutting cutting_of(const Case& face, bool knows_range) {
     return cutting;
 }
 
-/// With pieces that are drawn as lines, and without them: the bytes of blocks of one pixel.
+/// With pieces that are drawn as lines, without them, and by eights: the bytes of blocks of one pixel.
 TEST(ExactSpans, DrawTheBytesOfBlocksOfOnePixel) {
     struct Row {
         const char* name;
@@ -143,11 +143,13 @@ TEST(ExactSpans, DrawTheBytesOfBlocksOfOnePixel) {
             const Case face = row.make(random, trial);
             std::vector<std::uint8_t> expected(kWidth * kHeight);
             draw_blocks_plain(blocks_of(face).waiting(), surface.view, expected.data());
-            for (const BlockKernel kernel : {best_block_kernel(), BlockKernel{}})
+            for (const auto& [kernel, instructions] :
+                 {std::pair(best_block_kernel(), Instructions::Baseline),
+                  std::pair(BlockKernel{}, Instructions::Baseline), std::pair(BlockKernel{}, best_instructions())})
                 for (const bool knows_range : {true, false}) {
                     std::vector<std::uint8_t> pixels(kWidth * kHeight);
                     draw_exact_spans(face.spans, cutting_of(face, knows_range), surface.view, kernel,
-                                     {pixels.data(), kWidth, kHeight, kWidth});
+                                     {pixels.data(), kWidth, kHeight, kWidth}, instructions);
                     ASSERT_EQ(pixels, expected) << row.name << ", " << trial << (knows_range ? "" : ", by octaves");
                 }
         }

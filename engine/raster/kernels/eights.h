@@ -10,7 +10,11 @@
 // to use no vectors at all.
 #if defined(__x86_64__) && defined(__SSE2__)
 #define OBLONG_EIGHTS 1
+// GCC 12 sees values that are not set in its own functions.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wuninitialized"
 #include <immintrin.h>
+#pragma GCC diagnostic pop
 
 #define OBLONG_AVX512 gnu::target("avx512f,avx512cd,avx512dq,bmi2,lzcnt,popcnt")
 #define OBLONG_INLINE_AVX512 OBLONG_AVX512, gnu::always_inline
