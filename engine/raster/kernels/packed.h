@@ -33,7 +33,12 @@ template <class Fetch>
     }
     std::uint8_t* const last = begin + (count - 4);
     std::uint64_t vu = first;
-    for (std::uint8_t* out = begin; out < last; out += 4, vu += 4 * step) draw_four(vu, step, out, fetch);
+    std::uint8_t* out = begin;
+    for (; last - out >= 8; out += 8, vu += 8 * step) {
+        draw_four(vu, step, out, fetch);
+        draw_four(vu + 4 * step, step, out + 4, fetch);
+    }
+    for (; out < last; out += 4, vu += 4 * step) draw_four(vu, step, out, fetch);
     draw_four(first + (count - 4) * step, step, last, fetch);
 }
 
