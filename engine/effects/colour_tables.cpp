@@ -1,6 +1,7 @@
 #include "engine/effects/colour_tables.h"
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 #include "engine/base/table.h"
@@ -92,6 +93,25 @@ bool is_fullbright(int colour) {
     return colour >= kFirstFullbright;
 }
 
+ColourRow every_colour() {
+    ColourRow row;
+    std::iota(row.begin(), row.end(), std::uint8_t{0});
+    return row;
+}
+
+Share16 fog_share(std::int32_t share_256, int level) {
+    return std::clamp(share_256, 0, 256) * 256 * level / (FogTable::kLevels - 1);
+}
+
+/// The colours seen through this share of fog; those of less of it are near.
+ColourRow fog_level(const Palette& palette, const Mixer& mixer, Rgb8 fog, Share16 share, const ColourRow& near) {
+    ColourRow row;
+    for (int colour = 0; colour < 256; ++colour)
+        item(row, colour) =
+            mixer.find(fog, item(palette.colours, colour), share, is_fullbright(colour), item(near, colour));
+    return row;
+}
+
 }  // namespace
 
 BlendTable make_blend_table(const Palette& palette, std::int32_t share_256) {
@@ -113,18 +133,18 @@ BlendTable make_blend_table(const Palette& palette, std::int32_t share_256) {
 }
 
 FogTable make_fog_table(const Palette& palette, Rgb8 fog, std::int32_t share_256) {
-    constexpr int kDensest = FogTable::kLevels - 1;
     const Mixer mixer(palette);
     FogTable table;
-    for (int colour = 0; colour < 256; ++colour) item(table.levels[0], colour) = static_cast<std::uint8_t>(colour);
-    for (int level = 1; level <= kDensest; ++level) {
-        const Share16 share = std::clamp(share_256, 0, 256) * 256 * level / kDensest;
-        for (int colour = 0; colour < 256; ++colour)
-            item(item(table.levels, level), colour) =
-                mixer.find(fog, item(palette.colours, colour), share, is_fullbright(colour),
-                           item(item(table.levels, level - 1), colour));
-    }
+    table.levels[0] = every_colour();
+    for (int level = 1; level < FogTable::kLevels; ++level)
+        item(table.levels, level) =
+            fog_level(palette, mixer, fog, fog_share(share_256, level), item(table.levels, level - 1));
     return table;
+}
+
+ColourRow make_fog_level(const Palette& palette, Rgb8 fog, std::int32_t share_256, int level) {
+    if (level == 0) return every_colour();
+    return fog_level(palette, Mixer(palette), fog, fog_share(share_256, level), every_colour());
 }
 
 }  // namespace oblong

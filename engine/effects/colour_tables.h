@@ -21,5 +21,7 @@ struct FogTable {
 
 /// The table of a fog of this colour, of whose densest `share_256` hides what is behind it, 0 to 256.
 FogTable make_fog_table(const Palette& palette, Rgb8 fog, std::int32_t share_256 = 256);
+/// One of its levels.
+ColourRow make_fog_level(const Palette& palette, Rgb8 fog, std::int32_t share_256, int level);
 
 }  // namespace oblong

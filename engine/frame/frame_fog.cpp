@@ -1,6 +1,7 @@
 #include "engine/frame/frame_fog.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/base/table.h"
 #include "engine/frame/frame_context.h"
@@ -11,20 +12,29 @@
 
 namespace oblong {
 
-namespace {
+LevelFogTables::LevelFogTables(const LevelFog& fog, const Palette& palette)
+    : palette_(palette),
+      colour_(fog.colour),
+      share_256_(fog.alpha_256),
+      depths_(
+          make_fog_depths(convert<FogDensity>(fog.density), convert<View>(fog.nearest), convert<View>(fog.farthest))) {}
 
-LevelFogTables make_tables(const LevelFog& fog, const Palette& palette) {
-    return {make_fog_depths(convert<FogDensity>(fog.density), convert<View>(fog.nearest), convert<View>(fog.farthest)),
-            make_fog_table(palette, fog.colour, fog.alpha_256)};
+const ColourRow& LevelFogTables::colours(std::int32_t level) {
+    ColourRow& row = item(colours_.levels, level);
+    if (!std::exchange(item(is_made_, level), true)) row = make_fog_level(palette_, colour_, share_256_, level);
+    return row;
 }
 
-}  // namespace
+const FogTable& LevelFogTables::colours_of(std::span<const FogRun> runs) {
+    for (const FogRun& run : runs) colours(run.level);
+    return colours_;
+}
 
 FrameFog make_frame_fog(const FrameContext& frame) {
     const std::optional<LevelFog>& fog = frame.cache.effects.fog;
     if (!fog || !frame.allows(Effect::Fog)) return {};
     if (!frame.cache.fog_tables)
-        frame.cache.fog_tables = std::make_unique<LevelFogTables>(make_tables(*fog, frame.scene.colormap.palette));
+        frame.cache.fog_tables = std::make_unique<LevelFogTables>(*fog, frame.scene.colormap.palette);
     FrameFog found;
     found.tables = frame.cache.fog_tables.get();
     if (!fog->has_top) return found;
@@ -51,19 +61,19 @@ void append_runs(std::span<const Span> spans, const LinearQuantity<InverseZ>& in
                  std::vector<FogRun>& runs) {
     for (const Span& span : spans) {
         if (fog.height)
-            append_height_fog_runs(span, inverse_z, *fog.height, fog.tables->depths, runs);
+            append_height_fog_runs(span, inverse_z, *fog.height, fog.tables->depths(), runs);
         else
-            append_fog_runs(span, inverse_z, fog.tables->depths, runs);
+            append_fog_runs(span, inverse_z, fog.tables->depths(), runs);
     }
 }
 
 const ColourRow& fog_colours(std::int32_t column, std::int32_t row, InverseZ inverse_z, const FrameFog& fog,
                              std::vector<FogRun>& runs) {
-    if (fog.height && is_clear(column, row, inverse_z, *fog.height)) return fog.tables->colours.levels.front();
+    if (fog.height && is_clear(column, row, inverse_z, *fog.height)) return fog.tables->colours(0);
     runs.clear();
     const Span pixel{row, column, column + 1};
     append_runs(std::span(&pixel, 1), {inverse_z, {}, {}}, fog, runs);
-    return item(fog.tables->colours.levels, runs.front().level);
+    return fog.tables->colours(runs.front().level);
 }
 
 void find_fog(const FrameContext& frame, ViewScratch& scratch) {

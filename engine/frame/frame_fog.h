@@ -1,6 +1,9 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <optional>
+#include <span>
 
 #include "engine/effects/fog.h"
 #include "engine/effects/height_fog.h"
@@ -10,17 +13,29 @@
 
 namespace oblong {
 
-/// The fog of a level in the colours of a palette, made when a frame first calls for it.
-struct LevelFogTables {
-    FogDepths depths;
-    FogTable colours;
+/// The fog of a level in the colours of a palette, each level of it made when a frame first shows it.
+class LevelFogTables {
+  public:
+    LevelFogTables(const LevelFog& fog, const Palette& palette);
+    const FogDepths& depths() const { return depths_; }
+    const ColourRow& colours(std::int32_t level);
+    /// All those that the runs ask for.
+    const FogTable& colours_of(std::span<const FogRun> runs);
+
+  private:
+    Palette palette_;
+    Rgb8 colour_;
+    std::int32_t share_256_;
+    FogDepths depths_;
+    FogTable colours_;
+    std::array<bool, FogTable::kLevels> is_made_{};
 };
 
 /// The fog of a frame.
 struct FrameFog {
-    const LevelFogTables* tables = nullptr;  ///< null: none
-    std::optional<HeightFogView> height;     ///< of a fog that lies low
-    World top = World::highest();            ///< nothing is in fog where eye and face are both above it
+    LevelFogTables* tables = nullptr;     ///< null: none
+    std::optional<HeightFogView> height;  ///< of a fog that lies low
+    World top = World::highest();         ///< nothing is in fog where eye and face are both above it
 };
 
 /// The fog from this view, if the level has one and the settings allow it.

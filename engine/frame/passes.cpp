@@ -87,7 +87,7 @@ void draw_sky_faces(const FrameContext& frame, ViewScratch& scratch) {
 }
 
 void draw_fog_runs(const FrameContext& frame, ViewScratch& scratch) {
-    draw_fog(scratch.claims.fog_runs, frame.fog.tables->colours, frame.out);
+    draw_fog(scratch.claims.fog_runs, frame.fog.tables->colours_of(scratch.claims.fog_runs), frame.out);
 }
 
 void draw_waves(const FrameContext& frame, ViewScratch& scratch) {

@@ -50,7 +50,7 @@ void draw_in_fog(const VisibleFace& claimed, SurfaceOptions drawing, const Frame
     }
     if (spans.empty()) return;
     const FrameFog& fog = frame.fog;
-    if (fog.tables) drawing.colours = &fog.tables->colours.levels.front();
+    if (fog.tables) drawing.colours = &fog.tables->colours(0);
     if (!may_have_fog(claimed, spans, frame)) return draw_surface(claimed, spans, drawing, frame, scratch);
     std::vector<FogRun> runs;
     append_runs(spans, inverse_z_of(claimed, frame), fog, runs);
@@ -60,7 +60,7 @@ void draw_in_fog(const VisibleFace& claimed, SurfaceOptions drawing, const Frame
         const std::int32_t level = run->level;
         of_level.clear();
         for (; run != runs.end() && run->level == level; ++run) of_level.push_back(run->span);
-        drawing.colours = &item(fog.tables->colours.levels, level);
+        drawing.colours = &fog.tables->colours(level);
         draw_surface(claimed, of_level, drawing, frame, scratch);
     }
 }

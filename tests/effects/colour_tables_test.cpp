@@ -81,6 +81,15 @@ TEST(FogTable, IsTheNearestColourAtEachLevelFullbrightOnlyIfItWas) {
         }
 }
 
+TEST(FogTable, ALevelByItselfIsTheSame) {
+    std::mt19937 random(5);
+    const Palette palette = random_palette(random);
+    const FogTable table = make_fog_table(palette, palette.colours[230], 200);
+    for (std::size_t level = 0; level < 64; ++level)
+        EXPECT_EQ(make_fog_level(palette, palette.colours[230], 200, static_cast<int>(level)), table.levels[level])
+            << level;
+}
+
 TEST(FogTable, GreysComeNearerToTheFogWithEachLevel) {
     Palette greys;
     for (std::size_t i = 0; i < 256; ++i) {
