@@ -1,4 +1,5 @@
 #include <bit>
+#include <cstddef>
 #include <cstring>
 
 #include "engine/raster/kernels/packed.h"
@@ -70,31 +71,63 @@ void draw_blocks_by_fours(std::span<const TexelBlock> blocks, const SurfaceView&
 
 #elif defined(__i386__)
 
-// A register each for u and v, since two in one word would take a carry. v is shifted up by a row's size, so that its
-// row needs no shift of its own.
+namespace {
+
+/// From pixel to pixel of a block that stays within its surface.
+struct TexelWalk {
+    std::uint32_t u_fraction, v_fraction;  ///< of the steps, 0.32: sums carry into whole texels
+    std::int32_t texels[2];                ///< whole steps in the surface: where v carries, and where it does not
+};
+
+/// Draws pixel `Pixel` of `out`, and goes on to the next: six instructions, three of them for what carries.
+template <int Pixel>
+[[gnu::always_inline]] inline void draw_next(const std::uint8_t*& texel, std::uint32_t& u, std::uint32_t& v,
+                                             const TexelWalk& walk, std::uint8_t* out) {
+    static_assert(offsetof(TexelWalk, v_fraction) == 4 && offsetof(TexelWalk, texels) == 8);
+    asm volatile(
+        "movb (%[texel]), %%al\n\t"
+        "movb %%al, %c[pixel](%[out])\n\t"
+        "addl 4(%[walk]), %[v]\n\t"
+        "sbbl %%eax, %%eax\n\t"
+        "addl (%[walk]), %[u]\n\t"
+        "adcl 12(%[walk], %%eax, 4), %[texel]"
+        : [texel] "+r"(texel), [u] "+r"(u), [v] "+r"(v)
+        : [walk] "r"(&walk), [out] "r"(out), [pixel] "i"(Pixel)
+        : "eax", "cc", "memory");
+}
+
+void draw_within(const TexelBlock& block, const SurfaceView& surface, std::uint8_t* out) {
+    const int row = surface.stride_log2;
+    const auto u_step = static_cast<std::uint32_t>(block.u_step_16),
+               v_step = static_cast<std::uint32_t>(block.v_step_16);
+    const std::int32_t whole =
+        (floor_shift(block.v_step_16, 16) * (std::int32_t{1} << row)) + floor_shift(block.u_step_16, 16);
+    const TexelWalk walk{u_step << 16, v_step << 16, {whole + (std::int32_t{1} << row), whole}};
+    const std::uint8_t* texel = surface.texels + ((block.v_16 >> 16 << row) + (block.u_16 >> 16));
+    std::uint32_t u = block.u_16 << 16, v = block.v_16 << 16;
+    std::uint8_t* const end = out + block.count;
+    for (std::uint8_t* const last_four = end - 4; out <= last_four; out += 4) {
+        draw_next<0>(texel, u, v, walk, out);
+        draw_next<1>(texel, u, v, walk, out);
+        draw_next<2>(texel, u, v, walk, out);
+        draw_next<3>(texel, u, v, walk, out);
+    }
+    for (; out != end; ++out) draw_next<0>(texel, u, v, walk, out);
+}
+
+}  // namespace
+
 void draw_blocks_by_fours(std::span<const TexelBlock> blocks, const SurfaceView& surface, std::uint8_t* pixels) {
-    const std::uint8_t* const texels = surface.texels;
-    const std::uint32_t u_mask = surface.u_mask, row_mask = surface.v_mask << surface.stride_log2;
-    if (row_mask >> 16 != 0) return draw_blocks_packed(blocks, surface, pixels);
+    const PackedFetch fetch(surface);
+    const std::uint32_t beyond_u = ~(surface.u_mask << 16 | 0xffff), beyond_v = ~(surface.v_mask << 16 | 0xffff);
     for (const TexelBlock& block : blocks) {
-        std::uint32_t u = block.u_16, v = block.v_16 << surface.stride_log2;
-        const auto u_step = static_cast<std::uint32_t>(block.u_step_16);
-        const std::uint32_t v_step = static_cast<std::uint32_t>(block.v_step_16) << surface.stride_log2;
-        const auto next = [&] {
-            const std::uint8_t texel = texels[((v >> 16) & row_mask) | ((u >> 16) & u_mask)];
-            u += u_step;
-            v += v_step;
-            return texel;
-        };
-        std::uint8_t* out = pixels + block.pixel;
-        std::uint8_t* const end = out + block.count;
-        for (; end - out >= 4; out += 4) {
-            out[0] = next();
-            out[1] = next();
-            out[2] = next();
-            out[3] = next();
-        }
-        while (out != end) *out++ = next();
+        const auto steps = static_cast<std::uint32_t>(block.count - 1);
+        const std::uint32_t u_end = block.u_16 + static_cast<std::uint32_t>(block.u_step_16) * steps;
+        const std::uint32_t v_end = block.v_16 + static_cast<std::uint32_t>(block.v_step_16) * steps;
+        if ((((block.u_16 | u_end) & beyond_u) | ((block.v_16 | v_end) & beyond_v)) == 0)
+            draw_within(block, surface, pixels + block.pixel);
+        else
+            draw_packed_block(block, pixels, fetch);
     }
 }
 
