@@ -68,13 +68,13 @@ inline std::optional<ScreenWide> project_axis_in_32_bits(const ProjectionAxis& a
     if (short_view != view.raw || short_z != z.raw || axis.coarse.raw >= 1 << 29) return std::nullopt;
     const auto sign = static_cast<std::uint32_t>(short_view >> 31), depth = static_cast<std::uint32_t>(short_z);
     const std::uint32_t size = (static_cast<std::uint32_t>(short_view) ^ sign) - sign;
-    if (size > std::uint64_t{depth} * 64) return std::nullopt;
+    if ((size + 63) / 64 > depth) return std::nullopt;
     const std::uint64_t numerator = std::uint64_t{size} * static_cast<std::uint32_t>(axis.coarse.raw);
-    const std::uint64_t half = std::uint64_t{depth} << 7;
-    if (sign == 0) return ScreenWide::from_raw(divide_to_32((numerator + half) >> 8, depth).quotient);
-    // What is below 0 by its complement, as floored_division() has it.
-    if (numerator <= half) return ScreenWide{};
-    return ScreenWide::from_raw(~std::int64_t{divide_to_32((numerator - half - 1) >> 8, depth).quotient});
+    // Halves of steps, a half of one more toward plus infinity: that of 2.5 is 3, that of -2.5 is -2.
+    const ShortDivision halves = divide_to_32(numerator >> 7, depth);
+    if (sign == 0) return ScreenWide::from_raw(static_cast<std::int32_t>((halves.quotient + 1) / 2));
+    const bool is_exact = (halves.remainder | (numerator & 127)) == 0;
+    return ScreenWide::from_raw(-static_cast<std::int32_t>((halves.quotient + (is_exact ? 0 : 1)) / 2));
 }
 #endif
 
