@@ -68,11 +68,15 @@ bool is_facing(const MeshTriangle& triangle, std::span<const MeshVertex> vertice
     const auto to_eye = from_a(object_eye), b = from_a(vertices[triangle.vertices[1]].position),
                c = from_a(vertices[triangle.vertices[2]].position);
     // Three products below 2^(2 * 17 + 1 + 25): their sum fits 64 bits. So it is with nearly all.
-    if (is_within_bits<17>(b) && is_within_bits<17>(c) && is_within_bits<25>(to_eye))
-        return to_eye.x.raw * (c.y.raw * b.z.raw - c.z.raw * b.y.raw) +
-                   to_eye.y.raw * (c.z.raw * b.x.raw - c.x.raw * b.z.raw) +
-                   to_eye.z.raw * (c.x.raw * b.y.raw - c.y.raw * b.x.raw) >
+    if (is_within_bits<17>(b) && is_within_bits<17>(c) && is_within_bits<25>(to_eye)) {
+        const auto product = [](WorldWide one, WorldWide other) {
+            return std::int64_t{static_cast<std::int32_t>(one.raw)} * static_cast<std::int32_t>(other.raw);
+        };
+        return to_eye.x.raw * (product(c.y, b.z) - product(c.z, b.y)) +
+                   to_eye.y.raw * (product(c.z, b.x) - product(c.x, b.z)) +
+                   to_eye.z.raw * (product(c.x, b.y) - product(c.y, b.x)) >
                0;
+    }
     return is_above_zero(object_normal(triangle, vertices), to_eye);
 }
 
