@@ -51,6 +51,12 @@ def check_stage_costs(folder):
         check(costs["stages"][stage] > 0.1, "%s costs %g instructions a pixel" % (stage, costs["stages"][stage]))
     check(costs["stages"]["other"] < 0.2 * costs["all"], "a fifth of the instructions is of no stage")
 
+    ran = run("measure-frames", "stages", "--first", "--render", RENDER, *demo(folder))
+    check(ran.returncode == 0, "stages --first: " + ran.stderr)
+    name, cameras, median, p99, sums, share, _ = ran.stdout.splitlines()[1].split()
+    check((name, cameras) == ("demo", "2"), "first pictures of: " + ran.stdout)
+    check(1 < float(median) <= float(p99) and float(sums) > 1 and 1 < float(share) < 90, "first pictures light: " + ran.stdout)
+
     module, place = importlib.import_module("stage_costs"), type("Place", (), {"name": "here"})
     costs = module.Costs(place, {"f": 900, "g": 95, "h": 5}, {"f": {"raster/scan.cpp"}, "g": {"effects/sky.cpp"}}, 10)
     check(costs.stages["edge scan"] == 90 and costs.stages["sky"] == 9.5 and costs.stages["other"] == 0.5, "stages of files")

@@ -168,6 +168,14 @@ def read_callgrind(path, with_calls=False):
     return costs
 
 
+def take_dump(path, number):
+    """Instructions by function, with those of what it calls, of one of a run's dumps, which is removed."""
+    path = "%s.%d" % (path, number)
+    costs = read_callgrind(path, with_calls=True)
+    os.remove(path)
+    return costs
+
+
 def instructions_by_function(program, place, mode, options, folder):
     """Instructions of one frame of every camera: two runs with more and with fewer repeats, so that loading cancels."""
     few, many = 1, 4

@@ -5,12 +5,17 @@ surfaces cancel. A function belongs to the stage of the source file that it is c
 tables: a release build needs no debug information for that. Fails if a function with more than 1 % of the instructions
 belongs to no stage.
 
+With --first it counts what the first picture from a camera takes, of which most surfaces are not lit, against the next
+one from there: all cameras of a level one after the other, with what those before left in the caches. The ratio of each
+camera's two pictures, the level's 99th percentile of it, and what of the first pictures goes to lighting surfaces.
+
 usage: tools/measure-frames stages [OPTIONS] [BUILD] [LEVEL CAMERAS [PALETTE]]
   BUILD              a folder built before (default: build)
   LEVEL CAMERAS      (default: the demo level, and the real levels where a folder shared/ is there)
   --mode WxH         pixels (default: 320x200)
   --render PROGRAM   that oblong-render of BUILD, as it is (default: built anew if sources changed)
   --most N           cameras of each level (default: 35)
+  --first            first pictures against the next
   --functions        also the functions of each stage
   --json FILE        (default: BUILD/bench/stage_costs.json)
   -- OPTION...       further options of oblong-render: -- --accuracy exact
@@ -20,6 +25,7 @@ import collections
 import json
 import os
 import re
+import statistics
 import subprocess
 
 import runs
@@ -174,12 +180,40 @@ def print_functions(cost):
                 print("  %8.3f  %-28s %s" % (instructions, stage, name[:110]))
 
 
+def pairs_of_pictures(program, place, options, folder):
+    """Of every camera: instructions of its first picture, those of them that light surfaces, those of its next picture."""
+    names = [symbol for symbol in symbols_of(program) if "." not in symbol]
+    frame, = (symbol for symbol in names if re.match("_ZN6oblong10draw_frame.*ViewSpec", symbol))
+    light, = (symbol for symbol in names if symbol.startswith("_ZN6oblong17build_lit_surface"))
+    path = os.path.join(folder, "callgrind_first.out")
+    command = runs.render_command(program, place, 1, options.mode, options.render_options)
+    runs.run_callgrind(command, path, ["--dump-after=" + frame, "--toggle-collect=" + frame])
+    for camera in range(place.camera_count()):
+        # Of three pictures the second is the one whose pixels are counted.
+        first, _, following = (runs.take_dump(path, 3 * camera + number) for number in (1, 2, 3))
+        yield first[frame], first.get(light, 0), following[frame]
+
+
+def compare_first(program, places, options, folder):
+    print("%-8s %8s %31s %30s" % ("level", "cameras", "ratio: median, 99 %, of sums", "of it lighting surfaces"))
+    for place in places:
+        pairs = list(pairs_of_pictures(program, place, options, folder))
+        ratios = sorted(first / following for first, _, following in pairs)
+        sums = [sum(parts) for parts in zip(*pairs)]
+        p99 = ratios[-(-99 * len(ratios) // 100) - 1]
+        print("%-8s %8d %15.2f %7.2f %7.2f %28.1f %%" % (place.name, len(pairs), statistics.median(ratios), p99,
+                                                      sums[0] / sums[2], 100 * sums[1] / sums[0]), flush=True)
+
+
 def main():
-    options = runs.parse_arguments(__doc__, mode="320x200", render=str, json=str, most=35, functions=False)
+    options = runs.parse_arguments(__doc__, mode="320x200", render=str, json=str, most=35, functions=False, first=False)
     build = options.build
     places = runs.places(build, options.level_paths, with_demo=True)
     program = options.render or runs.built_render(build)
-    folder, sources = runs.work_folder(build), symbol_sources(build)
+    folder = runs.work_folder(build)
+    if options.first:
+        return compare_first(program, places, options, folder)
+    sources = symbol_sources(build)
     costs = []
     for place in places:
         some = place.thinned(options.most, folder)

@@ -18,6 +18,7 @@ namespace oblong {
 struct FrameReport {
     std::uint32_t crc32 = 0;
     TimeSpread frame_ns;  ///< of the timed renderings, drawing only
+    double first_ns = 0;  ///< of the first rendering, which lights what no frame before showed
     std::int64_t pixels_once = 0, pixels_twice = 0, pixels_never = 0;
     std::vector<NamedCount> counts;
     std::vector<PlanLine> passes, effects;  ///< what makes up the frame, of the same renderings; the plan's effects
