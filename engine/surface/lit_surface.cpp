@@ -6,12 +6,13 @@
 
 #include "engine/base/table.h"
 #include "engine/fixed/fixed.h"
+#include "engine/surface/lit_cells.h"
 
 namespace oblong {
 
 namespace {
 
-constexpr std::int32_t kFull_8 = kFullLight * 256;
+constexpr std::int32_t kFull_8 = kFullLight * 256, kBrightest_8 = 2 * kFull_8;
 
 /// Adds up the light of each sample, with 8 fraction bits.
 void add_light(const LightmapView& light, std::span<std::int32_t> sums_8) {
@@ -31,6 +32,10 @@ void compute_corner_shades(const LightmapView& light, std::int32_t brightness_10
     const std::span<std::int32_t> corners(corner_shades, as_size(light.columns * light.rows));
     if (light.is_fullbright) return std::fill(corners.begin(), corners.end(), shade_of(kFull_8));
     add_light(light, corners);
+    if (brightness_100 == 100) {  // it takes no division
+        for (std::int32_t& corner : corners) corner = shade_of(std::clamp(corner, 0, kBrightest_8));
+        return;
+    }
     for (std::int32_t& corner : corners) corner = shade_of(brightened(corner, brightness_100));
 }
 
@@ -57,22 +62,23 @@ class SurfaceBuilder {
     SurfaceBuilder(const TextureView& texture, const Colormap& colormap, const LightQuality& quality)
         : texture_(texture),
           first_u_(wrap(texture.min_u, texture.width)),
-          shades_(colormap.shades.data()),
+          colormap_(colormap),
           threshold_24_(static_cast<std::uint32_t>(Colormap::kShades / quality.shades) << 20) {}
 
     /// A surface without extent in one direction (a texture axis perpendicular to the face): one colour.
     void build_line(std::int32_t shade_16, std::int32_t bytes, std::uint8_t* out) const {
         const std::uint8_t texel = texels_at(wrap(texture_.min_v, texture_.height))[first_u_];
-        std::fill_n(out, bytes, shades_[shade_16 >> 16][texel]);
+        std::fill_n(out, bytes, item(colormap_.shades, shade_16 >> 16)[texel]);
     }
 
     void build(const LightmapView& light, const std::int32_t* corner_shades, std::int32_t stride,
                std::uint8_t* out) const {
         std::int32_t v = wrap(texture_.min_v, texture_.height);
-        const std::int32_t height = lit_size(light.rows, Mip);
-        for (std::int32_t y = 0; y < height; ++y, out += stride) {
-            build_row(y, corner_shades + (y >> kCellLog2) * light.columns, light.columns, texels_at(v), out);
-            if (++v == texture_.height) v = 0;
+        for (std::int32_t y = 0; y < lit_size(light.rows, Mip); y += kCell) {
+            build_cells(y, corner_shades, light.columns, texels_at(v), stride, out + y * stride);
+            corner_shades += light.columns;
+            v += kCell;  // the texture is whole cells high, and the surface begins with one
+            if (v == texture_.height) v = 0;
         }
     }
 
@@ -82,24 +88,34 @@ class SurfaceBuilder {
 
     const std::uint8_t* texels_at(std::int32_t v) const { return texture_.texels + v * texture_.width; }
 
-    void build_row(std::int32_t y, const std::int32_t* upper_16, std::int32_t columns, const std::uint8_t* texels,
-                   std::uint8_t* out) const {
-        const std::int32_t* const lower_16 = upper_16 + columns;
-        const std::int32_t down = y % kCell;
-        std::int32_t u = first_u_, left_20 = blend(upper_16[0], lower_16[0], down);
-        for (std::int32_t column = 1; column < columns; ++column, out += kCell) {
-            const std::int32_t right_20 = blend(upper_16[column], lower_16[column], down);
-            build_cell_row(left_20, right_20, y, texels + u, out);
-            left_20 = right_20;
-            u += kCell;  // the texture is whole cells wide, and the surface begins with one
-            if (u == texture_.width) u = 0;
+    /// A row of cells from y on, below these corners.
+    void build_cells(std::int32_t y, const std::int32_t* upper_16, std::int32_t columns, const std::uint8_t* texels,
+                     std::int32_t stride, std::uint8_t* out) const {
+        const std::int32_t width = texture_.width;
+        if constexpr (kInterpolates && !Dithers && Mip < 2)
+            if (light_cells_by_eights({upper_16, columns, texels, first_u_, width, stride, out}, Mip, colormap_))
+                return;
+        std::int32_t u = first_u_;
+        for (std::int32_t column = 1; column < columns; ++column, ++upper_16, out += kCell) {
+            build_cell(y, upper_16, upper_16 + columns, texels + u, stride, out);
+            u += kCell;  // the texture is whole cells wide, too
+            if (u == width) u = 0;
         }
     }
 
-    /// Between two shades with 16 fraction bits, `step` texels from the first: with 20, so that nothing is lost.
-    static std::int32_t blend(std::int32_t from_16, std::int32_t to_16, std::int32_t step) {
-        if constexpr (!kInterpolates) return (2 * step < kCell ? from_16 : to_16) * 16;
-        return from_16 * 16 + (to_16 - from_16) * (step << Mip);
+    /// Down its left and right side the shade goes on by steps: with 20 fraction bits nothing is lost.
+    void build_cell(std::int32_t y, const std::int32_t* upper_16, const std::int32_t* lower_16,
+                    const std::uint8_t* texels, std::int32_t stride, std::uint8_t* out) const {
+        std::int32_t left_20 = upper_16[0] * 16, right_20 = upper_16[1] * 16;
+        const std::int32_t left_step_20 = kInterpolates ? (lower_16[0] - upper_16[0]) * (1 << Mip) : 0,
+                           right_step_20 = kInterpolates ? (lower_16[1] - upper_16[1]) * (1 << Mip) : 0;
+        const std::int32_t width = texture_.width;  // as bytes that are written might be in it, the compiler thinks
+        for (int row = 0; row < kCell; ++row, texels += width, out += stride) {
+            if (!kInterpolates && 2 * row == kCell) left_20 = lower_16[0] * 16, right_20 = lower_16[1] * 16;
+            build_cell_row(left_20, right_20, y + row, texels, out);
+            left_20 += left_step_20;
+            right_20 += right_step_20;
+        }
     }
 
     std::uint32_t dithered(std::uint32_t shade_24, std::int32_t x, std::int32_t y) const {
@@ -112,7 +128,7 @@ class SurfaceBuilder {
     /// fits: rounded, it could step past the last one.
     void build_cell_row(std::int32_t left_20, std::int32_t right_20, std::int32_t y, const std::uint8_t* texels,
                         std::uint8_t* out) const {
-        const auto* const shades = shades_;
+        const auto* const shades = colormap_.shades.data();
         const auto step_24 = static_cast<std::uint32_t>(kInterpolates ? (right_20 - left_20) * (1 << Mip) : 0);
         auto shade_24 = static_cast<std::uint32_t>(left_20 * 16);
         repeat<kCell>([&](int x) {
@@ -124,7 +140,7 @@ class SurfaceBuilder {
 
     const TextureView& texture_;
     std::int32_t first_u_;
-    const std::array<std::uint8_t, 256>* shades_;
+    const Colormap& colormap_;
     std::uint32_t threshold_24_;  ///< a sixteenth of the step between two shades
 };
 
@@ -153,7 +169,6 @@ Build build_of(const LightQuality& quality, int mip) {
 }  // namespace
 
 std::int32_t brightened(std::int32_t light_8, std::int32_t brightness_100) {
-    constexpr std::int64_t kBrightest_8 = 2 * kFull_8;
     return static_cast<std::int32_t>(
         std::clamp<std::int64_t>(std::int64_t{light_8} * brightness_100 / 100, 0, kBrightest_8));
 }

@@ -105,7 +105,8 @@ class CountingBuild:
         self.pool = concurrent.futures.ThreadPoolExecutor(os.cpu_count())
         os.makedirs(self.work, exist_ok=True)
         parts = {part: [f"engine/{name}.cpp" for name in names.split()] for part, names in PARTS.items()}
-        counted = sum(parts.values(), ["engine/raster/kernels/choice.cpp"])  # in place of which there is the plain kernel
+        # In place of these there is what does without vectors (counter/count_operations.cpp).
+        counted = sum(parts.values(), ["engine/raster/kernels/choice.cpp", "engine/surface/lit_cells.cpp"])
         rest = [file for file in sorted(glob.glob("engine/**/*.cpp", root_dir=source, recursive=True))
                 if file not in counted and not NOT_COUNTED.search(file)]
         loading = [file for file in rest if BEFORE_FRAMES.match(file)]

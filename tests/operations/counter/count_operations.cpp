@@ -13,6 +13,7 @@
 #include "engine/level/bsp_read.h"
 #include "engine/raster/kernels/kernels.h"
 #include "engine/scene/placed_models.h"
+#include "engine/surface/lit_cells.h"
 #include "tools/measure/operations.h"
 #include "tools/render/camera_list.h"
 
@@ -24,6 +25,11 @@ namespace oblong {
 /// In place of engine/raster/kernels/choice.cpp: the kernel that is counted.
 BlockKernel best_block_kernel() {
     return draw_blocks_plain;
+}
+
+/// In place of engine/surface/lit_cells.cpp: cells are lit a texel at a time.
+bool light_cells_by_eights(const LitCells&, int, const Colormap&) {
+    return false;
 }
 
 }  // namespace oblong
