@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "engine/level/bsp_read.h"
 #include "engine/level/trace.h"
 #include "engine/scene/placed_models.h"
@@ -115,6 +117,22 @@ TEST(Compile, ThePlayerWalksFromWallToWall) {
             EXPECT_NEAR(units(state.player.position.z), 24, 0.1);
         }
     }
+}
+
+TEST(Compile, ADraftStopsPlayersWhereTheLevelDoes) {
+    const std::string hall = level(room({-256, -256, 0}, {256, 256, 256}) + prism({-100, 0, 0}, 60, 256, 6) +
+                                   box({40, -256, 0}, {72, 100, 256}));
+    const auto full = compile(hall), draft = compile(hall, {.is_fast = true});
+    std::mt19937 random(24);
+    std::uniform_real_distribution<double> across(-290, 290), up(-30, 290);
+    int open = 0;
+    for (int i = 0; i < 5000; ++i) {
+        const map::Point point{across(random), across(random), up(random)};
+        const int expected = contents_at(full, 0, 1, point);
+        ASSERT_EQ(contents_at(draft, 0, 1, point), expected) << point.x << ' ' << point.y << ' ' << point.z;
+        open += expected == contents::kEmpty ? 1 : 0;
+    }
+    EXPECT_GT(open, 500);
 }
 
 // Wherever a player may stand in a heap of turned boxes, no step in any direction ends within a wall.

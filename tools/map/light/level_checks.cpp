@@ -68,7 +68,13 @@ class LevelChecker {
     }
 
     void check_large_surfaces() {
-        for (const auto& faces : whole_surfaces(bsp_, [&](const FileFace& face) { return is_lit(bsp_, face); })) {
+        std::vector<double> texels_of_texinfo(bsp_.texinfos.size(), 0);
+        for (const FileFace& face : bsp_.faces)
+            if (is_lit(bsp_, face)) item(texels_of_texinfo, face.texinfo) += texels_of(face);
+        const auto may_be_large = [&](const FileFace& face) {
+            return is_lit(bsp_, face) && item(texels_of_texinfo, face.texinfo) > kMostTexels;
+        };
+        for (const auto& faces : whole_surfaces(bsp_, may_be_large)) {
             double texels = 0;
             for (const int face : faces) texels += texels_of(item(bsp_.faces, face));
             if (texels <= kMostTexels) continue;

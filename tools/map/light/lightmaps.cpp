@@ -99,12 +99,7 @@ class LightPass {
         if (options.has_bounce) lights_.hemisphere.bounces = std::max(lights_.hemisphere.bounces, 1);
         spread_surface_lights(lights_.sources, bsp, options.warnings);
         move_out_of_walls(lights_.sources, tracer_, options.warnings);
-        auto normals = smooth_normals(bsp, options.smooth_degrees);
-        for (std::size_t i = 0; i < bsp.faces.size(); ++i) {
-            samplers_.emplace_back();
-            if (item(bsp.texinfos, bsp.faces[i].texinfo).flags == 0)
-                samplers_.back().emplace(bsp, bsp.faces[i], std::move(normals[i]), tracer_);
-        }
+        samplers_.resize(bsp.faces.size());
         styles_.resize(bsp.faces.size());
     }
 
@@ -115,17 +110,14 @@ class LightPass {
     }
 
   private:
-    void for_each_face(const char* stage, const std::function<void(std::size_t, const FaceSampler&)>& light) {
-        sharing_.begin(stage, samplers_.size());
-        sharing_.for_each(samplers_.size(), [&](std::size_t i) {
-            if (samplers_[i]) light(i, *samplers_[i]);
-        });
-    }
-
     void add_direct_light() {
+        auto normals = smooth_normals(bsp_, options_.smooth_degrees);
         const LightReach reach(bsp_, tracer_, lights_.sources);
         std::vector<std::atomic<bool>> seen(lights_.sources.size());
-        for_each_face("light", [&](std::size_t i, const FaceSampler& sampler) {
+        sharing_.begin("light", samplers_.size());
+        sharing_.for_each(samplers_.size(), [&](std::size_t i) {
+            if (item(bsp_.texinfos, bsp_.faces[i].texinfo).flags != 0) return;
+            const FaceSampler& sampler = samplers_[i].emplace(bsp_, bsp_.faces[i], std::move(normals[i]), tracer_);
             const auto sources = sources_near(lights_.sources, reach, i, sampler);
             styles_[i] =
                 direct_light(sampler, sources, lights_.sun, tracer_, options_.is_fast, [&](const LightSource& source) {
@@ -156,9 +148,11 @@ class LightPass {
             const auto light_at = [&](const Point& point, const RayHit& hit, const Point& direction) {
                 return light_of_surface(point, hit, direction, last, reflected) * settings.bounce_scale;
             };
-            for_each_face("bounced light", [&](std::size_t i, const FaceSampler& sampler) {
+            sharing_.begin("bounced light", samplers_.size());
+            sharing_.for_each(samplers_.size(), [&](std::size_t i) {
+                if (!samplers_[i]) return;
                 const std::vector<Hemisphere> seen =
-                    seen_from(sampler, settings.bounces > 0 ? SurfaceLight(light_at) : SurfaceLight());
+                    seen_from(*samplers_[i], settings.bounces > 0 ? SurfaceLight(light_at) : SurfaceLight());
                 next[i].assign(seen.size(), 0);
                 Samples& steady = styles_[i][0];
                 steady.resize(seen.size(), 0);

@@ -18,16 +18,20 @@ bool looks_like_detail(const Brush& brush) {
 }
 
 Winding winding_of(const Brush& brush, const BrushSide& side, const PlaneList& planes) {
-    Winding winding = whole_plane(planes.facing(side.plane));
+    Winding winding = whole_plane(planes.facing(side.plane)), spare;
     for (const BrushSide& other : brush.sides) {
         if (other.plane.plane == side.plane.plane) continue;
-        winding = clipped_to_back(std::move(winding), planes.facing(other.plane));
+        clip_to_front(winding, planes.facing({other.plane.plane, !other.plane.is_back}), spare);
         if (winding.empty()) break;
     }
     return winding;
 }
 
 constexpr double kSupportEpsilon = 1.0 / 512;
+
+bool is_axial(const Point& direction) {
+    return (direction.x == 0) + (direction.y == 0) + (direction.z == 0) >= 2;
+}
 
 // How far the brush reaches along a direction.
 double support(const Brush& brush, const Point& direction) {
@@ -68,6 +72,7 @@ class Grower {
     void add_edge_bevels(const Point& from, const Point& to) {
         for (int axis = 0; axis < 3; ++axis) {
             const Point across = cross(to - from, axis_vector(axis));
+            if (is_axial(across)) continue;  // it has these
             const double size = length(across);
             if (size < kSupportEpsilon * length(to - from)) continue;
             for (const double sign : {1.0, -1.0}) {
@@ -129,16 +134,17 @@ bool set_windings(Brush& brush, const PlaneList& planes) {
 
 BrushContents::BrushContents(const std::vector<Brush>& brushes, const PlaneList& planes) : planes_(planes) {
     for (const Brush& brush : brushes)
-        for (int slab = slab_of(brush.box.mins.x); slab <= slab_of(brush.box.maxs.x); ++slab)
-            in_slabs_[slab].push_back(&brush);
+        for (int x = cell_of(brush.box.mins.x); x <= cell_of(brush.box.maxs.x); ++x)
+            for (int y = cell_of(brush.box.mins.y); y <= cell_of(brush.box.maxs.y); ++y)
+                in_cells_[{x, y}].push_back(&brush);
 }
 
 int BrushContents::at(const Point& point) const {
     int found = contents::kEmpty;
-    const auto slab = in_slabs_.find(slab_of(point.x));
-    if (slab == in_slabs_.end()) return found;
+    const auto cell = in_cells_.find({cell_of(point.x), cell_of(point.y)});
+    if (cell == in_cells_.end()) return found;
     const Box box = box_of(std::span(&point, 1));
-    for (const Brush* brush : slab->second) {
+    for (const Brush* brush : cell->second) {
         if (contents_rank(brush->contents) <= contents_rank(found) || !brush->box.touches(box, 0)) continue;
         if (contains(*brush, planes_, point)) found = brush->contents;
     }

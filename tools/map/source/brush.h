@@ -50,10 +50,10 @@ class BrushContents {
     int at(const Point& point) const;
 
   private:
-    static constexpr double kWidth = 64;
-    static int slab_of(double x) { return static_cast<int>(std::floor(x / kWidth)); }
+    static constexpr double kWidth = 256;
+    static int cell_of(double x) { return static_cast<int>(std::floor(x / kWidth)); }
 
-    std::map<int, std::vector<const Brush*>> in_slabs_;  // across x, so that few are asked for a point
+    std::map<std::pair<int, int>, std::vector<const Brush*>> in_cells_;  // of x and y: few are asked for a point
     const PlaneList& planes_;
 };
 

@@ -215,15 +215,14 @@ SplitWinding split(Winding winding, const Plane& plane) {
     return parts;
 }
 
-Winding clipped_to_front(Winding winding, const Plane& plane) {
+void clip_to_front(Winding& winding, const Plane& plane, Winding& spare) {
     const Heights heights(winding, plane);
-    if (!heights.has_back) return winding;
-    if (!heights.has_front) return {};
-    Winding front;
-    front.reserve(winding.size() + 1);
-    cut(
-        winding, plane, heights, [&](const Point& point) { front.push_back(point); }, [](const Point&) {});
-    return front;
+    if (!heights.has_back) return;
+    spare.clear();
+    if (heights.has_front)
+        cut(
+            winding, plane, heights, [&](const Point& point) { spare.push_back(point); }, [](const Point&) {});
+    std::swap(winding, spare);
 }
 
 Reach reach(const Winding& winding, const Plane& plane) {

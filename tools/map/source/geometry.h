@@ -133,13 +133,8 @@ struct SplitWinding {
 /// run.
 SplitWinding split(Winding winding, const Plane& plane);
 
-/// What is in front of the plane, or on it.
-Winding clipped_to_front(Winding winding, const Plane& plane);
-
-/// What is behind the plane, or on it.
-inline Winding clipped_to_back(Winding winding, const Plane& plane) {
-    return clipped_to_front(std::move(winding), plane.flipped());
-}
+/// Leaves what is in front of the plane, or on it. `spare`: memory for it, to be used again for the next cut.
+void clip_to_front(Winding& winding, const Plane& plane, Winding& spare);
 
 /// How far the winding reaches in front of and behind the plane (both at least 0).
 struct Reach {

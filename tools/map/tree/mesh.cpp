@@ -136,10 +136,11 @@ Partition refined(const Partition& rough, const PlaneList& planes, const Box& ou
     return made;
 }
 
-Tree make_hull(const std::vector<Brush>& grown, const PlaneList& planes, const Box& outer, const SealStarts& starts) {
+Tree make_hull(const std::vector<Brush>& grown, const PlaneList& planes, const Box& outer, const SealStarts& starts,
+               bool is_draft) {
     Partition rough = partition_brushes(grown, planes, outer);
     if (starts) fill_outside(rough.tree, planes, rough.portals, *starts);
-    return refined(rough, planes, outer).tree;
+    return is_draft ? std::move(rough.tree) : refined(rough, planes, outer).tree;
 }
 
 Box box_of_brushes(const std::vector<Brush>& brushes) {
@@ -220,7 +221,7 @@ void fix_t_junctions(std::vector<Loop>& loops, const VertexPool& pool) {
 
 ModelCompiler::ModelCompiler(const std::vector<Brush>& brushes, PlaneList& planes, const std::vector<TexInfo>& texinfos,
                              SealStarts starts, bool is_draft)
-    : brushes_(brushes), planes_(planes), texinfos_(texinfos), starts_(std::move(starts)) {
+    : brushes_(brushes), planes_(planes), texinfos_(texinfos), starts_(std::move(starts)), is_draft_(is_draft) {
     result_.model.box = box_of_brushes(brushes);
     grown_.push_back(hull_brushes(brushes, kPlayerBox, planes));
     if (!is_draft) grown_.push_back(hull_brushes(brushes, kLargeBox, planes));
@@ -232,7 +233,7 @@ void ModelCompiler::do_part(std::size_t part) {
     if (part == 0)
         make_drawn(outer);
     else
-        result_.model.hulls[part - 1] = make_hull(grown_[part - 1], planes_, outer, starts_);
+        result_.model.hulls[part - 1] = make_hull(grown_[part - 1], planes_, outer, starts_, is_draft_);
 }
 
 void ModelCompiler::make_drawn(const Box& outer) {

@@ -63,7 +63,8 @@ struct ModelResult {
 /// Compiles brushes into a model: with `starts`, fills what is outside of the level. What it is given must outlive it.
 class ModelCompiler {
   public:
-    /// Adds planes. All that it does later only reads them. `is_draft`: without a hull for kLargeBox.
+    /// Adds planes. All that it does later only reads them. `is_draft`: without a hull for kLargeBox,
+    /// and with more nodes in the other one.
     ModelCompiler(const std::vector<Brush>& brushes, PlaneList& planes, const std::vector<TexInfo>& texinfos,
                   SealStarts starts, bool is_draft);
 
@@ -81,6 +82,7 @@ class ModelCompiler {
     const PlaneList& planes_;
     const std::vector<TexInfo>& texinfos_;
     SealStarts starts_;
+    bool is_draft_;
     ModelResult result_;
 };
 

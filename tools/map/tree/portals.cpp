@@ -39,9 +39,10 @@ std::array<Plane, 6> inward_sides(const Box& box) {
 }
 
 Winding clipped_to_all(Winding winding, const std::vector<Plane>& fronts) {
+    Winding spare;
     for (const Plane& front : fronts) {
         if (winding.empty()) break;
-        winding = clipped_to_front(std::move(winding), front);
+        clip_to_front(winding, front, spare);
     }
     return winding;
 }

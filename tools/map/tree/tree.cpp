@@ -35,6 +35,27 @@ std::vector<std::vector<std::size_t>> touching_brushes(const std::vector<Brush>&
     return touching;
 }
 
+// Whether the winding is apart from the box, or touches it from outside.
+bool is_beside(const Box& winding, const Box& box) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const double over = winding.mins[axis] - box.maxs[axis], under = box.mins[axis] - winding.maxs[axis];
+        if (std::max(over, under) > kOnEpsilon) return true;
+        if (over >= -kOnEpsilon && winding.maxs[axis] > box.maxs[axis] + kOnEpsilon) return true;
+        if (under >= -kOnEpsilon && winding.mins[axis] < box.mins[axis] - kOnEpsilon) return true;
+    }
+    return false;
+}
+
+// The same for the brush: all of the winding is on or in front of one of its sides, and some of it in front.
+bool is_beside(const Winding& winding, const Brush& brush, const PlaneList& planes) {
+    return is_beside(box_of(winding), brush.box) ||
+           std::any_of(brush.sides.begin(), brush.sides.end(), [&](const BrushSide& side) {
+               if (planes.type(side.plane.plane) < 3) return false;  // a side of the box
+               const Reach far = reach(winding, planes.facing(side.plane));
+               return far.front > kOnEpsilon && far.back <= kOnEpsilon;
+           });
+}
+
 // `winding` without its part inside `brush` or on its surface, in convex pieces; unless nothing is inside, the
 // pieces are new.
 std::vector<Winding> outside_of(const Winding& winding, const Brush& brush, const PlaneList& planes) {
@@ -62,7 +83,11 @@ std::vector<Winding> visible_part(const std::vector<Brush>& brushes, std::size_t
         if (!brushes[other].box.touches(box, kOnEpsilon)) continue;
         if (!hides(brushes[other], other > own, brushes[own], side)) continue;
         std::vector<Winding> left;
-        for (const Winding& piece : pieces) {
+        for (Winding& piece : pieces) {
+            if (is_beside(piece, brushes[other], planes)) {
+                left.push_back(std::move(piece));
+                continue;
+            }
             for (Winding& rest : outside_of(piece, brushes[other], planes)) left.push_back(std::move(rest));
         }
         pieces = std::move(left);
@@ -82,15 +107,26 @@ Side side_of_reach(double lowest, double highest) {
     return is_back ? Side::kBack : Side::kOn;
 }
 
-// Where a piece lies. The piece's own plane is always kOn.
-Side side_of(const BoundaryPiece& piece, int plane_index, const PlaneList& planes) {
-    if (piece.plane.plane == plane_index) return Side::kOn;
-    const Plane& plane = planes[plane_index];
-    const int type = planes.type(plane_index);
-    if (type < 3) return side_of_reach(piece.box.mins[type] - plane.distance, piece.box.maxs[type] - plane.distance);
-    const Reach far = reach(piece.winding, plane);
-    return side_of_reach(-far.back, far.front);
-}
+// A plane to cut pieces by.
+class Cutter {
+  public:
+    Cutter(int index, const PlaneList& planes) : index_(index), type_(planes.type(index)), plane_(planes[index]) {}
+
+    bool is_axial() const { return type_ < 3; }
+
+    // Where a piece lies. Those on this very plane are always kOn.
+    Side side_of(const BoundaryPiece& piece) const {
+        if (piece.plane.plane == index_) return Side::kOn;
+        if (is_axial())
+            return side_of_reach(piece.box.mins[type_] - plane_.distance, piece.box.maxs[type_] - plane_.distance);
+        const Reach far = reach(piece.winding, plane_);
+        return side_of_reach(-far.back, far.front);
+    }
+
+  private:
+    int index_, type_;
+    const Plane& plane_;
+};
 
 bool has_only_detail(const std::vector<BoundaryPiece>& pieces) {
     return std::all_of(pieces.begin(), pieces.end(), [](const BoundaryPiece& piece) { return piece.is_detail; });
@@ -118,10 +154,11 @@ std::vector<int> candidates_of(const std::vector<BoundaryPiece>& pieces, const P
 
 // `most`: what is returned for any cost that is not below it.
 long cost_of(int plane, const std::vector<BoundaryPiece>& pieces, const PlaneList& planes, long most) {
-    const auto weighted = [is_axial = planes.type(plane) < 3](long cost) { return is_axial ? 2 * cost : 3 * cost + 4; };
+    const Cutter cutter(plane, planes);
+    const auto weighted = [&](long cost) { return cutter.is_axial() ? 2 * cost : 3 * cost + 4; };
     long front = 0, back = 0, cuts = 0;
     for (const BoundaryPiece& piece : pieces) {
-        const Side side = side_of(piece, plane, planes);
+        const Side side = cutter.side_of(piece);
         if (side == Side::kOn) continue;
         if (side != Side::kBack) ++front;
         if (side != Side::kFront) ++back;
@@ -152,8 +189,9 @@ void add_piece(std::vector<BoundaryPiece>& pieces, const BoundaryPiece& whole, W
 std::array<std::vector<BoundaryPiece>, 2> parted(std::vector<BoundaryPiece> pieces, int plane,
                                                  const PlaneList& planes) {
     std::array<std::vector<BoundaryPiece>, 2> sides;
+    const Cutter cutter(plane, planes);
     for (BoundaryPiece& piece : pieces) {
-        const Side side = side_of(piece, plane, planes);
+        const Side side = cutter.side_of(piece);
         if (side == Side::kOn) continue;
         if (side == Side::kBoth) {
             SplitWinding parts = split(std::move(piece.winding), planes[plane]);

@@ -22,22 +22,21 @@ std::vector<bool> clusters_seen_from(int cluster, const VisGraph& graph, const s
         portals.add(static_cast<std::size_t>(out));
         portals.add_all(item(seen, out));
     }
-    for (std::size_t i = 0; i < graph.portals.size(); ++i) {
-        if (portals.has(i)) item(clusters, graph.portals[i].cluster) = true;
-    }
+    portals.for_each_beyond(BitSet(graph.portals.size()),
+                            [&](std::size_t i) { item(clusters, graph.portals[i].cluster) = true; });
     return clusters;
 }
 
 std::vector<BitSet> find_seen(VisGraph& graph, bool is_fast, const WorkSharing& sharing) {
     sharing.begin(kRoughStage, graph.portals.size() * (is_fast ? 1 : 1 + 2 * kNarrowingRounds));
-    find_might_see(graph, sharing);
+    find_might_see(graph, sharing, is_fast);
     if (!is_fast) {
         for (int round = 0; round < kNarrowingRounds; ++round) narrow_might_see(graph, sharing);
         sharing.begin(kStage, graph.portals.size());
         return find_seen_portals(graph, sharing);
     }
     std::vector<BitSet> seen;
-    for (const VisPortal& portal : graph.portals) seen.push_back(portal.might_see);
+    for (VisPortal& portal : graph.portals) seen.push_back(std::move(portal.might_see));
     return seen;
 }
 
@@ -196,12 +195,13 @@ VisGraph make_vis_graph(const CompiledModel& world, const PlaneList& planes, con
     return graph;
 }
 
-void find_might_see(VisGraph& graph, const WorkSharing& sharing) {
+void find_might_see(VisGraph& graph, const WorkSharing& sharing, bool only_first) {
     sharing.for_each(graph.portals.size(), [&](std::size_t base) {
         VisPortal& from = graph.portals[base];
         from.might_see = BitSet(graph.portals.size());
-        flood_portals(graph, from.cluster, from.might_see,
-                      [&](std::size_t i) { return may_follow(from, graph.portals[i]); });
+        flood_portals(
+            graph, from.cluster, from.might_see, [&](std::size_t i) { return may_follow(from, graph.portals[i]); },
+            only_first);
     });
 }
 

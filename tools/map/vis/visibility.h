@@ -50,8 +50,9 @@ struct VisGraph {
 };
 
 /// Adds to `found` what can be reached out of `cluster`, passing only portals i of which may_pass(i) is true.
+/// `only_first`: of the portals that lead into a cluster only the first that is met.
 template <class MayPass>
-void flood_portals(const VisGraph& graph, int cluster, BitSet& found, MayPass may_pass) {
+void flood_portals(const VisGraph& graph, int cluster, BitSet& found, MayPass may_pass, bool only_first = false) {
     std::vector<bool> is_reached(graph.portals_of_cluster.size(), false);
     std::vector<int> clusters{cluster};
     item(is_reached, cluster) = true;
@@ -59,7 +60,7 @@ void flood_portals(const VisGraph& graph, int cluster, BitSet& found, MayPass ma
         for (const int index : item(graph.portals_of_cluster, clusters[done])) {
             const auto i = static_cast<std::size_t>(index);
             const int behind = graph.portals[i].cluster;
-            if ((found.has(i) && item(is_reached, behind)) || !may_pass(i)) continue;
+            if ((item(is_reached, behind) && (only_first || found.has(i))) || !may_pass(i)) continue;
             found.add(i);
             if (item(is_reached, behind)) continue;
             item(is_reached, behind) = true;
@@ -72,7 +73,7 @@ void flood_portals(const VisGraph& graph, int cluster, BitSet& found, MayPass ma
 VisGraph make_vis_graph(const CompiledModel& world, const PlaneList& planes, const Clusters& clusters);
 
 /// Sets might_see of all portals: those that can be reached through portals which lie in front of this one and face
-/// away from it. A superset of what can be seen.
-void find_might_see(VisGraph& graph, const WorkSharing& sharing);
+/// away from it. A superset of what can be seen. `only_first`: as for flood_portals().
+void find_might_see(VisGraph& graph, const WorkSharing& sharing, bool only_first = false);
 
 }  // namespace oblong::map
