@@ -122,10 +122,10 @@ constexpr EventCost kFlatPixel{100, 0, 0, 0, 0, 100};
 /// eighth of a second: that is left out.
 constexpr EventCost kSkyDirection{5674, 2147}, kSkyPixel{1845, 200, 0, 200, 200, 100}, kSkyFrame{0, 0, 1300};
 /// surface/lit_surface.cpp, build_cell_row(): texel and colormap looked up; a step of the shade; a threshold. And of
-/// eight texels, which are a half of a cell's row or more: the shades at its ends.
-constexpr EventCost kLitTexel{600, 0, 0, 200, 200, 100}, kNearestTexel{267, 0, 0, 200, 200, 100},
-    kDither{207, 6, 0, 100, 100, 0};
-constexpr EventCost kLitTexels_8{0, 176, 19}, kNearestTexels_8{0, 81, 19};
+/// 512 texels: the shades at cells' corners, where in its texture a surface begins; how far thresholds are apart.
+constexpr EventCost kLitTexel{538, 0, 0, 200, 200, 100}, kNearestTexel{194, 0, 0, 200, 200, 100},
+    kDither{270, 39, 0, 100, 100, 0};
+constexpr EventCost kLitTexels_512{0, 2385, 76}, kDither_512{0, 0, 38};
 
 StageOperations vertices_of(const StageCounts& stages, const Widths& widths) {
     // A position has 20.12 bits: products with axes of up to 32 bits are of 32.
@@ -231,8 +231,10 @@ StageOperations lit_texels_of(const StageCounts& stages, const Accuracy& accurac
     const bool interpolates = accuracy.light == LightSampling::Interpolated;
     StageOperations stage =
         stage_of("lit texels", stages.lit_texels, interpolates ? kLitTexel : kNearestTexel, Width::Bits32);
-    add(stages.lit_texels / 8, interpolates ? kLitTexels_8 : kNearestTexels_8, Width::Bits32, stage);
-    if (accuracy.dithers_light) add(stages.lit_texels, kDither, Width::Bits32, stage);
+    add(stages.lit_texels / 512, kLitTexels_512, Width::Bits32, stage);
+    if (!accuracy.dithers_light) return stage;
+    add(stages.lit_texels, kDither, Width::Bits32, stage);
+    add(stages.lit_texels / 512, kDither_512, Width::Bits32, stage);
     return stage;
 }
 
