@@ -20,7 +20,7 @@ class Workers {
     virtual int count() const = 0;
     /// Begins work of which there are no items yet. What was begun before has ended.
     virtual void begin(SharedWork& work) = 0;
-    /// Adds the next item, from 0 on, for whoever comes first: what was written until now is seen by who does it.
+    /// Adds the next item, counted from 0. The first free thread takes it, and sees all that was written before.
     virtual void add_item() = 0;
     /// Shares in the work until no item is left that was added: what all of them wrote is then seen by the caller.
     virtual void finish_items() = 0;

@@ -32,7 +32,7 @@ struct SkyNow {
 
 /// Both layers of a sky as one: kept while neither moves against the other, for an eighth of a second of a sky of 128.
 struct SkyLayers {
-    SkyTexture texture;               ///< whose they are; empty: nobody's
+    SkyTexture texture;               ///< that the layers are of; empty: none yet
     std::int32_t clouds_further = 0;  ///< whole texels
     std::vector<std::uint8_t> tile;
 };

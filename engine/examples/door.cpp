@@ -1,6 +1,5 @@
-// A level with a door of one's own. What an entity says of itself (its angle, its speed) is text to read; moving its
-// brushes is the program's, and they are in the way wherever they are. Arrow keys walk; both wings open for who is
-// near.
+// A level with a door that this program moves. The values of an entity (its angle, its speed) are text to read; its
+// brushes are solid wherever the program moves them. Arrow keys walk; both wings open when the player is near.
 //
 // Usage: example_door [ASSETS]
 #include <oblong.h>

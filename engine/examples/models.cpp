@@ -1,4 +1,4 @@
-// Models without a level: one out of a file, one of triangles of one's own, and light from everywhere and from one
+// Models without a level: one out of a file, one made of triangles here, and light from everywhere and from one
 // side. Which of two is in front is seen at each pixel, in whatever order they are drawn. S saves the picture. In the
 // texts: Abrash on normals, the dot product and faces turned away; Princeton's illumination; the course notes' depth
 // buffer, shading and textures.

@@ -61,7 +61,8 @@ void check_levels(const GameDefinition& game);
 /// The level that is played after the one in `file`; empty after the last, and where `file` is none of its levels.
 std::string level_after(const GameDefinition& game, const std::string& file);
 
-/// Makes entities of own classes what those stand for, with the values that they have not of their own.
+/// Replaces the game's own classes by the classes that they stand for. Keys that an entity lacks take the values of its
+/// own class.
 void apply_classes(const GameDefinition& game, std::vector<Entity>& entities);
 
 }  // namespace oblong

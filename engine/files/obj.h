@@ -15,7 +15,7 @@ struct ObjOptions {
     std::vector<std::string> glasses = {};  ///< materials that may stand for "glass": skins of the mesh from 1 on
 };
 
-/// So many 256ths of the file's size, for who has no floating point.
+/// A scale in 256ths of the file's size, for callers without floating point.
 ObjOptions scaled_256(std::int32_t scale_256);
 
 struct ObjModel {

@@ -25,7 +25,7 @@ struct ViewScratch;
 enum class FaceList : std::uint8_t { Walls, Flat, Liquid, Sky, Mirror, SeeThrough };
 inline constexpr std::size_t kFaceListCount = 6;
 
-/// Pixels that no face covers, of a wall that has none there: the texture and the light of a face go on to them.
+/// Pixels that no face covers, because a wall's face is missing: the nearest face's texture and light go on there.
 struct TornSpan {
     Span span;
     PlaneIndex plane;  ///< of the wall
@@ -41,13 +41,12 @@ struct SeenPlane {
     PlaneInverseZ inverse_z{};
 };
 
-/// What the faces, and the things among them, own of a frame: each has a place in the list of the pass that draws it,
-/// front to back.
+/// Which pixels of a frame each face, and each thing among the faces, owns: in a list for each pass, front to back.
 struct Claims {
     SpanList spans;
     std::array<std::vector<VisibleFace>, kFaceListCount> lists;
     EffectSet effects;             ///< that own pixels: those that the faces need and the settings allow, and others
-    std::vector<TornSpan> torn;    ///< pixels that no face covers, but walls without one
+    std::vector<TornSpan> torn;    ///< pixels of walls whose faces are missing
     SpanList left_free;            ///< pixels that nothing owns: the void
     std::vector<FogRun> fog_runs;  ///< pixels in fog
     FrameThings things;            ///< what is among the faces

@@ -41,7 +41,7 @@ struct FrameFog {
 /// The fog from this view, if the level has one and the settings allow it.
 FrameFog make_frame_fog(const FrameContext& frame);
 
-/// Whether what is seen from this eye, nothing of it lower than so, is surely above the fog's top, as the eye is.
+/// Whether the eye and all that it sees, which is nowhere lower than `lowest`, are surely above the fog's top.
 bool is_clear(World lowest, const FrameFog& fog, const Vec3<World>& eye);
 
 /// False if each of these pixels of a face is surely clear: without fog, or where they and the eye are above its top.

@@ -25,8 +25,8 @@ struct MeshPlace {
     PlacedBox place;
 };
 
-/// What frames of one level with one colormap keep: made once, or when a frame first calls for it. None of it is part
-/// of a picture: with a new one the same bytes are drawn.
+/// What is kept from frame to frame for a level and a colormap: made once, or when a frame first needs it. A new cache
+/// draws the same bytes.
 struct LevelCache {
     /// The level outlives it.
     LevelCache(const Level& level, const ScreenMode& mode);

@@ -47,8 +47,8 @@ class Stopwatch {
     std::int64_t began_ns_ = 0;
 };
 
-/// Who watches a frame while it is drawn; null: nobody. None of them changes the picture. What is counted or recorded
-/// is drawn by one thread, since it has an order.
+/// What is measured while a frame is drawn; null: nothing. No observer changes the picture. A frame that is counted or
+/// recorded is drawn by one thread.
 struct FrameObservers {
     FrameCounts* counts = nullptr;
     FrameRecord* record = nullptr;

@@ -18,7 +18,7 @@ struct ViewScratch;
 struct Pass {
     std::string_view name;
     bool owns_pixels;                                           ///< false: changes what others have drawn before
-    bool (*has_work)(const Claims&);                            ///< a pass without does not run
+    bool (*has_work)(const Claims&);                            ///< a pass without work does not run
     std::int64_t (*pixels)(const Claims&, const FrameCounts&);  ///< that it has drawn, of a frame that is counted
     void (*run)(const FrameContext& frame, ViewScratch& scratch);
 };
@@ -32,7 +32,7 @@ struct FramePlan {
     std::bitset<kPassCount> passes;  ///< by their numbers in kPasses
     EffectSet effects;               ///< those that own pixels
 
-    /// Whether the pass of this name is on it; false for names of none.
+    /// Whether the pass of this name runs; false if there is none.
     bool has(std::string_view pass) const;
 };
 

@@ -13,7 +13,7 @@ namespace oblong {
 
 /// Spans that several threads draw together. One of them walks through the level; the spans that a face owns are handed
 /// over as it comes to them, and the others draw them meanwhile. Then it shares in the drawing until all is drawn. No
-/// two spans have a pixel in common: whoever draws them, and when, the picture is the same.
+/// two spans have a pixel in common, so that the picture does not depend on which thread draws them, or when.
 class SharedDrawing final : public SharedWork {
   public:
     /// `workers` outlive it. For spans of up to `longest_px` pixels.

@@ -40,7 +40,7 @@ struct EffectScratch {
     UnderwaterScratch underwater;
 };
 
-/// What finding out which face owns which pixel works with; of no use afterwards.
+/// Scratch of finding out which face owns which pixel; not used after that.
 struct ClaimScratch {
     ClaimScratch(const Level& level, const FaceTable& faces, const ScreenMode& mode);
 

@@ -11,10 +11,10 @@
 
 namespace oblong {
 
-/// What frames of one level with one colormap in one mode are drawn with. Nothing in it is part of a picture: a fresh
-/// workspace draws the same bytes.
+/// The memory with which frames of one level are drawn, with one colormap in one mode. A new workspace draws the same
+/// bytes.
 struct FrameWorkspace {
-    /// The level outlives it, and so do `workers`, who share in the drawing; null: one thread draws.
+    /// The level outlives it, and so do `workers`, which share the drawing; null: one thread draws.
     FrameWorkspace(const Level& level, const ScreenMode& mode, Workers* workers = nullptr)
         : cache(level, mode), view(level, cache.faces, mode) {
         if (workers && workers->count() > 1) shared = std::make_unique<SharedDrawing>(*workers, mode.width_px);

@@ -29,7 +29,7 @@ constexpr Angle angle_from_256(std::int64_t degrees_256) {
     return Angle::from_bam((turned * 65536 + kTurn_256 / 2) / kTurn_256);
 }
 
-/// Throws InputError for a canvas that has not the mode's size.
+/// Throws InputError if a canvas does not have the mode's size.
 void check_size(const Framebuffer& canvas, const ScreenMode& mode);
 
 Camera camera_of(const Pose& eye, std::int32_t field_of_view);

@@ -39,7 +39,7 @@ class DepthBuffer {
     bool is_wanted() const { return !rectangles_.empty(); }
     /// Everything in the rectangles is infinitely far.
     void clear();
-    /// Whether spans reach into the rectangles; false only if no pixel of theirs is wanted.
+    /// Whether spans reach into the rectangles; false only if none of their pixels is wanted.
     bool touches(std::span<const Span> spans) const;
     /// Sets the depth of the wanted pixels of spans on a plane.
     void fill(std::span<const Span> spans, const LinearQuantity<InverseZ>& inverse_z);

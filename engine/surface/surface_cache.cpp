@@ -49,7 +49,7 @@ std::size_t SurfaceCache::bytes() const {
            (block_of_slot_.capacity() + spare_.capacity()) * sizeof(BlockIndex);
 }
 
-/// A block of this size, nobody's.
+/// A free block of this size.
 SurfaceCache::BlockIndex SurfaceCache::allocate(std::uint32_t bytes) {
     BlockIndex first = find_room(bytes, kFramesKept);
     if (first == kNone) first = find_room(bytes, kFramesHeld);

@@ -47,13 +47,13 @@ class SurfaceCache {
     using BlockIndex = std::uint32_t;
     static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
-    /// Consecutive bytes of the arena, a surface's or nobody's. Each piece ends with a block without bytes, which never
-    /// makes room: blocks of two pieces are never joined.
+    /// Consecutive bytes of the arena, used by a surface or free. Each piece ends with a block without bytes, which is
+    /// never freed: so blocks of two pieces are never joined.
     struct Block {
         SurfaceKey key;
         std::uint8_t* texels = nullptr;
         std::uint32_t bytes = 0;
-        std::uint32_t slot = kNone;  ///< whose surface it is; none: nobody's
+        std::uint32_t slot = kNone;  ///< of its surface; none: it is free
         std::uint32_t frame = 0;     ///< that asked for it last
         BlockIndex next = 0;         ///< the one behind it in memory; the last one's: the first of the next piece
     };

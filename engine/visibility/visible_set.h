@@ -19,9 +19,9 @@ class VisibleSet {
     bool has_node(NodeIndex node) const { return node_marks_[node] == mark_; }
     bool has_leaf(LeafIndex leaf) const { return leaf_set_.has(leaf); }
     const LeafSet& leaf_set() const { return leaf_set_; }
-    /// Whether that leaf is neither solid nor sky.
+    /// Whether the eye's leaf is neither solid nor sky.
     bool is_from_open() const { return is_from_open_; }
-    /// The leaves that may be seen, each once.
+    /// The leaves that may be seen.
     const std::vector<LeafIndex>& leaves() const { return leaves_; }
 
   private:

@@ -7,8 +7,8 @@
 #include "engine/level/t_junctions.h"
 #include "game/level/load.h"
 
-// What loading a level computes, as it is in memory then, for who has neither the libraries nor the time: the DOS
-// build's LEVEL.ready, beside LEVEL.bsp. Without warnings, and without the names of frames and skins.
+// A level as it is in memory after loading: the DOS build's LEVEL.ready, beside LEVEL.bsp. DOS has not the libraries to
+// load models and pictures, and a 486 takes too long. Warnings and the names of frames and skins are left out.
 
 namespace oblong {
 

@@ -9,8 +9,8 @@
 
 namespace oblong {
 
-/// What an input can be bound to, in the order of the table and of menus. Moves come first: they are on while an input
-/// of theirs is held. The others are commands, carried out once for each press.
+/// What an input can be bound to, in the order of the table and of menus. Moves come first: a move is on while one of
+/// its inputs is held. The others are commands, carried out once for each press.
 enum class Action : std::uint8_t {
     Forward,
     Left,  ///< sideways
@@ -68,7 +68,7 @@ constexpr bool is_of_panel(Action action) {
     return action >= Action::DialUp;
 }
 
-/// All there is to say of an action but what it does. Inputs are as set_inputs() reads them.
+/// Names, texts and first inputs of an action. Inputs are as set_inputs() reads them.
 struct ActionRow {
     Action action;
     std::string_view name;   ///< in the options file after "bind-", and in texts for KeyNames::in(): "turn-left"

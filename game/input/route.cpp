@@ -108,7 +108,7 @@ std::int32_t way_between(Angle from, Angle to) {
     return static_cast<std::int16_t>((to - from).bam);
 }
 
-// The part of the speed that is left to who does not look where he goes: all up to 6 degrees off, none from 50 on.
+// The speed of a visitor who does not look where he goes: all of it up to 6 degrees off, none from 50 on.
 std::int32_t slowed(std::int32_t speed, std::int32_t yaw_error) {
     constexpr std::int32_t kFull = 1092, kNone = 9102;
     return speed * std::clamp(kNone - std::abs(yaw_error), 0, kNone - kFull) / (kNone - kFull);

@@ -10,7 +10,7 @@
 
 namespace oblong {
 
-/// Where a dial is in all_dials(); its name must be one of theirs.
+/// The place of a dial in all_dials(), which must have one of this name.
 std::size_t dial_index(std::string_view name);
 
 /// What keys set in the lab: what of it is on, which dial they turn, and what it compares.

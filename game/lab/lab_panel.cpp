@@ -57,7 +57,7 @@ std::string dial_text(const Dial& dial, const std::string& value, std::size_t co
     return caption + "\n" + std::string(columns - std::min(columns, value.size()), ' ') + value;
 }
 
-// The first dial of those shown: that which is turned is in the middle, and whole.
+// The first dial that is shown: so that the chosen one is in the middle, with all of its lines.
 std::size_t first_dial(std::size_t turned, const Accuracy& accuracy, std::size_t columns, std::size_t rows) {
     const std::span<const Dial> dials = all_dials();
     std::size_t first = std::min(turned - std::min(turned, rows / 2), dials.size() - std::min(dials.size(), rows));
@@ -73,7 +73,7 @@ std::size_t first_dial(std::size_t turned, const Accuracy& accuracy, std::size_t
     return first;
 }
 
-// So many rows of dials from `top` on, that which is turned among them.
+// The dials around the chosen one, in these rows.
 void draw_dials(const LabOptions& options, const Accuracy& accuracy, std::size_t columns, RowSpan rows,
                 const Panel& panel) {
     const std::span<const Dial> dials = all_dials();

@@ -27,8 +27,7 @@ ReadPreferences read_preferences(const std::string& text);
 /// A whole text: each value with its help above.
 std::string write_preferences(const Preferences& preferences);
 
-/// The text with some values as they are now. Nothing else changes in it but that names it has not yet are added to
-/// its end.
+/// The text with the current values of some options. Options that it lacks are added at its end; nothing else changes.
 std::string with_values(const std::string& text, const std::vector<const KeptValue*>& changed, const Preferences& now);
 
 }  // namespace oblong

@@ -17,8 +17,8 @@ namespace oblong {
 /// The colours of what says something by its colour: text, lines of the map, the map of the error, keys.
 enum class ColourScheme : std::uint8_t {
     Standard,
-    RedGreen,   ///< for who confuses red and green: blue, orange and white, told apart by brightness too
-    BlueYellow  ///< for who confuses blue and yellow: red, cyan and white
+    RedGreen,   ///< for players who confuse red and green: blue, orange, white, of different brightness
+    BlueYellow  ///< for players who confuse blue and yellow: red, cyan, white
 };
 inline constexpr int kColourSchemeCount = 3;
 

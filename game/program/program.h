@@ -21,7 +21,7 @@ class Program {
     /// One turn of run()'s loop, for platforms that call the game instead: takes the input, and shows a picture where
     /// it differs from the last. False once the game has ended and all is written.
     bool step();
-    /// Saves the walk and the options, as leaving does: for who may be gone without another step.
+    /// Saves the walk and the options, as leaving does: for platforms that may end the program without another step.
     void keep();
 
   private:

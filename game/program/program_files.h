@@ -25,7 +25,7 @@ struct ProgramFiles {
 /// FileError.
 ProgramFiles load_program_files(const Options& options, const std::string& assets_folder);
 
-/// Those of the levels to come: not the palette of another level, but what else the first one was loaded with.
+/// The files of later levels: those that the first one was loaded with, but for its palette.
 LevelFiles files_of_game(const LoadedLevel& first, const Options& options);
 
 /// The name of a game, by its folder, as a word of the options file; without a folder: kQuake.

@@ -136,7 +136,7 @@ void Screens::start_title(std::shared_ptr<const LoadedLevel> loaded) {
     if (!options_.folders.config_file.empty() && !view_options_.preferences.has_set_light) pages_.open_light();
 }
 
-// Light is kept a game. Frames that are written are shown by nobody's taste: as the museum's.
+// Each game has its own light. Frames that are written to files ignore it: they have the museum's.
 void Screens::follow_game(const LoadedLevel& loaded) {
     if (options_.headless_frames > 0) return;
     Preferences& now = view_options_.preferences;

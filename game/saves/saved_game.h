@@ -28,7 +28,7 @@ struct SavedLevel {
 /// A game that can be gone on with. Its time is state.tick.
 struct SavedGame {
     SavedLevel level;
-    ItemCount lenses;  ///< as count_items() has them, for who has not loaded the level
+    ItemCount lenses;  ///< count_items(), to be read without loading the level
     GameState state;
     Thumbnail picture;
 

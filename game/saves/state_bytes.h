@@ -16,7 +16,7 @@ void append_state(std::vector<std::uint8_t>& bytes, const GameState& state);
 /// such a state is_consistent() says.
 GameState read_state(LittleEndianReader& reader);
 
-/// A hash of the kinds of all fields: states of another build that has others are told by it.
+/// A hash of the kinds of all fields. It differs if another build's state has other fields.
 std::uint64_t state_layout();
 
 }  // namespace oblong

@@ -65,8 +65,8 @@ struct MoverTouch {
     std::optional<Box> box;                  ///< the player in here touches it
     bool opens = false;                      ///< a door, for one who has its keys
     std::uint8_t keys = 0;                   ///< that opening a door takes
-    MessageIndex message = kNoMessage;       ///< for who touches a door that has not opened yet
-    MessageIndex keys_message = kNoMessage;  ///< for who has not its keys
+    MessageIndex message = kNoMessage;       ///< to a player who touches the door before it opens
+    MessageIndex keys_message = kNoMessage;  ///< to a player without its keys
 };
 
 /// A brush model that travels: doors, lifts and buttons between the two ends of one leg, secret doors there and back

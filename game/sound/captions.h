@@ -14,7 +14,7 @@ namespace oblong {
 
 using CaptionTexts = std::map<Sound, std::string>;
 
-/// A line of text for each sound that begins to be heard, for who can't hear it. Counts its own ticks: those noted.
+/// A line of text for each sound that begins, for players who can't hear it. Its time is the number of ticks noted.
 class Captions {
   public:
     static constexpr std::size_t kMostLines = 3;

@@ -17,7 +17,7 @@ constexpr SignColours kStandard{
     {255, 232, 96},
     {{{90, 90, 90}, {40, 60, 220}, {150, 200, 250}, {250, 230, 40}, {240, 130, 30}, {230, 20, 20}, {255, 250, 250}}}};
 
-// Blue to yellow through grey, as in maps made for who confuses red and green; each band is brighter than the one
+// Blue to yellow through grey, as in maps for readers who confuse red and green; each band is brighter than the one
 // before.
 constexpr SignColours kRedGreen{
     {240, 240, 240},

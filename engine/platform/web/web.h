@@ -7,8 +7,8 @@
 
 namespace oblong {
 
-/// A web page's canvas, and the keyboard, mouse, gamepads and touches of who looks at it: page.js, by which the page
-/// was loaded, does what only the browser can.
+/// A web page's canvas, and its user's keyboard, mouse, gamepads and touches. page.js, which loaded the program, does
+/// what only the browser can.
 /// With `waits`, present() ends with the browser's next picture: for programs that load.js enters and leaves there.
 std::unique_ptr<Platform> open_page(bool waits = false);
 
