@@ -155,7 +155,7 @@ constexpr auto kClasses = std::to_array<EntityClass>({
     {"trigger_once",
      Brush,
      TriggerOnce,
-     "fires once; with an angle only for who looks that way",
+     "fires once; with an angle only if the player looks that way",
      {kTurned, kTriggerOnce, kFires, kNoise}},
     {"trigger_multiple", Brush, TriggerMultiple, "fires again and again", {kTurned, kTriggerMultiple, kFires, kNoise}},
     {"trigger_secret", Brush, TriggerSecret, "counts as a secret", {kTriggerOnce, kFires, kNoise}},

@@ -140,7 +140,7 @@ void add_comfort(Rows& rows) {
     rows.push_back(whole_number({"text-size", "Text size", "1 or 2: times the size of the letters", kPage},
                                 &Preferences::text_scale, 1, 2, {1, 2}, "x"));
     rows.push_back(one_of(
-        {"colours", "Colours of signs", "of lines, maps, keys and text; two for who confuses the colours named", kPage},
+        {"colours", "Colours of signs", "of lines, maps, keys and text; two for players who confuse these", kPage},
         {"standard", "red-green", "blue-yellow"}, &Preferences::colours));
     rows.push_back(on_or_off({"captions", "Captions of sounds", "a line of text for what is to be heard", kPage},
                              &Preferences::shows_captions));

@@ -168,7 +168,7 @@ void activate_door(const GameLevel& level, GameState& state, std::uint32_t i, Ac
     }
 }
 
-// One that opens for whoever comes near.
+// A door that opens when the player comes near.
 void touch_open_door(const GameLevel& level, GameState& state, std::uint32_t i, Activations& activations) {
     MoverState& group = state.movers[level.movers[i].group];
     if (state.tick < group.next_touch) return;

@@ -86,7 +86,7 @@ std::uint8_t* low_memory();
 std::int32_t call_dos(std::uint16_t ax, std::uint16_t bx, std::uint16_t cx, std::uint16_t dx, std::uint16_t di = 0);
 /// Null without DOS.
 std::uint8_t* dos_buffer();
-/// A character for whoever listens on the serial port, and for the message on leaving.
+/// Sends a character to the serial port, and keeps it for the message on leaving.
 void put(char letter);
 void put(const char* text);
 void put_hexadecimal(std::uint32_t value);
