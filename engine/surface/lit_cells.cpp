@@ -1,12 +1,12 @@
 #include "engine/surface/lit_cells.h"
 
-#if defined(__x86_64__)
+#if defined(__x86_64__) && defined(__SSE2__)
 #include <emmintrin.h>
 #endif
 
 namespace oblong {
 
-#if defined(__x86_64__)
+#if defined(__x86_64__) && defined(__SSE2__)
 
 namespace {
 

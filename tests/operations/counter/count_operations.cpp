@@ -22,9 +22,12 @@ extern "C" void __gcov_dump();
 
 namespace oblong {
 
-/// In place of engine/raster/kernels/choice.cpp: the kernel that is counted.
+/// In place of engine/raster/kernels/choice.cpp: the kernel that is counted, and no vectors.
 BlockKernel best_block_kernel() {
     return draw_blocks_plain;
+}
+Instructions best_instructions() {
+    return Instructions::Baseline;
 }
 
 /// In place of engine/surface/lit_cells.cpp: cells are lit a texel at a time.
