@@ -39,8 +39,7 @@ void MenuPages::open_light() {
         };
         MenuPage page{"Light", "Turn gamma until you see three of the four squares well, and the first one hardly."};
         page.back = done;
-        page.rows.push_back(
-            {"Go on", "", "You find this page again in Options, Light", done, nullptr, test_picture()});
+        page.rows.push_back({"Go on", "", "You find this page again in Options, Light", done, nullptr, test_picture()});
         for (const char* name : {"gamma", "brightness", "tube-light"}) {
             const Preference& row = preference_named(name);
             page.rows.push_back({row.label, row.shown(host_.preferences()), row.help, nullptr,
