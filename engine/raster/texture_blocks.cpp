@@ -80,12 +80,12 @@ template <Texturing Way, PerspectiveRange Range, class Reciprocal>
     return {span, end};
 }
 
-/// The first of the spans, as many as are in these columns, but `most` of them.
+/// The first of the spans, as many as are in these columns, until their blocks, so many each, have filled the room.
 [[gnu::always_inline]] inline std::span<const Span> spans_in(const Span& columns, std::span<const Span> spans,
-                                                             std::size_t most) {
+                                                             std::ptrdiff_t blocks, std::ptrdiff_t room) {
     std::size_t count = 0;
-    most = std::min(most, spans.size());
-    while (count < most && spans[count].first == columns.first && spans[count].end == columns.end) ++count;
+    for (; room >= 0 && count < spans.size(); room -= blocks, ++count)
+        if (spans[count].first != columns.first || spans[count].end != columns.end) break;
     return spans.first(count);
 }
 
@@ -106,8 +106,7 @@ template <class Reciprocal, class Repeat>
         spans = spans.subspan(1);
         const std::span<const TexelBlock> row(first, cutter.end());
         if (row.size() >= RowRepeater<Reciprocal>::kMostEnds || cutter.end() > full) continue;
-        const std::size_t room = as_size(full - cutter.end()) / row.size() + 1;
-        const std::span<const Span> below = spans_in(above, spans, room);
+        const std::span<const Span> below = spans_in(above, spans, std::ssize(row), full - cutter.end());
         if (below.empty()) continue;
         cutter.set_end(repeat(above, row, below, cutter.end()));
         divisions_saved += std::ssize(below) * (std::ssize(row) + (row.back().count > 1)) - (std::ssize(row) + 1);
