@@ -54,7 +54,7 @@ void Activations::fire(const EntityRef& by) {
         report_.has_dropped_firings = true;
 }
 
-// What it activates in turn waits for its end.
+// What the entity activates in turn runs after it.
 void Activations::activate(const EntityRef& entity) {
     is_running_ = true;
     activate_one(entity);
@@ -62,7 +62,7 @@ void Activations::activate(const EntityRef& entity) {
     run();
 }
 
-// Each with work of its own, so that what is endless holds up nothing else.
+// Each part has its own bound, so that an endless chain of one kind does not block the others.
 void Activations::begin_tick() {
     left_ = TickReport::kMostWaitingActivations;
     pending_ = std::exchange(state_.backlog.waiting, {});
@@ -103,7 +103,7 @@ void Activations::end_tick() {
     std::inplace_merge(state_.delayed.begin(), state_.delayed.begin() + middle, state_.delayed.end(), is_earlier);
 }
 
-// As Quake's game code: what removes something activates nothing.
+// As in Quake's game code, an entity that removes something activates nothing.
 void Activations::fire_now(const Firing& firing) {
     show(state_, firing.message);
     const bool removes = firing.removed != kNoTarget;
@@ -127,7 +127,7 @@ void Activations::push(const WaitingFiring& firing) {
         report_.has_dropped_firings = true;
 }
 
-// Not from within itself: what an entity activates in turn waits on top of the others.
+// Does not nest: what an entity activates in turn is pushed on top of the waiting ones.
 void Activations::run() {
     if (is_running_) return;
     is_running_ = true;

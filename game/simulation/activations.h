@@ -9,32 +9,31 @@
 
 namespace oblong {
 
-/// What is activated in one tick. Entities activate others, which activate others in turn, perhaps each other: what is
-/// more than a tick may do (tick_report.h) waits for the next ones, in its order.
+/// What is activated in one tick. Entities activate others, which may activate each other in turn. Activations beyond a
+/// tick's bounds (tick_report.h) wait for the next ticks, in order.
 class Activations {
   public:
-    /// The most that may wait; what comes on top is dropped. So for firings with a delay.
+    /// The most activations that may wait, and the most firings with a delay; further ones are dropped.
     static constexpr std::size_t kMost = 16'384;
 
     Activations(const GameLevel& level, GameState& state) : level_(level), state_(state) {}
     Activations(const Activations&) = delete;
     Activations& operator=(const Activations&) = delete;
 
-    /// Does what an entity does to others, after its delay: shows its message; removes what it is to remove, or else
-    /// activates its targets, in their order.
+    /// Fires an entity, after its delay: shows its message; then removes its "killtarget", or else activates its
+    /// targets, in their order.
     void fire(const EntityRef& by);
 
-    /// Activates an entity, as one whose target it is does.
+    /// Activates an entity, as an entity that targets it does.
     void activate(const EntityRef& entity);
 
-    /// The first of a tick: goes on with what waits, and fires what was delayed until now.
+    /// Called first in a tick: continues the waiting activations, and does the delayed firings that are due.
     void begin_tick();
 
-    /// The last of a tick: puts what is left, and what was delayed, into the state.
+    /// Called last in a tick: moves waiting and delayed firings into the state.
     void end_tick();
 
-    /// The boxes that the player is in, or as many as a tick looks at; `from` becomes the place from which the next
-    /// tick goes on.
+    /// The boxes that the player is in, or as many as a tick may look at; `from` becomes where the next tick continues.
     std::vector<std::uint32_t> touched(const BoxTree& boxes, const Box& player, std::uint32_t& from);
 
     TickReport& report() { return report_; }

@@ -10,7 +10,6 @@ constexpr std::uint32_t kMostInLeaf = 4;
 
 using Axis = World Vec3<World>::*;
 
-// The axis along which an area is longest.
 Axis longest_axis(const Box& area) {
     constexpr std::array<Axis, 3> kAxes{&Vec3<World>::x, &Vec3<World>::y, &Vec3<World>::z};
     const auto length = [&](Axis axis) { return widening_difference(area.maxs.*axis, area.mins.*axis); };
@@ -58,7 +57,7 @@ BoxTree::Part BoxTree::part_overlapping(const Box& area, std::uint32_t from) con
     return part;
 }
 
-// False where it is enough.
+// Returns false when a bound is reached.
 bool BoxTree::collect_part(std::uint32_t index, const Box& area, std::uint32_t from, Part& part) const {
     const Node& node = nodes_[index];
     if (node.end <= from) return true;

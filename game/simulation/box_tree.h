@@ -8,7 +8,7 @@
 
 namespace oblong {
 
-/// Boxes in a tree of boxes around them: finding those at a place looks at few of the others.
+/// A tree of bounding boxes: finds the boxes at a place without looking at all of them.
 class BoxTree {
   public:
     struct Entry {
@@ -22,22 +22,21 @@ class BoxTree {
     /// The numbers of the boxes that overlap an area, in ascending order.
     std::vector<std::uint32_t> overlapping(const Box& area) const;
 
-    /// Some of them, for little work: at most kMostFound, after at most kMostLooks looks at boxes.
+    /// Some of the overlapping boxes, for bounded work: at most kMostFound, after at most kMostLooks box tests.
     struct Part {
         std::vector<std::uint32_t> numbers;  ///< in ascending order
-        std::uint32_t next = 0;              ///< where to go on for more; 0: nothing is left
+        std::uint32_t next = 0;              ///< where to continue; 0: nothing is left
         std::uint32_t looks = 0;
     };
     static constexpr std::uint32_t kMostFound = 256, kMostLooks = 2048;
 
-    /// From a place that an earlier answer's `next` gave, or from 0, the beginning. Entries have one order, whatever
-    /// the build.
+    /// `from` is 0, or `next` of an earlier answer. The order of the entries is the same in every build.
     Part part_overlapping(const Box& area, std::uint32_t from = 0) const;
 
     std::size_t size() const { return entries_.size(); }
 
   private:
-    /// Of entries [first, end). The first child is the next node.
+    /// Holds entries [first, end). The first child is the next node.
     struct Node {
         Box bounds;
         std::uint32_t first, end;

@@ -11,7 +11,7 @@
 namespace oblong {
 namespace {
 
-// Calls visit(obstacle) for the world, and the walls and the movers that may be in an area, until one answers
+// Calls visit(obstacle) for the world, and the walls and the movers that may be in an area, until visit() returns
 // false.
 template <class Visit>
 bool for_each_obstacle(const GameLevel& level, const GameState& state, const Box& area, Visit visit) {
@@ -27,7 +27,7 @@ bool contains(const GameLevel& level, const Obstacle& obstacle, const Position& 
            contents::kSolid;
 }
 
-// For a position inside a model: those next to it at the model's sides, above and below.
+// The six positions just outside a model, on its sides, above and below.
 std::array<Position, 6> positions_around(const GameLevel& level, const Obstacle& obstacle, const Position& from) {
     constexpr World kGap = World::from_int(2);
     const Box model = box_of(level.model(obstacle.model).box).moved(obstacle.offset);
@@ -42,7 +42,7 @@ std::array<Position, 6> positions_around(const GameLevel& level, const Obstacle&
              {from.x, from.y, low.z}}};
 }
 
-// The way of a length along one of the directions to the 26 neighbours in a grid, up first; one of the 27 is no way.
+// A vector of a length in one of the 27 directions of a 3x3x3 grid, up first; one of them is zero.
 Vec3<World> way_in_direction(std::int32_t direction, World length) {
     constexpr std::array<std::int32_t, 3> kSteps{0, 1, -1};
     constexpr std::array<std::int32_t, 4> kShares_12{0, 4096, 2896, 2365};  // of an axis, of two at once, of three

@@ -8,18 +8,16 @@
 
 namespace oblong {
 
-/// A solid model where it is now.
+/// A solid model at its current place.
 struct Obstacle {
     ModelIndex model;
     Vec3<World> offset;
 };
 
-/// The obstacle of a number in GameLevel::obstacles; nothing for one that has been removed,
-/// or a door that is turned.
+/// The obstacle of a number in LevelBoxes::obstacles; nothing for one that is removed, or for a door that is not shut.
 std::optional<Obstacle> obstacle_of(const GameLevel& level, const GameState& state, std::uint32_t number);
 
-/// True where so many models may be in the player's way in a tick that only the first BoxTree::kMostFound of them are
-/// solid.
+/// True where the player might meet in a tick more models than BoxTree::kMostFound: only the first ones are solid.
 bool has_too_many_obstacles(const GameLevel& level, const Position& position);
 
 /// How far the player's box gets on a straight line.
@@ -40,8 +38,8 @@ bool is_free(const GameLevel& level, const GameState& state, const Position& pos
 /// False where a model at an offset is too far from a box to touch it.
 bool may_touch(const GameLevel& level, ModelIndex model, const Vec3<World>& offset, const Box& box);
 
-/// For a player inside a brush model: the nearest free position in a straight line along an axis, not through the
-/// world's walls; of many models only the kMostWaysOut nearest are tried.
+/// For a player inside a brush model: the nearest free position along an axis that does not lead through the world's
+/// walls. At most kMostWaysOut positions are tried, nearest first.
 inline constexpr std::size_t kMostWaysOut = 48;
 struct WayOut {
     bool is_inside_model = false;
@@ -49,8 +47,8 @@ struct WayOut {
 };
 WayOut find_way_out(const GameLevel& level, const GameState& state, const Position& from);
 
-/// `from`, or where the world is solid there, the nearest place for the player within 256 units in 26 directions;
-/// `from` if there is none.
+/// `from`, or where it is solid in the world, the nearest free place within 256 units in 26 directions; `from` if there
+/// is none.
 Position free_place_near(const GameLevel& level, const Position& from);
 
 /// What fills the world at a point (contents::kEmpty and so on).

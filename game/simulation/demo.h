@@ -17,7 +17,7 @@ struct DemoTick {
 
 /// A recorded game: the inputs of every tick from the start of a level.
 struct Demo {
-    std::uint64_t start_hash = 0;  ///< of the state before the first tick: another level has another
+    std::uint64_t start_hash = 0;  ///< of the state before the first tick; differs from level to level
     std::vector<DemoTick> ticks;
     bool operator==(const Demo&) const = default;
 };

@@ -8,9 +8,9 @@ namespace oblong {
 namespace {
 
 constexpr int kStartsOpen = 1, kNotLinked = 4;           // spawnflags
-const Vec3<World> kDoorReach = world_vector(60, 60, 8);  // a door opens for a player as near as this
+const Vec3<World> kDoorReach = world_vector(60, 60, 8);  // from a door that opens for the player
 
-// Sets of linked doors (union-find): each door's parent, down to the first door of its set.
+// Sets of linked doors (union-find): the root of a set is its first door.
 class DoorSets {
   public:
     explicit DoorSets(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0u); }
@@ -44,7 +44,7 @@ std::vector<LinkedDoor> find_linked_doors(const std::vector<Mover>& movers, cons
 
 using Axis = World Vec3<World>::*;
 
-// The axis along which the doors are farthest apart, so that the fewest overlap.
+// The axis along which the doors are farthest apart, so that the fewest overlap on it.
 Axis sorting_axis(const std::vector<LinkedDoor>& doors) {
     Box corners{doors.front().box.mins, doors.front().box.mins};
     for (const LinkedDoor& door : doors) corners = corners.united({door.box.mins, door.box.mins});

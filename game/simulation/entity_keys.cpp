@@ -11,7 +11,7 @@
 namespace oblong {
 namespace {
 
-constexpr std::int32_t kUpwards = -1, kDownwards = -2;      // yaws that are none
+constexpr std::int32_t kUpwards = -1, kDownwards = -2;      // values of "angle" that are no yaw
 constexpr std::int32_t kLargestAngle = 3600;                // degrees
 constexpr std::int32_t kSlowest = 1, kFastestMover = 4000;  // units a second
 
@@ -75,7 +75,7 @@ World speed_per_tick_of(const Entity& entity) {
 std::int32_t ticks_of(const Entity& entity, const char* key) {
     const World seconds = number_of(entity, key);
     if (seconds < World{}) return kForever;
-    // Rounded up, but for the rounding of the number itself: 0.6 s are 21 ticks.
+    // Rounded up, except for an excess below 35/4096 of a tick, the number's own rounding: 0.6 s are 21 ticks.
     const std::int64_t ticks_12 = std::int64_t{floor_of<12>(seconds)} * kTicksPerSecond;
     constexpr std::int64_t kAlmostOne = (std::int64_t{1} << World::kFractionBits) - kTicksPerSecond;
     return static_cast<std::int32_t>((ticks_12 + kAlmostOne) >> World::kFractionBits);

@@ -9,7 +9,8 @@
 namespace oblong {
 namespace {
 
-constexpr std::int32_t kTrainDelay_ticks = kTicksPerSecond / 5;  // Quake's trains look for their corners first
+constexpr std::int32_t kTrainDelay_ticks =
+    kTicksPerSecond / 5;  // 0.2 s: Quake's trains find their first corner before they start
 
 }  // namespace
 

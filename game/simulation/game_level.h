@@ -22,12 +22,12 @@ inline constexpr TargetIndex kNoTarget = -1;
 using MessageIndex = std::int32_t;
 inline constexpr MessageIndex kNoMessage = -1;
 
-/// Instead of a number of ticks.
+/// In place of a number of ticks: for ever.
 inline constexpr std::int32_t kForever = -1;
 
-/// What an entity does to others when it fires: Quake's SUB_UseTargets.
+/// What an entity does when it fires: Quake's SUB_UseTargets.
 struct Firing {
-    TargetIndex target = kNoTarget;     ///< what it activates, unless it removes something
+    TargetIndex target = kNoTarget;     ///< what it activates, unless it has `removed`
     TargetIndex removed = kNoTarget;    ///< what it removes ("killtarget")
     std::int32_t delay_ticks = 0;       ///< before it does all this
     MessageIndex message = kNoMessage;  ///< what it shows the player
@@ -40,11 +40,11 @@ enum class ItemClass : std::uint8_t { Lens, SilverKey, GoldKey };
 /// Bits of Progress::keys.
 inline constexpr std::uint8_t kSilverKey = 1, kGoldKey = 2;
 
-/// A thing that the player takes by touching it.
+/// An item that the player takes by touching it.
 struct Item {
     ItemClass item_class = ItemClass::Lens;
     Position position;
-    Box box;                 ///< that the player touches
+    Box box;                 ///< the player in here takes it
     std::size_t entity = 0;  ///< into Level::entities
     Firing fires;            ///< when it is taken
 };
@@ -62,46 +62,46 @@ struct Leg {
 
 /// What touching a mover does.
 struct MoverTouch {
-    std::optional<Box> box;                  ///< the player in here touches it
-    bool opens = false;                      ///< a door, for one who has its keys
-    std::uint8_t keys = 0;                   ///< that opening a door takes
-    MessageIndex message = kNoMessage;       ///< to a player who touches the door before it opens
-    MessageIndex keys_message = kNoMessage;  ///< to a player without its keys
+    std::optional<Box> box;                  ///< the player in here touches the mover
+    bool opens = false;                      ///< a door, if the player has its keys
+    std::uint8_t keys = 0;                   ///< that opening a door needs
+    MessageIndex message = kNoMessage;       ///< shown when the player touches the door before it opens
+    MessageIndex keys_message = kNoMessage;  ///< shown to a player without the keys
 };
 
 /// A brush model that travels: doors, lifts and buttons between the two ends of one leg, secret doors there and back
-/// along two, trains round and round along many.
+/// along two legs, trains round and round along many.
 struct Mover {
     MoverKind kind = MoverKind::Door;
     ModelIndex model;
     std::size_t entity = 0;  ///< into Level::entities
     std::vector<Leg> legs;   ///< one or more
-    World speed_per_tick;    ///< of a door that turns degrees, as its leg's length
+    World speed_per_tick;    ///< units; degrees for a door that turns, as its leg's length
     std::int32_t turns =
         0;  ///< a door: 1 counter-clockwise, -1 clockwise; it is solid while it is shut; 0: it does not
     std::int32_t wait_ticks = 0;    ///< at the far end; kForever: it stays there
-    bool turns_back = false;        ///< where the player is in its way; others wait until there is room
+    bool turns_back = false;        ///< when the player is in its way; others wait for room
     bool starts_at_end = false;     ///< a lift that waits above until it is activated
     bool starts_by_itself = false;  ///< a train
-    bool toggles = false;           ///< a door that activation closes again
+    bool toggles = false;           ///< an open door closes when it is activated
     MoverTouch touch;
-    std::uint32_t group = 0;                   ///< the first of the doors that open together; any other: itself
+    std::uint32_t group = 0;                   ///< the first of the doors that open together; of other movers: itself
     std::vector<std::uint32_t> group_members;  ///< of a group's first door
     Firing fires;
 };
 
 enum class TriggerKind : std::uint8_t {
-    Multiple,    ///< fires when touched or activated, then not before a wait; or once
+    Multiple,    ///< fires when touched or activated: once, or again after a wait
     Relay,       ///< fires when activated
     Counter,     ///< fires when it has been activated a number of times
     Teleport,    ///< takes the player to a place, and fires
     Push,        ///< gives the player a velocity
-    Checkpoint,  ///< the player comes in again here
+    Checkpoint,  ///< the player respawns here
     Exit,        ///< ends the level
     Lightning,   ///< Chthon's: see monster_places.h
 };
 
-/// A volume that does something to the player who enters it, or what can only be activated.
+/// A volume that does something to the player who enters it, or something that can only be activated.
 struct Trigger {
     TriggerKind kind = TriggerKind::Multiple;
     std::size_t entity = 0;  ///< into Level::entities
@@ -109,7 +109,7 @@ struct Trigger {
     Firing fires;
     std::int32_t wait_ticks = 0;       ///< between two firings; kForever: it fires once
     std::int32_t count = 0;            ///< a counter's, or the strokes of lightning
-    std::optional<Vec3<Unit>> facing;  ///< fires only for a player who looks this way, within a quarter turn
+    std::optional<Vec3<Unit>> facing;  ///< fires only if the player looks this way, within a quarter turn
     bool is_secret = false;            ///< counts in Progress::found_secrets
     bool is_quiet = false;             ///< a counter that doesn't say how many are left
     bool needs_activation = false;     ///< a teleporter that works for 0.2 s after it was activated
@@ -128,26 +128,26 @@ struct Wall {
 /// The most doors, lifts, buttons and trains of a level; Quake allows 255 brush models, its successors some thousands.
 inline constexpr std::size_t kMostMovers = 16'384;
 
-/// Everything that has one name.
+/// All that has one targetname.
 struct Target {
     std::vector<EntityRef> entities;  ///< in their order in the file
     std::uint64_t light_styles = 0;   ///< a bit for each style of its lights, switched off and on by turns
 };
 
-/// Where to look for what a box meets.
+/// Trees for finding what a box overlaps.
 struct LevelBoxes {
     BoxTree touch;      ///< MoverTouch::box, by the indices of movers
     BoxTree triggers;   ///< by their indices
     BoxTree items;      ///< by their indices
-    BoxTree obstacles;  ///< all places that solid walls, then movers, may take; numbered in this order
+    BoxTree obstacles;  ///< all places of solid walls, then of movers, numbered in this order
 };
 
-/// What its lenses are called.
+/// What the level calls its lenses.
 struct LensNames {
     std::string one = "a lens", several = "lenses";
 };
 
-/// The part of a game that never changes: what it needs of a level.
+/// The part of a game that never changes: what the game needs of a level.
 struct GameLevel {
     const Level* bsp = nullptr;  ///< outlives the game level
     std::string title;           ///< worldspawn's message; may be empty
@@ -169,43 +169,41 @@ struct GameLevel {
     const SubModel& model(ModelIndex index) const { return bsp->models[index]; }
 };
 
-/// Reads the entities of a level that are in it when one plays alone at normal skill (no spawnflag 512), and makes of
-/// them what Quake's own game code does:
+/// Reads the entities of a single-player game at normal skill (no spawnflag 512), and turns them into what Quake's own
+/// game code does:
 /// - info_player_start, info_teleport_destination;
 /// - func_door, func_door_rotating, func_door_secret, func_button, func_plat, func_train with its path_corners; what
-/// would have to be shot
+///   would have to be shot
 ///   ("health", an untargeted secret door) answers to touch; so does a door whose name nothing activates;
 /// - func_wall, func_illusionary; func_episodegate and func_bossgate are open; any other func_ stands still;
 /// - trigger_once, trigger_multiple, trigger_secret, trigger_onlyregistered (every copy is), trigger_counter,
 ///   trigger_relay, trigger_push, trigger_teleport, trigger_changelevel; trigger_hurt, trigger_setskill and
 ///   trigger_monsterjump do nothing: the player has no health and there are no monsters;
 /// - lights with a targetname and a style from 32 on;
-/// - item_key1, item_key2; of monsters and other items only what they fire is left: see monster_places.h.
-/// Of Oblong's own there are item_lens and info_checkpoint ("origin", "angle", "size" of its volume, 128 128 112): the
-/// respawn button leads back to the one passed last.
-/// Throws InputError for more than kMostMovers movers: doors that overlap are compared in pairs.
+/// - item_key1, item_key2; of monsters and other items only what they fire is left: see monster_places.h. Of Oblong's
+///   own there are item_lens and info_checkpoint ("origin", "angle", "size" of its volume, 128 128 112): the respawn
+///   button leads back to the one passed last. Throws InputError for more than kMostMovers movers: doors that overlap
+///   are compared in pairs.
 GameLevel make_game_level(const Level& bsp);
 
 /// The state in which a level begins.
 GameState start_of(const GameLevel& level);
 
-/// The map that follows the level as it was left, as "e1m2"; empty where its end names none or it has not ended.
+/// The map that follows the ended level, as "e1m2"; empty if its exit names none or the level has not ended.
 std::string_view next_map(const GameLevel& level, const GameState& state);
 
-/// What the level says as it was left; may be empty.
+/// The message of the exit that ended the level; may be empty.
 std::string_view end_message(const GameLevel& level, const GameState& state);
 
-/// The box of a model at an offset, grown by some room for the rounding of files: compilers write boxes up to a unit
-/// too small.
+/// The box of a model at an offset, grown by 2 units: compilers write boxes up to a unit too small.
 Box obstacle_box(const GameLevel& level, ModelIndex model, const Vec3<World>& offset);
 
-/// Where a mover's model is, as an offset.
+/// The current offset of a mover's model.
 Vec3<World> offset_of(const Mover& mover, const MoverState& state);
 
-/// By how much a mover's model is turned; nothing but for doors that turn.
+/// The angle by which a mover's model is turned: 0 except for doors that turn.
 Angle turn_of(const Mover& mover, World travelled);
 
-/// True where a mover's model is neither drawn nor solid any more.
 inline bool is_removed(const MoverState& mover) {
     return mover.phase == MoverState::Phase::Removed;
 }
@@ -214,12 +212,12 @@ inline bool is_moving(const MoverState& mover) {
     return mover.phase == MoverState::Phase::Leaving || mover.phase == MoverState::Phase::Returning;
 }
 
-/// True for a mover that stays as it is until something activates it: ticks don't step it.
+/// True for a mover that does not change until something activates it: ticks do not step it.
 inline bool is_at_rest(const MoverState& mover) {
     return !is_moving(mover) && (mover.phase != MoverState::Phase::AtEnd || mover.wait_ticks == kForever);
 }
 
-/// True where a mover shows the other frames of its textures: a button that is pressed.
+/// True if a mover shows the alternative frames of its textures: a pressed button.
 inline bool shows_other_frames(const Mover& mover, const MoverState& state) {
     return mover.kind == MoverKind::Button && state.phase == MoverState::Phase::AtEnd;
 }

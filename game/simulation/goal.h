@@ -8,22 +8,23 @@
 
 namespace oblong {
 
-/// What there is to find in a level, as the player is told it; all empty where there are no lenses.
+/// The goal of a level as shown to the player: its lenses. All strings are empty if there are no lenses.
 struct Goal {
     std::string title;  ///< "Lenses"
     std::string count;  ///< "5 of 12"
-    std::string hint;   ///< once few are missing: "Missing: RAIN (north-east), FOG (north)"
-    std::string list;   ///< a line a lens: its name and whether it is found; of the last ones where they are
+    std::string hint;   ///< when few are missing: "Missing: RAIN (north-east), FOG (north)"
+    std::string list;   ///< a line for each lens: its name and whether it is found; for the last ones where they are
 };
 Goal goal_of(const GameLevel& level, const GameState& state);
 
-/// What is said when a tick has taken lenses: "Lenses: 9 of 12. Missing: ..."; empty where it has not.
+/// The message after a tick that has taken lenses: "Lenses: 9 of 12. Missing: ..."; empty if none was taken.
 std::string found_text(const GameLevel& level, const GameState& before, const GameState& after);
 
-/// The lenses that are missing once so few are that the player is led to them; before that none.
+/// The missing lenses, once so few are missing that the player is told where they are; empty before that.
 std::vector<std::size_t> last_lenses(const GameLevel& level, const GameState& state);
 
-/// Where a place lies as seen from another: "north", "south-west", with "above" or "below" where that is more.
+/// The direction of a place from another: "north", "south-west"; "above" or "below" if the difference in height is
+/// larger.
 std::string direction_of(const Position& from, const Position& to);
 
 }  // namespace oblong

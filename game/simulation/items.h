@@ -9,10 +9,10 @@
 namespace oblong {
 
 /// The item that an entity describes: item_lens, item_key1 (silver), item_key2 (gold), each with an origin; nothing for
-/// any other. Without what it fires.
+/// any other. `fires` is left empty.
 std::optional<Item> item_of(const Entity& entity);
 
-/// What a class of items says when one is taken that has no message of its own; may be empty.
+/// The message of a class of items, for items without their own; may be empty.
 std::string_view default_message(ItemClass item_class);
 
 /// How many items of a class a level has, and how many of them the player has taken.
@@ -23,7 +23,7 @@ struct ItemCount {
 };
 ItemCount count_items(const GameLevel& level, const GameState& state, ItemClass item_class);
 
-/// True while an item is in its place: to be drawn, and to be taken.
+/// True while an item is in its place: it is drawn and can be taken.
 inline bool is_there(const GameState& state, std::size_t item) {
     return state.items[item] == ItemState::There;
 }

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kStartsDark = 1;                 // spawnflag of lights
 constexpr std::int64_t kFirstSwitchable = 32;  // light style
-constexpr std::int32_t kExitHeight = 27;       // of the player over an info_teleport_destination
+constexpr std::int32_t kExitHeight = 27;       // of the player's origin over an info_teleport_destination
 
 using Kind = EntityRef::Kind;
 
@@ -101,7 +101,6 @@ void LevelBuilder::add_trigger(const Entity& entity) {
     name(entity, Kind::Trigger, level_.triggers.size());
 }
 
-// False for a teleporter without an exit.
 bool LevelBuilder::find_exit(const Entity& entity, Trigger& trigger) const {
     const auto exit = by_name_.find(entity.value("target"));
     const auto origin = exit == by_name_.end() ? std::nullopt : origin_of(*exit->second);
@@ -120,7 +119,7 @@ void LevelBuilder::add_item(const Entity& entity) {
     name(entity, Kind::Item, level_.items.size());
 }
 
-// As in Quake, a light with a name and a style from 32 on can be switched; spawnflag 1: it is off at the start.
+// As in Quake, a light with a targetname and a style from 32 on can be switched; spawnflag 1: off at the start.
 void LevelBuilder::add_light(const Entity& entity) {
     const std::string its_name = entity.value("targetname");
     const auto style = parse_decimal(entity.value("style"), 0);
@@ -153,7 +152,7 @@ void LevelBuilder::add_start() {
     level_.start.yaw = yaw_of(*start);
 }
 
-// What Quake's lifts and trains don't do: fire.
+// As in Quake, lifts and trains fire nothing.
 void LevelBuilder::connect_movers() {
     link_doors(level_.movers, mover_entities_, *level_.bsp);
     for (std::size_t i = 0; i < level_.movers.size(); ++i) {
@@ -161,7 +160,8 @@ void LevelBuilder::connect_movers() {
         if (mover.kind == MoverKind::Lift || mover.kind == MoverKind::Train) continue;
         mover.fires = firing_of(*mover_entities_[i]);
         if (mover.kind == MoverKind::Button) continue;
-        const MessageIndex said = std::exchange(mover.fires.message, kNoMessage);  // doors say it when they are touched
+        const MessageIndex said =
+            std::exchange(mover.fires.message, kNoMessage);  // doors show it when they are touched
         if (said != kNoMessage) level_.movers[mover.group].touch.message = said;
         if (mover.touch.keys == kSilverKey) mover.touch.keys_message = message("You need the silver key");
         if (mover.touch.keys == kGoldKey) mover.touch.keys_message = message("You need the gold key");
@@ -178,7 +178,7 @@ void LevelBuilder::connect_triggers() {
     }
 }
 
-// Lightning takes over what the level's first Chthon fires.
+// Lightning fires the targets of the level's first Chthon in its place.
 void LevelBuilder::connect_lightning() {
     std::vector<std::uint32_t> electrodes = find_electrodes(mover_entities_);
     const auto boss = std::find_if(trigger_entities_.begin(), trigger_entities_.end(),
@@ -250,14 +250,14 @@ void LevelBuilder::make_trees() {
     level_.boxes.obstacles = BoxTree(std::move(obstacles));
 }
 
-// The target of a name that something in the level has; a new one where there is none yet.
+// The target of a name; a new one if the name has none yet.
 Target& LevelBuilder::target_named(const std::string& its_name) {
     const auto [found, is_new] = target_of_.emplace(its_name, static_cast<TargetIndex>(level_.targets.size()));
     if (is_new) level_.targets.emplace_back();
     return item(level_.targets, found->second);
 }
 
-// Puts the last of `count` things of a kind under an entity's name.
+// Registers the last of `count` things of a kind under an entity's targetname.
 void LevelBuilder::name(const Entity& entity, Kind kind, std::size_t count) {
     if (const std::string its_name = entity.value("targetname"); !its_name.empty())
         target_named(its_name).entities.push_back({kind, number_of_last(count)});
@@ -268,7 +268,7 @@ TargetIndex LevelBuilder::target_of(const Entity& entity, const char* key) const
     return found == target_of_.end() ? kNoTarget : found->second;
 }
 
-// Only when all names are known.
+// Needs all names, so it is called after all entities are added.
 Firing LevelBuilder::firing_of(const Entity& entity, std::string_view usual_message) {
     Firing firing;
     firing.target = target_of(entity, "target");
@@ -279,7 +279,7 @@ Firing LevelBuilder::firing_of(const Entity& entity, std::string_view usual_mess
     return firing;
 }
 
-// Equal messages are kept once. A backslash and an n in them is a new line, as in Quake.
+// Equal messages are stored once. As in Quake, backslash n is a new line.
 MessageIndex LevelBuilder::message(std::string text) {
     if (text.empty()) return kNoMessage;
     for (std::size_t end = text.find("\\n"); end != std::string::npos; end = text.find("\\n", end))

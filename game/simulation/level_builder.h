@@ -11,8 +11,8 @@
 
 namespace oblong {
 
-/// Makes a game level of a level's entities, in two steps: first all that they put into it, each under its name; then
-/// what they do to each other.
+/// Makes a game level from a level's entities, in two steps: first it adds all entities under their names, then it
+/// connects them.
 class LevelBuilder {
   public:
     explicit LevelBuilder(const Level& bsp);

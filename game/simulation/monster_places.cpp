@@ -22,7 +22,7 @@ bool is_cell(const Box& teleporter) {
     return teleporter.size().x <= kLargestCell && teleporter.size().y <= kLargestCell;
 }
 
-// Where a monster is met: at the exit of the teleporter that it waits in, if it does.
+// Where the player meets a monster: at the exit of the teleporter that it waits in, if any.
 Position meeting_place(const Position& origin, const std::vector<Trigger>& triggers) {
     for (const Trigger& trigger : triggers)
         if (trigger.kind == TriggerKind::Teleport && trigger.needs_activation && is_cell(*trigger.box) &&

@@ -7,15 +7,14 @@
 
 namespace oblong {
 
-// Monsters, weapons and Quake's other items stay out of the game, but not what they do to the level: a monster's
-// targets are activated at its death, an item's when it is taken. Here that happens once, when the player comes to
-// where the thing stands: to within 32 units of a monster, and to an item's own box. A monster that waits in a
-// teleporter until something activates it stands at the teleporter's exit. Chthon (monster_boss) dies of the lightning
-// (event_lightning) instead, where a level has it: of the third stroke, each with both electrodes at the same end of
-// their way.
+// Monsters, weapons and Quake's other items are not in the game, but their effects on the level are: a monster's
+// targets are activated at its death, an item's when it is taken. Here that happens once, when the player comes within
+// 32 units of the monster's place, or touches the item's box. The place of a monster that waits in a teleporter is the
+// teleporter's exit. Where a level has lightning (event_lightning), Chthon (monster_boss) dies of the third stroke
+// instead; each stroke needs both electrodes at the same end of their way.
 
-/// The trigger that is left of a monster or a pickup (ClassRole); nothing of others, and where it has no origin.
-/// Without what it fires. `triggers` are those of the level: the teleporters among them.
+/// The trigger in place of a monster or a pickup (ClassRole); nothing for others, or without an origin. `fires` is left
+/// empty. `triggers` are those of the level: only its teleporters are used.
 std::optional<Trigger> trigger_left_of(const Entity& entity, const std::vector<Trigger>& triggers);
 
 /// The movers that "target" the name "lightning": Chthon's electrodes. `entities[i]` is that of mover i.

@@ -20,7 +20,7 @@ constexpr int kLiftLowTrigger = 1;
 constexpr std::int32_t kLiftInset = 25;
 constexpr std::int32_t kLiftWait_s = 3, kSecretSpeed = 50;
 
-// How far something extends along a direction, as Quake's game code takes it: |direction . size|.
+// The extent of a box along a direction, as in Quake's game code: |direction . size|.
 World extent_along(const Vec3<Unit>& direction, const Vec3<World>& size) {
     return absolute(component_along(size, direction));
 }
@@ -45,7 +45,7 @@ Mover sliding_mover(const Entity& entity, const Box& box) {
 }
 
 std::uint8_t keys_of(const Entity& entity) {
-    if (has_flag(entity, kDoorNeedsGoldKey)) return kGoldKey;  // the one that Quake asks for where both flags are set
+    if (has_flag(entity, kDoorNeedsGoldKey)) return kGoldKey;  // also if both flags are set, as in Quake
     return has_flag(entity, kDoorNeedsSilverKey) ? kSilverKey : std::uint8_t{0};
 }
 
@@ -58,7 +58,7 @@ void make_door(const Entity& entity, Mover& mover) {
     mover.toggles = has_flag(entity, kDoorToggles);
 }
 
-// It goes nowhere, on a leg as long as its angle in degrees.
+// Its leg has no way; its length is the door's angle in degrees.
 Mover turning_door(const Entity& entity) {
     Mover mover;
     Leg leg;
@@ -111,7 +111,8 @@ Mover secret_door(const Entity& entity, const Box& box) {
     return mover;
 }
 
-// Where a player starts a lift: in the shaft above it, less a rim; a narrow lift's shaft is a line in its middle.
+// Where the player starts a lift: in the shaft above it, inset from its sides; a narrow lift's shaft is a line in its
+// middle.
 Box lift_shaft(const Entity& entity, const Box& box, World height) {
     const World inset = World::from_int(kLiftInset), unit = World::from_int(1);
     Box shaft{box.mins + Vec3<World>{inset, inset, World{}}, box.maxs - Vec3<World>{inset, inset, World{}}};
@@ -127,8 +128,8 @@ Box lift_shaft(const Entity& entity, const Box& box, World height) {
     return shaft;
 }
 
-// A lift's model is at its upper end. It waits below and comes up with the player; with a name, it waits above until it
-// is activated.
+// The model in the file is at the lift's upper end. A lift waits below and goes up with the player; one with a
+// targetname waits above until it is activated.
 Mover lift(const Entity& entity, const Box& box) {
     const World given = number_of(entity, "height");
     const World height = std::max(World::from_int(1), given > World{} ? given : box.size().z - World::from_int(8));
@@ -160,7 +161,7 @@ World longest_travel(const Level& bsp) {
         highest = std::max({highest, vertex.x, vertex.y, vertex.z});
     }
     const World farthest = std::max(highest, -std::max(lowest, -World::highest()));
-    return World::highest() - farthest - World::ulp();  // a step for the rounding of directions
+    return World::highest() - farthest - World::ulp();  // an ulp for the rounding of directions
 }
 
 std::optional<Mover> mover_of(const Entity& entity, const Level& bsp, World longest) {

@@ -11,10 +11,11 @@ namespace {
 
 using Phase = MoverState::Phase;
 
-constexpr std::int64_t kDoorRest_ticks = kTicksPerSecond;         // between two touches that count
-constexpr std::int64_t kMessageRest_ticks = 2 * kTicksPerSecond;  // likewise, of doors that want a key or say something
-constexpr std::int32_t kRiderWait_ticks = kTicksPerSecond;        // of a lift after its rider left it
-constexpr std::int32_t kTurn_ticks = kTicksPerSecond;             // of a secret door between its two ways
+constexpr std::int64_t kDoorRest_ticks = kTicksPerSecond;  // after a touch, until the next one counts
+constexpr std::int64_t kMessageRest_ticks =
+    2 * kTicksPerSecond;                                    // likewise, for doors that need a key or have a message
+constexpr std::int32_t kRiderWait_ticks = kTicksPerSecond;  // of a lift at its upper end after the last touch
+constexpr std::int32_t kTurn_ticks = kTicksPerSecond;       // of a secret door between its two legs
 
 EntityRef mover_ref(std::uint32_t mover) {
     return {EntityRef::Kind::Mover, mover};
@@ -24,7 +25,7 @@ bool is_out(const MoverState& state) {
     return state.phase == Phase::Leaving || state.phase == Phase::AtEnd;
 }
 
-// The list of active movers is put in order once a tick.
+// The list of active movers is sorted once a tick.
 void set_off(GameState& state, std::uint32_t i, Phase phase) {
     if (is_at_rest(state.movers[i])) state.active_movers.push_back(i);
     state.movers[i].phase = phase;
@@ -65,7 +66,7 @@ void reach_start(const Mover& mover, MoverState& state) {
     state.wait_ticks = kTurn_ticks;
 }
 
-// Travels for a tick; changes the phase, or goes to the next leg, where an end is reached.
+// Travels for a tick. At an end, changes the phase or goes to the next leg.
 void travel(const Mover& mover, MoverState& state) {
     const World length = mover.legs[state.leg].length;
     const bool is_leaving = state.phase == Phase::Leaving;
@@ -101,7 +102,7 @@ bool push_player(const GameLevel& level, GameState& state, const Mover& mover, c
     return is_free(level, state, state.player.position);
 }
 
-// False where the player is in the way. Counts what it looks at.
+// False if the player is in the way. Adds its work to the report.
 bool move(const GameLevel& level, GameState& state, std::uint32_t i, TickReport& report) {
     const Mover& mover = level.movers[i];
     MoverState after = state.movers[i];
@@ -121,14 +122,14 @@ bool move(const GameLevel& level, GameState& state, std::uint32_t i, TickReport&
     return false;
 }
 
-// True where it leaves its start again.
+// True if a door starts to open again.
 bool turn_back(const Mover& mover, MoverState& state) {
     if (!mover.turns_back) return false;
     state.phase = state.phase == Phase::Leaving ? Phase::Returning : Phase::Leaving;
     return mover.kind == MoverKind::Door && state.phase == Phase::Leaving;
 }
 
-// True where the mover fires now: a button that is pressed in, a door that opens again.
+// True if the mover fires now: a button reaches its end, or a door starts to open again.
 bool step_mover(const GameLevel& level, GameState& state, std::uint32_t i, TickReport& report) {
     ++report.mover_steps;
     const Mover& mover = level.movers[i];
@@ -168,7 +169,6 @@ void activate_door(const GameLevel& level, GameState& state, std::uint32_t i, Ac
     }
 }
 
-// A door that opens when the player comes near.
 void touch_open_door(const GameLevel& level, GameState& state, std::uint32_t i, Activations& activations) {
     MoverState& group = state.movers[level.movers[i].group];
     if (state.tick < group.next_touch) return;
@@ -176,7 +176,7 @@ void touch_open_door(const GameLevel& level, GameState& state, std::uint32_t i, 
     activations.activate(mover_ref(i));
 }
 
-// One that wants a key, or says something.
+// A door that needs a key, or has a message.
 void touch_shut_door(const GameLevel& level, GameState& state, std::uint32_t i, Activations& activations) {
     const Mover& door = level.movers[i];
     MoverState& group = state.movers[door.group];
@@ -210,7 +210,7 @@ void press_button(GameState& state, std::uint32_t i) {
     if (!is_out(state.movers[i])) set_off(state, i, Phase::Leaving);
 }
 
-// One that waits above until it is activated, comes down; it is a lift like any other from then on.
+// A lift that waits above for activation goes down; from then on it is a normal lift.
 void activate_lift(GameState& state, std::uint32_t i) {
     const MoverState& lift = state.movers[i];
     if (lift.phase == Phase::AtEnd && lift.wait_ticks < 0) set_off(state, i, Phase::Returning);
@@ -237,7 +237,7 @@ void touch_mover(const GameLevel& level, GameState& state, std::uint32_t i, Acti
 
 }  // namespace
 
-// Where there are too many, the others' turn comes in the next tick.
+// Movers beyond the bound of a tick are stepped in the next tick.
 void step_movers(const GameLevel& level, GameState& state, Activations& activations) {
     std::vector<std::uint32_t>& active = state.active_movers;
     if (!is_in_order(active)) find_active_movers(state);

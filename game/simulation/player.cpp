@@ -14,8 +14,8 @@ constexpr World kGravity = World::from_int(800), kTopSpeed = World::from_int(320
 constexpr World kStopSpeed = World::from_int(100), kAirWish = World::from_int(30), kSinkSpeed = World::from_int(60);
 constexpr World kSwimUpSpeed = World::from_int(100), kLeaveWaterSpeed = World::from_int(310);
 constexpr World kFastestPlayer = World::from_int(2000);  // in each axis
-constexpr World kRising = World::from_int(180);          // a player who rises faster stands on no ground
-constexpr World kEyeSpeed = World::from_int(160);        // after a step
+constexpr World kRising = World::from_int(180);          // a player who rises faster is not on the ground
+constexpr World kEyeSpeed = World::from_int(160);        // of the eye, after a step
 constexpr std::int32_t kFriction = 4, kAccelerate = 10;
 
 World in_a_tick(World per_second, std::int32_t factor = 1) {
@@ -37,7 +37,7 @@ Depth depth_at(const GameLevel& level, const Position& position) {
     return is_wet(kEyeHeight) ? Depth::Eyes : Depth::Waist;
 }
 
-// Friction: in proportion to the speed, but no less than at the speed `at_least`, so that the player comes to rest.
+// Friction is proportional to the speed, but at least that of the speed `at_least`, so that the player comes to rest.
 Velocity with_friction(const Velocity& v, World at_least) {
     const World speed = length_of(v);
     if (speed == World{}) return v;
@@ -45,7 +45,7 @@ Velocity with_friction(const Velocity& v, World at_least) {
     return scaled(v, std::max(World{}, speed - loss), speed);
 }
 
-// Adds speed in the direction of the wish, up to `most` in that direction, by as much as the whole wish allows.
+// Accelerates in the direction of the wish by an amount proportional to the wish, up to `most` in that direction.
 Velocity accelerated(const Velocity& v, const Velocity& wish, World most) {
     const World wished = length_of(wish);
     if (wished == World{}) return v;
@@ -60,7 +60,7 @@ Velocity bounded(const Velocity& v) {
     return {bound(v.x), bound(v.y), bound(v.z)};
 }
 
-// The velocity that the input asks for, at most kTopSpeed: level to walk, along the view to swim.
+// The velocity that the input asks for, at most kTopSpeed: horizontal when walking, along the view when swimming.
 Velocity wish_of(const Player& player, const TickInput& input, bool swims) {
     const Angle pitch = Angle::from_bam(swims ? player.pitch : 0);
     const Unit cos_yaw = cosine(player.yaw), sin_yaw = sine(player.yaw);
@@ -72,7 +72,7 @@ Velocity wish_of(const Player& player, const TickInput& input, bool swims) {
     return speed > kTopSpeed ? scaled(wish, kTopSpeed, speed) : wish;
 }
 
-// True where a wall ahead ends just above the water: Quake's jump out of it.
+// True if a wall ahead ends just above the water: Quake's jump out of water.
 bool can_leave_water(const GameLevel& level, const Player& player, const TickInput& input) {
     if (player.depth != Depth::Waist || input.forward <= 0) return false;
     const Vec3<World> ahead = times(World::from_int(24), {cosine(player.yaw), sine(player.yaw), Unit{}});
@@ -117,7 +117,7 @@ void walk(const GameLevel& level, GameState& state, const TickInput& input) {
     const World height_before = player.position.z;
     const Motion after = step_slide_move(level, state, {player.position, bounded(velocity)});
     const Contact ground = find_ground(level, state, after.position, World::from_int(kStepHeight));
-    player.position = ground.has_hit ? ground.end : after.position;  // down a step, too
+    player.position = ground.has_hit ? ground.end : after.position;  // follows the ground down a step, too
     player.velocity = after.velocity;
     player.eye_lag += player.position.z - height_before;
 }
@@ -147,8 +147,8 @@ void raise_eye(Player& player) {
     player.eye_lag -= std::clamp(player.eye_lag, -step, step);
 }
 
-// A player in something solid is moved up by at most a step; out of a brush model (where a teleporter's exit or the
-// start is inside a mover) by the shortest way, and where there is none, to the start.
+// A player in something solid is moved up by at most a step. A player inside a brush model (where a teleporter's exit
+// or the start is inside a mover) is moved out by the shortest way, or to the start if there is none.
 void leave_solid(const GameLevel& level, GameState& state) {
     Player& player = state.player;
     for (std::int32_t up = 0; up <= kStepHeight; ++up) {

@@ -37,7 +37,8 @@ Velocity along_crease(const Velocity& v, const Normal& a, const Normal& b) {
     return {component(crease.x), component(crease.y), component(crease.z)};
 }
 
-// v without its components into the surfaces hit so far: along the last one, or where it meets another; else nothing.
+// v without its components into the surfaces hit so far: along the last surface, or along the crease of two; zero for
+// more.
 Velocity clip_velocity(const Velocity& v, std::span<const Normal> normals) {
     const Velocity along = slide_along(v, normals.back());
     const auto others = normals.first(normals.size() - 1);

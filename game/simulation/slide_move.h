@@ -16,14 +16,14 @@ struct Motion {
     Velocity velocity;
 };
 
-/// A tick of straight motion that slides along what it hits, up to four times.
+/// Straight motion for a tick, which slides along what it hits, up to four times.
 Motion slide_move(const GameLevel& level, const GameState& state, const Motion& motion);
 
-/// The same for a walking player: climbs steps of up to kStepHeight where that leads further.
+/// The same for a walking player: climbs steps of up to kStepHeight if that leads further.
 Motion step_slide_move(const GameLevel& level, const GameState& state, const Motion& motion);
 
-/// The ground within `reach` units below a position: where the box stands on it, and the model. Contact::has_hit is
-/// false where there is none, or one too steep.
+/// The ground within `reach` units below a position: where the box stands, and the model. Contact::has_hit is false if
+/// there is none, or if it is too steep.
 Contact find_ground(const GameLevel& level, const GameState& state, const Position& position, World reach);
 
 }  // namespace oblong

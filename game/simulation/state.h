@@ -12,7 +12,7 @@ namespace oblong {
 /// How deep the player stands in a liquid.
 enum class Depth : std::uint8_t { Dry, Feet, Waist, Eyes };
 
-/// A place where the player comes in, and the direction that they look in there.
+/// A place where the player appears, and the direction of the view there.
 struct Place {
     Position position;
     Angle yaw;
@@ -20,14 +20,14 @@ struct Place {
 };
 
 struct Player {
-    Position position;  ///< in a box of 32x32x56: 16 from its sides, 24 above its feet
+    Position position;  ///< in a box of 32x32x56: 16 from its sides, 24 above its bottom
     Velocity velocity;
     Angle yaw;                        ///< counter-clockwise from +x
     std::int32_t pitch = 0;           ///< 65,536 to the circle, down positive, +-kSteepestPitch
-    World eye_lag;                    ///< how far the eye is still below (after a step up) its usual height
-    std::int32_t ground = kNoGround;  ///< the model stood upon, 0: the world
+    World eye_lag;                    ///< how far the eye is below its usual height, after a step up
+    std::int32_t ground = kNoGround;  ///< the model that the player stands on, 0: the world
     Depth depth = Depth::Dry;
-    bool holds_jump = false;  ///< the button must be let go before the next jump
+    bool holds_jump = false;  ///< the button must be released before the next jump
 
     static constexpr std::int32_t kNoGround = -1;
     static constexpr std::int32_t kSteepestPitch = 16'000;
@@ -37,8 +37,8 @@ struct Player {
 /// What the player has done so far.
 struct Progress {
     std::int32_t found_secrets = 0;  ///< of GameLevel::secrets
-    std::uint8_t keys = 0;           ///< kSilverKey, kGoldKey: those the player has
-    Place respawn;                   ///< where the player came in last: see kRespawnButton
+    std::uint8_t keys = 0;           ///< kSilverKey, kGoldKey
+    Place respawn;                   ///< where kRespawnButton leads
 
     bool operator==(const Progress&) const = default;
 };
@@ -49,23 +49,23 @@ struct MoverState {
     Phase phase = Phase::AtStart;  ///< a train leaves once, and is AtEnd while it waits at a corner
     std::uint32_t leg = 0;         ///< into Mover::legs
     World travelled;               ///< from the leg's start, 0 to Leg::length
-    std::int32_t wait_ticks = 0;   ///< before it goes on; kForever: not before it is activated
-    std::int64_t next_touch = 0;   ///< the tick from which a touch of its group counts again
-    bool has_been_fired = false;   ///< a door's group: it shows its touch message no more
+    std::int32_t wait_ticks = 0;   ///< before it goes on; kForever: until it is activated
+    std::int64_t next_touch = 0;   ///< the first tick in which a touch of its group counts again
+    bool has_been_fired = false;   ///< a door's group: its touch message is not shown again
 
     bool operator==(const MoverState&) const = default;
 };
 
 struct TriggerState {
-    std::int64_t ready_tick = 0;  ///< the tick from which it fires again; kNever: it is gone
-    std::int64_t open_until = 0;  ///< the tick from which a teleporter that needs activation works no more
-    std::int32_t left = 0;        ///< activations before a counter fires; strokes of lightning
+    std::int64_t ready_tick = 0;  ///< the first tick in which it may fire again; kNever: it is gone
+    std::int64_t open_until = 0;  ///< the tick in which an activated teleporter closes
+    std::int32_t left = 0;        ///< activations until a counter fires; strokes of lightning left
 
     static constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
     bool operator==(const TriggerState&) const = default;
 };
 
-/// What became of an item of the level.
+/// The state of an item of the level.
 enum class ItemState : std::uint8_t { There, Taken, Removed };
 
 enum class WallState : std::uint8_t { There, ShowsOtherFrames, Removed };
@@ -79,7 +79,7 @@ struct EntityRef {
     bool operator==(const EntityRef&) const = default;
 };
 
-/// What an entity will fire.
+/// An entity that will fire after its delay.
 struct DelayedFiring {
     std::int64_t tick = 0;
     EntityRef by;
@@ -90,16 +90,17 @@ struct DelayedFiring {
 /// A target whose entities are being activated, or removed, one after the other.
 struct WaitingFiring {
     std::int32_t target = 0;  ///< into GameLevel::targets
-    std::uint32_t next = 0;   ///< of the target's entities, the one whose turn it is
+    std::uint32_t next = 0;   ///< the next of the target's entities
     bool removes = false;
 
     bool operator==(const WaitingFiring&) const = default;
 };
 
-/// What was too much for one tick, and goes on in the next ones: tick_report.h. Empty but in levels made for it.
+/// What exceeded the bounds of a tick (tick_report.h) and continues in the next ones. Empty except in levels made for
+/// it.
 struct Backlog {
     std::vector<WaitingFiring> waiting;                                         ///< the next one last
-    std::uint32_t next_mover = 0;                                               ///< the one whose turn it is
+    std::uint32_t next_mover = 0;                                               ///< the first mover of the next tick
     std::uint32_t next_touch_box = 0, next_trigger_box = 0, next_item_box = 0;  ///< BoxTree::Part::next
 
     bool operator==(const Backlog&) const = default;
@@ -109,7 +110,7 @@ struct Backlog {
 /// The last message that the player was shown.
 struct MessageState {
     std::int32_t shown = -1;  ///< into GameLevel::messages; -1: none yet
-    std::int64_t tick = 0;    ///< that showed it
+    std::int64_t tick = 0;    ///< in which it was shown
 
     bool operator==(const MessageState&) const = default;
 };
@@ -120,11 +121,11 @@ struct GameState {
     Player player;
     Progress progress;
     std::vector<MoverState> movers;            ///< in the order of GameLevel::movers
-    std::vector<std::uint32_t> active_movers;  ///< not at rest, ascending: ticks step no others
+    std::vector<std::uint32_t> active_movers;  ///< not at rest, ascending: only these are stepped
     std::vector<WallState> walls;              ///< in the order of GameLevel::walls
     std::vector<TriggerState> triggers;        ///< in the order of GameLevel::triggers
     std::vector<ItemState> items;              ///< in the order of GameLevel::items
-    std::vector<DelayedFiring> delayed;        ///< the earliest first
+    std::vector<DelayedFiring> delayed;        ///< by tick, ascending
     std::uint64_t dark_styles = 0;             ///< a bit for each light style that is switched off
     MessageState message;
     bool has_ended = false;
@@ -134,8 +135,7 @@ struct GameState {
     bool operator==(const GameState&) const = default;
 };
 
-/// FNV-1a over the fields in order, of a backlog only where there is one; equal states give equal hashes on every
-/// machine.
+/// FNV-1a over the fields in order, without an empty backlog; equal states have equal hashes on every machine.
 std::uint64_t hash_of(const GameState& state);
 
 }  // namespace oblong

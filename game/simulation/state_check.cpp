@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::int64_t kLastTick = std::int64_t{1} << 40;  // a thousand years
 constexpr World kFastestSaved = World::from_int(4096);     // along an axis; the player's own bound is half of that
-constexpr std::int32_t kLongestWait_ticks = 2'000'000;     // above the largest number of a key
+constexpr std::int32_t kLongestWait_ticks = 2'000'000;     // above the largest value of a key
 
-// Collects the first thing that is wrong.
+// Keeps the first error.
 class Check {
   public:
     void expect(bool is_right, std::string what) {
@@ -43,7 +43,7 @@ bool is_tick(std::int64_t tick) {
     return tick >= 0 && tick <= kLastTick;
 }
 
-// Enumerations and bool from outside may hold any number.
+// Enumerations and bool read from outside may hold any number.
 template <class Enumeration>
 bool is_one_of(Enumeration value, Enumeration last) {
     return static_cast<std::uint8_t>(value) <= static_cast<std::uint8_t>(last);
@@ -70,7 +70,7 @@ bool is_possible(const Mover& mover, const MoverState& state) {
            state.wait_ticks >= kForever && state.wait_ticks <= kLongestWait_ticks;
 }
 
-// Counters fire, and are gone, at 0.
+// At 0 a counter fires and is gone.
 bool is_possible(const Trigger& trigger, const TriggerState& trigger_state, const GameState& state) {
     const bool is_gone = trigger_state.ready_tick == TriggerState::kNever;
     const bool counts = trigger.kind == TriggerKind::Counter && !is_gone;

@@ -7,12 +7,11 @@
 
 namespace oblong {
 
-/// What is wrong with a state of a level that came from outside, as "movers: 3, expected 4"; empty where the game can
-/// go on from it: every list has the level's length, every index is in its range, every number is one that the game
-/// makes.
+/// What is wrong with a state read from outside, as "movers: 3, expected 4"; empty if the game can go on from it: every
+/// list has the level's length, every index is in range, every number is one that the game can produce.
 std::string find_inconsistency(const GameLevel& level, const GameState& state);
 
-/// True where the game can go on from a state that came from outside.
+/// True where the game can go on from a state read from outside.
 inline bool is_consistent(const GameLevel& level, const GameState& state) {
     return find_inconsistency(level, state).empty();
 }

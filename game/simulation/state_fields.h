@@ -7,8 +7,8 @@
 namespace oblong {
 
 /// Visits every field of a state, in one order that the hash and saved games share: visit(field) for each number
-/// (integers, enumerations, bool, World, Angle), visit(vector) for each list; of the elements of lists, structs have a
-/// visit_fields() of their own below. What is not visited here is neither hashed nor saved. State is GameState or const
+/// (integers, enumerations, bool, World, Angle), visit(vector) for each list. Structs in lists have their own
+/// visit_fields() below. A field that is not visited here is neither hashed nor saved. State is GameState or const
 /// GameState.
 template <class State, class Visit>
 requires std::is_same_v<std::remove_const_t<State>, GameState>
@@ -26,7 +26,7 @@ void visit_fields(State& state, Visit& visit) {
     visit_all(state.message.shown, state.message.tick, state.has_ended, state.exit, state.backlog);
 }
 
-/// The same of a mover: MoverState or const MoverState.
+/// The same for a mover: MoverState or const MoverState.
 template <class Mover, class Visit>
 requires std::is_same_v<std::remove_const_t<Mover>, MoverState>
 void visit_fields(Mover& mover, Visit& visit) {
@@ -38,7 +38,6 @@ void visit_fields(Mover& mover, Visit& visit) {
     visit(mover.has_been_fired);
 }
 
-/// Of a trigger.
 template <class Trigger, class Visit>
 requires std::is_same_v<std::remove_const_t<Trigger>, TriggerState>
 void visit_fields(Trigger& trigger, Visit& visit) {
@@ -47,7 +46,6 @@ void visit_fields(Trigger& trigger, Visit& visit) {
     visit(trigger.left);
 }
 
-/// Of what is delayed.
 template <class Delayed, class Visit>
 requires std::is_same_v<std::remove_const_t<Delayed>, DelayedFiring>
 void visit_fields(Delayed& delayed, Visit& visit) {
@@ -56,7 +54,6 @@ void visit_fields(Delayed& delayed, Visit& visit) {
     visit(delayed.by.index);
 }
 
-/// Of what waits for its turn.
 template <class Waiting, class Visit>
 requires std::is_same_v<std::remove_const_t<Waiting>, WaitingFiring>
 void visit_fields(Waiting& waiting, Visit& visit) {
@@ -65,7 +62,6 @@ void visit_fields(Waiting& waiting, Visit& visit) {
     visit(waiting.removes);
 }
 
-/// Of a backlog.
 template <class Log, class Visit>
 requires std::is_same_v<std::remove_const_t<Log>, Backlog>
 void visit_fields(Log& backlog, Visit& visit) {

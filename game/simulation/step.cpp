@@ -13,7 +13,7 @@ void respawn(GameState& state) {
     state.player.holds_jump = holds_jump;
 }
 
-// A player who falls out of a level that leaks comes in again.
+// A player who falls out of a level that leaks respawns.
 void respawn_outside(GameState& state) {
     const Position& at = state.player.position;
     const auto is_outside = [](World w) { return w > kFarthestPlayer || w < -kFarthestPlayer; };

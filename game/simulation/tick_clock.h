@@ -7,14 +7,14 @@
 namespace oblong {
 
 /// Turns elapsed time into ticks. Times are summed exactly (in 1/3,500 us), so that the same time gives the same number
-/// of ticks, however it is divided. In slow motion the same ticks come later: the game in them is the same.
+/// of ticks, however it is divided. In slow motion the same ticks come later.
 class TickClock {
   public:
-    /// The most time that counts between two calls: a machine that was suspended for a minute must not simulate it.
+    /// The longest time that counts between two calls: the pause of a suspended machine is not simulated.
     static constexpr std::uint64_t kLongestPause_us = 250'000;
 
-    /// Advances the clock; the number of ticks that became due. Negative time counts as none. `speed_100`: of the game
-    /// against the time that elapsed, in hundredths, up to 10,000.
+    /// Advances the clock; returns the number of ticks that became due. Negative time counts as 0. `speed_100`: game
+    /// time per elapsed time, in hundredths, up to 10,000.
     int advance(std::uint64_t elapsed_us, std::int32_t speed_100 = 100) {
         if (elapsed_us > kLongestPause_us) elapsed_us = elapsed_us >> 63 ? 0 : kLongestPause_us;
         rest_ += static_cast<std::int64_t>(elapsed_us) * kTicksPerSecond * speed_100;
@@ -23,7 +23,7 @@ class TickClock {
         return static_cast<int>(due);
     }
 
-    /// How far the picture is between the last tick but one and the last, 0 to 65,535 of 65,536.
+    /// How far the picture is from the last tick but one to the last, in 65,536ths, 0 to 65,535.
     std::int32_t fraction_16() const { return static_cast<std::int32_t>(rest_ * 65'536 / kTick); }
 
   private:

@@ -17,7 +17,7 @@ struct Corner {
     std::int32_t pause_ticks = 0;
 };
 
-// The corners in the order of the way; after the last one comes corner `next`, if it is one of them.
+// The corners in the order of the way; after the last one, the way leads back to corner `next`, if there is one.
 struct Path {
     std::vector<Corner> corners;
     std::optional<std::size_t> next;
@@ -57,8 +57,8 @@ Leg leg_between(const Corner& from, const Corner& to, std::size_t next) {
     return leg;
 }
 
-// Leg i leads to corner i + 1; where the way comes back to corner `next`, one more leads there, and on go those from
-// it.
+// Leg i leads to corner i + 1. If the way leads back to corner `next`, a last leg leads there, and that corner's leg
+// follows it.
 std::vector<Leg> legs_of(const Path& path) {
     std::vector<Leg> legs;
     for (std::size_t i = 0; i + 1 < path.corners.size(); ++i)

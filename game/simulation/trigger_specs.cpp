@@ -12,9 +12,9 @@ namespace {
 
 constexpr int kNotTouched = 1, kCounterIsQuiet = 1, kPushesOnce = 1;  // spawnflags
 constexpr std::int32_t kPushFactor = 10;
-constexpr World kFastestPush = World::from_int(2000);     // as fast as anything is in Quake, along each axis
+constexpr World kFastestPush = World::from_int(2000);     // Quake's largest speed, along each axis
 constexpr std::int32_t kStrokes = 3;                      // of lightning; Chthon's health at normal skill
-const Vec3<World> kShotReach = world_vector(32, 32, 64);  // from what has to be shot
+const Vec3<World> kShotReach = world_vector(32, 32, 64);  // from a trigger that Quake activates by a shot
 
 std::optional<TriggerKind> trigger_kind(ClassRole role) {
     switch (role) {

@@ -41,7 +41,7 @@ void count_down(const GameLevel& level, GameState& state, std::uint32_t i, Activ
     if (left == 0) fire_unless_waiting(trigger, state, i, activations);
 }
 
-// Chthon's: it hurts only while both electrodes are in place, and kills with the last stroke.
+// Strikes Chthon: counts only while both electrodes are in place; the last stroke fires the trigger.
 void strike(const GameLevel& level, GameState& state, std::uint32_t i, Activations& activations) {
     const Trigger& trigger = level.triggers[i];
     if (trigger.electrodes.size() < 2 || state.triggers[i].left == 0) return;
@@ -76,7 +76,7 @@ void push(const Trigger& trigger, GameState& state, std::uint32_t i) {
     if (trigger.wait_ticks == kForever) begin_wait(trigger, state, i);
 }
 
-// True where the player is somewhere else afterwards.
+// True if the player was teleported.
 bool touch(const GameLevel& level, GameState& state, std::uint32_t i, Activations& activations) {
     const Trigger& trigger = level.triggers[i];
     switch (trigger.kind) {
@@ -109,7 +109,7 @@ bool touch(const GameLevel& level, GameState& state, std::uint32_t i, Activation
 
 }  // namespace
 
-// In their order. One that teleports the player ends those at the old place.
+// In their order. After a teleport, those at the old place are skipped.
 void touch_triggers(const GameLevel& level, GameState& state, Activations& activations) {
     std::uint32_t first = 0;
     std::int32_t teleports = 0;
