@@ -7,8 +7,8 @@
 namespace oblong {
 namespace {
 
-// The pad's cross is what the arrow keys are: it walks and turns, and works a panel that is open. The right button of
-// the mouse walks ahead, so that a mouse alone gets through a level.
+// The d-pad does the same as the arrow keys: it walks and turns, and operates an open panel. The right mouse button
+// walks ahead, so that a mouse alone is enough for a level.
 constexpr std::array<ActionRow, kActionCount> kActions{{
     {Action::Forward, "forward", "Walk ahead", "Walk", "W Up", "Mouse-2 Pad-Up Pad-Left-Stick-Up", "W", "Up Keypad-8"},
     {Action::Left, "left", "Step left", "Walk", "A", "Pad-Left-Stick-Left", "A", "Delete Keypad-7"},

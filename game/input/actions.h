@@ -9,8 +9,8 @@
 
 namespace oblong {
 
-/// What an input can be bound to, in the order of the table and of menus. Moves come first: a move is on while one of
-/// its inputs is held. The others are commands, carried out once for each press.
+/// The actions that an input can be bound to, in the order of the table and of menus. Moves come first: a move is on
+/// while one of its inputs is held. The others are commands: each press runs one once.
 enum class Action : std::uint8_t {
     Forward,
     Left,  ///< sideways
@@ -27,7 +27,7 @@ enum class Action : std::uint8_t {
     Menu,  ///< opens the menu; in it, one page back
     QuickSave,
     QuickLoad,
-    Respawn,  ///< back to the place where the player came in last
+    Respawn,  ///< back to Progress::respawn
     Restart,  ///< the level again, from its start
     ProjectionAspect,
     DisplayAspect,
@@ -44,14 +44,14 @@ enum class Action : std::uint8_t {
     Wireframe,
     Isometric,
     Inspect,
-    ZoomIn,  ///< a narrower field of view from farther away
+    ZoomIn,  ///< a narrower field of view, seen from farther away
     ZoomOut,
     CrtLook,
     Darker,
     Brighter,
     Log,
     ShowHelp,
-    DialUp,  ///< these work a panel, again and again while they are held: the lab's, the gallery
+    DialUp,  ///< this and the following operate a panel (lab, gallery), and repeat while held
     DialDown,
     DialCoarser,
     DialFiner,
@@ -68,13 +68,13 @@ constexpr bool is_of_panel(Action action) {
     return action >= Action::DialUp;
 }
 
-/// Names, texts and first inputs of an action. Inputs are as set_inputs() reads them.
+/// Names, texts and default inputs of an action. Inputs are as set_inputs() reads them.
 struct ActionRow {
     Action action;
-    std::string_view name;   ///< in the options file after "bind-", and in texts for KeyNames::in(): "turn-left"
-    std::string_view label;  ///< in a menu, at most 20 characters: "Turn left"
-    std::string_view help;   ///< on the page of keys, where rows with the same help are one line; empty: not there
-    std::string_view keys;   ///< at first, for both hands
+    std::string_view name;         ///< in the options file after "bind-", and in texts for KeyNames::in(): "turn-left"
+    std::string_view label;        ///< in a menu, at most 20 characters: "Turn left"
+    std::string_view help;         ///< on the page of keys, which joins rows with the same help; empty: not listed
+    std::string_view keys;         ///< defaults, for both hands
     std::string_view others = "";  ///< of mouse and gamepad
     std::string_view left_hand = keys, right_hand = keys;
 };
@@ -85,7 +85,7 @@ inline const ActionRow& row_of(Action action) {
     return all_actions()[as_size(action)];
 }
 
-/// The input by which a script presses an action, whatever is bound to it.
+/// The input with which a script presses an action, whatever the bindings.
 constexpr Input scripted(Action action) {
     return {Device::Script, static_cast<std::uint16_t>(action)};
 }

@@ -10,7 +10,7 @@
 
 namespace oblong {
 
-/// A set of moves: actions that is_move() says are on while they are held.
+/// A set of moves: actions for which is_move() is true.
 class Moves {
   public:
     constexpr Moves() = default;
@@ -22,7 +22,7 @@ class Moves {
     constexpr void set(Action move, bool is_on = true) {
         bits_ = static_cast<std::uint16_t>(is_on ? bits_ | bit(move) : bits_ & ~bit(move));
     }
-    /// 1 while the first is held alone, -1 while the second is, else 0.
+    /// 1 if only the first is held, -1 if only the second is, else 0.
     constexpr int direction(Action positive, Action negative) const { return int{has(positive)} - int{has(negative)}; }
 
     constexpr Moves& operator|=(Moves others) {
@@ -43,28 +43,28 @@ class Moves {
     static_assert(kMoveCount <= 16);
 };
 
-/// What the player does in a menu. Each is reported when it is pressed, directions again and again while they are held.
+/// The player's actions in a menu. Each is reported when it is pressed; directions repeat while they are held.
 enum class MenuAction : std::uint8_t { Up, Down, Left, Right, Accept, Back };
 
-/// The input by which a script does it, as scripted(Action).
+/// The input with which a script does it, as scripted(Action).
 constexpr Input scripted(MenuAction action) {
     return {Device::Script, static_cast<std::uint16_t>(kActionCount + static_cast<int>(action))};
 }
 
-/// A stick's place, -kFullAxis to kFullAxis: without a dead zone, as the device reports it.
+/// A stick's position as the device reports it, -kFullAxis to kFullAxis, no dead zone applied.
 struct Stick {
     std::int32_t x = 0, y = 0;  ///< right and up positive
 
     bool operator==(const Stick&) const = default;
 };
 
-/// The player's input between two polls: what is held now or was pressed since the last poll, and mouse motion since.
+/// The player's input between two polls: inputs held now or pressed since the last poll, and mouse motion since then.
 struct Controls : WindowInput {
     Moves moves;
-    Moves panel_moves;  ///< by keys that work an open panel (by default the arrow keys) and move while none is open
+    Moves panel_moves;  ///< from keys that operate an open panel (by default the arrow keys), and move if none is open
     Stick walk_stick, look_stick;           ///< y: ahead, up
     bool holds_button = false;              ///< the first button of the captured mouse
-    std::int32_t mouse_x = 0, mouse_y = 0;  ///< counts of the device, right and down positive
+    std::int32_t mouse_x = 0, mouse_y = 0;  ///< device counts, right and down positive
     std::vector<Action> commands;
     std::vector<MenuAction> menu;
     std::optional<Input> pressed;  ///< the last of all inputs that were pressed, bound or not
@@ -72,12 +72,12 @@ struct Controls : WindowInput {
     bool has(Action command) const;
 };
 
-/// A stick without its dead zone, a circle of `dead_zone_100` percent (0 to 90) of its way round the middle, in which
-/// it is at rest: from there on it rises from 0, to the full length at 97 % of the way, which worn sticks still reach.
-/// The direction stays.
+/// Applies a dead zone: a circle around the middle of `dead_zone_100` percent (0 to 90) of the stick's range, in which
+/// the result is 0. Outside, the length rises from 0 to full at 97 % of the range, which worn sticks still reach. The
+/// direction stays.
 Stick without_dead_zone(Stick stick, std::int32_t dead_zone_100);
 
-/// Finer near the middle: as long as the square of its length, both as parts of the full one.
+/// Squares the length, as a fraction of the full length: finer control near the middle.
 Stick squared(Stick stick);
 
 }  // namespace oblong

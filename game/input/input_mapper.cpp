@@ -65,7 +65,7 @@ bool works_panel(const Bindings& bindings, Input input) {
     return std::any_of(kDials.begin(), kDials.end(), [&](Action dial) { return has(bindings.inputs_of(dial), input); });
 }
 
-// Moves that sticks make by how far they are pushed; by other inputs, and for other moves, they are on or off.
+// True for moves that depend on how far a stick is pushed; other moves and inputs are on or off.
 bool is_gradual(Action move, Input input) {
     return input.device == Device::PadAxis && move <= Action::LookDown;
 }
@@ -193,7 +193,7 @@ void InputMapper::act(Input input, bool is_repeated) {
             since_.commands.push_back(row.action);
 }
 
-// Keys are repeated by the system, at the rate that the user has set there; a pad's inputs by nobody else.
+// The system repeats keys, at the rate that the user has set; only the mapper repeats pad inputs.
 void InputMapper::repeat_pad(std::uint64_t now_ms) {
     if (!pad_input_) return;
     if (repeat_at_ms_ == 0) repeat_at_ms_ = now_ms + kFirstRepeat_ms;

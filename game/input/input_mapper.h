@@ -10,34 +10,33 @@
 
 namespace oblong {
 
-/// Turns inputs that are pressed and released into Controls, by bindings. Menus are worked by fixed inputs: arrow keys,
-/// WASD, keypad, Enter, Space, Backspace, wheel, the pad's cross and left stick, A and B.
+/// Turns pressed and released inputs into Controls, by bindings. Menus have fixed inputs: arrow keys, WASD, keypad,
+/// Enter, Space, Backspace, wheel, the d-pad, left stick, A and B of a pad.
 class InputMapper {
   public:
-    /// `bindings`, which may change, outlive the mapper.
+    /// `bindings` may change, and outlive the mapper.
     explicit InputMapper(const Bindings& bindings) : bindings_(bindings) {}
 
     void press(Input input);
-    /// What the system reports again and again while a key is held.
+    /// A repetition that the system reports while a key is held.
     void repeat(Input input);
     void release(Input input);
-    /// A half of an axis, 0 to kFullAxis. Past half of its way it is pressed too.
+    /// A half of an axis, 0 to kFullAxis. Beyond half of its range it counts as pressed.
     void move_axis(Input half, std::int32_t value);
-    /// A press by a mouse that points at a menu: its first two buttons do nothing here but that the second one goes
-    /// back.
+    /// A press by a mouse that points at a menu: the second button goes back, the first one does nothing here.
     void click(Input button);
     void release_all();
-    void release_pressed();  ///< but sticks stay where they are
+    void release_pressed();  ///< keeps the positions of sticks
     void release_pad();
     void move_mouse(std::int32_t x, std::int32_t y);
 
-    /// What happened since the last call, and what is held. `now_ms` is of any clock: inputs of a pad are repeated by
-    /// it.
+    /// What happened since the last call, and what is held. `now_ms` is of any clock; it times the repetition of pad
+    /// inputs.
     Controls take(std::uint64_t now_ms);
-    /// The same after what a platform reports.
+    /// The same, after the events that a platform reports.
     Controls take(const PlatformInput& input, std::uint64_t now_ms);
 
-    /// How long the next take() may be put off without a repetition being late.
+    /// The longest time until the next take() with no repetition late.
     std::int32_t longest_wait_ms() const;
 
     bool holds(Input input) const;
@@ -53,8 +52,8 @@ class InputMapper {
     const Bindings& bindings_;
     std::vector<Input> held_, tapped_;  // tapped: pressed since the last take()
     std::array<std::int32_t, kAxisHalfCount> axes_{};
-    std::optional<Input> pad_input_;  // that was pressed last and is held
-    std::uint64_t repeat_at_ms_ = 0;  // of pad_input_; 0: not yet known
+    std::optional<Input> pad_input_;  // the last one pressed, while it is held
+    std::uint64_t repeat_at_ms_ = 0;  // of pad_input_; 0: not yet set
     Controls since_;                  // what happened since the last take()
 };
 

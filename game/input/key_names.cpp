@@ -12,7 +12,7 @@ constexpr Input kEscape{Device::Key, 41}, kEnter{Device::Key, 40};
 }  // namespace
 
 std::string KeyNames::of(Action action) const {
-    if (action == Action::Menu)  // whatever else is bound to it
+    if (action == Action::Menu)  // not from the bindings
         return platform_.local_name_of(uses_pad_ ? pad_button(PadButton::Start) : kEscape);
     const std::span<const Input> inputs = bindings_.inputs_of(action);
     if (inputs.empty()) return "none";
@@ -21,7 +21,7 @@ std::string KeyNames::of(Action action) const {
     return platform_.local_name_of(found == inputs.end() ? inputs.front() : *found);
 }
 
-// Empty where it names nothing.
+// Empty if the name is unknown.
 std::string KeyNames::of(std::string_view name) const {
     if (name == "choose") return uses_pad_ ? "Stick" : "Arrows";
     if (name == "accept") return platform_.local_name_of(uses_pad_ ? pad_button(PadButton::A) : kEnter);

@@ -8,18 +8,18 @@
 
 namespace oblong {
 
-/// What keys and buttons are called to the player: as they are bound, and of the device that is in use. All that the
-/// program says of a key comes from here.
+/// The names of keys and buttons in texts for the player: as they are bound, and for the device in use. All texts use
+/// it.
 class KeyNames {
   public:
     /// All outlive it. `uses_pad`: the player's last input was a gamepad's.
     KeyNames(const Bindings& bindings, const Platform& platform, bool uses_pad)
         : bindings_(bindings), platform_(platform), uses_pad_(uses_pad) {}
 
-    /// The first input of an action on the device in use; on another device where it has none there: "F2"; "none".
+    /// The first input of an action on the device in use, else on another device: "F2"; "none" if there is none.
     std::string of(Action action) const;
-    /// A text with the names of actions in braces replaced by those of their keys: "{accuracy}" by "F4". {choose} and
-    /// {accept} are what works a menu. What names no action stays as it is.
+    /// Replaces the names of actions in braces by those of their keys: "{accuracy}" by "F4". {choose} and {accept} are
+    /// the inputs of menus. Unknown names stay as they are.
     std::string in(const std::string& text) const;
 
   private:
@@ -30,7 +30,7 @@ class KeyNames {
     const bool uses_pad_;
 };
 
-/// What some keys do, on the page of keys.
+/// A line on the page of keys.
 struct KeyHelp {
     std::string label;  ///< "Walk"
     std::string keys;   ///< "W A S D"

@@ -21,8 +21,8 @@ constexpr std::int32_t kReach = 16, kReachInPassing = 40;  // world units from a
 constexpr World kLongestMotion = World::from_int(100);     // in a tick: more is a teleporter
 constexpr std::int32_t kFeetBelow = 24;                    // Player::position
 
-// How a head turns: at most so fast, gaining and losing speed so fast, and slower the nearer it is to where it looks
-// next; 65,536 to the circle, a tick.
+// How a head turns, 65,536 to the circle per tick: the largest rate, its largest change, and the divisor of the
+// remaining angle that gives the wanted rate.
 struct Turning {
     std::int32_t fastest, gain, nearness;
 };
@@ -97,18 +97,18 @@ Waypoint waypoint_of(const std::string& text, std::size_t line) {
     return waypoint;
 }
 
-// The rate of the next tick on the way to an angle that is `error` away.
+// The rate in the next tick, with `error` left to turn.
 std::int32_t next_rate(std::int32_t rate, std::int32_t error, const Turning& turning) {
     const std::int32_t wanted = std::clamp(error / turning.nearness, -turning.fastest, turning.fastest);
     return rate + std::clamp(wanted - rate, -turning.gain, turning.gain);
 }
 
-// The shorter way from one direction to another, to the left positive.
+// The shorter turn from one direction to another, left positive.
 std::int32_t way_between(Angle from, Angle to) {
     return static_cast<std::int16_t>((to - from).bam);
 }
 
-// The speed of a visitor who does not look where he goes: all of it up to 6 degrees off, none from 50 on.
+// The speed of a visitor who looks away from the way: full up to 6 degrees, 0 from 50 degrees on.
 std::int32_t slowed(std::int32_t speed, std::int32_t yaw_error) {
     constexpr std::int32_t kFull = 1092, kNone = 9102;
     return speed * std::clamp(kNone - std::abs(yaw_error), 0, kNone - kFull) / (kNone - kFull);
@@ -135,7 +135,7 @@ bool RouteWalker::is_stuck() const {
     return !is_over() && ticks_ > kPatience_ticks + waypoint().wait_ticks;
 }
 
-// Goes on to the next waypoint when the time at this one is over.
+// True when the stay at the current waypoint is over.
 bool RouteWalker::has_arrived(const Player& player) {
     const Waypoint& goal = waypoint();
     const World dx = World::from_int(goal.x) - player.position.x, dy = World::from_int(goal.y) - player.position.y;

@@ -14,13 +14,13 @@ namespace {
 // Turns in a tick.
 constexpr std::int32_t kKeyYaw = 728;      // 140 degrees a second
 constexpr std::int32_t kKeyPitch = 520;    // 100 degrees a second
-constexpr std::int32_t kStickYaw = 1040;   // 200 degrees a second, the stick pushed as far as it goes
+constexpr std::int32_t kStickYaw = 1040;   // 200 degrees a second, with the stick fully pushed
 constexpr std::int32_t kStickPitch = 624;  // 120 degrees a second
 constexpr std::int32_t kMouseTurn = 12;    // a count of the mouse: 0.066 degrees
 constexpr std::int32_t kMostCounts = 4096;
 constexpr int kFullSpeed = 127, kSlowSpeed = 56;
 
-// Of a key that is held or not and a stick.
+// The speed from a key's direction (-1 to 1) and a stick.
 std::int8_t speed_of(int key, std::int32_t stick, bool is_slow) {
     const int most = is_slow ? kSlowSpeed : kFullSpeed;
     return static_cast<std::int8_t>(std::clamp(key * most + stick * most / kFullAxis, -most, most));
@@ -30,7 +30,7 @@ std::int32_t turn_of(std::int32_t stick, std::int32_t full_turn, std::int32_t se
     return static_cast<std::int32_t>(std::int64_t{stick} * full_turn * sensitivity_100 / (100 * kFullAxis));
 }
 
-// As much of a turn as fits a tick; the rest stays.
+// Takes as much of a turn as fits into a tick.
 std::int16_t take_turn(std::int32_t& turn) {
     const std::int32_t taken = std::clamp<std::int32_t>(turn, -std::numeric_limits<std::int16_t>::max(),
                                                         std::numeric_limits<std::int16_t>::max());
@@ -38,8 +38,7 @@ std::int16_t take_turn(std::int32_t& turn) {
     return static_cast<std::int16_t>(taken);
 }
 
-// Adds what the mouse turned. Bounded, so that no device makes the sum overflow; half a circle is more than a mouse
-// turns between two ticks.
+// Adds a turn of the mouse. The sum is bounded so that no device makes it overflow.
 void add_turn(std::int32_t& turn, std::int32_t& rest_100, std::int32_t counts, std::int32_t sensitivity_100) {
     constexpr std::int32_t kMost = 65'536;
     const std::int32_t turn_100 =
@@ -48,7 +47,7 @@ void add_turn(std::int32_t& turn, std::int32_t& rest_100, std::int32_t counts, s
     rest_100 = turn_100 % 100;
 }
 
-// The part of a tick's turn that is not yet drawn, to be taken back.
+// The part of a tick's turn that is not yet drawn, negated.
 LookOffset rest_of(std::int32_t yaw, std::int32_t pitch, std::int32_t fraction_16) {
     const auto rest = [&](std::int32_t turn) {
         return -static_cast<std::int32_t>(std::int64_t{turn} * (65'536 - fraction_16) / 65'536);
@@ -70,7 +69,7 @@ void LiveInput::gather(const Controls& controls) {
 }
 
 TickInput LiveInput::next() {
-    // A key that was pressed and let go between two ticks counts once.
+    // A key pressed and released between two ticks counts once.
     Moves moves = held_;
     moves |= std::exchange(tapped_, {}).without(held_before_);
     held_before_ = held_;

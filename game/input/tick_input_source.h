@@ -9,57 +9,55 @@
 
 namespace oblong {
 
-/// How a player's devices steer, as he set it.
+/// The player's settings of the input devices.
 struct Steering {
     std::int32_t mouse_sensitivity_100 = 100;    ///< 10 to 1,000
     std::int32_t gamepad_sensitivity_100 = 100;  ///< of the stick that turns, 10 to 400
-    std::int32_t gamepad_dead_zone_100 = 15;     ///< of a stick's way, 0 to 90
+    std::int32_t gamepad_dead_zone_100 = 15;     ///< of a stick's range, 0 to 90
     bool inverts_look = false;                   ///< mouse or stick forward looks down
     bool always_runs = true;                     ///< false: walks slowly unless the key for it is held
     bool operator==(const Steering&) const = default;
 };
 
-/// A turn of the view that is drawn before the next tick applies it, 65,536 to the circle.
+/// A turn of the view that is drawn before a tick applies it, 65,536 to the circle.
 struct LookOffset {
     std::int32_t yaw = 0, pitch = 0;
 };
 
-/// Turns the player's input into one TickInput a tick. The mouse is gathered between ticks and drawn at once; keys and
-/// sticks turn by the tick and are interpolated.
+/// Turns the player's input into one TickInput a tick. Mouse motion is summed between ticks and drawn at once; keys and
+/// sticks turn in ticks and are interpolated.
 class LiveInput {
   public:
     void use(const Steering& steering) { steering_ = steering; }
     void gather(const Controls& controls);
     TickInput next();
 
-    /// What to add to the angles of the last tick, `fraction_16` (65,536: a whole tick) after it.
+    /// The turn to add to the angles of the last tick, `fraction_16` (65,536: a whole tick) after it.
     LookOffset look_offset(std::int32_t fraction_16) const;
 
   private:
     LookOffset turn_by(Moves moves) const;
 
     Steering steering_;
-    Moves held_, held_before_, tapped_;  // now, at the last tick, at any time since
+    Moves held_, held_before_, tapped_;  // now, at the last tick, at any time since that
     Stick walk_stick_, look_stick_;
     bool wants_respawn_ = false;
     std::int32_t mouse_yaw_ = 0, mouse_pitch_ = 0;
-    std::int32_t rest_yaw_100_ = 0, rest_pitch_100_ = 0;  // of the mouse: less than 1 of the angles, in hundredths
+    std::int32_t rest_yaw_100_ = 0, rest_pitch_100_ = 0;  // of the mouse: below one unit of the angles, in hundredths
     LookOffset last_turn_;                                // by keys and sticks
 };
 
-/// Where a tick's input comes from: demo playback until the demo ends, then live input. Records what is played, if
-/// asked to.
+/// Where a tick's input comes from: a demo until it ends, then live input. Records all input on request.
 class TickInputSource {
   public:
-    /// `rules_hash`: of the rules that the level is played by. Throws InputError where the demo was recorded on another
-    /// level, or by other rules.
+    /// `rules_hash`: of the level's rules. Throws InputError if the demo was recorded on another level, or by other
+    /// rules.
     TickInputSource(const GameState& start, std::optional<Demo> replayed, bool records, std::uint64_t rules_hash = 0);
 
     void use(const Steering& steering) { live_.use(steering); }
     void gather(const Controls& controls) { live_.gather(controls); }
 
-    /// Moves the state by a tick. Throws InputError where a replayed tick leads to another state than when it was
-    /// recorded.
+    /// Moves the state by a tick. Throws InputError if a replayed tick leads to another state than the recorded one.
     TickReport play_tick(const GameLevel& level, GameState& state);
 
     LookOffset look_offset(std::int32_t fraction_16) const;

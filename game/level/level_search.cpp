@@ -11,15 +11,15 @@ namespace fs = std::filesystem;
 
 constexpr const char* kExtension = ".bsp";
 constexpr const char* kPakPrefix = "maps/";
-constexpr const char* kItemPrefix = "b_";  // Quake's boxes of ammunition are levels, too
+constexpr const char* kItemPrefix = "b_";  // Quake's ammunition boxes are .bsp files, too
 constexpr const char* kDemoLevel = "demo";
 
-// Of one file, whatever a level says: no other folder.
+// True for a file name without a folder: levels name other levels.
 bool is_level_name(const std::string& name) {
     return !name.empty() && name.front() != '.' && name.find_first_of("/\\") == std::string::npos;
 }
 
-// Each once.
+// Without repetitions.
 std::vector<fs::path> folders_of(const LevelPlaces& places) {
     std::vector<fs::path> folders;
     const auto add = [&](const fs::path& folder) {

@@ -26,19 +26,18 @@ std::string find_palette(const fs::path& level_folder, const GameFiles& game, co
     return game.find(kGamePalette).value_or((assets / "palette.lmp").string());
 }
 
-// Those of the game, and before them the folder of the pak file that the level is in.
+// The game's folders, after the folder of the pak file that the level is in.
 GameFiles game_files_of(const std::string& level_file, std::vector<std::string> folders) {
     if (const auto inside = path_in_pak(level_file))
         folders.insert(folders.begin(), (fs::path(inside->pak).parent_path() / ".").lexically_normal().string());
     return GameFiles(std::move(folders));
 }
 
-// What is not in the level when one plays alone at normal skill shows no model either.
+// Entities that are not in a single-player game at normal skill show no model.
 void remove_left_out(const Level& level, LevelModels& models) {
     std::erase_if(models.models, [&](const LevelModel& model) { return is_left_out(level.entities[model.entity]); });
 }
 
-// Whether a file is one of a game's levels.
 bool is_level_of(const LevelFiles& files, const std::string& level_file) {
     if (!files.game) return false;
     std::error_code ignored;

@@ -5,7 +5,7 @@
 
 namespace oblong {
 
-/// A level, loaded to be played: its files, what is in them, and the part of the game that never changes.
+/// A level, loaded to be played: its files, their contents, and the part of the game that never changes.
 struct LoadedLevel {
     /// Throws FileError.
     explicit LoadedLevel(const LevelFiles& named);

@@ -35,7 +35,7 @@ std::vector<std::uint8_t> bytes_of(const std::string& file) {
     return read_file(file, kLargestSave_bytes, FileUse::Kept);
 }
 
-// Whether a file is a save that is worth keeping: its checksum says so, its state need not be read.
+// Whether a file is a save worth keeping, by its checksum; its state is not read.
 bool is_whole_save(const std::string& file) {
     try {
         naming_file(file, [&] { decode_save_head(bytes_of(file)); });
@@ -67,7 +67,7 @@ std::optional<SaveSlot> slot_of(const std::string& file_name) {
     return {};
 }
 
-// When a slot was saved to; the earliest time where there is no such file.
+// When a slot was saved; the earliest time if there is no such file.
 fs::file_time_type time_of(const std::string& file) {
     std::error_code ignored;
     return fs::last_write_time(is_there(file) ? file : former_of(file), ignored);
@@ -81,7 +81,7 @@ std::vector<fs::path> files_in(const std::string& folder) {
     return files;
 }
 
-// The last save of a slot that `decode` takes, or the one before it.
+// The last save of a slot that `decode` accepts, or the one before it.
 template <class Saved>
 SlotOf<Saved> read_slot(SaveSlot slot, const std::string& unresolved_file,
                         Saved decode(std::span<const std::uint8_t> bytes)) {
@@ -118,7 +118,7 @@ std::string SaveSlots::link_of(SaveSlot slot) const {
     return (fs::path(folder_) / file_name_of(slot)).string();
 }
 
-// At the end of links: so a save may be kept elsewhere, and the one before it is there too.
+// Follows links, so that a save may be kept elsewhere, with the previous one beside it.
 std::string SaveSlots::file_of(SaveSlot slot) const {
     return end_of_links(link_of(slot));
 }
@@ -128,7 +128,7 @@ std::unique_ptr<FileLock> SaveSlots::lock(std::int64_t place, int longest_wait_m
     return FileLock::take((fs::path(folder_) / kLockFile).string(), place, longest_wait_ms);
 }
 
-// And clears away what programs that were ended amid saving have left: nobody else saves now.
+// Also removes unfinished files of programs that ended while they saved: no other program saves now.
 std::unique_ptr<FileLock> SaveSlots::lock_folder() const {
     auto held = lock(0, kLongestWait_ms);
     if (!held) throw FileError(folder_, "lock", "another program has been saving for 3 s, expected it to end");
@@ -137,7 +137,7 @@ std::unique_ptr<FileLock> SaveSlots::lock_folder() const {
     return held;
 }
 
-// A damaged file does not take the place of the one before it.
+// A damaged file does not replace the previous save.
 void SaveSlots::save(SaveSlot slot, const SavedGame& game) const {
     const auto held = lock_folder();
     const std::string file = file_of(slot);

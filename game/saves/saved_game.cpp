@@ -59,7 +59,7 @@ Thumbnail read_picture(LittleEndianReader& reader) {
     return picture;
 }
 
-// What comes before the state.
+// Reads what precedes the state.
 SaveHead read_head(LittleEndianReader& reader) {
     SaveHead head;
     head.level = read_level(reader);
@@ -69,7 +69,8 @@ SaveHead read_head(LittleEndianReader& reader) {
     return head;
 }
 
-// That the file is whole, as it was written, and of this version; returns what is between there and the checksum.
+// Checks that the file is whole, unaltered and of this version; returns a reader of the bytes between header and
+// checksum.
 LittleEndianReader checked(std::span<const std::uint8_t> bytes) {
     expect_at(0, bytes.size() >= kHeaderBytes + kHashBytes,
               "the file has " + std::to_string(bytes.size()) + " bytes, expected a saved game");

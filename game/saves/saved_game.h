@@ -12,55 +12,55 @@
 
 namespace oblong {
 
-/// The level in which a game was saved, and what it was shown with: load_game()'s arguments, as places that do not
-/// depend on the current folder. A name has at most 4,096 bytes; empty: as load_game() has it.
+/// The level of a saved game and how it was shown: load_game()'s arguments, as paths that do not depend on the current
+/// folder. A name has at most 4,096 bytes; empty: load_game()'s default.
 struct SavedLevel {
     std::string name, palette, models;
     std::vector<std::string> game_folders;
     std::uint64_t file_hash = 0;     ///< GameData::level_hash
-    std::uint64_t start_hash = 0;    ///< of start_of(level): the level as this version of the game reads it
+    std::uint64_t start_hash = 0;    ///< of start_of(level), which depends on the version of the game
     std::uint64_t palette_hash = 0;  ///< FNV-1a of the red, green, blue of its colours
     std::uint32_t model_count = 0;   ///< of the level's models that were found
 
     bool operator==(const SavedLevel&) const = default;
 };
 
-/// A game that can be gone on with. Its time is state.tick.
+/// A saved game that can be continued. Its time is state.tick.
 struct SavedGame {
     SavedLevel level;
-    ItemCount lenses;  ///< count_items(), to be read without loading the level
+    ItemCount lenses;  ///< count_items(), readable without loading the level
     GameState state;
     Thumbnail picture;
 
     bool operator==(const SavedGame&) const = default;
 };
 
-/// What lists show of such a game: all but its state.
+/// What lists show of a saved game: all but its state.
 struct SaveHead {
     SavedLevel level;
     ItemCount lenses;
     Thumbnail picture;
     std::int64_t tick = 0;
-    std::uint64_t checksum = 0;  ///< of the whole file, which is another one for another game
+    std::uint64_t checksum = 0;  ///< of the whole file; identifies the save
 
     bool operator==(const SaveHead&) const = default;
 };
 
 /// The file, little-endian: "OBLGSAVE", version (u32: 2), its whole size (u32), a hash of the kinds of a state's fields
-/// (u64: state_layout()), names of level, palette, models (each u16 and so many bytes), how many game folders (u16) and
-/// their names, hashes of file, start and palette (u64 each), models (u32), lenses taken and in all (i32 each), the
-/// picture (80x50 times red, green, blue), the hash of the state (u64), the state (append_state()), FNV-1a of all bytes
-/// before (u64).
+/// (u64: state_layout()), names of level, palette, models (each a length (u16) and its bytes), number of game folders
+/// (u16) and their names, hashes of file, start and palette (u64 each), models (u32), lenses taken and in all (i32
+/// each), the picture (80x50 times red, green, blue), the hash of the state (u64), the state (append_state()), FNV-1a
+/// of all bytes before (u64).
 std::vector<std::uint8_t> encode_save(const SavedGame& game);
 
-/// What such an error says of a save that is whole.
+/// The error of a whole save of another version starts with this.
 inline constexpr const char* kOtherVersion = "saved by another version of the game";
 
-/// Parse such bytes. Throw InputError unless they are a whole and unaltered save of this version of the game.
+/// Parse such a file. Throw InputError unless they are a whole and unaltered save of this version of the game.
 SavedGame decode_save(std::span<const std::uint8_t> bytes);
 SaveHead decode_save_head(std::span<const std::uint8_t> bytes);
 
-/// Throws InputError unless the game was saved in this very level and can be gone on with there.
+/// Throws InputError unless the game was saved in this level and can be continued in it.
 void check_level(const SavedGame& game, std::uint64_t level_hash, const GameLevel& level);
 
 }  // namespace oblong

@@ -41,7 +41,7 @@ SavedLevel saved_level_of(const LoadedLevel& loaded) {
     saved.name = is_at_hand(data.level_file) ? absolute(data.level_file) : data.level_file;
     saved.palette = absolute(loaded.files.palette);
     saved.models = absolute(loaded.files.models);
-    if (!loaded.files.level.empty())  // the demo level is of no game
+    if (!loaded.files.level.empty())  // the demo level belongs to no game
         for (const std::string& folder : loaded.files.game_folders) saved.game_folders.push_back(absolute(folder));
     saved.file_hash = data.level_hash;
     saved.start_hash = hash_of(start_of(loaded.level));

@@ -7,14 +7,14 @@
 
 namespace oblong {
 
-/// A level that is loaded, as a save keeps it.
+/// A loaded level, as a save stores it.
 SavedLevel saved_level_of(const LoadedLevel& loaded);
 
-/// The files to load a saved level from. The demo level is taken from `own`, the program's files, should the program
-/// have moved since; so are palette and models where those that are named are gone.
+/// The files to load a saved level from. The demo level is taken from `own`, the program's files, in case the program
+/// has moved; so are palette and models if the named ones are gone.
 LevelFiles files_of(const SavedLevel& saved, const LevelFiles& own);
 
-/// What a player has to know where a level is shown in other colours or without models that it had; else empty.
+/// A warning to the player if a level is shown in other colours or without some of its models; else empty.
 std::string what_is_gone(const SavedLevel& saved, const SavedLevel& loaded);
 
 }  // namespace oblong

@@ -8,7 +8,7 @@
 namespace oblong {
 namespace {
 
-// What visit_fields() leads to: numbers and lists of either.
+// The types that visit_fields() reaches: numbers, and lists of numbers or structs.
 template <class Field>
 concept PlainNumber = std::is_integral_v<Field> || std::is_enum_v<Field>;
 
@@ -76,7 +76,7 @@ class Reader {
     LittleEndianReader& bytes_;
 };
 
-// A list counts as one of its elements between brackets.
+// A list is hashed as one of its elements between brackets.
 class Layout {
   public:
     template <class Field>

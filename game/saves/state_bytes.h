@@ -12,11 +12,11 @@ namespace oblong {
 /// own width, each list after its length (u32).
 void append_state(std::vector<std::uint8_t>& bytes, const GameState& state);
 
-/// Reads such fields. Throws InputError where they end early or a list or a bool can't be right; whether a level has
-/// such a state is_consistent() says.
+/// Reads such fields. Throws InputError if they end early, or for an impossible list or bool; is_consistent() checks
+/// the state against a level.
 GameState read_state(LittleEndianReader& reader);
 
-/// A hash of the kinds of all fields. It differs if another build's state has other fields.
+/// A hash of the kinds of all fields. It differs if a build's state has other fields.
 std::uint64_t state_layout();
 
 }  // namespace oblong

@@ -9,7 +9,7 @@
 
 namespace oblong {
 
-/// A small picture of the moment of a save, in the colours that were shown.
+/// A small picture of the view at the moment of a save, in the colours shown.
 struct Thumbnail {
     static constexpr std::int32_t kWidth_px = 80, kHeight_px = 50;
 
@@ -18,7 +18,7 @@ struct Thumbnail {
     bool operator==(const Thumbnail&) const = default;
 };
 
-/// A picture of any mode made small: each pixel is the mean of those that it covers.
+/// Scales a picture of any mode down: each pixel is the mean of those that it covers.
 Thumbnail make_thumbnail(Framebuffer picture, const Palette& palette);
 
 }  // namespace oblong
