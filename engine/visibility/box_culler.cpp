@@ -18,7 +18,7 @@ BoxCuller::BoxCuller(const Frustum& frustum, const Vec3<World>& eye) {
 
 namespace {
 
-/// The box's extent along one axis of the view.
+/// A box's extent along one axis of viewspace.
 struct Extent {
     View least, greatest;
 };
@@ -30,8 +30,8 @@ Extent extent_along(const Vec3<Unit>& axis, View middle, const Vec3<WorldWide>& 
     return {middle - reach, middle + reach};
 }
 
-/// Where an extent lies on one axis of the screen: each end is farthest out where z is least, or nearest the centre
-/// where it is greatest.
+/// The pixels of an extent along one axis of the screen. An end is farthest from the centre where z is least, nearest
+/// where z is greatest.
 PixelRange project_extent(const ProjectionAxis& axis, const Extent& across, const Extent& z, std::int32_t size_px) {
     const auto project_end = [&](View end, bool outward) {
         return floor_of(axis.centre + project_axis(axis, end, outward ? z.least : z.greatest));
@@ -48,7 +48,7 @@ PixelRange project_extent(const ProjectionAxis& axis, const Extent& across, cons
 std::optional<ScreenRectangle> rectangle_of(const LevelBox& box, const ViewContext& view) {
     constexpr View kNearest = View::from_int(4);
     const auto middle = [](std::int32_t low, std::int32_t high) { return World::from_raw((low + high) * 2048); };
-    // Conservative by one unit, as files round boxes.
+    // One unit larger, as files round boxes.
     const auto half = [](std::int32_t low, std::int32_t high) {
         return WorldWide::from_raw((high - low) * std::int64_t{2048} + 4096);
     };

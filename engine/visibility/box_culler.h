@@ -14,19 +14,19 @@
 
 namespace oblong {
 
-/// All sides of a view, a bit each: left, right, bottom, top; and in place of sides: outside of one of them.
+/// Sets of the view's sides, one bit each: left, right, bottom, top. kOutside instead of a set: outside one of them.
 inline constexpr std::uint8_t kAllSides = 15, kOutside = 0xff;
 
-/// Compares boxes with the sides of a view.
+/// Tests boxes against the sides of the view frustum.
 ///
 /// Along a plane's normal n the corners of a box lie from m - r to m + r, where m is n . (mins + maxs) / 2, and r is
-/// |n| . (maxs - mins) / 2, with |n| the normal whose components have lost their signs. So both ends take six products
-/// of small integers: all is doubled, and the limits hold what is the same for all boxes, the distance of the eye.
+/// |n| . (maxs - mins) / 2; |n| has the absolute values of n's components. Each takes three products of small integers.
+/// All is doubled to avoid the division; the limits include the eye's distance, which is the same for all boxes.
 class BoxCuller {
   public:
     BoxCuller(const Frustum& frustum, const Vec3<World>& eye);
 
-    /// Which of `planes` the box still crosses; kOutside if it lies outside of one.
+    /// Which of `planes` the box crosses; kOutside if it lies outside one of them.
     std::uint8_t planes_crossed(const LevelBox& box, std::uint8_t planes) const {
         const auto sum = [&box](std::size_t axis) { return box.maxs[axis] + box.mins[axis]; };
         const auto size = [&box](std::size_t axis) { return box.maxs[axis] - box.mins[axis]; };
@@ -43,12 +43,12 @@ class BoxCuller {
     }
 
   private:
-    /// Twice a coordinate in whole units, or twice a distance of such.
+    /// Twice a coordinate or a distance, in whole units.
     using Doubled = std::array<std::int64_t, 3>;
     using Distance = CullPlane::Component;
 
     struct Side {
-        Vec3<Distance> normal, slope;  ///< `slope` without signs
+        Vec3<Distance> normal, slope;  ///< `slope`: absolute values of `normal`
         Distance outside, inside;      ///< doubled, from the world's origin; rounded up, as they are compared with "<"
     };
 
@@ -59,8 +59,8 @@ class BoxCuller {
     std::array<Side, 4> sides_;
 };
 
-/// A rectangle that holds every pixel where something in a box of the level may be drawn, conservative by one pixel for
-/// rounding. None if the box reaches the eye's plane or nearly: it may then be anywhere on the screen.
+/// A rectangle that holds every pixel where something in the box may be drawn, one pixel larger for rounding. None if
+/// the box reaches the eye's plane or is near it: it may then be anywhere on the screen.
 std::optional<ScreenRectangle> rectangle_of(const LevelBox& box, const ViewContext& view);
 
 }  // namespace oblong

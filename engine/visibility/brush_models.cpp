@@ -10,11 +10,11 @@ namespace oblong {
 
 namespace {
 
-/// place_eye() keeps the eye clear of the world's planes, not of those of moving models. A face whose plane the eye is
-/// nearer to than this, half a step of World, is taken as edge-on and not drawn.
+/// place_eye() keeps the eye clear of the world's planes, not of moving models' planes. A face whose plane is nearer to
+/// the eye than this, half a step of World, counts as edge-on and is not drawn.
 constexpr auto kEdgeOn = PlaneDistance::from_raw(std::int64_t{1} << 29);
 
-/// Ranks the model's faces that face the eye, nearest first by the model's own tree; the others get -1.
+/// Ranks the model's faces that face the eye front to back by the model's tree; the others get -1.
 void rank_faces(const Level& level, const SubModel& model, const Viewpoint& local, std::vector<ModelStep>& steps,
                 Table<std::int32_t, Face>& ranks) {
     for (const FaceIndex face : model.faces) ranks[face] = -1;
@@ -52,7 +52,7 @@ LevelBox box_of(const SubModel& model, const Vec3<World>& offset) {
     return box;
 }
 
-/// Squared from an eye, or along the rays of a parallel view; grows with the distance of a model's middle.
+/// The distance of a model's middle, for comparing: squared from an eye, or along the rays of a parallel view.
 std::int64_t distance_order(const SubModel& model, const PlacedModel& placed, const Viewpoint& viewpoint) {
     const auto part = [&](std::int32_t low, std::int32_t high, World offset, World from) {
         const std::int64_t middle = (std::int64_t{low} + high) / 2;

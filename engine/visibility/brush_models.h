@@ -12,29 +12,30 @@
 
 namespace oblong {
 
-/// What is left to do at a node of a model's tree when its near side is done.
+/// What remains to do at a node of a model's tree after its near side.
 struct ModelStep {
     NodeIndex node;
     bool in_front;     ///< which side the viewpoint is on
-    bool shows_faces;  ///< those on its plane are not edge-on
+    bool shows_faces;  ///< faces on its plane are not edge-on
 };
 
 /// The brush models of a scene (doors, lifts), split by the world's tree so that each part is drawn with its leaf in
-/// front-to-back order; where several models are in one leaf, they are split by each other's planes too. A model is
-/// split again only when it has moved.
+/// front-to-back order. Several models in one leaf are also split by each other's planes. A model is split again only
+/// when it has moved.
 class BrushModels {
   public:
     explicit BrushModels(const Level& level);
 
-    /// Starts a frame with the models at their current positions, each model of the level at most once. Orders are
-    /// found again, and only for models that the frame comes to.
+    /// Starts a frame with the models at their current positions, each model of the level at most once. Faces are
+    /// ordered later, and only for models that the frame meets.
     void start_frame(const Level& level, std::span<const PlacedModel> models, const FaceTable& table);
 
     bool has_any_in(LeafIndex leaf) const { return !leaves_[leaf].first_link.is_none(); }
-    /// Whether something in a box may own pixels. What it says no to, it says no to for the rest of the frame.
+    /// Whether something in a box may own pixels. Once false for a box, it is false for the rest of the frame.
     using MayShow = std::function<bool(const LevelBox&)>;
-    /// The parts in a leaf that face the viewpoint, nearest first, of models whose box may show: asked when the frame
-    /// first comes to them. Valid until the next call; the viewpoint is the same in all calls of a frame.
+    /// The parts in a leaf that face the viewpoint, nearest first. Models whose box does not show are left out;
+    /// `may_show` is called once a model and frame. The result is valid until the next call. All calls of a frame have
+    /// the same viewpoint.
     std::span<const Fragment* const> front_to_back_in(LeafIndex leaf, const Level& level, const Viewpoint& viewpoint,
                                                       const MayShow& may_show);
     std::span<const Vec3<World>> corners_of(const Fragment& fragment) const {
@@ -42,32 +43,31 @@ class BrushModels {
         return std::span(corners).subspan(fragment.first_corner, fragment.corner_count);
     }
     const Vec3<World>& offset_of(const Fragment& fragment) const { return placed_[fragment.placed].offset; }
-    /// The same for a face that may be of the world: null, which has none.
+    /// The same, and zero for null: a face of the world.
     Vec3<World> offset_of(const Fragment* fragment) const { return fragment ? offset_of(*fragment) : Vec3<World>{}; }
     bool is_switched(const Fragment& fragment) const { return placed_[fragment.placed].is_switched; }
 
   private:
     struct Link {
         const Fragment* fragment;
-        Index<Link> next;  ///< of the same leaf
+        Index<Link> next;  ///< in the same leaf
     };
-    /// From where, and what of it is in view.
     struct ModelView {
         const Level& level;
         const Viewpoint& viewpoint;
         const MayShow& may_show;
     };
-    /// What a leaf holds of models.
+    /// The parts of models in one leaf.
     struct LeafModels {
         Index<Link> first_link = Index<Link>::none();
         bool has_several = false;                                ///< parts of more than one model
-        Index<FragmentTree> tree = Index<FragmentTree>::none();  ///< of those, made when a frame first meets the leaf
+        Index<FragmentTree> tree = Index<FragmentTree>::none();  ///< of these parts, built when first needed
     };
-    /// The order of a model's faces in one frame, found when the frame comes to it.
+    /// A model's place in the order of one frame, found when the frame first meets it.
     struct Order {
         std::uint32_t frame = 0;
-        std::int64_t distance = 0;  ///< squared, or along the rays of a parallel view: of use for comparing only
-        bool is_outside = false;    ///< of the view, or hidden: its faces have no order
+        std::int64_t distance = 0;  ///< squared, or along the rays of a parallel view: for comparing only
+        bool is_outside = false;    ///< outside the view or hidden: its faces have no order
     };
 
     void place(const Level& level, std::span<const PlacedModel> models, const FaceTable& table);
@@ -78,19 +78,19 @@ class BrushModels {
     void find_facing(const Fragment& fragment, const ModelView& view);
     void sort_found(std::size_t first);
     void walk_tree(const FragmentTree& tree, Index<FragmentTree::Node> node, const ModelView& view);
-    /// Which of two parts without a plane between them comes first: that of the nearer model, and within a model as its
-    /// own tree orders them.
+    /// Whether `a` is drawn before `b` where no plane separates them: the nearer model first, within a model the order
+    /// of its tree.
     bool is_before(const Fragment& a, const Fragment& b) const;
 
     Table<PlacedModel> placed_;
     Table<ModelCut, PlacedModel> cuts_;
     Table<Order, PlacedModel> orders_;
-    Table<std::int32_t, Face> face_ranks_;  ///< the face's place in its model's order; -1: faces away
+    Table<std::int32_t, Face> face_ranks_;  ///< the face's rank within its model; -1: faces away
     Table<LeafModels, Leaf> leaves_;
     Table<FragmentTree> trees_;
     Table<Link> links_;
     std::vector<const Fragment*> found_;  ///< what front_to_back_in() returns
-    std::vector<ModelStep> steps_;        ///< scratch of the walk down a model's tree
+    std::vector<ModelStep> steps_;        ///< scratch of rank_faces()
     std::uint32_t frame_ = 0;
 };
 

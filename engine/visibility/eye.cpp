@@ -15,10 +15,10 @@ namespace {
 
 constexpr auto kClearance = PlaneDistance::from_raw(std::int64_t{2} << 30);
 constexpr std::int32_t kMostRounds = 16;
-/// At a corner three planes meet, and perhaps a fourth: for each, either side may be the open one.
+/// At a corner three planes meet, perhaps four; either side of each may be the open one.
 constexpr unsigned kMostFlips = 4;
 
-/// The eye moved off a plane along the coordinate in which the normal is largest, where that changes the distance most.
+/// Moves the eye off a plane along the largest component of the normal, which changes the distance most.
 Vec3<World> moved_off(Vec3<World> eye, const LevelPlane& plane, int side, std::int32_t scale) {
     const Unit x = absolute(plane.normal.x), y = absolute(plane.normal.y), z = absolute(plane.normal.z);
     const bool is_x = x >= y && x >= z, is_y = !is_x && y >= z;
@@ -46,9 +46,9 @@ struct Try {
     bool is_clear_and_open(const Level& level) const { return is_clear && !is_solid(level, placed.leaf); }
 };
 
-/// Goes down to the eye's leaf, at the planes that it is too near to on the other side where `other_sides` has a bit
-/// for them (the first such plane's is bit 0), and moves it clear of them all: they are the planes that bound the leaf.
-/// In a sharp corner clearing one plane comes nearer to another, so that it takes some rounds, of growing steps.
+/// Goes down to the eye's leaf and moves the eye clear of all planes on the way that are too near. At the n-th such
+/// plane (from 0), bit n of `other_sides` means: take the other side. In a sharp corner, clearing one plane comes
+/// nearer to another, so it takes several rounds with growing steps.
 Try move_clear(const Level& level, Vec3<World> eye, unsigned other_sides) {
     bool is_clear = false;
     for (std::int32_t round = 0; round < kMostRounds; ++round) {
@@ -85,18 +85,17 @@ bool is_clear(const Level& level, Vec3<World> eye) {
     return true;
 }
 
-/// The part of the world's tree around an eye: its open leaves, and the few planes that come near to a cube. A search
-/// of thousands of places tests these, not the whole tree.
+/// The part of the world's tree inside a cube around an eye: a search of thousands of places tests its few planes, not
+/// the whole tree.
 class NearTree {
   public:
-    /// The cube reaches `half_size` from the middle to each side.
     NearTree(const Level& level, const Vec3<World>& middle, World half_size)
         : root_(add(level, level.world().root, middle, half_size)) {}
 
     bool has_open_leaf() const { return root_ != Child::Solid; }
 
-    /// False if a place in the cube is not clear and open. Where true it nearly always is: the planes' last bits are
-    /// left out.
+    /// False if a place in the cube is not clear and open. True is nearly always right: it ignores the last bits of the
+    /// planes.
     bool may_be_clear_and_open(const Vec3<World>& place) const {
         Child at = root_;
         while (at != Child::Solid && at != Child::Open) {
@@ -136,7 +135,7 @@ class NearTree {
     Child root_;
 };
 
-/// The places on the surface of a cube that reaches kParts steps from the middle to each side.
+/// Half an edge of the cubes of find_clear_place(), in steps.
 constexpr std::int32_t kParts = 16;
 constexpr std::array<std::int32_t, 4> kSteps{1, 2, 4, 8};
 

@@ -31,7 +31,7 @@ class TreeBuilder {
     }
 
   private:
-    /// The one of the first few parts whose plane cuts the fewest others.
+    /// Of the first kMostTried parts, the one whose plane cuts the fewest others.
     PartIndex choose_plane(const Parts& parts) {
         constexpr std::size_t kMostTried = 8;
         PartIndex best = parts[0];
@@ -74,7 +74,7 @@ class TreeBuilder {
         }
     }
 
-    /// The part of a fragment on one side of the plane of the last call of side_of().
+    /// Adds the part of a fragment on one side of the plane last given to side_of().
     PartIndex add_piece(PartIndex part, bool in_front) {
         Fragment piece = tree_.fragments[part];
         const auto first = static_cast<std::uint32_t>(tree_.corners.size());

@@ -8,11 +8,11 @@
 
 namespace oblong {
 
-/// The parts of several brush models in one leaf, cut by each other's planes: they have an order from every eye, also
-/// where models reach into each other (Fuchs, Kedem and Naylor 1980).
+/// A BSP tree of the parts of several brush models in one leaf: it orders them from every eye, even where models
+/// intersect (Fuchs, Kedem and Naylor 1980).
 struct FragmentTree {
     struct Node {
-        std::vector<Index<Fragment>> on_plane;  ///< the first's plane is the node's
+        std::vector<Index<Fragment>> on_plane;  ///< the node's plane is that of the first
         Index<Node> front = Index<Node>::none(), back = Index<Node>::none();
     };
     Table<Fragment> fragments;
@@ -21,7 +21,7 @@ struct FragmentTree {
     Index<Node> root = Index<Node>::none();
 };
 
-/// With more parts than this none are cut and the tree is empty: a tree of n parts takes n^2 steps.
+/// With more parts the tree stays empty, and none is cut: a tree of n parts takes n^2 steps.
 inline constexpr std::size_t kMostFragmentsInTree = 256;
 
 /// The tree of fragments, whose corners lie in `corners`. `models` are the scene's.

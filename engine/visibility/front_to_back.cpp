@@ -12,14 +12,14 @@ namespace oblong {
 namespace {
 
 /// If the eye is this near to a plane, faces on it that face away are returned too: rounded to the screen, such a face
-/// may turn round and cover pixels that its neighbours, rounded too, leave free; most often it covers nothing. A face
-/// of L units at depth z turns round where the eye's distance is d <= z^2 / (160 L) * (twice the rounding): 32 units
-/// are enough for 16-unit faces 3,600 units away at 1/256 pixel. What coarser grids leave is for the second walk. In a
-/// parallel view, from whose direction planes are 2^14 units times the cosine away, it is planes within 1/9 degree of
-/// the rays: of faces up to 4 pixels long.
+/// may turn round and cover pixels that its rounded neighbours leave free, though mostly it covers nothing. A face of L
+/// units at depth z turns round where the eye's distance is d <= z^2 / (160 L) * (twice the rounding): 32 units are
+/// enough for 16-unit faces 3,600 units away at 1/256 pixel. Coarser grids leave the rest to the second walk. In a
+/// parallel view plane_distance() is 2^14 units times a cosine, and 32 units are planes within 1/9 degree of the rays:
+/// enough for faces up to 4 pixels long.
 constexpr auto kBothSidesDistance = PlaneDistance::from_int(32);
 
-/// How far on the limit's side a box's farthest corner is, or its nearest one.
+/// How far a box's farthest or nearest corner is on the limit's side.
 PlaneDistance corner_within(const WalkLimit& limit, const LevelBox& box, bool is_farthest) {
     const std::array normal{limit.plane.normal.x, limit.plane.normal.y, limit.plane.normal.z};
     std::array<World, 3> corner{};
@@ -133,7 +133,7 @@ void FrontToBackWalk::descend(NodeChild at, std::uint8_t planes, bool nears_limi
         nears_limits = nears_limits && !is_well_within_limits(node.box);
         const PlaneDistance distance = plane_distance(level_.planes[node.plane], view_.viewpoint);
         const bool in_front = distance > PlaneDistance{}, has_faces = node.faces.count > 0;
-        // Faces that face away but rounding may show: their leaves are on the far side.
+        // Faces that face away but may show through rounding: their leaves are on the far side.
         const bool has_far_faces = has_faces && absolute(distance) < kBothSidesDistance && !takes_all_faces_;
         scratch_.steps.push_back({at.node(), has_faces ? WalkStep::Next::NearFaces : WalkStep::Next::FarSide, in_front,
                                   has_far_faces, planes, nears_limits});
@@ -160,7 +160,7 @@ bool FrontToBackWalk::is_beyond_limits(const LevelBox& box) const {
     });
 }
 
-/// By a unit at least: what is nearer counts as on a limit's plane (polygon_side).
+/// Within by at least one unit: nearer corners may count as on a limit's plane (polygon_side).
 bool FrontToBackWalk::is_well_within_limits(const LevelBox& box) const {
     return std::none_of(limits_.begin(), limits_.end(), [&](const WalkLimit& limit) {
         return is_moved(limit) || corner_within(limit, box, false) < PlaneDistance::from_int(1);

@@ -6,7 +6,7 @@
 
 namespace oblong {
 
-/// Some leaves of a level: emptied at once, however many they were.
+/// A set of a level's leaves, cleared in constant time.
 class LeafSet {
   public:
     explicit LeafSet(std::size_t leaves) : marks_(leaves) {}

@@ -7,11 +7,11 @@ namespace oblong {
 
 namespace {
 
-/// Corners nearer to a plane than this are on it, so that no piece is thinner: 1/1,024 unit.
+/// Corners nearer to a plane than this count as on it: 1/1,024 unit.
 constexpr auto kOnPlane = PlaneDistance::from_raw(std::int64_t{1} << 32);
 constexpr PlaneDistance kNone{};
 
-/// Where an edge crosses a plane, always computed from its front end: both pieces and both faces of the edge agree.
+/// Where an edge crosses a plane, computed from its front end, so that both pieces and both faces of the edge agree.
 Vec3<World> cross_plane(const Vec3<World>& a, PlaneDistance distance_a, const Vec3<World>& b,
                         PlaneDistance distance_b) {
     const bool a_in_front = distance_a > distance_b;
@@ -25,7 +25,7 @@ bool point_same_way(const Vec3<Unit>& a, const Vec3<Unit>& b) {
     return dot(a, b) > Sine60{};
 }
 
-/// Cuts one face at a time; pieces wait on a stack, each with the node that it has come down to.
+/// Cuts one face at a time, with a stack of pieces and the nodes that they have reached.
 class FaceCutter {
   public:
     FaceCutter(const Level& level, PlacedIndex placed, ModelCut& cut) : level_(level), placed_(placed), cut_(cut) {}
@@ -62,7 +62,7 @@ class FaceCutter {
         pieces_.push_back({node.children[to_front ? 0 : 1], piece.first_corner, piece.corner_count});
     }
 
-    /// A face in a node's plane belongs to the side that it is seen from.
+    /// A face in a node's plane goes to the side from which it is visible.
     bool is_seen_from_front(FaceIndex face, const LevelPlane& plane) const {
         const Face& cut = level_.faces[face];
         const LevelPlane& own = level_.planes[cut.plane];

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kMostLeaves = 256;
 
-/// Which sides of a plane a box reaches, 1 unit more for rounding.
+/// Which sides of a plane a box, 1 unit larger for rounding, reaches.
 struct Sides {
     bool front, back;
 };

@@ -14,7 +14,7 @@ std::int16_t column(std::int32_t x) {
     return static_cast<std::int16_t>(x);
 }
 
-/// Moves what follows up a place. Lists are short: swaps in a loop take less than a call that moves memory.
+/// Lists are short: swaps in a loop are faster than a call of memmove.
 template <class Interval>
 void insert(Interval added, Interval* place, Interval* list_end) {
     for (; place != list_end; ++place) std::swap(*place, added);
@@ -87,7 +87,7 @@ void SpanBuffer::claim_rest(SpanList& owned) {
     for (std::int32_t y = 0; y < height_px_; ++y) claim(y, 0, width_px_, owned);
 }
 
-/// Writes the free parts of row y's pixels [first, end) to `owned`, takes them, and returns the end of what it wrote.
+/// Claims the free parts of row y's pixels [first, end), writes them to `owned`, and returns the end of what it wrote.
 [[gnu::always_inline]] inline Span* SpanBuffer::claim_row(std::int32_t y, std::int32_t first, std::int32_t end,
                                                           Span* owned) {
     Row& row = item(rows_, y);
@@ -114,13 +114,13 @@ void SpanBuffer::claim_rest(SpanList& owned) {
     return owned + 1;
 }
 
-/// The same in a row with a list, within its hull.
+/// The same for a row with a list; columns are within its hull.
 [[gnu::always_inline]] inline Span* SpanBuffer::claim_listed(std::int32_t y, std::int32_t first, std::int32_t end,
                                                              Span* owned) {
     Row& row = item(rows_, y);
     Interval* const list = list_of(y);
     Interval* free = list;
-    while (free->end <= first) ++free;  // stops, as the hull does not end before `end`
+    while (free->end <= first) ++free;  // ends: the hull does not end before `end`
     if (free->end < end) return claim_several(y, first, end, free, owned);
     first = std::max<std::int32_t>(first, free->first);
     if (first >= end) return owned;
@@ -147,7 +147,7 @@ void SpanBuffer::claim_rest(SpanList& owned) {
     return owned + 1;
 }
 
-/// The same of columns that reach beyond the first free span that they touch.
+/// The same for columns that reach beyond the first free span that they touch.
 Span* SpanBuffer::claim_several(std::int32_t y, std::int32_t first, std::int32_t end, Interval* free, Span* owned) {
     Row& row = item(rows_, y);
     Interval* const list_end = list_of(y) + row.listed;
@@ -169,7 +169,7 @@ Span* SpanBuffer::claim_several(std::int32_t y, std::int32_t first, std::int32_t
     return owned;
 }
 
-/// Sets a row's hull after its list, which is dropped if the hull says it all.
+/// Sets a row's hull from its list; a list of one span is dropped.
 inline void SpanBuffer::settle(Row& row, const Interval* list) const {
     row.hull = row.listed > 0 ? Interval{list[0].first, list[row.listed - 1].end} : full_;
     if (row.listed == 1) row.listed = 0;

@@ -12,26 +12,27 @@
 namespace oblong {
 
 /// The span buffer (S-buffer): which pixels of the screen are still free. Faces come front to back; each inserts
-/// ("claims") its spans and owns the parts that were free: no pixel is written twice, and what is free at the end is a
-/// hole in the world. A row keeps its first and last free column, and a short sorted list of its free spans where they
-/// are several.
+/// ("claims") its spans and owns the parts that were free. So no pixel is written twice, and a pixel free at the end is
+/// a hole in the world. A row stores its first and last free column, and a sorted list of its free spans if there are
+/// several.
 class SpanBuffer {
   public:
     SpanBuffer(std::int32_t width_px, std::int32_t height_px);
 
-    /// Everything is free again.
+    /// Makes every pixel free.
     void reset();
-    /// These alone are free: sorted by row, then by column, and without overlap.
+    /// Makes these spans free and no others. They are sorted by row, then column, and do not overlap.
     void reset_to(std::span<const Span> free);
-    /// Claims row y's pixels [first, end): appends those that were free to `owned`. Columns may lie off the screen.
+    /// Claims the pixels [first, end) of row y and appends those that were free to `owned`. Columns may be off the
+    /// screen.
     void claim(std::int32_t y, std::int32_t first, std::int32_t end, SpanList& owned);
-    /// The same for every row of a scanned polygon.
+    /// The same for all rows of a scanned polygon.
     void claim(const ScanlineExtents& rows, SpanList& owned);
-    /// Appends those pixels of a scanned polygon that are free, and leaves them free.
+    /// Appends the free pixels of a scanned polygon, and leaves them free.
     void find_free(const ScanlineExtents& rows, SpanList& free) const;
-    /// Claims every pixel: appends those that were free to `owned`.
+    /// Claims all pixels and appends those that were free to `owned`.
     void claim_rest(SpanList& owned);
-    /// The memory that it takes.
+    /// Memory used.
     std::size_t bytes() const { return rows_.size() * sizeof(Row) + intervals_.size() * sizeof(Interval); }
     /// Whether no pixel is free.
     bool is_full() const { return free_spans_ == 0; }
@@ -41,7 +42,7 @@ class SpanBuffer {
             if (item(rows_, y).may_be_free(rectangle)) return true;
         return false;
     }
-    /// A rectangle's rows, but for those at its top and its bottom that have no free pixel in it.
+    /// The rectangle's rows, without those at its top and bottom that have no free pixel in it.
     PixelRange rows_with_free(const ScreenRectangle& rectangle) const;
 
   private:
@@ -50,8 +51,8 @@ class SpanBuffer {
         std::int16_t first, end;
     };
     struct Row {
-        Interval hull;        ///< holds all free columns; of a full row {width, 0}
-        std::int32_t listed;  ///< how many spans its list has: none if all of the hull is free, else two or more
+        Interval hull;        ///< from the first to the last free column; {width, 0} if none is free
+        std::int32_t listed;  ///< spans in its list: 0 if the whole hull is free, else 2 or more
 
         bool may_be_free(const ScreenRectangle& rectangle) const {
             return rectangle.first_column < hull.end && rectangle.end_column > hull.first;
@@ -66,9 +67,9 @@ class SpanBuffer {
     const Interval* list_of(std::int32_t y) const { return &intervals_[as_size(y) * row_capacity_]; }
 
     std::int32_t width_px_, height_px_;
-    Interval full_;               ///< the hull of a row without free columns
-    std::size_t row_capacity_;    ///< the most free spans of a row: every second pixel free
-    std::size_t free_spans_ = 0;  ///< of all rows
+    Interval full_;               ///< hull of a row without free columns
+    std::size_t row_capacity_;    ///< most free spans of a row: every second pixel free
+    std::size_t free_spans_ = 0;  ///< in all rows
     std::vector<Row> rows_;
     std::vector<Interval> intervals_;
 };

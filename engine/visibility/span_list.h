@@ -10,8 +10,8 @@
 
 namespace oblong {
 
-/// Spans in the order in which they were added. Whoever adds many makes room for the most there may be, and writes them
-/// there without a question each.
+/// Spans in the order in which they were added. To add many, make room for the most there may be, then write them
+/// without a check each.
 class SpanList {
   public:
     const Span* begin() const { return spans_.data(); }
@@ -21,7 +21,7 @@ class SpanList {
     bool empty() const { return used_ == 0; }
     void clear() { used_ = 0; }
 
-    /// The end, behind which `count` more spans may be written; what was written stays if set_end() says so.
+    /// The end, where `count` more spans may be written; call set_end() to keep them.
     Span* room_for(std::size_t count) {
         if (capacity_ - used_ < count) grow(count);
         return spans_.data() + used_;
@@ -39,7 +39,7 @@ class SpanList {
         spans_.resize(capacity_);
     }
 
-    std::vector<Span> spans_;  ///< the first `used_`, and room for more
+    std::vector<Span> spans_;  ///< `used_` of them, then room for more
     std::size_t used_ = 0, capacity_ = 0;
 };
 

@@ -8,20 +8,19 @@
 
 namespace oblong {
 
-/// Which nodes and leaves of the world may be visible from the eye's leaf (PVS), kept until the eye changes its leaf.
+/// The nodes and leaves of the world that may be visible from the eye's leaf (PVS), kept until the eye is in another
+/// leaf.
 class VisibleSet {
   public:
     explicit VisibleSet(const Level& level);
 
-    /// Marks what may be seen from `leaf`: everything from solid and from sky, whose own sets hold nothing but
-    /// themselves.
+    /// Marks what may be visible from `leaf`; from solid and sky everything, as their PVS holds only themselves.
     void see_from(const Level& level, LeafIndex leaf);
     bool has_node(NodeIndex node) const { return node_marks_[node] == mark_; }
     bool has_leaf(LeafIndex leaf) const { return leaf_set_.has(leaf); }
     const LeafSet& leaf_set() const { return leaf_set_; }
     /// Whether the eye's leaf is neither solid nor sky.
     bool is_from_open() const { return is_from_open_; }
-    /// The leaves that may be seen.
     const std::vector<LeafIndex>& leaves() const { return leaves_; }
 
   private:
