@@ -47,7 +47,7 @@ class PageDrawing {
         draw_text(canvas_, x, y, line, colours_of(colour, look_, layout_.scale));
     }
 
-    // Signs in the picture would be read into the game's name: a band across the canvas is all but black.
+    // A dark band across the canvas, so that texts in the picture do not mix with the game's name.
     void hide_behind_name() const {
         const Area& name = layout_.title;
         for (int i = 0; i < 2; ++i)
@@ -92,7 +92,7 @@ class PageDrawing {
         draw_text(canvas_, right - column, y, ">", colours);
     }
 
-    // A small triangle in the middle of the body's border: there is more on this side.
+    // A small triangle on the body's border, on a side with more items.
     void draw_scroll_marks() const {
         const Area& body = layout_.body;
         const std::int32_t middle = body.x + body.width / 2, size = 3 * layout_.scale;
@@ -113,14 +113,14 @@ class PageDrawing {
     Framebuffer canvas_;
 };
 
-// As large as the area allows in the picture's own shape; the nearest of its pixels for each of the canvas.
+// Scaled to the largest size that fits the area in the picture's own shape; nearest pixel.
 void draw_picture(const MenuPicture& picture, const Area& area, const MenuLook& look, const Palette& palette,
                   Framebuffer canvas) {
     if (picture.width_px <= 0 || picture.height_px <= 0) return;
     const std::int32_t height = std::min(area.height, area.width * picture.height_px / picture.width_px);
     const std::int32_t width = height * picture.width_px / picture.height_px;
     fill_area(canvas, {area.x - 1, area.y - 1, width + 2, height + 2}, look.edge);
-    std::map<std::int32_t, std::uint8_t> nearest;  // a picture has few colours, and they are drawn again at each frame
+    std::map<std::int32_t, std::uint8_t> nearest;  // a picture has few colours, and is drawn each frame
     for (std::int32_t y = 0; y < height; ++y)
         for (std::int32_t x = 0; x < width; ++x) {
             const std::int32_t from = y * picture.height_px / height * picture.width_px + x * picture.width_px / width;

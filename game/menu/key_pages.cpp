@@ -10,7 +10,7 @@ std::string label_of(Action action) {
     return std::string(row_of(action).label);
 }
 
-// What else an input of the action does: "Jump, Map"; empty if nothing.
+// The other actions of an action's input: "Jump, Map"; empty if none.
 std::string others_of(const Bindings& bindings, Action action, Input input) {
     std::string others;
     for (const Conflict& conflict : conflicts_of(bindings)) {
@@ -29,7 +29,7 @@ bool has_conflict(const Bindings& bindings, Action action) {
                        [&](Input input) { return !others_of(bindings, action, input).empty(); });
 }
 
-// The pages of keys; their functions keep copies of it.
+// The pages of keys. It is copied into their functions.
 class KeyPages {
   public:
     KeyPages(Menu& menu, MenuHost& host, KeyUndo& undo) : menu_(&menu), host_(&host), undo_(&undo) {}
@@ -39,7 +39,6 @@ class KeyPages {
     }
 
   private:
-    // All changes go through here.
     template <class Change>
     void change(Change change) const {
         Bindings& bindings = host_->preferences().bindings;
@@ -50,7 +49,7 @@ class KeyPages {
         change([&](Bindings& bindings) { bindings.bind(action, input); });
     }
 
-    // Undoing twice is doing it again.
+    // A second undo is a redo.
     void add_undo(MenuPage& page) const {
         if (!*undo_ || **undo_ == host_->preferences().bindings) return;
         page.rows.push_back({"Undo the last change", "", "Of the keys, whichever it was",
@@ -147,7 +146,7 @@ class KeyPages {
         return page;
     }
 
-    // Whether an input that is bound to both would do two things at once.
+    // Whether an input bound to both actions would conflict.
     static bool is_other(Action action, Action other, Input input) {
         Bindings both;
         both.bind(action, input);

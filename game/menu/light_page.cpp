@@ -1,5 +1,4 @@
-// The page on which a player sets the light by a test picture, as it is shown here and now: no number does for all
-// displays and rooms.
+// The page on which the player sets the light with a test picture: the right value depends on the display and the room.
 #include "game/menu/menu_pages.h"
 #include "game/options/preference_table.h"
 
@@ -8,8 +7,8 @@ namespace {
 
 constexpr std::int32_t kWidth_px = 64, kHeight_px = 48, kSteps = 16, kMarks = 4;
 
-// Sixteen greys from black to white above; below, on black, four squares: the first ones are as dark as what a level's
-// dark corners are made of.
+// Sixteen greys from black to white above; below, on black, four squares: the first ones are as dark as a level's dark
+// corners.
 Rgb8 colour_at(std::int32_t x, std::int32_t y) {
     const auto grey = [](std::int32_t value) {
         const auto channel = static_cast<std::uint8_t>(value);

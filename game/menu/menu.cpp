@@ -65,7 +65,7 @@ MenuEvent Menu::act(MenuAction action, CanvasSize canvas, std::int32_t text_scal
     return MenuEvent::None;
 }
 
-// Round from the last row to the first; a page without rows scrolls.
+// Wraps from the last row to the first; a page without rows scrolls.
 MenuEvent Menu::move(const MenuPage& page, int steps, CanvasSize canvas, std::int32_t text_scale) {
     OpenPage& open = pages_.back();
     const std::size_t count = page.rows.size();
@@ -80,7 +80,7 @@ MenuEvent Menu::move(const MenuPage& page, int steps, CanvasSize canvas, std::in
     return MenuEvent::Moved;
 }
 
-// A row's function may close the page: it is called from a copy, which the page of this call is.
+// A row's function may close the page, so it is called from `page`, a copy.
 MenuEvent Menu::change(const MenuPage& page, int steps) {
     const std::size_t row = pages_.back().chosen;
     if (row >= page.rows.size() || !page.rows[row].change) return MenuEvent::None;
@@ -104,8 +104,8 @@ MenuEvent Menu::go_back(const MenuPage& page) {
     return MenuEvent::WentBack;
 }
 
-// Motion over a row chooses it; a press on it accepts it, or changes it: down at the left of its value, else up. A
-// press on a text without rows closes it.
+// Motion over a row chooses it. A press on it accepts it, or changes it: down in its left half, up in its right half. A
+// press on a page without rows closes it.
 MenuEvent Menu::point(const Pointer& pointer, CanvasSize canvas, std::int32_t text_scale, const PresentRect& shown) {
     if (!is_open() || shown.width_px <= 0 || shown.height_px <= 0) return MenuEvent::None;
     if (!pointer.has_moved && !pointer.is_pressed) return MenuEvent::None;

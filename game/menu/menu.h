@@ -8,25 +8,25 @@
 
 namespace oblong {
 
-/// What the player did in a menu, for what answers it: sounds, a new picture.
+/// What the player did in a menu, so that the caller plays sounds and redraws.
 enum class MenuEvent : std::uint8_t { None, Moved, Changed, Accepted, WentBack };
 
-/// The pages that are open, one over the other; the last one is shown. No page: the menu is closed.
+/// A stack of open pages; the last one is shown. No page: the menu is closed.
 class Menu {
   public:
     void open(MenuPageMaker make_page);
-    /// Closes the page that is shown, whatever its `back` is.
+    /// Closes the page that is shown, without calling its `back`.
     void close();
     void close_all();
     bool is_open() const { return !pages_.empty(); }
     std::size_t depth() const { return pages_.size(); }
 
-    /// Carries out what the player did: menu actions, Action::Menu as Back, the pointer. `shown`: where the window
-    /// shows the canvas.
+    /// Handles the player's input: menu actions, Action::Menu as Back, the pointer. `shown`: where the window shows the
+    /// canvas.
     MenuEvent handle(const Controls& controls, CanvasSize canvas, std::int32_t text_scale, const PresentRect& shown);
     void draw(std::int32_t text_scale, const MenuLook& look, const Palette& palette, Framebuffer canvas) const;
 
-    /// The page that is shown and its chosen row; for there to be one, the menu is open.
+    /// The page that is shown, and its chosen row. The menu is open.
     MenuPage page() const { return pages_.back().make(); }
     std::size_t chosen() const { return pages_.back().chosen; }
 

@@ -12,7 +12,7 @@ constexpr std::int32_t kRowPadding_px = 1;  // above and below a row's text, at 
 constexpr std::int32_t kRowColumns = 2;     // before a label: the mark of the chosen row
 constexpr std::int32_t kValueColumns = 4;   // around a value: "< value >"
 constexpr std::int32_t kGap_px = 5;
-constexpr std::size_t kHelpLines = 2;  // room for them at least
+constexpr std::size_t kHelpLines = 2;  // the least room for help
 constexpr std::int32_t kMostColumns = 50;
 constexpr std::int32_t kPictureAspect_100 = 75;  // height to width of the area for a picture
 
@@ -26,7 +26,7 @@ std::vector<std::string> wrapped(const std::string& text, std::int32_t columns) 
     return {lines.begin(), lines.end()};
 }
 
-// Places what a page holds, from its title down.
+// Lays out a page, from its title down.
 class PageLayout {
   public:
     PageLayout(const MenuPage& page, const MenuView& view, CanvasSize canvas)
@@ -68,7 +68,7 @@ class PageLayout {
         };
         const bool has_own = view_.chosen < page_.rows.size() && !page_.rows[view_.chosen].help.empty();
         out_.help = lines_for(has_own ? page_.rows[view_.chosen].help : page_.help);
-        // Of the whole page, so that rows stay where they are while another one is chosen.
+        // The longest help of the page, so that the rows do not move with the choice.
         std::size_t most = lines_for(page_.help).size();
         for (const MenuRow& row : page_.rows) most = std::max(most, lines_for(row.help).size());
         const auto room = as_size(canvas_.height_px / line_px_ * 2 / 5);
@@ -85,7 +85,6 @@ class PageLayout {
                            [](const MenuRow& row) { return row.picture.has_value(); });
     }
 
-    // The columns that the widest line would take.
     std::int32_t wanted_columns() const {
         std::int32_t columns = page_.text.empty() ? 0 : kMostColumns;
         for (const MenuRow& row : page_.rows) {
@@ -148,7 +147,7 @@ class PageLayout {
         const auto is_chosen = [&](const MenuLayout::Item& item) { return item.row == view_.chosen; };
         const auto chosen = as_size(std::find_if(items_.begin(), items_.end(), is_chosen) - items_.begin());
         if (chosen < items_.size()) {
-            if (view_.chosen == 0 && shown_from(0) > chosen) first = 0;  // with the text above the first row
+            if (view_.chosen == 0 && shown_from(0) > chosen) first = 0;  // shows the text above the first row
             first = std::min(first, chosen);
             while (first + shown_from(first) <= chosen) ++first;
         }

@@ -8,14 +8,14 @@
 
 namespace oblong {
 
-/// Where a page's things are on a canvas. All areas are in pixels of the canvas and inside it.
+/// The layout of a page on a canvas. All areas are in pixels of the canvas and inside it.
 struct MenuLayout {
     /// A line of the page's text, or a row.
     struct Item {
         Area area;
         std::string text;  ///< empty for a row
         std::optional<std::size_t> row;
-        std::int32_t value_y = 0;  ///< of a row's value: in its first line, or in one of its own
+        std::int32_t value_y = 0;  ///< of a row's value: in its first or its second line
     };
 
     std::int32_t scale = 1;  ///< of letters
@@ -23,7 +23,7 @@ struct MenuLayout {
     Area title;                        ///< without its shadow
     Area body;                         ///< of all items that are shown
     std::vector<Item> items;           ///< those that are shown
-    std::size_t first = 0, count = 0;  ///< which of the page's items is the first here, of how many
+    std::size_t first = 0, count = 0;  ///< the first item that is shown, and the number of all items of the page
     bool has_more_above = false, has_more_below = false;
     std::optional<Area> picture;  ///< of the chosen row
     std::int32_t help_y = 0;
@@ -35,20 +35,20 @@ struct CanvasSize {
     std::int32_t width_px = 0, height_px = 0;
 };
 
-/// What a player sees of a page.
+/// The part of a page that is shown.
 struct MenuView {
     std::size_t chosen = 0;       ///< a row of the page
-    std::size_t first = 0;        ///< the first item to show, if that leaves the chosen row in the picture
+    std::size_t first = 0;        ///< the first item to show, if the chosen row is then visible
     std::int32_t text_scale = 1;  ///< Preferences::text_scale
 };
 
-/// Lays a page out. Letters are as large as `text_scale` and the canvas allow, never too large for a dozen columns.
+/// Lays a page out. Letters are as large as `text_scale` and the canvas allow, with room for a dozen columns at least.
 MenuLayout lay_out(const MenuPage& page, const MenuView& view, CanvasSize canvas);
 
-/// A line, cut to so many columns: ".." stands for what is left out.
+/// A line cut to a number of columns, with ".." for the rest.
 std::string cut_to(const std::string& line, std::int32_t columns);
 
-/// Draws a page over a canvas whose picture becomes dark behind it.
+/// Draws a page over a canvas, and darkens the picture behind it.
 void draw_menu(const MenuPage& page, const MenuView& view, const MenuLook& look, const Palette& palette,
                Framebuffer canvas);
 

@@ -14,7 +14,7 @@ constexpr std::array<Rgb8, kLetteringRamp> kRamp{
     {{255, 240, 192}, {255, 220, 136}, {248, 192, 88}, {232, 156, 56}, {204, 116, 36}, {164, 80, 24}, {120, 52, 16}}};
 constexpr Rgb8 kPlain{208, 196, 176}, kDim{152, 140, 120}, kBar{104, 56, 20}, kEdge{232, 156, 56};
 
-// One cell: a gap to the next one below and at the right where there is room, and a lit upper edge.
+// One cell with a bright upper edge. From 4 pixels on, it leaves a gap to the next cell.
 void draw_cell(Framebuffer canvas, std::int32_t x, std::int32_t y, LetterCell cell, std::uint8_t colour,
                std::uint8_t lit) {
     const std::int32_t gap_x = cell.width_px >= 4, gap_y = cell.height_px >= 4;

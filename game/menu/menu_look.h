@@ -11,11 +11,11 @@ namespace oblong {
 /// The rows of a letter, top to bottom.
 inline constexpr int kLetteringRamp = 7;
 
-/// The menu's colours, the nearest that a palette has.
+/// The menu's colours, the nearest of a palette.
 struct MenuLook {
     explicit MenuLook(const Palette& palette);
 
-    TextColours text;                                 ///< of what is chosen, and of titles
+    TextColours text;                                 ///< of the chosen row and of titles
     std::uint8_t plain = 0, dim = 0;                  ///< of other rows; of help and of rows without an action
     std::uint8_t bar = 0, edge = 0;                   ///< behind the chosen row; its borders
     std::array<std::uint8_t, kLetteringRamp> ramp{};  ///< of large letters, top to bottom
@@ -27,10 +27,10 @@ struct LetterCell {
     std::int32_t width_px = 6, height_px = 6;
 };
 
-/// The size of a line of large letters: six columns of cells a letter without the last, seven rows.
+/// The size of a line of large letters: six columns of cells for each letter, less one in all; seven rows.
 Area lettering_size(std::string_view line, LetterCell cell);
 
-/// Draws a line in large letters whose pixels can be told apart, from (x, y) down, with a shadow.
+/// Draws a line in large letters with visible pixels and a shadow; (x, y) is its top left corner.
 void draw_lettering(Framebuffer canvas, std::int32_t x, std::int32_t y, std::string_view line, LetterCell cell,
                     const MenuLook& look);
 

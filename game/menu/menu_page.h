@@ -27,20 +27,19 @@ struct MenuRow {
     std::optional<MenuPicture> picture = {};
 };
 
-/// What a menu shows: a title, a text, rows below it.
 struct MenuPage {
     std::string title = {};
     std::string text = {};                  ///< may be empty, and longer than the page
-    std::vector<MenuRow> rows = {};         ///< without any, the page is a text to read
+    std::vector<MenuRow> rows = {};         ///< none: the page is a text
     std::size_t first_chosen = 0;           ///< the row that is chosen when the page opens
-    std::string help = {};                  ///< at the foot where the chosen row has none
-    bool is_title = false;                  ///< the game's name, in large letters, is its title
-    std::function<void()> back = {};        ///< instead of closing the page
-    std::function<void(Input)> press = {};  ///< the page waits for any input, and nothing but it or Esc is taken
-    std::optional<Action> closed_by = {};   ///< goes back, too: the command that opened the page
+    std::string help = {};                  ///< shown if the chosen row has none
+    bool is_title = false;                  ///< its title is the game's name in large letters
+    std::function<void()> back = {};        ///< called instead of closing the page
+    std::function<void(Input)> press = {};  ///< the page waits for any input and ignores all others but Esc
+    std::optional<Action> closed_by = {};   ///< the command that opened the page closes it, too
 };
 
-/// Makes a page as things stand: it is made anew after everything that the player does in it.
+/// Makes a page for the current state; called again after each input.
 using MenuPageMaker = std::function<MenuPage()>;
 
 }  // namespace oblong

@@ -8,19 +8,20 @@
 
 namespace oblong {
 
-/// The bindings before the last change of them; nothing if there was none.
+/// The bindings before their last change; nothing if there was none.
 using KeyUndo = std::optional<Bindings>;
 
-/// Opens the page that lists what each key does; each row opens one that changes it. All outlive the pages.
+/// Opens the page of all actions and their keys; each row opens a page that changes it. All arguments outlive the
+/// pages.
 void open_key_pages(Menu& menu, MenuHost& host, KeyUndo& undo);
 
 /// The inputs of an action as the player's keyboard names them: "W, Up"; "none".
 std::string inputs_text(MenuHost& host, Action action);
 
-/// What a question says where leaving a walk loses something.
+/// Added to a question if leaving a walk loses progress.
 inline constexpr const char* kLost = " What is not saved is lost.";
 
-/// A row that does something; its help begins with a capital.
+/// A row with an action; its help begins with a capital.
 MenuRow menu_row(std::string label, std::function<void()> accept, std::string help = "");
 
 /// Opens the pages of the menu.
@@ -31,15 +32,15 @@ class MenuPages {
 
     void open_title();
     void open_game();     ///< over a walk
-    void open_keys();     ///< what keys do, over a walk or a gallery
+    void open_keys();     ///< help on keys, over a walk or a gallery
     void open_figures();  ///< over a gallery
     void open_gallery();  ///< over a gallery with nothing behind it
     void open_end();      ///< after a walk
     void open_light();    ///< a test picture, to set the light of the game that is played
-    void open_restart();  ///< asks, if there is something to lose
-    /// A text with nothing to choose but to go on.
+    void open_restart();  ///< asks first, if there is unsaved progress
+    /// A text with one row, "Go on".
     void open_message(std::string title, std::string text);
-    /// Says why a walk could not be saved, and asks whether to leave it all the same: then `go` is done.
+    /// Says why a walk could not be saved, and asks whether to leave it all the same; `go` runs if so.
     void open_not_saved(const std::string& fault, std::function<void()> go);
 
   private:
@@ -63,10 +64,10 @@ class MenuPages {
     MenuRow back_row();
 
     void ask(std::string title, std::string text, std::string yes, std::function<void()> action);
-    /// Closes all pages, then does it.
+    /// Closes all pages, then runs the action.
     std::function<void()> closing(std::function<void()> action);
     void ask_to_leave();
-    /// Asks before `action` if something would be lost that leaving the walk does not save, else does it.
+    /// Asks before `action` if the walk has progress that leaving it does not save.
     void leave_walk(const std::string& question, std::function<void()> action);
 
     Menu& menu_;

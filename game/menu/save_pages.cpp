@@ -1,4 +1,4 @@
-// The pages on which saved walks are listed: to load one, to delete one, to save to a place.
+// The pages that list saved walks: to load, to delete, to save.
 #include <utility>
 
 #include "game/menu/menu_pages.h"
@@ -17,7 +17,7 @@ void MenuPages::open_load() {
             const auto load = [this, i, save] {
                 const std::string question = "Leave this walk and load " + save.name + "?";
                 const auto action = closing([this, i] { host_.load(i); });
-                if (!save.has_game) return action();  // which says why
+                if (!save.has_game) return action();  // which shows the reason
                 if (save.is_of_this_walk && host_.has_unsaved_progress())
                     return ask("Load", question + kLost, "Yes", action);
                 leave_walk(question, action);

@@ -15,7 +15,7 @@
 namespace oblong {
 namespace {
 
-// The value of an option that is one of some names, from 0.
+// Parses an option whose value is one of some names, numbered from 0.
 template <class Enum, std::size_t Count>
 Enum named_value(const std::string& option, const std::string& name, const std::array<std::string_view, Count>& names) {
     const auto found = std::find(names.begin(), names.end(), name);
@@ -35,7 +35,7 @@ bool is_dial(const Preference& preference) {
 
 // The options that are parsed after the command line is read.
 struct OptionTexts {
-    std::map<std::string, std::string> preferences;  // by their names; empty where they are not given
+    std::map<std::string, std::string> preferences;  // by name; empty: not given
     std::vector<std::string> dials;
     std::string window, map = "off", wireframe = "off", lines = "gupta-sproull", log, config;
     bool is_portable = false;
@@ -97,7 +97,7 @@ void declare(CommandArguments& line, Options& options, OptionTexts& texts) {
     declare_preferences(line, texts);
 }
 
-// What the command line says of preferences, over what is kept.
+// Applies the preferences of the command line.
 void change_by_command_line(const OptionTexts& texts, Preferences& preferences) {
     for (const Preference& preference : all_preferences()) {
         const auto text = texts.preferences.find(preference.name);
@@ -108,7 +108,7 @@ void change_by_command_line(const OptionTexts& texts, Preferences& preferences) 
 }
 
 void interpret(const OptionTexts& texts, Options& options) {
-    Preferences checked;  // what is wrong on the command line is said before anything is read
+    Preferences checked;  // errors of the command line are reported before any file is read
     change_by_command_line(texts, checked);
     for (const char* name : {"brightness", "gamma", "tube-light"})
         if (const auto text = texts.preferences.find(name); text != texts.preferences.end() && !text->second.empty())
@@ -129,7 +129,7 @@ void interpret(const OptionTexts& texts, Options& options) {
         throw UsageError("--gallery: there is no game to record or to replay, expected it without the other");
 }
 
-// What is measured or replayed is the same for every player: it reads no file that was not asked for.
+// Measured and replayed runs are the same for every player: they read no player's files, except a named --config.
 PlayerFolders folders_of(const OptionTexts& texts, const Options& options, const char* program) {
     PlayerFolders folders;
     const bool is_played = options.headless_frames == 0 && (options.timedemo + options.replay + options.record).empty();

@@ -12,14 +12,14 @@
 
 namespace oblong {
 
-/// The level that is asked for; empty strings where nothing is.
+/// The level to play, from the command line; empty strings: not given.
 struct LevelOptions {
     std::string level, palette, models;
-    std::string map, game;  ///< a level by its name, and the folder of a game like Quake's
+    std::string map, game;  ///< a level's name, and the folder of a game like Quake's
     std::string watch;      ///< the source of a level that is compiled when it changes
 };
 
-/// What is done with a game instead of, or besides, playing it; empty strings and 0 where nothing is.
+/// Other runs than a normal game; empty strings and 0: not given.
 struct RunOptions {
     std::string record, replay, timedemo, route;
     std::int64_t headless_frames = 0;
@@ -27,21 +27,21 @@ struct RunOptions {
     std::int64_t threads = 1;
 };
 
-/// What a program is started with: the command line's options, over what is kept in the options file.
+/// What a program is started with: the options file's values, overridden by the command line.
 struct Options : LevelOptions, RunOptions {
-    Preferences preferences;                   ///< as they are kept, changed by the command line
-    std::map<std::string, std::string> light;  ///< of the first game, by preferences' names: what the command line says
+    Preferences preferences;                   ///< from the options file, changed by the command line
+    std::map<std::string, std::string> light;  ///< of the first game, from the command line, by preference name
     WindowSize window;
     LogChannels log;
     MapView automap = MapView::Off;
     Wireframe wireframe = Wireframe::Off;
     LineMethod line_method = LineMethod::GuptaSproull;
-    PlayerFolders folders;     ///< of the player's files: empty names where they are neither read nor written
-    bool shows_title = false;  ///< also where nothing else is asked for
+    PlayerFolders folders;     ///< of the player's files; empty names: neither read nor written
+    bool shows_title = false;  ///< also if no level or other run is given
     bool shows_gallery = false, shows_error_box = false;
 };
 
-/// Runs `body` with the options and the file that keeps preferences; the program's exit code: 0 also after --help and
+/// Runs `body` with the options and the store of preferences. Returns the program's exit code: 0, also after --help and
 /// --version, 1 for what `body` throws, 2 for wrong usage, both reported on standard error.
 int run_with_options(int argument_count, const char* const* arguments,
                      const std::function<void(const Options&, PreferencesStore&)>& body);

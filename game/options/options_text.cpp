@@ -12,7 +12,7 @@
 namespace oblong {
 namespace {
 
-// A line, and what it sets.
+// A line and its assignment.
 struct ReadLine {
     std::size_t number;  // from 1
     ConfigLine set;
@@ -60,12 +60,12 @@ std::vector<ReadLine> read_lines(const std::string& text, std::vector<LineFault>
     return read;
 }
 
-// What an error says, without the dashes of a command line.
+// An error message without the dashes of a command line.
 std::string without_dashes(const std::string& what) {
     return printable(what.starts_with("--") ? what.substr(2) : what);
 }
 
-// The preferences with what the lines of a name say.
+// Applies the lines of a name to the preferences.
 void parse_lines(const KeptValue& value, const std::vector<ReadLine>& lines, ReadPreferences& read) {
     for (const ReadLine& line : lines) {
         if (line.set.name != value.name) continue;
@@ -77,7 +77,7 @@ void parse_lines(const KeptValue& value, const std::vector<ReadLine>& lines, Rea
     }
 }
 
-// Values can be right alone and not together: then the picture keeps its usual size and width.
+// Mode, field of view and display may each be valid but not together: then mode and field of view keep their defaults.
 void check_together(const std::vector<ReadLine>& lines, ReadPreferences& read) {
     try {
         check_view(read.preferences.mode, read.preferences.field_of_view);
@@ -94,7 +94,7 @@ void check_together(const std::vector<ReadLine>& lines, ReadPreferences& read) {
 }
 
 void check_is_text(const std::string& text) {
-    constexpr std::ptrdiff_t kMostControls = 16;  // a few are damage in a text, more are none
+    constexpr std::ptrdiff_t kMostControls = 16;  // up to this many: a damaged text
     const auto is_control = [](char letter) {
         return static_cast<unsigned char>(letter) < ' ' && letter != '\t' && letter != '\n' && letter != '\r';
     };
@@ -109,7 +109,7 @@ std::vector<std::string> commented(const KeptValue& value, const Preferences& pr
             value.name + " = " + value.text(preferences)};
 }
 
-// A line with another value, its spaces and its comment as they were.
+// A line with another value; its spaces and its comment are kept.
 std::string with_value(const std::string& line, const std::string& value) {
     const std::size_t equals = line.find('=');
     if (equals == std::string::npos) return line.substr(0, line.find_last_not_of(" \t\r") + 1) + " = " + value;
@@ -122,7 +122,7 @@ std::string with_value(const std::string& line, const std::string& value) {
     return line.substr(0, begin) + space + value + before_comment + line.substr(end);
 }
 
-// Keeps the first faults, and says how many more there are.
+// Keeps the first faults, and counts the rest.
 void limit_faults(std::vector<LineFault>& faults) {
     constexpr std::size_t kMost = 16;
     if (faults.size() <= kMost) return;

@@ -8,7 +8,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// An absolute path of the environment, perhaps with `below` added; empty where there is none.
+// An absolute path from the environment, with `below` added; empty if there is none.
 fs::path environment_folder(const char* variable, const char* below) {
     const char* const value = std::getenv(variable);
     if (value == nullptr || !fs::path(value).is_absolute()) return {};

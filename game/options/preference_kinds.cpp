@@ -71,7 +71,7 @@ Preference on_or_off(PreferenceNames names, bool Preferences::*field) {
         std::move(names), {"off", "on"}, [field](const Preferences& of) { return int{of.*field}; },
         [field](Preferences& of, int value) { of.*field = value != 0; });
     preference.is_switch = true;
-    // A name alone, as a flag on a command line, is "true" to CLI11.
+    // CLI11 passes a flag without a value as "true".
     preference.parse = [parse = preference.parse](Preferences& of, const std::string& text) {
         parse(of, text == "true" ? "on" : text == "false" ? "off" : text);
     };

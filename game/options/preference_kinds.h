@@ -8,14 +8,14 @@
 
 namespace oblong {
 
-/// What a preference is called, as in Preference.
+/// The names of a preference, as in Preference.
 struct PreferenceNames {
     std::string name, label, help;
     PreferencePage page;
     std::string keys = "";
 };
 
-/// The kinds of preferences: makers of the table's rows.
+/// Makers of the table's rows, one for each kind of preference.
 
 Preference on_or_off(PreferenceNames names, bool Preferences::*field);
 
@@ -23,12 +23,12 @@ Preference on_or_off(PreferenceNames names, bool Preferences::*field);
 Preference whole_number(PreferenceNames names, std::int32_t Preferences::*field, std::int32_t least,
                         std::int32_t greatest, std::vector<std::int32_t> stops, std::string unit);
 
-/// A decimal number of the light of the game that is played, kept in hundredths, likewise; all numbers here in
-/// hundredths. In the file it is the museum's: those of the other games are a value of their own.
+/// A decimal number of the current game's light, kept in hundredths; all numbers here are in hundredths. In the file it
+/// is the museum's value; those of other games are in "game-lights".
 Preference light_in_hundredths(PreferenceNames names, std::int32_t Light::*field, std::int32_t least_100,
                                std::int32_t greatest_100, std::vector<std::int32_t> stops_100);
 
-/// One of some names; its place among them is get()'s and set()'s number.
+/// One of some names; get() and set() use its index.
 Preference one_of(PreferenceNames names, std::vector<std::string> values, std::function<int(const Preferences&)> get,
                   std::function<void(Preferences&, int)> set);
 
@@ -41,10 +41,10 @@ Preference one_of(PreferenceNames names, std::vector<std::string> values, Enum P
         [field](Preferences& preferences, int value) { preferences.*field = static_cast<Enum>(value); });
 }
 
-/// The error of a text that is no value of a preference.
+/// Throws the error of a text that is no value of a preference.
 [[noreturn]] void refuse(const std::string& name, const std::string& text, const std::string& expected);
 
-/// From one of `stops`, which rise, to one so many steps on; stops at the ends. A value between two is beside both.
+/// Moves `steps` along `stops`, which rise, and stops at the ends. A value between two stops is next to both.
 std::int32_t stepped(const std::vector<std::int32_t>& stops, std::int32_t value, int steps);
 
 /// 140: "1.4".
@@ -53,7 +53,7 @@ std::string hundredths_text(std::int32_t value_100);
 /// "a, b or c".
 std::string listed(const std::vector<std::string>& values);
 
-/// The three that say together what is in the picture; a change leaves out what can't be drawn with the other two.
+/// These three together decide what is in the picture; a change skips values that cannot be drawn with the other two.
 Preference mode_preference();
 Preference display_preference();
 Preference field_of_view_preference();

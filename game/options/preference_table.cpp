@@ -17,7 +17,7 @@ namespace {
 
 using Rows = std::vector<Preference>;
 
-// "stretch" is an older name for filling the window, which is a shape and no way to scale.
+// "stretch" is the older name of a display shape, `fill`, and not a scaling mode.
 Preference scaling_preference() {
     std::vector<std::string> names;
     for (int i = 0; i < kScalingCount; ++i) names.emplace_back(name_of(static_cast<Scaling>(i)));
@@ -88,7 +88,7 @@ void add_picture(Rows& rows) {
         &Preferences::frame_cap_hz, 0, 1000, {0, 30, 35, 60, 70, 75, 90, 120, 144, 165, 240}, " a second"));
 }
 
-// "preset" while a dial stands where its preset sets it: another preset turns it too.
+// "preset" if a dial has the value of its preset; then a change of the preset changes it, too.
 Preference dial_preference(const Dial& dial) {
     Preference row;
     row.name = "dial-" + std::string(dial.name);
@@ -177,7 +177,7 @@ void add_sound(Rows& rows) {
                                 tenths, " %"));
 }
 
-// What lies between any of the separators; may be empty.
+// The parts of a text between separators; may be empty.
 std::vector<std::string_view> parts_of(std::string_view text, std::string_view separators) {
     std::vector<std::string_view> parts;
     for (std::size_t at = 0; at <= text.size();) {
@@ -188,7 +188,7 @@ std::vector<std::string_view> parts_of(std::string_view text, std::string_view s
     return parts;
 }
 
-// The light of all games but the museum, whose values are options of their own: "quake:1.4:1:on", a word a game.
+// The light of all games except the museum, which has its own options: "quake:1.4:1:on", a word for each game.
 KeptValue lights_value() {
     KeptValue value;
     value.name = "game-lights";
@@ -222,13 +222,13 @@ KeptValue lights_value() {
     return value;
 }
 
-// Whether the page that helps with the light was shown.
+// Whether the page for setting the light was shown.
 KeptValue light_set_value() {
     return on_or_off({"light-set", "Light is set", "whether the page for the light was shown", PreferencePage::Picture},
                      &Preferences::has_set_light);
 }
 
-// For each action, the keys and buttons that do it.
+// For each action, its keys and buttons.
 std::vector<KeptValue> binding_values() {
     std::vector<KeptValue> values;
     for (const ActionRow& action : all_actions()) {

@@ -14,7 +14,7 @@
 
 namespace oblong {
 
-/// The colours of what says something by its colour: text, lines of the map, the map of the error, keys.
+/// The colours of signs, which carry a meaning: text, lines of the map, the map of the error, keys.
 enum class ColourScheme : std::uint8_t {
     Standard,
     RedGreen,   ///< for players who confuse red and green: blue, orange, white, of different brightness
@@ -22,11 +22,11 @@ enum class ColourScheme : std::uint8_t {
 };
 inline constexpr int kColourSchemeCount = 3;
 
-/// Whether the map is shown, and what is up on it.
+/// Whether the map is shown, and which direction is up.
 enum class MapView : std::uint8_t { Off, PlayerUp, NorthUp };
 inline constexpr int kMapViewCount = 3;
 
-/// Whether the edges of visible faces are drawn: over the picture, or by themselves.
+/// Whether the edges of visible faces are drawn: over the picture, or alone.
 enum class Wireframe : std::uint8_t { Off, Over, Alone };
 inline constexpr int kWireframeCount = 3;
 
@@ -37,9 +37,9 @@ struct Light {
     bool is_of_tube = false;            ///< colours as a tube showed them
     bool operator==(const Light&) const = default;
 };
-/// The games that are no folder's: Oblong's own levels, and others that no --game was named for.
+/// Games without a folder: Oblong's own levels, and levels without a --game.
 inline constexpr const char *kMuseum = "museum", *kQuake = "quake";
-/// That of a game until the player changes it: all but the museum were made on tubes.
+/// The default light of a game: all games except the museum were made on tubes.
 inline Light light_of_new(const std::string& game) {
     return {100, 100, game != kMuseum};
 }
@@ -48,7 +48,7 @@ inline Light light_of_new(const std::string& game) {
 struct PicturePreferences {
     ScreenMode mode;  ///< of the picture, and the display that it is for
     Degrees field_of_view = Degrees::from_int(90);
-    bool corrects_projection = true;  ///< the projection knows the display's shape
+    bool corrects_projection = true;  ///< the projection is for the display's shape
     ShownAs shown_as = ShownAs::OnDisplay;
     Scaling scaling = Scaling::SharpBilinear;
     bool has_crt_look = false;
@@ -58,11 +58,10 @@ struct PicturePreferences {
 
 /// How games are lit.
 struct LightPreferences {
-    std::map<std::string, Light> lights;  ///< by games, of those that have another one than light_of_new()
-    std::string game = kMuseum;           ///< that is played: the one that light() is of
-    bool has_set_light = false;           ///< the page that helps with it was shown
+    std::map<std::string, Light> lights;  ///< by game, where it differs from light_of_new()
+    std::string game = kMuseum;           ///< the current game, which light() returns the light of
+    bool has_set_light = false;           ///< the page for setting the light was shown
 
-    /// That of the game that is played.
     Light light() const { return light_of(game); }
     Light light_of(const std::string& name) const {
         const auto found = lights.find(name);
@@ -78,16 +77,16 @@ struct LightPreferences {
 struct WindowPreferences {
     bool fills_screen = false;        ///< the whole screen instead of a window
     bool waits_for_display = true;    ///< vsync, where the system offers it
-    std::int32_t frame_cap_hz = 144;  ///< at most so many frames a second, 10 to 1,000; 0: no limit
+    std::int32_t frame_cap_hz = 144;  ///< the most frames a second, 10 to 1,000; 0: no limit
     bool operator==(const WindowPreferences&) const = default;
 };
 
 struct ComfortPreferences {
     Flashes flashes = Flashes::Full;
-    std::int32_t view_bob_100 = 0;      ///< how far the view goes up and down in walking; 0 to 200, 100: as in Quake
-    std::int32_t view_roll_100 = 0;     ///< how far it leans in walking sideways; likewise
-    std::int32_t game_speed_100 = 100;  ///< of the game's clock against that on the wall, 25 to 1,600
-    std::int32_t text_scale = 1;        ///< 1 or 2 pixels of the picture for a pixel of a letter
+    std::int32_t view_bob_100 = 0;      ///< vertical motion of the view in walking, 0 to 200, 100: as in Quake
+    std::int32_t view_roll_100 = 0;     ///< lean in walking sideways; likewise
+    std::int32_t game_speed_100 = 100;  ///< game time per real time, 25 to 1,600
+    std::int32_t text_scale = 1;        ///< pixels of the picture for a pixel of a letter, 1 or 2
     ColourScheme colours = ColourScheme::Standard;
     bool shows_captions = false;  ///< a line of text for each sound
     bool operator==(const ComfortPreferences&) const = default;
@@ -95,13 +94,13 @@ struct ComfortPreferences {
 
 struct SoundPreferences {
     std::int32_t volume_100 = 100;        ///< of all, 0 to 100; 0: no sound device is opened
-    std::int32_t sounds_volume_100 = 80;  ///< of what happens in the level and in menus, 0 to 100
+    std::int32_t sounds_volume_100 = 80;  ///< of sounds in the level and in menus, 0 to 100
     std::int32_t music_volume_100 = 60;   ///< 0 to 100
     bool operator==(const SoundPreferences&) const = default;
 };
 
-/// All that a player sets and that is kept in a file. Changes how the game is shown and steered, never what happens in
-/// it.
+/// All settings of a player that are kept in a file. They change how the game is shown and controlled, never the game
+/// itself.
 struct Preferences : PicturePreferences,
                      LightPreferences,
                      WindowPreferences,
@@ -109,8 +108,8 @@ struct Preferences : PicturePreferences,
                      Steering,
                      SoundPreferences {
     Preset preset = Preset::Bounded;         ///< the last one chosen
-    Accuracy accuracy;                       ///< its dials, perhaps turned since
-    Bindings bindings = default_bindings();  ///< which inputs do what
+    Accuracy accuracy;                       ///< the preset's dials, with later changes
+    Bindings bindings = default_bindings();  ///< the inputs of each action
 
     bool operator==(const Preferences&) const = default;
 };

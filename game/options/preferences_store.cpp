@@ -42,7 +42,7 @@ PreferencesStore::PreferencesStore(std::string file) : file_(std::move(file)) {
     begin_with(kept_);
 }
 
-// A preset changes its dials too: what has changed shows in the kept preferences only after all is carried over.
+// A preset changes its dials too, so kept and earlier preferences are compared after all changes are copied.
 void PreferencesStore::note_changes(const Preferences& now) {
     const Preferences before = kept_;
     for (const KeptValue* value : all_kept_values()) {
@@ -63,7 +63,7 @@ std::string PreferencesStore::save(const Preferences& now) {
     try {
         const std::string folder = fs::path(file_).parent_path().string();
         if (!folder.empty()) make_folder(folder);
-        // As it is now: it may have been edited while the game ran.
+        // The file may have been edited while the game ran.
         const std::string text = exists(file_) ? text_of_file(file_) : write_preferences(kept_);
         write_file(file_, with_values(text, changed_, kept_), FileUse::Kept);
         changed_.clear();

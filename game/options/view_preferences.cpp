@@ -16,7 +16,7 @@ bool is_drawable(const Preferences& preferences) {
     return is_drawable(make_projection(preferences.mode, preferences.field_of_view));
 }
 
-// The preferences with the next of `stops`, by `key`, that can be drawn; unchanged where there is none.
+// The preferences with the next of `stops`, ordered by `key`, that can be drawn; unchanged if there is none.
 Preferences with_next(const Preferences& now, const Texts& stops, const Preference& preference, Key key, bool is_up) {
     const auto is_before = [&](const Preferences& a, const Preferences& b) {
         return is_up ? key(a) < key(b) : key(a) > key(b);
@@ -45,7 +45,7 @@ std::string display_text(const Preferences& of) {
     return std::to_string(of.mode.display.numerator) + ":" + std::to_string(of.mode.display.denominator);
 }
 
-// Degrees in as few decimals as give the same value when they are read.
+// Degrees with the fewest decimals that are read as the same value.
 std::string degrees_text(Degrees degrees) {
     constexpr int kMostDecimals = 10;  // finer than the 32 fraction bits that are read
     std::int64_t unit = 1;
