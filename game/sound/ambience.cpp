@@ -13,7 +13,7 @@
 namespace oblong {
 namespace {
 
-// Faces of one sound in a cube of this size become one source.
+// Faces with the same sound in a cube of this size become one source.
 constexpr std::int32_t kCell = 256;
 
 std::optional<Sound> sound_of_liquid(std::string_view texture) {
@@ -50,7 +50,8 @@ Box box_of_face(const Level& level, const Face& face) {
 
 class SourceList {
   public:
-    // A box in parts of at most a cell each: one box around an L-shaped canal would sound where there is no water.
+    // Splits a box into parts of at most a cell each: one box around an L-shaped canal would sound where there is no
+    // water.
     void add(Sound sound, const Box& box) {
         for (std::int32_t x = cell_of(box.mins.x); x <= cell_of(box.maxs.x); ++x)
             for (std::int32_t y = cell_of(box.mins.y); y <= cell_of(box.maxs.y); ++y)

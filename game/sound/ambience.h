@@ -8,13 +8,13 @@
 
 namespace oblong {
 
-/// What sounds in a level all the time: liquids, teleporters, the wind under the sky, lamps, rain, sparks, bubbles,
-/// flames, and Quake's ambient_ entities. Found once.
+/// The permanent sounds of a level: liquids, teleporters, wind under the sky, lamps, rain, sparks, bubbles, flames, and
+/// Quake's ambient_ entities. Found once, when it is made.
 class Ambience {
   public:
     explicit Ambience(const Level& level);
 
-    /// Appends those that may be heard from a point.
+    /// Appends the sources within range of a point.
     void collect(const Position& ear, std::vector<SoundSource>& sources) const;
     const std::vector<SoundSource>& all() const { return sources_; }
 

@@ -14,13 +14,13 @@ namespace oblong {
 namespace {
 
 constexpr std::int64_t kOne_16 = 1 << 16;
-constexpr std::int64_t kMostPan_16 = kOne_16 * 7 / 8;  // the far ear is never quite without sound
-constexpr World kNear = World::from_int(96);           // nearer than this, sounds come from both sides more and more
-constexpr World kInReach = World::from_int(32);        // nothing is between the listener and what is as near as this
-constexpr std::int32_t kSurfaceRise = 32;              // liquids are heard over the edge of their basin
+constexpr std::int64_t kMostPan_16 = kOne_16 * 7 / 8;  // so that the far ear always hears something
+constexpr World kNear = World::from_int(96);           // nearer than this, panning is reduced
+constexpr World kInReach = World::from_int(32);        // nearer than this, nothing can be in between
+constexpr std::int32_t kSurfaceRise = 32;  // a liquid is heard from above its surface, over the edge of its basin
 constexpr std::int32_t kBlockedGain_256 = 140,
                        kBlockedWind_256 = 40;  // wind is no sound of one place: hardly heard inside
-constexpr std::int32_t kFaintest_256 = 3;      // both sides together: quieter sounds get no voice
+constexpr std::int32_t kFaintest_256 = 3;      // the sum of both sides below which a sound gets no voice
 
 Position nearest_point(const Box& box, const Position& to) {
     return {std::clamp(to.x, box.mins.x, box.maxs.x), std::clamp(to.y, box.mins.y, box.maxs.y),
@@ -31,7 +31,7 @@ std::int64_t root_of_16(std::int64_t value_16) {
     return integer_root(static_cast<std::uint64_t>(value_16) * kOne_16);
 }
 
-// The part of the way that leads along a horizontal direction, -1 to 1; less where it is near.
+// The component of a direction vector along a horizontal direction, -1 to 1; less for near sources.
 std::int64_t part_along_16(const Vec3<World>& way, World distance, Angle direction) {
     const World along = component_along(way, {cosine(direction), sine(direction), Unit{}});
     const std::int64_t part = convert<WorldWide>(along) * kOne_16 / convert<WorldWide>(std::max(distance, kNear));
@@ -53,13 +53,14 @@ bool is_liquid(Sound sound) {
     return sound == Sound::Water || sound == Sound::Slime || sound == Sound::Lava;
 }
 
-// The middle of a liquid, seen from over the edge of its basin: its nearest point may be below where one stands.
+// The middle of a liquid, above its surface: its nearest point may be hidden by the edge of its basin.
 Position over_middle(const Box& box, const Position& ear) {
     const Position middle = box.mins + scaled(box.size(), 1, 2);
     return {middle.x, middle.y, std::min(box.maxs.z + World::from_int(kSurfaceRise), ear.z)};
 }
 
-// From where a source may be heard: its nearest point, and of an area then places within its corners, the nearer first.
+// The places of a source from which it may be heard: the nearest point, and of an area then places near its corners,
+// nearest first.
 struct HeardPlaces {
     std::array<Position, kMostLinesOfASource> places;
     std::size_t count = 1;
@@ -110,7 +111,8 @@ class Hearing {
         audible_.sounds.push_back(sound);
     }
 
-    // The sources of one loop: the loudest decides how it sounds, the others only make it louder on their sides.
+    // Adds the sources of one loop: the loudest one gives the direction and muffling, the others can raise the level of
+    // each side.
     void add_loop(std::span<Heard> sources) {
         std::stable_sort(sources.begin(), sources.end(), is_louder);
         const std::size_t count = std::min(sources.size(), kMostSourcesOfALoop), first = audible_.sounds.size();
@@ -136,7 +138,7 @@ class Hearing {
     }
 
   private:
-    // Through no more than a few lines, which end a little before what sounds.
+    // The line ends 4 units before the source.
     bool is_in_sight(const SoundSource& source, const Position& place) {
         const Vec3<World> way = place - listener_.ear;
         const World distance = length_of(way);
@@ -146,7 +148,7 @@ class Hearing {
         return is_clear(level_, state_, listener_.ear, end, source.model);
     }
 
-    // The first of its places that is in sight; their count: none is.
+    // The first place in sight; their count if there is none.
     std::size_t place_in_sight(const SoundSource& source, const HeardPlaces& found) {
         const bool is_loop = source.serial == 0;
         if (is_loop)
@@ -157,7 +159,7 @@ class Hearing {
         return place;
     }
 
-    // How loud it is from there.
+    // The levels from that place.
     VoiceLevels levels_of(const Heard& heard) {
         const SoundSource& source = *heard.source;
         if (row_of(source.sound).range == 0) return heard.levels;

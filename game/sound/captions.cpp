@@ -9,8 +9,8 @@ namespace oblong {
 namespace {
 
 constexpr std::int64_t kShown_ticks = 3 * kTicksPerSecond;
-constexpr std::int64_t kSilence_ticks = 15 * kTicksPerSecond;  // after it, what goes on and on is named again
-constexpr std::int32_t kFaintestNamed_256 = 24;                // both sides together: quieter loops are not named
+constexpr std::int64_t kSilence_ticks = 15 * kTicksPerSecond;  // after which a continuing sound is captioned again
+constexpr std::int32_t kFaintestNamed_256 = 24;                // the sum of both sides below which loops get no caption
 
 }  // namespace
 
@@ -31,7 +31,7 @@ std::string caption_of(const std::string& text, Direction direction) {
     return text;
 }
 
-// What goes on and on: only after it was not heard for a while. What begins: in its first tick.
+// Loops and frequent sounds are captioned only after a silence; others in their first tick.
 bool Captions::is_due(const AudibleSound& sound) {
     const SoundRow& row = row_of(sound.sound);
     const bool is_new = sound.serial > last_serial_;

@@ -14,17 +14,17 @@ namespace oblong {
 
 using CaptionTexts = std::map<Sound, std::string>;
 
-/// A line of text for each sound that begins, for players who can't hear it. Its time is the number of ticks noted.
+/// A line of text for each sound that begins, for players who cannot hear it. Its clock is the number of ticks noted.
 class Captions {
   public:
     static constexpr std::size_t kMostLines = 3;
 
-    /// `own`: other words for some sounds; `own_sounds`: for the level's own, empty: those of the sound in whose place
-    /// they are.
+    /// `own`: other texts for some sounds; `own_sounds`: texts for the level's own sounds; empty: the text of the sound
+    /// that they replace.
     explicit Captions(CaptionTexts own = {}, std::vector<std::string> own_sounds = {})
         : own_(std::move(own)), own_sounds_(std::move(own_sounds)) {}
 
-    /// Notes what is heard in a tick. One-shots are noted in the tick in which they begin.
+    /// Notes the sounds of a tick. One-shots count in their first tick.
     void note_tick(std::span<const AudibleSound> sounds);
     /// Those shown now, oldest first: "wind", "door, to the left".
     std::vector<std::string> lines() const;

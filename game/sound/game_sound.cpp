@@ -62,7 +62,7 @@ void GameSound::open_device() {
     }
 }
 
-// Makes what is heard or written, and frees the rest.
+// Creates what the settings need, and frees the rest.
 void GameSound::keep_what_is_on() {
     if (!settings_.shows_captions)
         captions_.reset();
@@ -124,7 +124,7 @@ void GameSound::play_music(const std::string& file) {
     start_music();
 }
 
-// Begins it, or gives it the volume that it has now.
+// Starts the music, or sets its volume if it plays already.
 void GameSound::start_music() {
     if (std::exchange(plays_music_, true)) return output_->set_music_volume(music_256());
     try {

@@ -13,7 +13,7 @@
 
 namespace oblong {
 
-/// What the player sets of sound.
+/// The player's settings of sound.
 struct SoundSettings {
     std::int32_t volume_100 = 0;  ///< of all, 0 to 100; 0: no device is opened
     std::int32_t sounds_100 = 100, music_100 = 100;
@@ -22,37 +22,36 @@ struct SoundSettings {
     bool operator==(const SoundSettings&) const = default;
 };
 
-/// What a game has of its own.
+/// A game's own sounds and captions.
 struct OwnSounds {
-    std::string folder;     ///< with a folder sounds, whose files are played instead of the museum's; empty: none
-    CaptionTexts captions;  ///< other words for some sounds
-    std::map<std::string, std::string> level_captions;  ///< for levels' own, by LevelSound::name
+    std::string folder;     ///< its folder `sounds` replaces files of the museum's; empty: none
+    CaptionTexts captions;  ///< other texts for some sounds
+    std::map<std::string, std::string> level_captions;  ///< for levels' own sounds, by LevelSound::name
 };
 
-/// The game's sound: opens a device when there is something to hear, and works out what is heard only where it is heard
-/// or written as captions.
+/// The game's sound. Opens a device when a volume is above 0, and finds out what is heard only if it is played or shown
+/// as captions.
 class GameSound {
   public:
-    /// `open` may be empty: all is silent. `assets_folder`: the museum's, with a folder sounds.
+    /// `open` may be empty: no sound. `assets_folder`: the museum's, with a folder `sounds`.
     GameSound(OpenSound open, std::string assets_folder, OwnSounds own = {});
     ~GameSound();
 
-    /// Where the device cannot be opened or a file is missing: says so once, on standard error, and stays silent.
+    /// If the device cannot be opened or a file is missing, reports it once on standard error, and stays silent.
     void set(const SoundSettings& settings);
 
-    /// The level that is heard from now on, in silence at first; it and its own sounds outlive this or are left before.
-    /// Null: none.
+    /// Sets the level that is heard; null: none. The level and `own` must outlive this object, or the next call.
     void enter(const GameLevel* level, const LevelSounds* own = nullptr);
     void note_tick(const GameState& before, const GameState& after, const TickReport& report);
-    /// A pause or a menu over the game: sounds stay where they are, music is softer.
+    /// A pause or a menu over the game: sounds are paused, music is softer.
     void hold(bool is_held);
 
     /// A sound of a menu: MenuMove, MenuAccept, MenuBack.
     void play(Sound sound);
-    /// Plays a file's music from now on; an empty name: none.
+    /// Plays a file's music; an empty name: none.
     void play_music(const std::string& file);
 
-    /// What is heard, in words; empty unless captions are shown.
+    /// The captions; empty unless they are shown.
     std::vector<std::string> captions() const;
 
   private:
@@ -67,13 +66,13 @@ class GameSound {
     OpenSound open_;  // empty once it has failed
     std::string assets_folder_;
     OwnSounds own_;
-    std::string music_file_;  // that is to be heard; empty: none
+    std::string music_file_;  // to be played; empty: none
     SoundSettings settings_;
     std::unique_ptr<SoundOutput> output_;  // only while a volume is above 0
-    std::unique_ptr<SoundPlayer> player_;  // likewise; does not outlive the output
+    std::unique_ptr<SoundPlayer> player_;  // likewise; must not outlive the output
     const GameLevel* level_ = nullptr;
     const LevelSounds* level_sounds_ = nullptr;  // the level's own
-    std::unique_ptr<SoundScene> scene_;          // only while it is heard or written
+    std::unique_ptr<SoundScene> scene_;          // only while sounds or captions are on
     std::unique_ptr<Captions> captions_;         // only while they are shown
     bool is_held_ = false, plays_music_ = false;
 };

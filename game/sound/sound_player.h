@@ -10,7 +10,7 @@
 
 namespace oblong {
 
-/// Plays what is heard: starts, changes and stops voices by the differences from tick to tick.
+/// Plays the sounds that are heard: starts, adjusts and stops voices by the differences from tick to tick.
 class SoundPlayer {
   public:
     /// The output outlives it. Reads the files of all sounds, each from the first of the folders that has it. Throws
@@ -20,7 +20,7 @@ class SoundPlayer {
     /// The sounds that AudibleSound::own counts from now on. Each file is given to the output once.
     void take_own(const LevelSounds& own);
 
-    /// Makes the voices those of `sounds`, `volume_256` from 0 to 256. One-shots begin once.
+    /// Makes the voices those of `sounds`, `volume_256` from 0 to 256. One-shots are started once.
     void play(std::span<const AudibleSound> sounds, std::int32_t volume_256);
     /// Plays a sound of a menu.
     void play_once(Sound sound, std::int32_t volume_256);
@@ -41,7 +41,7 @@ class SoundPlayer {
     SoundOutput& output_;
     std::vector<SoundOutput::SoundNumber> first_numbers_;  // by sound, of the first variant
     std::vector<SoundOutput::SoundNumber> own_numbers_;
-    std::map<std::string, SoundOutput::SoundNumber> number_of_file_;  // of all own ones so far
+    std::map<std::string, SoundOutput::SoundNumber> number_of_file_;  // of all own sounds so far
     std::map<Key, Voice> voices_;
 };
 

@@ -37,7 +37,7 @@ void SoundScene::note_tick(const GameState& before, const GameState& after, cons
     keep_heard();
 }
 
-// A sound that was out of range when it began, or left it, does not come back in the middle.
+// A one-shot that is not in range at its start, or leaves it, is not resumed.
 void SoundScene::keep_heard() {
     std::erase_if(one_shots_, [&](OneShot& one_shot) {
         return --one_shot.ticks_left <= 0 ||

@@ -9,13 +9,12 @@
 
 namespace oblong {
 
-/// What is heard in a level from tick to tick.
 class SoundScene {
   public:
     /// The level outlives it, and so do its own sounds.
     explicit SoundScene(const GameLevel& level, const LevelSounds* own = nullptr);
 
-    /// Works out what is heard after a tick, by a player as in `after`.
+    /// Finds what the player of `after` hears after a tick.
     void note_tick(const GameState& before, const GameState& after, const TickReport& report);
     const Audible& audible() const { return audible_; }
 
@@ -32,7 +31,7 @@ class SoundScene {
     Ambience ambience_;
     SoundStarts starts_;
     HeardFrom heard_from_;
-    std::vector<OneShot> one_shots_;  // that have begun, were heard in each tick so far, and have not ended
+    std::vector<OneShot> one_shots_;  // not ended, and heard in each tick so far
     Audible audible_;
 };
 

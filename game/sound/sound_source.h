@@ -9,14 +9,14 @@
 
 namespace oblong {
 
-/// Something that sounds at a place.
+/// A source of sound.
 struct SoundSource {
     Sound sound = Sound::Wind;
     std::int32_t variant = 0;
-    Box box;                                ///< sounds from all over it; meaningless for sounds without a range
-    std::uint32_t serial = 0;               ///< tells apart what begins at different times; 0 for loops
-    ModelIndex model = kWorldModel;         ///< that makes the sound, and is not in its own way
-    std::int32_t own = LevelSounds::kNone;  ///< what is heard in its place, of the level's own
+    Box box;                                ///< sounds from all of it; unused for sounds without a range
+    std::uint32_t serial = 0;               ///< distinguishes one-shots; 0 for loops
+    ModelIndex model = kWorldModel;         ///< that makes the sound, and does not block it
+    std::int32_t own = LevelSounds::kNone;  ///< the level's own sound that replaces it
 };
 
 }  // namespace oblong

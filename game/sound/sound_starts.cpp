@@ -30,7 +30,7 @@ bool has_moved(const GameLevel& level, std::uint32_t mover, const GameState& bef
     return offset_in(level, before, mover) != offset_in(level, after, mover);
 }
 
-// All that may move in a tick.
+// All movers that may move in a tick.
 std::vector<std::uint32_t> active_in_either(const GameState& before, const GameState& after) {
     std::vector<std::uint32_t> active;
     std::set_union(before.active_movers.begin(), before.active_movers.end(), after.active_movers.begin(),
@@ -70,7 +70,7 @@ void SoundStarts::add(Sound sound, std::int32_t own, std::vector<SoundSource>& s
     sources.push_back(source);
 }
 
-// Where the mover is, or all around those that touch each other and begin together, as the leaves of a door do. Loops
+// At the mover's box, or around all movers that touch each other and begin together, as the leaves of a door do. Loops
 // have no serial.
 void SoundStarts::add_at(Sound sound, std::uint32_t mover, const GameState& after, std::vector<SoundSource>& sources) {
     const ModelIndex model = level_.movers[mover].model;
@@ -102,7 +102,7 @@ void SoundStarts::note_player(const GameState& before, const GameState& after, c
     if (!swims(before.player) && swims(after.player)) add(Sound::WaterIn, kStandard, sources);
     if (swims(before.player) && !swims(after.player)) add(Sound::WaterOut, kStandard, sources);
     const bool lands = !stands(before.player) && stands(after.player) && !swims(after.player);
-    // The tick that meets the ground takes the speed away, the next one stands.
+    // The tick of the impact takes the speed away; the player stands in the next one.
     fall_speed_ = std::min(fall_speed_, before.player.velocity.z);
     if (lands && fall_speed_ < kHardLanding) add(Sound::Land, kStandard, sources);
     if (stands(after.player) || swims(after.player)) fall_speed_ = {};
@@ -117,7 +117,7 @@ void SoundStarts::note_way(const GameState& before, const GameState& after, std:
         if (!stands(to)) return;
         way.z = {};
     }
-    // What stands on a lift or a train is moved, but does not walk.
+    // A player on a lift or a train moves without walking.
     if (to.velocity == Velocity{}) return;
     since_step_ += length_of(way);
     if (since_step_ < (swims(to) ? kStroke : kStride)) return;
@@ -144,7 +144,7 @@ void SoundStarts::note_movers(const GameState& before, const GameState& after, s
     were_moving_ = std::move(moving);
 }
 
-// A trigger's own sound is heard in place of what the game says then; of several that are the same, one.
+// A trigger's own sound replaces the game's; equal ones are played once.
 void SoundStarts::note_messages(const GameState& before, const GameState& after, const TickReport& report,
                                 std::vector<SoundSource>& sources) {
     bool is_told = false;

@@ -10,16 +10,16 @@
 
 namespace oblong {
 
-/// What begins to sound in a tick, worked out from the states before and after it and the triggers that have fired.
+/// The sounds that begin in a tick, found from the states before and after it and the triggers that have fired.
 class SoundStarts {
   public:
-    /// The most that movers begin in a tick, as each is held against the others; what comes on top has no sound.
+    /// The most sounds that movers begin in a tick, as each is compared with the others; further ones are silent.
     static constexpr std::size_t kMost = 64;
 
     /// The level outlives it, and so do its own sounds.
     explicit SoundStarts(const GameLevel& level, const LevelSounds* own = nullptr);
 
-    /// Appends what begins in a tick, and what moves in it as loops.
+    /// Appends the sounds that begin in a tick, and loops for what moves in it.
     void note_tick(const GameState& before, const GameState& after, const TickReport& report,
                    std::vector<SoundSource>& sources);
 
@@ -39,8 +39,8 @@ class SoundStarts {
     const LevelSounds* own_;                  // null: none
     std::vector<MoverSounds> mover_sounds_;   // in the order of the level's movers
     std::vector<std::uint32_t> were_moving_;  // movers, ascending, in the last tick
-    World since_step_;                        // the way walked or swum since the last step or stroke
-    World fall_speed_;                        // the fastest since the player last stood, downward negative
+    World since_step_;                        // the distance walked or swum since the last step or stroke
+    World fall_speed_;                        // the largest since the player last stood, downward negative
     std::uint32_t last_serial_ = 0;
 };
 

@@ -9,7 +9,7 @@
 
 namespace oblong {
 
-/// What can be heard in the game.
+/// The sounds of the game.
 enum class Sound : std::uint8_t {
     StepStone,
     StepWood,
@@ -63,16 +63,16 @@ inline constexpr std::size_t kSoundCount = as_size(Sound::UnderWater) + 1;
 /// When a sound's caption is shown.
 enum class CaptionRule : std::uint8_t {
     Always,    ///< each time that it begins
-    Sometimes  ///< for what goes on and on, or comes again and again: only after it was not heard for a while
+    Sometimes  ///< for continuing or frequent sounds: only after a silence
 };
 
-/// What is known of a sound.
+/// The properties of a sound.
 struct SoundRow {
-    const char* file;       ///< of the folder of sounds, without a variant's number and ".flac"
-    std::int32_t variants;  ///< files, numbered from 1 if there are several; played by turns
-    const char* caption;    ///< what is heard, in words; "" for what menus say already
-    std::int32_t range;     ///< it cannot be heard from here on, in world units; 0: it is heard where the listener is
-    std::int32_t gain_256;  ///< how loud it is at its place, up to 256
+    const char* file;           ///< in the folder of sounds, without a variant's number and ".flac"
+    std::int32_t variants;      ///< files, numbered from 1 if there are several; played in turn
+    const char* caption;        ///< "": none
+    std::int32_t range;         ///< beyond which it is not heard, in world units; 0: it is at the listener
+    std::int32_t gain_256;      ///< its volume at distance 0, up to 256
     std::int32_t length_ticks;  ///< of the longest variant, rounded up; 0: it is a loop
     CaptionRule caption_rule = CaptionRule::Always;
 
@@ -81,7 +81,7 @@ struct SoundRow {
 
 const SoundRow& row_of(Sound sound);
 
-/// The sound of a row's `file`; nothing where no row has it.
+/// The sound of a row's `file`; nothing if no row has it.
 std::optional<Sound> find_sound(std::string_view file);
 
 /// "step_stone2.flac"; `variant` from 0.

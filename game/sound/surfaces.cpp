@@ -16,7 +16,7 @@ struct NamePart {
     Sound step;
 };
 
-// The first that a texture's name contains. The words of this project's textures, and of Quake's.
+// Words in names of this project's textures and of Quake's; the first that a name contains counts.
 constexpr std::array kNameParts{
     NamePart{"carpet", Sound::StepCarpet}, NamePart{"rug", Sound::StepCarpet},   NamePart{"wood", Sound::StepWood},
     NamePart{"plank", Sound::StepWood},    NamePart{"crate", Sound::StepWood},   NamePart{"wizwood", Sound::StepWood},

@@ -8,13 +8,13 @@
 
 namespace oblong {
 
-/// The sound of a step on a texture, by words in its name; stone where no word is known.
+/// The sound of a step on a texture, by words in its name; stone if no word is known.
 Sound step_sound_of_texture(std::string_view name);
 
-/// The sound of a step where the player stands: on water where the feet are in a liquid, else by the face below.
+/// The sound of a step where the player stands: in water if the feet are in a liquid, else by the face below.
 Sound step_sound(const GameLevel& level, const GameState& state);
 
-/// What a brush model that moves sounds like.
+/// The sounds of a moving brush model.
 struct MoverSounds {
     Sound start, move, stop;
 };

@@ -16,7 +16,7 @@ namespace {
 constexpr View kMapWidth = View::from_int(2048), kMapFarthest = View::from_int(1 << 21);
 constexpr int kPictureBrightness = 56;  // of 256, behind the map
 constexpr World kBeside = World::from_int(2), kStepHeight = World::from_int(18), kFlatWithin = World::from_int(1);
-constexpr World kRim = World::from_int(700), kMark = World::from_int(36);  // of missing lenses
+constexpr World kRim = World::from_int(700), kMark = World::from_int(36);  // of the squares of missing lenses
 constexpr World kArrowLength = World::from_int(64), kArrowHead = World::from_int(40);
 constexpr Unit kRootOfHalf = Unit::from_raw(759'250'125);
 
@@ -42,7 +42,7 @@ bool is_solid(const Level& level, const Vec3<World>& p) {
     return level.leaves[find_leaf(level, level.world(), p)].contents == contents::kSolid;
 }
 
-// None where there is no ground before the wall.
+// None if there is no ground before the wall.
 std::optional<MapLineKind> kind_of(const Level& level, const Face& face, const MapLine& line) {
     const Vec3<World> middle = between(line.from, line.to, World::from_int(1), World::from_int(2));
     const Vec3<World> away = times(kBeside, level.planes[face.plane].normal), out = face.is_back ? -away : away;
@@ -86,7 +86,7 @@ class Automap::Plotter {
         const auto at = [&](Angle turn, World distance) {
             return camera.eye + times(distance, view_basis(camera.yaw + turn, {}, {}).forward);
         };
-        constexpr Angle kSideways = Angle::from_bam(0x5800);  // of the barbs: 124 degrees from ahead
+        constexpr Angle kSideways = Angle::from_bam(0x5800);  // the direction of the barbs: 124 degrees from ahead
         const Vec3<World> tip = at({}, kArrowLength), left = at(kSideways, kArrowHead),
                           right = at(-kSideways, kArrowHead);
         draw(tip, left, colour);
@@ -123,7 +123,7 @@ void Automap::draw_world(const Plotter& plotter, const Vec3<World>& eye) {
     is_visible_.assign(is_visible_.size(), 0);
     for (const LeafIndex leaf : visible_.leaves())
         for (const FaceIndex face : bsp_.faces_at(bsp_.leaves[leaf])) is_visible_[face] = 1;
-    for (const bool shown : {false, true})  // what may be seen over what may not
+    for (const bool shown : {false, true})  // visible lines over hidden ones
         for (const FaceIndex face : bsp_.world().faces) {
             if ((is_visible_[face] != 0) != shown) continue;
             for (const MapLine& line : lines_[face]) draw_line_of_world(plotter, line, shown);
@@ -141,7 +141,7 @@ void Automap::draw_line_of_world(const Plotter& plotter, const MapLine& line, bo
 
 void Automap::draw_models(const Plotter& plotter, const GameView& view) const {
     std::vector<PlacedModel> models = placed_models(level_, view.state);
-    for (std::size_t i = 0; i < level_.movers.size(); ++i)  // those that turn: while they are shut
+    for (std::size_t i = 0; i < level_.movers.size(); ++i)  // doors that turn, while they are shut
         if (level_.movers[i].turns != 0 && view.state.after.movers[i].phase == MoverState::Phase::AtStart)
             models.push_back({level_.movers[i].model, {}});
     for (const PlacedModel& placed : models) {

@@ -13,8 +13,8 @@ namespace oblong {
 
 /// What a line of the map stands for.
 enum class MapLineKind : std::uint8_t {
-    Wall,  ///< a wall on its floor
-    Step   ///< one low enough to walk up
+    Wall,  ///< where a wall meets its floor
+    Step   ///< the same, of a wall low enough to walk up
 };
 
 struct MapLine {
@@ -23,19 +23,19 @@ struct MapLine {
     bool operator==(const MapLine&) const = default;
 };
 
-/// The lines at which a face of the world that is steeper than 45 degrees stands on a floor: none for floors, liquids
-/// and skies, and for walls that begin above the ground, as over a door.
+/// The lines where a face of the world steeper than 45 degrees meets a floor. Floors, liquids, skies, and walls that
+/// begin above the ground, as over a door, have none.
 std::vector<MapLine> map_lines_of(const Level& level, FaceIndex face);
 
-/// The level from above around the player, an orthographic view of lines over a darkened picture: steps are broken
-/// lines, doors and other models have crosses; the last lenses that are missing are squares on edge, at the map's rim
-/// where they are farther. It exists only while it is shown.
+/// A map of the level around the player: an orthographic view from above, as lines over the darkened picture. Steps are
+/// broken lines; doors and other models have crosses; the last missing lenses are squares on edge, at the map's rim if
+/// they are beyond it. It exists only while it is shown.
 class Automap {
   public:
     /// `data` and `level` outlive it.
     Automap(const GameData& data, const GameLevel& level, ColourScheme scheme);
 
-    /// Draws it over the canvas. Lines in no leaf that may be seen from here are dark.
+    /// Draws the map over the canvas. Lines in leaves outside the potentially visible set are dark.
     void draw(const GameView& view, MapView orientation, LineMethod method, const ScreenMode& mode,
               const Settings& settings, Framebuffer canvas);
 

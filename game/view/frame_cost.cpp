@@ -11,10 +11,10 @@ namespace oblong {
 namespace {
 
 constexpr std::uint64_t kMeasured_us = 500'000;
-constexpr int kBackground = 90;  // of 256: how bright it is
+constexpr int kBackground = 90;  // brightness, of 256
 // In pixels of letters.
 constexpr std::int32_t kRow_px = 9, kEffectsLeft_px = 148, kTwoColumns_px = 320;
-constexpr int kPassName = 11, kEffectName = 17;  // the longest ones
+constexpr int kPassName = 11, kEffectName = 17;  // the longest names
 
 // Microseconds in four characters: "0.3", "48.2", "7235".
 std::string short_time(double time_ns) {
@@ -34,7 +34,7 @@ std::string text_of(const PlanLine& line, int name_width, bool has_pixels) {
     return text;
 }
 
-// A column of the table: its head, and its lines on all pages.
+// A column of the table: its heading and its lines on all pages.
 struct Column {
     std::int32_t left;
     std::string head;
@@ -62,7 +62,7 @@ std::string head_of(const CostText& text, std::int32_t page, std::int32_t pages)
     return text.frame + ", page " + std::to_string(page) + " of " + std::to_string(pages);
 }
 
-// Without effects that are passes of their own.
+// The effects that are not passes as well.
 std::vector<PlanLine> other_lines(std::vector<PlanLine> effects, const std::vector<PlanLine>& passes) {
     std::erase_if(effects, [&](const PlanLine& effect) {
         return std::any_of(passes.begin(), passes.end(),
@@ -93,7 +93,7 @@ CostTable lay_out_cost(const CostText& text, std::int32_t room_px, TextColours c
     table.height_px = head_px(1) + 2;
     table.lines = longest;
     if (longest > 0 && table.height_px + row_px * static_cast<std::int32_t>(longest + 1) > room_px) {
-        constexpr std::int32_t kManyPages = 10;  // their number takes as much room as any
+        constexpr std::int32_t kManyPages = 10;  // a page number as wide as any
         const std::int32_t lines = (room_px - head_px(kManyPages) - 2) / row_px - 1;
         table.lines = as_size(std::max(lines, 0));
         if (table.lines > 0) table.height_px = head_px(kManyPages) + 2;

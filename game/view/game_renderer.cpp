@@ -32,7 +32,7 @@ LightStyles light_styles_of(const GameState& state) {
     return styles;
 }
 
-// The model that shows an entity, into LevelModels::models; none where its file is not there.
+// The model that shows an entity, into LevelModels::models; none if its file is missing.
 std::optional<std::size_t> model_of(std::size_t entity, const LevelModels& models) {
     const auto model = std::find_if(models.models.begin(), models.models.end(),
                                     [&](const LevelModel& one) { return one.entity == entity; });
@@ -92,7 +92,7 @@ GameRenderer::GameRenderer(const GameData& data, const GameLevel& level, const S
     if (!turning_.empty()) turned_.resize(data.models.models.size());
 }
 
-// What is taken is no longer part of the scene, so that nothing is spent on it.
+// A taken item is not in the scene, so that it costs nothing.
 void GameRenderer::note_models(const InterpolatedState& state) {
     for (std::size_t i = 0; i < item_models_.size(); ++i)
         if (item_models_[i]) is_gone_[*item_models_[i]] = is_there(state.after, i) ? 0 : 1;

@@ -15,28 +15,27 @@
 
 namespace oblong {
 
-/// Two states one tick apart and how far the picture is between them: 0 is the first, 65,536 the second.
+/// Two states one tick apart, and how far the picture is between them: 0 is the first, 65,536 the second.
 struct InterpolatedState {
     const GameState& before;
     const GameState& after;
     std::int32_t fraction_16 = 0;
 };
 
-/// What a picture shows: the game at a moment, and from where.
+/// What a picture shows: the game at a moment, and the camera.
 struct GameView {
     InterpolatedState state;
     Camera camera;
     bool has_torch = false;              ///< a light at the eye
-    std::optional<ViewSpec> other = {};  ///< drawn instead of what the camera sees
+    std::optional<ViewSpec> other = {};  ///< drawn instead of the camera's view
 };
 
-/// How it is seen.
 ViewSpec spec_of(const GameView& view, const Settings& settings);
 
 /// The time since the level began.
 std::int64_t time_ms_at(const InterpolatedState& state);
 
-/// The brush models that are drawn as such, at their offsets: not those of triggers, nor doors that turn.
+/// The brush models that are drawn, with their offsets: without triggers, and without doors that turn.
 std::vector<PlacedModel> placed_models(const GameLevel& level, const InterpolatedState& state);
 
 /// The player's eye, turned further by `offset`.
@@ -45,21 +44,21 @@ Camera camera_at(const InterpolatedState& state, LookOffset offset, Degrees fiel
 /// Draws a game into a framebuffer of its own.
 class GameRenderer {
   public:
-    /// `data`, `level` and `workers`, who share in what draw() does if there are any, outlive the renderer.
+    /// `data`, `level` and `workers` outlive the renderer. If there are workers, draw() shares its work with them.
     GameRenderer(const GameData& data, const GameLevel& level, const ScreenMode& mode, Workers* workers = nullptr);
 
     void draw(const GameView& view, const Settings& settings);
-    /// What draw() counts or records: on the same canvas, but slower.
+    /// Like draw(), but also count or record, and slower. The canvas is the same.
     FrameCounts draw_and_count(const GameView& view, const Settings& settings);
     FrameRecord draw_and_record(const GameView& view, const Settings& settings);
-    /// Draws the edges of the faces that own pixels over the picture, which is of this view and these settings.
+    /// Draws the edges of the faces that own pixels over the picture, which must be of this view and these settings.
     void draw_edges(const GameView& view, const Settings& settings, const LineStyle& style);
     /// Draws lines from each point to the next, likewise.
     void draw_path(std::span<const Vec3<World>> points, const GameView& view, const Settings& settings,
                    const LineStyle& style);
-    /// Draws, and adds what that took.
+    /// Draws, and adds the time to `times`.
     void draw_and_time(const GameView& view, const Settings& settings, RenderingTimes& times);
-    /// Writes what the log's channels say of the picture drawn last, of this view, at most once a second.
+    /// Writes the log's channels for the last picture, which must be of this view, at most once a second.
     void note(const GameView& view, const Settings& settings, std::uint64_t now_us, FrameLog& log);
     /// The plan of the picture drawn last.
     const FramePlan& plan() const { return work_.plan; }
@@ -69,7 +68,7 @@ class GameRenderer {
     std::size_t torn_edges() const { return work_.cache.faces.torn_edges; }
 
   private:
-    /// A door that turns, into GameLevel::movers, and what shows it, into GameData::models.
+    /// A door that turns, into GameLevel::movers, and its model, into GameData::models.
     struct TurningModel {
         std::uint32_t mover;
         std::size_t model;
@@ -86,7 +85,7 @@ class GameRenderer {
     std::vector<PlacedMesh> meshes_;
     std::vector<std::optional<std::size_t>> item_models_;  ///< of GameLevel::items, into GameData::models
     std::vector<TurningModel> turning_;
-    std::vector<std::uint8_t> is_gone_;  ///< a model of what was taken or removed; empty where nothing may be
+    std::vector<std::uint8_t> is_gone_;  ///< models of taken or removed entities; empty if there cannot be any
     std::vector<Angle> turned_;          ///< empty without doors that turn
 };
 

@@ -10,7 +10,7 @@ namespace oblong {
 namespace {
 
 constexpr std::int32_t kTextGap_px = 2;
-constexpr std::size_t kMostMessageLines = 3;  // at once: the picture stays in view
+constexpr std::size_t kMostMessageLines = 3;  // so that the picture stays visible
 
 std::int32_t line_px(TextColours colours) {
     return kLineHeight_px * colours.scale;
@@ -20,7 +20,7 @@ std::int32_t height_of(const std::string& text, TextColours colours, Framebuffer
     return static_cast<std::int32_t>(lines_across(text, colours, canvas).size()) * line_px(colours);
 }
 
-// Takes so many rows from the bottom of a room; none if they are not there.
+// Takes `height` rows from the bottom of a room; none if it has fewer.
 RowRange take_below(std::int32_t height, RowRange& room) {
     if (height <= 0 || height > room.height()) return {};
     room.bottom -= height;

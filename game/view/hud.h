@@ -11,34 +11,34 @@
 
 namespace oblong {
 
-/// What is written over a picture beside messages.
+/// The text over a picture, except messages.
 struct HudText {
-    std::vector<std::string> captions;  ///< of sounds: at the bottom
-    std::vector<std::string> notes;     ///< likewise, above them
-    const CostText* cost = nullptr;     ///< likewise, above those; may be null
+    std::vector<std::string> captions;  ///< of sounds, at the bottom
+    std::vector<std::string> notes;     ///< above the captions
+    const CostText* cost = nullptr;     ///< above the notes; may be null
     std::int32_t cost_page = 1;
 };
 
-/// RowRange [top, bottom) of a canvas.
+/// Rows [top, bottom) of a canvas.
 struct RowRange {
     std::int32_t top = 0, bottom = 0;
     std::int32_t height() const { return bottom > top ? bottom - top : 0; }
 };
 
-/// Where the text over a picture goes: no two of its parts share a row. What has no room has no rows.
+/// Where the text over a picture is drawn. Its parts do not overlap; a part without room has no rows.
 struct HudLayout {
     RowRange captions, cost;
     CostTable cost_table;
     std::vector<RowRange> notes;
-    RowRange messages;  ///< all that is left for them
+    RowRange messages;  ///< all the rest
 };
 
-/// Lays text out in rows [0, bottom) of a canvas. Room for a message's line comes first, then captions, notes and cost.
+/// Lays text out in rows [0, bottom) of a canvas. A line for a message has priority, then captions, notes, cost.
 HudLayout lay_out_hud(const HudText& text, bool has_messages, std::int32_t bottom, TextColours colours,
                       Framebuffer canvas);
 
-/// Draws text and messages over a picture, and says where. `now_us` may be any clock that stands still while the player
-/// can't read; `background`: what the picture becomes behind text.
+/// Draws text and messages over a picture; returns the layout. `now_us`: of a clock that stops while the player cannot
+/// read; `background` darkens the picture behind text.
 HudLayout draw_hud(const HudText& text, Messages& messages, std::uint64_t now_us, std::int32_t bottom,
                    TextColours colours, const ColourTable& background, Framebuffer canvas);
 

@@ -9,7 +9,7 @@
 
 namespace oblong {
 
-/// A colour of lines over the picture, with the table that blends their borders.
+/// A colour of lines over the picture, with the table for blending their edges.
 class LineColour {
   public:
     LineColour(const Palette& palette, Rgb8 wanted)

@@ -40,7 +40,7 @@ void Messages::pass_time(std::uint64_t now_us) {
     if (up.left_us == 0) parts_.erase(parts_.begin());
 }
 
-// What does not fit becomes the part after it.
+// The rest becomes the next part.
 void Messages::split_first(std::int32_t columns, std::size_t most_lines) {
     Part& first = parts_.front();
     const std::vector<std::string_view> all = wrapped(first.text, columns);

@@ -23,7 +23,7 @@ struct Multiples {
     std::int32_t x, y;
 };
 
-// Columns and rows of a block of the right shape for one pixel; zeros where even the smallest makes a picture too
+// Columns and rows of the block that shows a pixel in its right shape; zeros if even the smallest makes a picture too
 // large.
 Multiples exact_multiples(const ScreenMode& mode) {
     const Ratio pixel = mode.pixel();

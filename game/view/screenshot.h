@@ -8,13 +8,12 @@
 
 namespace oblong {
 
-/// The size of a picture that shows the mode in its right shape by whole multiples alone: 1600x1200 for 320x200 on 4:3.
-/// The largest up to 1600x1200, or the smallest there is; 0x0 where that has a side of more than 8,192.
+/// The size of a picture that shows the mode in its right shape with whole multiples of pixels: 1600x1200 for 320x200
+/// on 4:3. The largest up to 1600x1200, or else the smallest; 0x0 if that has a side of more than 8,192.
 WindowSize exact_size(const ScreenMode& mode);
 
-/// Writes the picture as it is and in its exact size, as indexed PNGs "oblong-000.png" and "oblong-000-1600x1200.png"
-/// of the first free number, into a folder. Returns a message for the user, also on failure, for
-/// KeyNames::in().
+/// Writes the picture in its own and in its exact size, as indexed PNGs "oblong-000.png" and "oblong-000-1600x1200.png"
+/// of the first free number, into a folder. Returns a message to the player, also on failure, for KeyNames::in().
 std::string save_screenshots(const std::string& folder, Framebuffer picture, const Palette& palette,
                              const ScreenMode& mode);
 

@@ -8,7 +8,7 @@ namespace {
 constexpr Tint kTeleportFlash{{215, 220, 255}, 150};
 constexpr std::int64_t kTeleportFlash_ms = 400;
 
-// A tube's colours first: gamma is of the display that shows them. A game writes what comes of both to the VGA.
+// Order: the colours of a tube, then the gamma of the display, then the VGA's 6 bits.
 std::optional<GammaTable> channels_of(const Light& light, bool has_dac6) {
     if (!light.is_of_tube && light.gamma_100 == 100 && !has_dac6) return {};
     GammaTable shown = make_gamma_table(light.gamma_100);

@@ -8,11 +8,11 @@ namespace oblong {
 
 namespace {
 
-/// Of the isometric view: units across, and how far above the eye the level is cut off.
+/// Of the isometric view: its width in units, and how far above the eye the level is cut off.
 constexpr View kIsometricWidth = View::from_int(1024);
 constexpr World kSectionAboveEye = World::from_int(40);
 
-/// How far away what is in the middle of the picture is, 16 to 4,096 units.
+/// The distance of the surface in the middle of the picture, 16 to 4,096 units.
 World distance_ahead(const Camera& camera, const Level& level) {
     constexpr World kNearest = World::from_int(16), kFarthest = World::from_int(4096);
     const Vec3<Unit> forward = view_basis(camera.yaw, camera.pitch, camera.roll).forward;

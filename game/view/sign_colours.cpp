@@ -5,8 +5,7 @@
 namespace oblong {
 namespace {
 
-// From cold to hot, in colours that Quake's palette has too. All but the first, which is for what is nearly exact, are
-// bright.
+// From cold to hot, in colours that are also in Quake's palette. All but the first, for tiny errors, are bright.
 constexpr SignColours kStandard{
     {232, 224, 200},
     {160, 128, 88},

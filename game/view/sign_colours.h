@@ -9,8 +9,8 @@ namespace oblong {
 
 inline constexpr std::size_t kErrorBands = 7;
 
-/// The colours of what is drawn over the picture to say something. None says by itself what it says: steps are broken
-/// lines, doors have crosses, the player is an arrow, and the bands of the error have a legend.
+/// The colours of signs over the picture. No sign depends on its colour alone: steps are broken lines, doors have
+/// crosses, the player is an arrow, and the bands of the error have a legend.
 struct SignColours {
     Rgb8 wall, step, door, hidden, player, lens;  ///< of the map
     Rgb8 edges;                                   ///< of faces

@@ -10,7 +10,7 @@ namespace {
 constexpr std::int64_t kCycle_ticks = 21;  // 0.6 s
 static_assert(kCycle_ticks * 10 == 6 * kTicksPerSecond);
 constexpr World kHighest = World::from_int(4), kLowest = World::from_int(-7);
-constexpr World kLeanSpeed = World::from_int(200);  // at which the view leans by all of kLean
+constexpr World kLeanSpeed = World::from_int(200);  // at which the lean is kLean
 constexpr std::int64_t kLean = 364;                 // 2 degrees, 65,536 to the circle
 
 Velocity velocity_at(const InterpolatedState& state) {
@@ -18,7 +18,7 @@ Velocity velocity_at(const InterpolatedState& state) {
     return before + scaled(after - before, state.fraction_16, 65'536);
 }
 
-// 0.02 s times the speed, of which three tenths stay and seven go round.
+// 0.02 s times the speed: three tenths constant, seven tenths times a sine.
 World bob(World speed, const InterpolatedState& state) {
     const std::int64_t ticks_16 = (state.before.tick % kCycle_ticks << 16) + state.fraction_16;
     const Unit wave = sine(Angle::from_bam(ticks_16 / kCycle_ticks));

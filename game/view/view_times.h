@@ -5,13 +5,12 @@
 
 namespace oblong {
 
-/// Times of warm renderings of one view with one setting; those of another one are forgotten when the first of the new
-/// comes.
+/// Times of warm renderings of one view with one setting; a new view or setting clears them.
 class ViewTimes {
   public:
     explicit ViewTimes(FrameClock clock = steady_clock_ns) : times_(kMost, clock) {}
 
-    /// Draws once more, to the same picture, what the renderer drew last.
+    /// Draws the renderer's last picture once more, and times it.
     void time(const GameView& view, const Settings& settings, GameRenderer& renderer);
     const RenderingTimes& renderings() const { return times_; }
 
