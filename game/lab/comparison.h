@@ -7,15 +7,15 @@
 
 namespace oblong {
 
-/// The column at which the right side begins.
+/// The first column of the right side.
 std::int32_t split_column(const LabOptions& options, std::int32_t width_px);
 
-/// Shows the right side of another picture beside the left side of this one, with a line between them.
+/// Replaces the right side of the canvas by that of another picture, with a line between them.
 void draw_split(const LabOptions& options, Framebuffer right, TextColours colours, Framebuffer canvas);
-/// What the two sides show, for KeyNames::in(): `left` names the setting there; at the right is the exact one.
+/// The caption of a split picture, for KeyNames::in(): `left` names the setting at the left; at the right it is exact.
 std::string split_text(std::string_view left);
 
-/// The two settings that are flipped, that shown in brackets, for KeyNames::in().
+/// The two settings that are flipped, the shown one in brackets, for KeyNames::in().
 std::string flip_text(const LabOptions& options, const Accuracy& accuracy, std::uint64_t now_us);
 
 }  // namespace oblong

@@ -13,7 +13,7 @@ namespace {
 constexpr std::array<std::string_view, ErrorMap::kBands> kLabels{"0", "1/8", "1/4", "1/2", "1", "2", "4px"};
 constexpr std::int32_t kSwatch_px = 4;
 
-// A band's colour, by the brightness of a colour of the picture: from three quarters to all of its own.
+// A band's colour at 3/4 to all of its brightness, by the brightness of the picture's colour.
 Rgb8 tinted(Rgb8 band, Rgb8 picture) {
     const std::int32_t weight = 192 + luminance_1000(picture) / 4000;
     const auto scaled = [&](std::uint8_t channel) { return static_cast<std::uint8_t>(channel * weight / 256); };

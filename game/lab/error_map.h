@@ -12,23 +12,22 @@
 
 namespace oblong {
 
-/// The map of the error: each pixel's colour says how far its texel is off its place.
+/// The map of the error: each pixel's colour shows how far its texel is from its exact place.
 class ErrorMap {
   public:
-    /// Errors below the first are dark grey; from each of these on, 1/256 pixel, they have a colour of their own.
+    /// Errors below the first are dark grey; from each of these on, in 1/256 pixel, another colour begins.
     static constexpr std::array kSteps_256{32, 64, 128, 256, 512, 1024};  // 1/8 to 4 pixels
     static constexpr std::size_t kBands = kSteps_256.size() + 1;
     static_assert(kBands == kErrorBands);
 
     ErrorMap(const Palette& palette, ColourScheme scheme);
 
-    /// Colours each pixel of a picture, which stays recognisable by its brightness. `errors`: one a pixel.
+    /// Colours each pixel of a picture by its error, and keeps its brightness visible. `errors`: one for each pixel.
     void draw(std::span<const TexelError> errors, Framebuffer canvas) const;
-    /// Draws what the colours mean, pixels from which on each is used, above the row `bottom`. The row above which it
-    /// ends.
+    /// Draws the legend, with the smallest error of each colour, above the row `bottom`. Returns its top row.
     std::int32_t draw_legend(std::int32_t bottom, TextColours colours, Framebuffer canvas) const;
 
-    /// The band of an error, pixels: 0 below the first step, and where nothing is measured.
+    /// The band of an error in pixels: 0 below the first step, and without a measurement.
     static std::size_t band_of(float pixels);
 
   private:

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::int32_t kGap_px = 2, kSmallestSide_px = 8;
 
-// The largest part of a cell, in its middle, whose width to height is `shape` where pixels are of shape `pixel`.
+// The largest part of a cell, in its middle, whose width to height is `shape` in pixels of shape `pixel`.
 Area fitted(const Area& cell, Ratio shape, Ratio pixel) {
     const Ratio columns_to_rows = (shape * pixel.inverse()).reduced();
     const std::int64_t columns = cell.height * columns_to_rows.numerator / columns_to_rows.denominator;
@@ -28,7 +28,7 @@ AspectView aspect_view(const ScreenMode& mode, Ratio pixel, bool corrects_projec
     const Ratio of_pixels{mode.width_px, mode.height_px};
     const Area cell = cell_of(mode, corrects_projection ? 0 : 1, corrects_display ? 0 : 1);
     const Area area = fitted(cell, corrects_display ? mode.display : of_pixels, pixel);
-    // What is seen above and below depends on the projection alone.
+    // The vertical field of view depends only on the projection.
     const ScreenMode small{area.width, area.height, corrects_projection ? mode.display : of_pixels.reduced()};
     return {corrects_projection, corrects_display, cell, area, small};
 }
@@ -87,7 +87,7 @@ void FourAspects::draw_view(const GameView& view, const Settings& settings, cons
     if (!renderer || !is_same(renderer->mode(), aspect.mode))
         renderer = std::make_unique<GameRenderer>(data_, level_, aspect.mode);
     Settings true_settings = settings;
-    true_settings.correct_aspect = true;  // the small mode's display is what is to be corrected for
+    true_settings.correct_aspect = true;  // the small mode's display has the shape to correct for
     renderer->draw(view, true_settings);
     copy_picture(renderer->canvas(), out);
 }

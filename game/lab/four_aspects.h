@@ -8,16 +8,16 @@
 
 namespace oblong {
 
-/// One of the four combinations of F2 and F3 and its place in a picture of all four.
+/// One of the four combinations of F2 and F3, and its place in the picture of all four.
 struct AspectView {
     bool corrects_projection, corrects_display;
     Area cell;        ///< a quarter of the canvas
     Area area;        ///< of the picture in it
-    ScreenMode mode;  ///< of that size; draws what the whole picture would show
+    ScreenMode mode;  ///< of that size, with the same view as the whole picture
 };
 
-/// The four, each in its own shape wherever the window's pixels are of shape `pixel` (width to height). Those with the
-/// corrected projection on the left, with the display's shape above.
+/// The four, each in its own shape in a window whose pixels have shape `pixel` (width to height). Corrected projection
+/// at the left, corrected display at the top.
 std::array<AspectView, 4> four_aspects(const ScreenMode& mode, Ratio pixel);
 
 /// "drawn 4:3, shown square:\n17 % too flat".
@@ -38,7 +38,7 @@ class FourAspects {
 
     const GameData& data_;
     const GameLevel& level_;
-    std::array<std::unique_ptr<GameRenderer>, 4> renderers_;  ///< made again where a mode has changed
+    std::array<std::unique_ptr<GameRenderer>, 4> renderers_;  ///< remade when a mode changes
 };
 
 }  // namespace oblong

@@ -10,20 +10,20 @@
 
 namespace oblong {
 
-/// What the lab shows over the game's picture, and all that it computes for it, with a renderer of its own. It exists
-/// only while something of it is on.
+/// The lab's drawing over the game's picture, and its measurements, with its own renderer. It exists only while a part
+/// of it is on.
 class Lab {
   public:
     /// `data` and `level` outlive it.
     Lab(const GameData& data, const GameLevel& level, const ScreenMode& mode, ColourScheme scheme,
         std::int32_t text_scale);
 
-    /// Draws what is on over the canvas, which shows `view` with shown_setting(). `settings`: the current ones.
-    /// `is_short`: another panel is to have room beside its own. The row above which it ends.
+    /// Draws the parts that are on over the canvas, which shows `view` with shown_setting(). `settings`: the current
+    /// ones. `is_short`: leaves room for another panel. Returns the row above which it ends.
     std::int32_t draw(const LabOptions& options, const GameView& view, const Settings& settings, std::uint64_t now_us,
                       bool is_short, Framebuffer canvas);
 
-    /// What is to be said of what draw() drew, for KeyNames::in().
+    /// Notes on what draw() drew, for KeyNames::in().
     std::vector<std::string> notes(const LabOptions& options, const Accuracy& accuracy, std::uint64_t now_us) const;
 
   private:
@@ -35,7 +35,7 @@ class Lab {
     const GameLevel& level_;
     PanelColours colours_;
     GameRenderer renderer_;
-    std::optional<ErrorMeter> meter_;  // made when errors are first asked for
+    std::optional<ErrorMeter> meter_;  // made at the first use
     ErrorMap error_map_;
     LabMeasures measures_;
 };

@@ -8,7 +8,8 @@
 namespace oblong {
 namespace {
 
-// The turns of a round: two settings, the presets, operations, errors of places, errors of colours.
+// The turns of a round: the current and the previous setting, the presets, operations, errors of places, errors of
+// colours.
 constexpr std::size_t kFirstPreset = 2, kCount = kFirstPreset + kPresets.size(), kErrors = kCount + 1,
                       kColours = kErrors + 1, kTurns = kColours + 1;
 
@@ -70,7 +71,7 @@ void LabMeasures::measure(const GameView& view, const Settings& now, const Accur
     time(setting, view, now, renderer);
 }
 
-// Times of a setting stay with it when it becomes the one before; those of settings that are gone are forgotten.
+// The current setting's times are kept when it becomes the previous one; times of older settings are dropped.
 void LabMeasures::follow(const Accuracy& now, const Accuracy& before) {
     const TimedSetting was_now = figures_.now, was_before = figures_.before;
     const auto known = [&](const Accuracy& accuracy) {

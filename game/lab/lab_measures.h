@@ -16,13 +16,13 @@
 
 namespace oblong {
 
-/// How far the texels of a frame are off their place, by the reference's arithmetic.
+/// Measures how far the texels of a frame are from their exact places, by the reference's arithmetic.
 class ErrorMeter {
   public:
     /// Reads the level's file a second time, as the reference does. `level` outlives the meter.
     ErrorMeter(const std::string& level_file, const GameLevel& level);
 
-    /// Of each pixel; empty where the file could not be read.
+    /// The error of each pixel; empty if the file could not be read.
     std::vector<TexelError> measure(const GameView& view, const Settings& settings, GameRenderer& renderer);
     /// Why nothing can be measured; empty if it can.
     const std::string& problem() const { return problem_; }
@@ -33,40 +33,39 @@ class ErrorMeter {
     std::string problem_;
 };
 
-/// A setting and what a frame with it takes.
+/// A setting and the times of frames with it.
 struct TimedSetting {
     Accuracy accuracy;
     ViewTimes times;
     std::optional<TimeSpread> frame_ns = {};  ///< of `times`; none before the first
 };
 
-/// What the lab has measured of the view shown lately.
+/// The lab's measurements of the last views.
 struct LabFigures {
     TimedSetting now, before;
     std::array<TimedSetting, kPresets.size()> presets;
-    Operations operations;                                 ///< of a frame with the setting now
-    std::array<double, kProcessors.size()> frame_rates{};  ///< that they allow
+    Operations operations;                                 ///< of a frame with the current setting
+    std::array<double, kProcessors.size()> frame_rates{};  ///< that the operations allow
     std::optional<ErrorSummary> errors;                    ///< pixels on the screen
     std::string problem;                                   ///< why there are no errors
-    /// Of light and mip levels: how far colours are from those of exact ones at the same texels, RGB, 0 to 442; of the
+    /// Of light and mip levels: the distance of colours from exact ones at the same texels, RGB, 0 to 442; of the
     /// pixels that differ.
     std::optional<ErrorSummary> colour_errors;
     std::int32_t pixels = 0;  ///< of the picture
 };
 
-/// A setting whose dials of colour (light, shades, dither, mip levels) are those of the preset `exact`.
+/// A setting with the dials of colour (light, shades, dither, mip levels) of the preset `exact`.
 Accuracy with_exact_colours(Accuracy accuracy);
-/// How far the colours of two pictures are apart, RGB, where they differ.
+/// The distances of colours of two pictures, RGB, of the pixels that differ.
 ErrorSummary colour_errors(std::span<const std::uint8_t> picture, std::span<const std::uint8_t> exact,
                            const Palette& palette);
 
-/// Measures the view in turns, one of these at a frame: the time of one setting; operations; errors of places; errors
-/// of colours.
+/// Measures the view in turns, one a frame: the time of one setting; operations; errors of places; errors of colours.
 class LabMeasures {
   public:
     explicit LabMeasures(FrameClock clock = steady_clock_ns);
 
-    /// Takes the next turn. A time is that of the second of two renderings, which finds its surfaces lit.
+    /// Takes the next turn. A time is of the second of two renderings, whose surfaces are lit already.
     void measure(const GameView& view, const Settings& now, const Accuracy& before, GameRenderer& renderer,
                  ErrorMeter& meter, const Palette& palette);
     void note_errors(const std::vector<TexelError>& errors, const std::string& problem);

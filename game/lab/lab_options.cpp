@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint64_t kFlipEvery_us = 500'000;
 
-// Without a row of its own in the panel, a dial is explained as it is chosen.
+// The panel has no row for explanations, so a dial is explained when it is chosen.
 std::string describe(const Dial& dial) {
     std::string text = std::string(dial.caption) + ": " + std::string(dial.about);
     if (!dial.changes_work) text += " Its error is real; what narrower numbers save does not show in the time.";

@@ -13,16 +13,15 @@
 namespace oblong {
 namespace {
 
-// In pixels of letters, of which one is `scale` columns and rows of the canvas.
+// In pixels of letters, each of `scale` columns and rows of the canvas.
 constexpr std::int32_t kRow_px = 9, kMargin_px = 3, kBackground = 40;
-constexpr std::int32_t kTwoColumns_px = 320;  // from which width on times stand beside the dials
+constexpr std::int32_t kTwoColumns_px = 320;  // the least width for times beside the dials
 constexpr std::size_t kDialRows = 7, kDialColumns = 30;
 constexpr std::int32_t kDials_px = kDialColumns * kGlyphAdvance_px;
 constexpr std::int32_t kTimes_px = kMargin_px + kDials_px + 6, kNames_px = 8 * kGlyphAdvance_px;
 constexpr std::int32_t kLongestBar_px = 15;
 constexpr Rgb8 kDim{130, 130, 130}, kBar{60, 110, 190}, kChosen{20, 60, 130};
 
-// The panel's canvas and colours.
 struct Panel {
     Framebuffer canvas;
     const PanelColours& colours;
@@ -37,19 +36,18 @@ struct Panel {
     static std::int32_t y_of(std::size_t row) { return kMargin_px + static_cast<std::int32_t>(row) * kRow_px; }
 };
 
-// Rows of text of the panel.
 struct RowSpan {
     std::size_t top, count;
 };
 
-// A value with the ways in which it can be turned.
+// A value between "<" and ">", if it can be turned that way.
 std::string turnable(const Dial& dial, const Accuracy& accuracy) {
     const std::int32_t value = dial.get(accuracy);
     const bool is_first = value == dial.settings.front().value, is_last = value == dial.settings.back().value;
     return (is_first ? " " : "<") + value_text(dial, value) + (is_last ? " " : ">");
 }
 
-// A caption on the left, a value on the right; a line each where both have no room in one.
+// A caption on the left, a value on the right; on two lines if one is too short.
 std::string dial_text(const Dial& dial, const std::string& value, std::size_t columns) {
     const std::string caption(dial.caption);
     const std::size_t used = caption.size() + value.size();
@@ -57,7 +55,7 @@ std::string dial_text(const Dial& dial, const std::string& value, std::size_t co
     return caption + "\n" + std::string(columns - std::min(columns, value.size()), ' ') + value;
 }
 
-// The first dial that is shown: so that the chosen one is in the middle, with all of its lines.
+// The first dial that is shown: the chosen one is in the middle, with all of its lines.
 std::size_t first_dial(std::size_t turned, const Accuracy& accuracy, std::size_t columns, std::size_t rows) {
     const std::span<const Dial> dials = all_dials();
     std::size_t first = std::min(turned - std::min(turned, rows / 2), dials.size() - std::min(dials.size(), rows));
@@ -94,7 +92,7 @@ void draw_dials(const LabOptions& options, const Accuracy& accuracy, std::size_t
             panel.write(kMargin_px, row++, line,
                         is_idle(dials[i], accuracy) ? panel.colours.dim : panel.colours.bright);
     }
-    // Which part of all is seen.
+    // A scroll bar.
     const auto height = static_cast<std::int32_t>(rows.count) * kRow_px,
                count = static_cast<std::int32_t>(dials.size());
     panel.fill({kMargin_px + width + 1, Panel::y_of(rows.top) + static_cast<std::int32_t>(first) * height / count, 1,
@@ -113,14 +111,14 @@ double longest_of(const LabFigures& figures) {
     return longest_ns;
 }
 
-// Microseconds, and half of what lies between the quartiles.
+// Microseconds, and half of the interquartile range.
 std::string time_text(const TimedSetting& setting, bool has_spread) {
     const std::optional<TimeSpread>& time = setting.frame_ns;
     if (!time) return "...";
     return std::to_string(std::llround(time->median / 1000)) + (has_spread ? spread_text(*time) : "");
 }
 
-// Whether the spread leaves a doubt which of two is faster.
+// Whether the spread is too large to tell which of two is faster.
 bool are_alike(const TimedSetting& a, const TimedSetting& b) {
     return a.frame_ns && b.frame_ns && !are_apart(*a.frame_ns, *b.frame_ns);
 }
@@ -134,7 +132,7 @@ void draw_time(std::string_view name, const TimedSetting& setting, double longes
     panel.write(kTimes_px + kNames_px + length + 2, row, time_text(setting, true), colours);
 }
 
-// What the spread cannot tell from the setting now is dim: it is neither faster nor slower.
+// A time within the spread of the current setting's is dim: neither faster nor slower.
 void draw_times(const LabFigures& figures, const Panel& panel) {
     panel.write(kTimes_px, 0, "us; dim: same as now", panel.colours.dim);
     const double longest_ns = longest_of(figures);
@@ -147,7 +145,7 @@ void draw_times(const LabFigures& figures, const Panel& panel) {
     for (std::size_t i = 0; i < kPresets.size(); ++i) draw(name_of(kPresets[i]), figures.presets[i], 3 + i);
 }
 
-// Without the spread, what it cannot tell apart has a "~" between.
+// Without the spread, "~" stands between times that it does not separate.
 std::string describe_times(const LabFigures& figures, bool has_spread) {
     const std::string between = has_spread ? " us " : are_alike(figures.now, figures.before) ? " ~ " : "  ";
     return "now " + time_text(figures.now, has_spread) + between + "before " + time_text(figures.before, has_spread);

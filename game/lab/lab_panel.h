@@ -8,7 +8,7 @@
 
 namespace oblong {
 
-/// The colours of the panel, the scale of its letters among them, and what the picture becomes behind it.
+/// The colours of the panel, the scale of its letters, and the table that darkens the picture behind it.
 struct PanelColours {
     TextColours bright, dim;
     std::uint8_t bar = 0, chosen = 0;
@@ -16,9 +16,9 @@ struct PanelColours {
 };
 PanelColours panel_colours_of(const Palette& palette, std::int32_t scale);
 
-/// Draws the lab's panel over the bottom of the canvas: the dials, times, errors and operations. The row above which it
-/// ends. `is_short`: only the dial that is turned, times and errors, so that another panel fits beside it. A canvas
-/// that is narrower than 320 pixels of its letters gets one column, and fewer lines.
+/// Draws the lab's panel over the bottom of the canvas: the dials, times, errors and operations. Returns its top row.
+/// `is_short`: only the chosen dial, times and errors, so that another panel fits. A canvas narrower than 320 pixels of
+/// its letters gets one column and fewer lines.
 std::int32_t draw_lab_panel(const LabOptions& options, const LabFigures& figures, const PanelColours& colours,
                             bool is_short, Framebuffer canvas);
 

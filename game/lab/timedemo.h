@@ -10,13 +10,13 @@
 
 namespace oblong {
 
-/// How long the frames of a demo took to draw, one a tick. Ticks and reading are not counted.
+/// The drawing times of a demo's frames, one a tick, without ticks and reading.
 struct TimedemoResult {
     std::int64_t frames = 0;
     std::int64_t total_us = 0, median_us = 0;
 };
 
-/// Draws each tick of a demo. Throws InputError where the demo was recorded on another level.
+/// Draws each tick of a demo. Throws InputError if the demo was recorded on another level.
 TimedemoResult run_timedemo(const LoadedLevel& loaded, const Demo& demo, GameRenderer& renderer,
                             const Settings& settings, Degrees field_of_view);
 

@@ -12,7 +12,7 @@ namespace oblong {
 
 namespace {
 
-/// What is changed by the same keys as in the game.
+/// Keys that do the same as in the game.
 constexpr std::array<Action, 7> kKeysOfTheGame{Action::ProjectionAspect, Action::DisplayAspect, Action::AccuracyTier,
                                                Action::ScalingMode,      Action::CrtLook,       Action::Darker,
                                                Action::Brighter};
@@ -85,7 +85,7 @@ Gallery::Gallery(std::shared_ptr<const LoadedLevel> loaded, const SessionSetting
     show("{page-down}: next row    {help}: keys");
 }
 
-// A press, of a mouse or a thumb, turns the page: back at the left, else on.
+// A press of the mouse or on a touch screen turns the page: in the left half back, else forward.
 void Gallery::advance(const Controls& controls, std::uint64_t now_us) {
     now_us_ = now_us;
     std::vector<Action> commands = controls.commands;

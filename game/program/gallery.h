@@ -14,7 +14,7 @@
 
 namespace oblong {
 
-/// Which row the gallery shows, and what its parameters are set to: what keys change.
+/// The gallery's state, changed by keys: the row that is shown, and the values of parameters.
 struct GalleryState {
     std::size_t row = 0;
     std::size_t chosen = 0;                         ///< of the row's parameters
@@ -23,8 +23,8 @@ struct GalleryState {
 
 GalleryState start_of_gallery(const std::vector<Row>& rows);
 
-/// Carries out a command: Page Down and Page Up go to the next and the previous row, up and down arrows choose a
-/// parameter, left and right change it. The message that tells the user; empty where there is none.
+/// Runs a command: Page Down and Page Up go to the next and the previous row, up and down arrows choose a parameter,
+/// left and right change it. Returns a message to the player, or "".
 std::string apply(Action command, const std::vector<Row>& rows, WindowSize window, ViewOptions& view_options,
                   GalleryState& state);
 
@@ -44,7 +44,7 @@ class Gallery final : public GameScreen {
     const std::shared_ptr<const LoadedLevel>& shared_level() const override { return loaded_; }
     std::vector<KeyHelp> key_help(const KeyNames& names) const override { return gallery_help(names); }
 
-    /// And notes of the row that is up.
+    /// With the notes of the current row.
     std::string figures() const override;
 
   private:
@@ -63,11 +63,11 @@ class Gallery final : public GameScreen {
     GalleryState state_;
     Figures figures_;
     Messages messages_;
-    Preferences drawn_with_;  ///< those of picture_
+    Preferences drawn_with_;  ///< the preferences of picture_
     std::vector<std::uint8_t> picture_, shown_;
     std::uint64_t start_us_, now_us_;
     bool wants_screenshot_ = false;
-    bool is_drawn_ = false;  ///< `picture_` is that of the state
+    bool is_drawn_ = false;  ///< `picture_` is up to date
 };
 
 }  // namespace oblong

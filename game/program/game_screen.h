@@ -23,7 +23,7 @@ struct ShownPicture {
     PresentRect rect;
 };
 
-/// What fills the window, behind the menu or alone: the title, a walk or the gallery.
+/// A screen that fills the window, alone or behind the menu: the title, a walk or the gallery.
 class GameScreen {
   public:
     GameScreen() = default;
@@ -33,26 +33,26 @@ class GameScreen {
 
     /// Takes the player's input and moves on to `now_us`, a platform's time.
     virtual void advance(const Controls& controls, std::uint64_t now_us) = 0;
-    /// The same while a menu takes the input: most screens stand still.
+    /// The same while a menu takes the input: most screens are paused.
     virtual void advance_behind_menu(std::uint64_t now_us) = 0;
     virtual bool moves_behind_menu() const { return false; }
     virtual bool is_heard(bool is_behind_menu) const = 0;
     /// Whether the mouse turns the view while no menu is open.
     virtual bool captures_mouse() const { return false; }
-    /// Draws what is up now; behind a menu without text, maps and panels, which would mix with it. The canvas is valid,
-    /// and may be drawn over, until the next call.
+    /// Draws the screen; behind a menu without text, maps and panels, which would mix with it. The canvas is valid, and
+    /// may be drawn over, until the next call.
     virtual ShownPicture draw(bool is_behind_menu) = 0;
-    /// The colours of a menu over it.
+    /// The colours of a menu over this screen.
     virtual const MenuLook& menu_look() const = 0;
 
-    /// Opens the page of the menu that a command asks for, if it asks for one.
+    /// Opens the page of the menu for a command, if there is one.
     virtual void open_page(Action command, MenuPages& pages) = 0;
-    /// Opens the page that is due although nobody asked for it, if there is one.
+    /// Opens a page that is due without a command, if there is one.
     virtual void open_due_page(MenuPages&) {}
 
     virtual const std::shared_ptr<const LoadedLevel>& shared_level() const = 0;
     virtual std::vector<KeyHelp> key_help(const KeyNames& names) const = 0;
-    virtual std::string figures() const { return ""; }  ///< all there are of what is up
+    virtual std::string figures() const { return ""; }  ///< all figures of the current row
 };
 
 }  // namespace oblong

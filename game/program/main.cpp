@@ -32,7 +32,7 @@ void time_demo(const Options& options, const LoadedLevel& loaded, Workers& worke
     std::cout << describe(result) << '\n';
 }
 
-// Records who walks a route, as fast as it goes.
+// Records the walk along a route, as fast as possible.
 void record_route(const Options& options, const std::string& assets) {
     const LoadedLevel loaded(level_files_of(options, assets));
     const std::vector<Waypoint> route = read_parsed(options.route, parse_route);
@@ -65,8 +65,8 @@ void run_game(Options options, PreferencesStore& store, const char* called_as) {
     Program(options, std::move(files), store, *platform, &workers, open_sound).run();
 }
 
-// Runs the game as the command line says; the exit code. Whoever started it from a menu reads no standard error: with
-// --error-box an error is shown in a window too, after it was printed.
+// Runs the game as the command line says; returns the exit code. With --error-box, an error is also shown in a window,
+// after it was printed.
 int run(int argument_count, const char* const* arguments) {
     std::string error_text;
     const int code = run_with_options(argument_count, arguments, [&](const Options& options, PreferencesStore& store) {

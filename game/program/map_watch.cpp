@@ -19,13 +19,14 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kBetweenLooks_us = 200'000, kBetweenReminders_us = 3'000'000;
 
-// The parts of a source in which a difference means different work.
+// The parts of a source that need different recompilation.
 struct MapParts {
-    std::string brushes;                        // and the classes of entities that have some
-    std::vector<std::string> entities, lights;  // the pairs of each; `lights` of those that may change light
+    std::string brushes;  // and the classes of brush entities
+    std::vector<std::string> entities,
+        lights;  // the key-value pairs of each; `lights`: of those that may change the light
 };
 
-// In brush entities, what moves vertices or normals of light; in any, what names files and textures.
+// True for pairs of brush entities that move vertices or normals, and for all pairs that name files or textures.
 bool is_of_brushes(const std::string& pair, bool has_brushes) {
     return pair.starts_with("\"wad\"") || pair.starts_with("\"texture\"") ||
            (has_brushes && (pair.starts_with("\"classname\"") || pair.starts_with("\"_phong")));
@@ -50,18 +51,19 @@ MapParts parts_of(const std::string& text) {
         else if (depth > 1)
             brushes += line + "\n";
         if (!line.starts_with('}') || --depth > 0) continue;
-        const bool is_external = pairs.find("\"_external_map\"") != std::string::npos;  // all of it places brushes
+        const bool is_external =
+            pairs.find("\"_external_map\"") != std::string::npos;  // every pair affects the placed brushes
         std::istringstream each(pairs);
         for (std::string pair; std::getline(each, pair);)
             if (is_external || is_of_brushes(pair, !brushes.empty())) parts.brushes += pair + "\n";
         parts.brushes += brushes;
         parts.entities.push_back(pairs);
-        // The target of a spotlight lies anywhere.
+        // Any named entity may be the target of a spotlight.
         if (may_change_light(pairs) || pairs.find("\"targetname\"") != std::string::npos) parts.lights.push_back(pairs);
         pairs.clear();
         brushes.clear();
     }
-    parts.brushes += pairs + brushes + std::to_string(depth);  // of an entity without an end
+    parts.brushes += pairs + brushes + std::to_string(depth);  // of an unclosed entity
     return parts;
 }
 
@@ -106,7 +108,7 @@ MapWatch::~MapWatch() {
 }
 
 MapWatch::Stamp MapWatch::stamp_of(const std::string& file) {
-    std::error_code none, no_size;  // an editor may write it anew just now; a folder has no size
+    std::error_code none, no_size;  // an editor may be writing it; a folder has no size
     const auto time = fs::last_write_time(file, none);
     const auto size = fs::file_size(file, no_size);
     return {time, no_size ? 0 : size};
@@ -134,7 +136,7 @@ std::optional<MapWatch::News> MapWatch::poll(std::uint64_t now_us) {
             remind_of(news.fault);
             return news;
         }
-        begin(MapChange::All);  // more has changed than was thought
+        begin(MapChange::All);  // more has changed than assumed
         return std::nullopt;
     }
     std::error_code ignored;
@@ -191,7 +193,7 @@ void MapWatch::begin(MapChange change) {
     running_change_ = change;
 }
 
-// Those known before keep the stamps that they had before they were read.
+// Known files keep the stamps from before they were read.
 void MapWatch::look_for_others() {
     std::error_code ignored;
     if (!fs::exists(reads_file_, ignored)) return;

@@ -6,10 +6,10 @@
 
 namespace oblong {
 
-/// The sounds and captions of a game's folder. Throws FileError for a caption of no sound.
+/// The sounds and captions of a game's folder. Throws FileError for a caption of an unknown sound.
 OwnSounds own_sounds_of(const GameDefinition& game);
 
-/// Gives the window the game's icon, if it has one: else the desktop knows the program's. Throws FileError.
+/// Sets the window's icon to the game's, if it has one. Throws FileError.
 void show_icon(const GameDefinition& game, Platform& platform);
 
 }  // namespace oblong

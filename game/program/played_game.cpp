@@ -20,7 +20,7 @@ std::string value_of_world(const Level& level, const std::string& key) {
     return {};
 }
 
-// Where a level leads: to another than the one that is played, or why not.
+// Finds the next level, if it is another one, or why it cannot be played.
 void find_next(const std::string& name, const LevelPlaces& places, EndFigures& figures) {
     try {
         const std::string file = find_named_level(name, places);
@@ -68,7 +68,7 @@ bool PlayedGame::is_museum(const Palette& palette) const {
     return fs::exists(museum) && read_parsed(museum, read_palette).colours == palette.colours;
 }
 
-// Those that the level was loaded with; the demo level is of none.
+// The files that the level was loaded with; the demo level belongs to no game.
 const LevelFiles& PlayedGame::files_beside(const LoadedLevel& played) const {
     return played.files.level.empty() ? files_ : played.files;
 }
@@ -96,7 +96,7 @@ std::vector<LevelEntry> PlayedGame::levels(const LoadedLevel& played) const {
     return entries;
 }
 
-// Or else the next one of the game.
+// The level that the exit names, or the next one of the game.
 std::string PlayedGame::next_level(const LoadedLevel& played, const GameState& state) const {
     const std::string named(next_map(played.level, state));
     return named.empty() ? level_after(definition(), played.data.level_file) : named;
@@ -115,7 +115,7 @@ EndFigures PlayedGame::end_figures(const LoadedLevel& played, const GameState& s
     return figures;
 }
 
-// A palette that was named for another level is none of the demo level's.
+// A palette named for another level is not used for the demo level.
 std::shared_ptr<const LoadedLevel> PlayedGame::load(const std::string& file,
                                                     const std::shared_ptr<const LoadedLevel>& played) const {
     if (file.empty() && played->files.level.empty()) return played;
@@ -125,7 +125,7 @@ std::shared_ptr<const LoadedLevel> PlayedGame::load(const std::string& file,
     return std::make_shared<const LoadedLevel>(files);
 }
 
-// By its world's "music": a file below the folder of the game, or beside the level.
+// From worldspawn's "music": a file below the folder of the game, or beside the level.
 LevelMusic PlayedGame::music_of(const LoadedLevel& level) const {
     const fs::path named = value_of_world(level.data.level, "music");
     if (named.empty() || !stays_below(named)) return {};

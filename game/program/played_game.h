@@ -14,35 +14,34 @@ namespace oblong {
 /// The music that a level's world names.
 struct LevelMusic {
     std::string file;   ///< empty: none
-    std::string fault;  ///< where the one that is named is not there
+    std::string fault;  ///< if the named file is missing
 };
 
-/// The game that is played: the museum, one with a folder of its own, or levels of nobody. Where its levels are, what
-/// follows what, and what it says of itself.
+/// The game that is played: the museum, one with its own folder, or levels without a game. Knows its levels, their
+/// order and its texts.
 class PlayedGame {
   public:
     /// `first`: the level that the program begins with; `options` outlive it.
     PlayedGame(const Options& options, std::string assets_folder, const LoadedLevel& first);
 
     const GameDefinition& definition() const { return *files_.game; }
-    /// The files that levels to come are loaded with, without a level.
+    /// The files for loading later levels, without a level.
     const LevelFiles& files() const { return files_; }
-    /// Its title in capitals, and what its credits and the program's say.
+    /// Its title in capitals, and its credits with the program's.
     std::string title() const;
     std::string credits() const;
     bool is_museum(const Palette& palette) const;
 
-    /// All levels, while one is played.
+    /// All levels; `played` is the current one.
     std::vector<LevelEntry> levels(const LoadedLevel& played) const;
-    /// Where the level of a walk leads: a level's name, empty where there is none.
+    /// The name of the next level; empty if there is none.
     std::string next_level(const LoadedLevel& played, const GameState& state) const;
     /// The file of a level by its name. Throws FileError.
     std::string find(const std::string& name, const LoadedLevel& played) const;
-    /// How a walk ended.
+    /// The figures of a walk that ended.
     EndFigures end_figures(const LoadedLevel& played, const GameState& state) const;
 
-    /// A level by its file; "": the one that the options name. The one that is played is not read twice. Throws
-    /// FileError.
+    /// A level by its file; "": the one that the options name. The current level is not read again. Throws FileError.
     std::shared_ptr<const LoadedLevel> load(const std::string& file,
                                             const std::shared_ptr<const LoadedLevel>& played) const;
     LevelMusic music_of(const LoadedLevel& level) const;

@@ -68,7 +68,7 @@ void Program::show_frame() {
     const std::size_t depth = screens_.menu().depth();
     take(controls);
     if (screens_.has_left()) return;
-    is_stale_ |= screens_.menu().depth() != depth;  // a page may open by itself: at the end, without the focus
+    is_stale_ |= screens_.menu().depth() != depth;  // a page may open by itself: at the end, or when the focus is lost
     follow_preferences();
     screens_.follow();
     const WindowSize size = platform_.window_size();
@@ -94,7 +94,7 @@ void Program::take(const Controls& controls) {
         take_in_menu(controls);
     else
         take_on_screen(controls);
-    // The title and a walk that has ended are never without a page.
+    // The title and an ended walk always show a page.
     if (!menu.is_open() && !screens_.has_left()) screens_.up().open_due_page(screens_.pages());
     const bool is_captured = screens_.up().captures_mouse() && !menu.is_open();
     if (std::exchange(is_mouse_captured_, is_captured) != is_captured) platform_.capture_mouse(is_captured);
@@ -121,7 +121,7 @@ void Program::take_on_screen(const Controls& controls) {
     if (screens_.is_walking() && controls.has(Action::Restart))
         screens_.up().open_page(Action::Restart, screens_.pages());
     screens_.up().advance(controls, platform_.now_us());
-    // After the ticks: the picture that is saved is the one that is shown next, drawn once.
+    // After the ticks, so that the saved picture is the one shown next, and is drawn once.
     if (screens_.is_walking() && controls.has(Action::QuickSave)) screens_.quick_save();
 }
 

@@ -7,21 +7,20 @@
 
 namespace oblong {
 
-/// The game from its start until it is left: the one loop of input, the screen that is up, and the window.
+/// The game from start to end: the main loop of input, the current screen and the window.
 class Program {
   public:
-    /// `store`, which keeps what the player changes, `platform` and `workers`, which may be null, outlive the program.
-    /// `open_sound` may be empty: all is silent.
+    /// `store`, which keeps the player's changes, `platform` and `workers`, which may be null, outlive the program.
+    /// `open_sound` may be empty: no sound.
     Program(const Options& options, ProgramFiles files, PreferencesStore& store, Platform& platform, Workers* workers,
             OpenSound open_sound = {});
 
-    /// Until the platform closes or the player leaves. Then writes the demo that was recorded, if any. Throws
-    /// FileError.
+    /// Runs until the platform closes or the player leaves. Then writes the recorded demo, if any. Throws FileError.
     void run();
-    /// One turn of run()'s loop, for platforms that call the game instead: takes the input, and shows a picture where
-    /// it differs from the last. False once the game has ended and all is written.
+    /// One iteration of run(), for platforms that call the game instead: takes the input, and shows a picture if it
+    /// differs from the last one. False once the game has ended and all is written.
     bool step();
-    /// Saves the walk and the options, as leaving does: for platforms that may end the program without another step.
+    /// Saves the walk and the options, as at the end: for platforms that may end the program without another step.
     void keep();
 
   private:
@@ -35,14 +34,14 @@ class Program {
     bool is_moving() { return !screens_.menu().is_open() || screens_.up().moves_behind_menu(); }
     const Preferences& preferences() { return screens_.view_options().preferences; }
 
-    const std::string replayed_;  // file; "": none
+    const std::string replayed_;  // the demo's file; "": none
     PreferencesStore& store_;
     Platform& platform_;
     Screens screens_;
     InputMapper input_;
     bool had_focus_ = false, is_mouse_captured_ = false;
     bool wants_screenshot_ = false;  // of a menu
-    bool is_stale_ = true;           // the window shows something else than what is up
+    bool is_stale_ = true;           // the window does not show the current state
     WindowSize shown_size_;
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Before the game is played, not after it.
+// Checked before the game is played, not after it.
 void check_writable(const std::string& file) {
     const fs::path folder = fs::path(file).parent_path();
     if (fs::is_directory(file)) throw FileError(file, "write", "is a folder, expected a file");

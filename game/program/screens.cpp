@@ -79,7 +79,7 @@ void Screens::follow_map() {
     if (const std::string fault = watch_->due_reminder(now_us); !fault.empty()) walk_->show(fault);
 }
 
-// The player stays in place; all else is as the level begins.
+// The player stays in place; all else is at the level's start.
 void Screens::show_changed_level() {
     try {
         const Player player = walk_->state().player;
@@ -94,7 +94,7 @@ void Screens::show_changed_level() {
     }
 }
 
-// What was up goes with all that belongs to it.
+// Frees the other screens and all that belongs to them.
 void Screens::show_only(std::unique_ptr<GameScreen> screen) {
     saves_.begin(nullptr);
     walk_ = nullptr;
@@ -103,12 +103,12 @@ void Screens::show_only(std::unique_ptr<GameScreen> screen) {
     has_changed_ = true;
 }
 
-// The walk that was on ends.
+// Ends the current walk.
 void Screens::finish_walk(const LoadedLevel& next) {
     saves_.finish_autosave();
     keep_recorded();
     follow_game(next);
-    sound_.enter(nullptr);  // before the level that is heard goes
+    sound_.enter(nullptr);  // before its level is freed
 }
 
 void Screens::start(std::shared_ptr<const LoadedLevel> loaded, TickInputSource input, SessionKind kind) {
@@ -136,7 +136,7 @@ void Screens::start_title(std::shared_ptr<const LoadedLevel> loaded) {
     if (!options_.folders.config_file.empty() && !view_options_.preferences.has_set_light) pages_.open_light();
 }
 
-// Each game has its own light. Frames that are written to files ignore it: they have the museum's.
+// Each game has its own light. Headless frames have the museum's.
 void Screens::follow_game(const LoadedLevel& loaded) {
     if (options_.headless_frames > 0) return;
     Preferences& now = view_options_.preferences;

@@ -19,11 +19,11 @@
 
 namespace oblong {
 
-/// What is up behind the menu: the title, a walk or the gallery, how one follows another, and what of them is saved and
-/// heard. Answers what the menu's pages ask, and does what they have it do.
+/// The screens behind the menu (title, walk, gallery), their order, their saves and their sound. Implements the menu's
+/// interface to the program.
 class Screens final : public MenuHost {
   public:
-    /// `store`, which keeps what the player changes, `platform` and `workers`, which may be null, outlive it.
+    /// `store`, which keeps the player's changes, `platform` and `workers`, which may be null, outlive it.
     Screens(const Options& options, ProgramFiles files, PreferencesStore& store, Platform& platform, Workers* workers,
             OpenSound open_sound);
 
@@ -36,19 +36,19 @@ class Screens final : public MenuHost {
     bool has_left() const { return has_left_; }
     bool is_gallery_over_another() const { return screens_.size() > 1; }
     bool is_walking() const { return walk_ && &up() == walk_ && walk_->kind() == SessionKind::Walk; }
-    /// Whether another screen is up, or another level in it, than when this was asked last.
+    /// Whether the screen or its level has changed since the last call.
     bool take_has_changed() { return std::exchange(has_changed_, false); }
 
-    /// What is due between two pictures: the walk is saved beside the game, the level follows its source, what is heard
-    /// follows the player's preferences.
+    /// Work between two pictures: autosaves the walk, reloads a level whose source has changed, and applies the sound
+    /// settings.
     void follow();
     void play(Sound sound) { sound_.play(sound); }
-    void close_gallery();  ///< back to what it was opened from
+    void close_gallery();  ///< back to the screen below
     void quick_save();
     void quick_load();
-    /// Saves the walk, as leaving does. The message if that failed, else "".
+    /// Saves the walk, as leaving does. Returns the error, or "".
     std::string keep() { return saves_.save_on_leaving(); }
-    /// Writes what was to be recorded. Throws FileError.
+    /// Writes the recorded demo, if any. Throws FileError.
     void finish();
 
     // MenuHost's.
@@ -83,7 +83,7 @@ class Screens final : public MenuHost {
     void leave() override;
 
   private:
-    /// What a title that was asked for begins with: a replay, or what is recorded.
+    /// The first walk from a title on --title: a replay, or a recorded walk.
     struct FirstWalk {
         std::shared_ptr<const LoadedLevel> loaded;
         TickInputSource input;
@@ -101,12 +101,12 @@ class Screens final : public MenuHost {
     void show_changed_level();
     void follow_game(const LoadedLevel& loaded);
     void play_level_music();
-    void name_window();  ///< after the level
-    /// Does something with files; where it fails, says why on a page of the menu.
+    void name_window();  ///< by the level's name
+    /// Runs work with files; shows its error on a page of the menu.
     void try_with_files(const std::string& what, const std::function<void()>& work);
     void load_from(SaveSlot slot);
     void go_on_with(const SlotContent& content, std::optional<HeldWalk> held);
-    /// Saves the walk, then goes; where that fails, asks whether to go all the same.
+    /// Saves the walk, then calls `go`; if saving fails, asks first.
     void leave_walk(const std::function<void()>& go);
 
     const Options options_;
@@ -118,14 +118,14 @@ class Screens final : public MenuHost {
     const std::shared_ptr<MapWatch> watch_;
     GameSound sound_;
     WalkSaves saves_;
-    std::unique_ptr<FirstWalk> first_walk_;             // until the title's Walk starts it
+    std::unique_ptr<FirstWalk> first_walk_;             // until "Walk" on the title starts it
     std::vector<std::unique_ptr<GameScreen>> screens_;  // the title or a walk, and perhaps the gallery over it
     Session* walk_ = nullptr;                           // the walk, if the first screen is one
-    std::unique_ptr<Demo> recorded_;                    // once what was recorded has ended before the program
+    std::unique_ptr<Demo> recorded_;                    // of a recorded walk that has ended
     Menu menu_;
     MenuPages pages_;
-    std::optional<ListedSlot> last_walk_;     // as the title offers it
-    mutable std::vector<ListedSlot> listed_;  // as the menu showed them last
+    std::optional<ListedSlot> last_walk_;     // offered by the title
+    mutable std::vector<ListedSlot> listed_;  // as last shown by the menu
     bool has_left_ = false, has_changed_ = true, is_first_game_ = true;
 };
 

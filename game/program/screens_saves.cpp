@@ -1,4 +1,4 @@
-// How walks are saved and gone on with.
+// Saving and continuing walks.
 #include <algorithm>
 #include <chrono>
 #include <exception>
@@ -74,7 +74,7 @@ void Screens::quick_load() {
     load_from(saves_.own_slot(SaveKind::Quick));
 }
 
-// What was listed may be another by now: another program may have saved there.
+// Another program may have saved to the slot since it was listed.
 void Screens::save(std::size_t entry) {
     const ListedSlot& listed = listed_.at(entry);
     try_with_files("Save", [&] {
@@ -100,7 +100,7 @@ void Screens::continue_walk() {
     load_from(last_walk_->slot);
 }
 
-// A walk that another program is in, and a save of the player's, go on as new walks.
+// A walk held by another program, and a save in a numbered slot, continue as new walks.
 void Screens::load_from(SaveSlot slot) {
     try_with_files("Load", [&] {
         saves_.finish_autosave();

@@ -11,7 +11,7 @@
 namespace oblong {
 namespace {
 
-// What a tick has to tell the player; mostly nothing.
+// A tick's message to the player; usually empty.
 std::string message_of(const GameLevel& level, const GameState& before, const GameState& after) {
     const bool is_new = after.message.shown != before.message.shown || after.message.tick != before.message.tick;
     std::string text;
@@ -63,7 +63,7 @@ void Session::open_page(Action command, MenuPages& pages) {
     if (command == Action::Restart && settings_.kind == SessionKind::Walk) pages.open_restart();
 }
 
-// A walk that has ended is never without a page.
+// An ended walk always shows a page.
 void Session::open_due_page(MenuPages& pages) {
     if (state().has_ended && !input().is_replaying()) pages.open_end();
 }
@@ -84,7 +84,7 @@ void Session::note_tick(const GameState& before, const GameState& after, const T
     if (!message.empty()) show(message);
 }
 
-// Of each kind once.
+// Warns once of each kind.
 void Session::warn_of(const TickReport& report) {
     for (const std::string_view left : report.left())
         if (warned_of_.insert(left).second)
@@ -92,7 +92,7 @@ void Session::warn_of(const TickReport& report) {
                            {"more happens at once than a tick may do: " + std::string(left)});
 }
 
-// What draws is made for a mode.
+// A renderer is for one mode.
 void Session::follow_mode() {
     const ScreenMode& mode = view_options_.preferences.mode;
     if (renderer_ && renderer_->mode() == mode) return;
@@ -121,7 +121,7 @@ ShownPicture Session::draw(bool is_behind_menu) {
     const Settings settings = settings_of(preferences), drawn = overlays_.shown(settings, last_us_);
     if (!std::exchange(has_drawn_, false) || overlays_.changes_picture()) renderer_->draw(view, drawn);
     PaletteEffects effects = palette_.effects_at(view, preferences.flashes, preferences.light(), preferences.has_dac6);
-    if (is_behind_menu) effects.flash = {};  // it would wash the menu out
+    if (is_behind_menu) effects.flash = {};  // it would brighten the menu
     overlays_.note(view, drawn, effects, last_us_, *renderer_);
 
     overlays_.draw_lines(view, drawn, *renderer_);
@@ -162,7 +162,7 @@ void Session::show(const std::string& message) {
     messages_.show(key_names().in(message));
 }
 
-// Over the picture that was drawn last.
+// The path needs a new picture.
 void Session::show_path(std::vector<Vec3<World>> points) {
     overlays_.show_path(std::move(points));
     has_drawn_ = false;

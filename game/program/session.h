@@ -21,22 +21,22 @@ namespace oblong {
 
 enum class SessionKind : std::uint8_t {
     Walk,
-    Replay,  ///< of a demo, after which the player walks on; it cannot be saved
-    Title    ///< behind the title: no overlays are drawn, whatever is on
+    Replay,  ///< of a demo, after which the player goes on; cannot be saved
+    Title    ///< behind the title: draws no overlays
 };
 
-/// What a session is given and never changes.
+/// The fixed settings of a session.
 struct SessionSettings {
-    Workers* workers = nullptr;  ///< who share in drawing the game's pictures; null: one thread draws
+    Workers* workers = nullptr;  ///< that share the drawing; null: one thread
     std::string screenshot_folder = ".";
-    GameSound* sound = nullptr;  ///< that is heard; null: none, not even captions
+    GameSound* sound = nullptr;  ///< null: neither sound nor captions
     SessionKind kind = SessionKind::Walk;
 };
 
-/// One game in one level: ticks, what keys switch on, and the picture.
+/// One game in one level: its ticks, overlays and picture.
 class Session final : public GameScreen {
   public:
-    /// The game starts at the level's start. `view_options`, which keys change, `platform` and the workers outlive the
+    /// The game begins at the level's start. `view_options`, which keys change, `platform` and the workers outlive the
     /// session.
     Session(std::shared_ptr<const LoadedLevel> loaded, const SessionSettings& settings, ViewOptions& view_options,
             TickInputSource input, Platform& platform);
@@ -47,7 +47,7 @@ class Session final : public GameScreen {
         has_drawn_ = false;
     }
     bool captures_mouse() const override;
-    /// A level's last sounds are heard to their end.
+    /// After the end of a level its last sounds play on.
     bool is_heard(bool is_behind_menu) const override { return !is_behind_menu || state().has_ended; }
     ShownPicture draw(bool is_behind_menu) override;
     const MenuLook& menu_look() const override { return menu_look_; }
@@ -56,13 +56,13 @@ class Session final : public GameScreen {
     const std::shared_ptr<const LoadedLevel>& shared_level() const override { return loaded_; }
     std::vector<KeyHelp> key_help(const KeyNames& names) const override { return game_help(names); }
 
-    /// Goes on from another state of the level.
+    /// Continues from another state of the level.
     void restore(const GameState& state);
     /// Shows the player a message, with the names of keys in it (KeyNames::in()).
     void show(const std::string& message);
-    /// Shows a path in the level from now on, through walls too; an empty one ends that.
+    /// Shows a path in the level, through walls too; empty: none.
     void show_path(std::vector<Vec3<World>> points);
-    /// What the player was told, the newest first.
+    /// All messages to the player, the newest first.
     const std::vector<std::string>& told() const { return messages_.told(); }
     /// The game's picture as it is now, without text.
     Thumbnail thumbnail();
@@ -86,7 +86,7 @@ class Session final : public GameScreen {
     ViewOptions& view_options_;
     SessionSettings settings_;
     WalkTicks ticks_;
-    std::unique_ptr<GameRenderer> renderer_;  // of the mode that is chosen now
+    std::unique_ptr<GameRenderer> renderer_;  // for the current mode
     ShownPalette palette_;
     Overlays no_overlays_;  // of a title
     ShownOverlays overlays_;
@@ -95,8 +95,8 @@ class Session final : public GameScreen {
     std::uint64_t last_us_;        // the platform's time up to which the game was played
     std::uint64_t played_us_ = 0;  // since the session began, without pauses
     bool wants_screenshot_ = false;
-    bool has_drawn_ = false;                // thumbnail(): the picture that the next draw() shows
-    std::set<std::string_view> warned_of_;  // what a tick left for later
+    bool has_drawn_ = false;                // thumbnail() has drawn the picture of the next draw()
+    std::set<std::string_view> warned_of_;  // kinds of work left by ticks
 };
 
 }  // namespace oblong

@@ -11,7 +11,7 @@ namespace {
 
 constexpr Rgb8 kPathColour{255, 40, 20};
 
-// Makes an object once it is wanted, and frees it when it no longer is.
+// Creates an object if it is wanted, else frees it.
 template <class Object, class Make>
 void keep(std::unique_ptr<Object>& object, bool is_wanted, Make make) {
     if (!is_wanted)
@@ -35,7 +35,7 @@ std::string ShownOverlays::with_keys(const std::string& note) const {
     return KeyNames(preferences().bindings, platform_, view_options_.uses_pad).in(note);
 }
 
-// As large as the mode and the player want it.
+// By the mode and the player's preference.
 std::int32_t ShownOverlays::text_scale() const {
     const ScreenMode& mode = preferences().mode;
     return text_scale_in(mode.width_px, mode.height_px, preferences().text_scale);
@@ -98,7 +98,7 @@ PanelText ShownOverlays::draw_panels(const GameView& view, const Settings& setti
     if (four_aspects_) {
         const Ratio pixel = shown_pixel(shown_rect(preferences(), window), mode);
         four_aspects_->draw(view, settings, mode, pixel, text_colours_, canvas);
-        return {};  // their captions leave no room
+        return {};  // their captions leave no room for notes
     }
     if (map_) map_->draw(view, on_.map, on_.line_method, mode, settings, canvas);
     if (lab_) {
@@ -123,7 +123,7 @@ void ShownOverlays::draw_text(PanelText panels, std::vector<std::string> caption
                               std::uint64_t played_us, const ColourTable& background, Framebuffer canvas) {
     const HudText text{std::move(captions), std::move(panels.notes), cost_ ? &cost_->text() : nullptr, on_.cost_page};
     const HudLayout layout = draw_hud(text, messages, played_us, panels.bottom, text_colours_, background, canvas);
-    if (layout.cost_table.pages < on_.cost_page) on_.cost_page = 0;  // the last one was up
+    if (layout.cost_table.pages < on_.cost_page) on_.cost_page = 0;  // after the last page
 }
 
 }  // namespace oblong

@@ -17,45 +17,45 @@
 
 namespace oblong {
 
-/// What the panels over a picture have to say, and the row above which they leave room for text.
+/// The notes of the panels over a picture, and the row above which there is room for text.
 struct PanelText {
     std::vector<std::string> notes;
     std::int32_t bottom = 0;
 };
 
-/// What is drawn over a walk's picture while keys ask for it. Each part is made when it is switched on, and freed when
-/// it is switched off.
+/// The overlays of a walk's picture, switched by keys. Each is created when it is switched on, and freed when it is
+/// switched off.
 class ShownOverlays {
   public:
-    /// All outlive it. `on`: the parts that are on, of the view options or of nobody.
+    /// All outlive it. `on`: the state of the overlays; a title has its own, with none on.
     ShownOverlays(const LoadedLevel& loaded, const ViewOptions& view_options, Overlays& on, const Platform& platform);
 
     const Overlays& on() const { return on_; }
-    /// The line of a split picture follows the mouse.
+    /// Moves the line of a split picture with the mouse.
     void drag(Controls& controls);
 
-    /// Makes what was switched on, and frees what was switched off. Then, for a picture, in this order:
+    /// Creates and frees overlays as they are switched. Then, for each picture, the following in this order.
     void follow(std::uint64_t now_us);
     /// Whether a picture of the same view may differ from the last one.
     bool changes_picture() const { return lab_ != nullptr; }
-    /// The settings to draw it with: the player's, or those that the lab compares with them.
+    /// The settings to draw the picture with: the player's, or those that the lab compares with them.
     Settings shown(Settings settings, std::uint64_t now_us) const;
-    /// Measures and logs it, as `drawn` with those.
+    /// Measures and logs the picture, which `drawn` was used for.
     void note(const GameView& view, const Settings& drawn, const PaletteEffects& effects, std::uint64_t now_us,
               GameRenderer& renderer);
-    /// Draws lines in the level over it: edges of faces, and the path.
+    /// Draws lines of the level over the picture: edges of faces, and the path.
     void draw_lines(const GameView& view, const Settings& drawn, GameRenderer& renderer);
-    /// Draws maps and panels over it. `settings`: the player's.
+    /// Draws maps and panels over the picture. `settings`: the player's.
     PanelText draw_panels(const GameView& view, const Settings& settings, std::uint64_t now_us, Framebuffer canvas);
-    /// Draws all text above and below those. `background`: what the picture becomes behind it.
+    /// Draws all text. `background` darkens the picture behind it.
     void draw_text(PanelText panels, std::vector<std::string> captions, Messages& messages, std::uint64_t played_us,
                    const ColourTable& background, Framebuffer canvas);
 
-    /// Shows a path in the level from now on, through walls too; an empty one ends that.
+    /// Shows a path in the level, through walls too; empty: none.
     void show_path(std::vector<Vec3<World>> points) { path_ = std::move(points); }
 
   private:
-    /// What the parts were made for.
+    /// The settings that overlays were created for.
     struct MadeFor {
         ScreenMode mode;
         ColourScheme colours = ColourScheme::Standard;

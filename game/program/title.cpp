@@ -28,7 +28,7 @@ Title::Title(std::shared_ptr<const LoadedLevel> loaded, const std::string& demo_
     begin();
 }
 
-// A demo of another level than the one that is there is left out.
+// A demo of another level is ignored.
 void Title::begin() {
     const GameState state = start_of(loaded_->level);
     if (demo_ && demo_->start_hash != (hash_of(state) ^ loaded_->data.rules_hash)) demo_.reset();
@@ -36,7 +36,7 @@ void Title::begin() {
                                       TickInputSource(state, demo_, false, loaded_->data.rules_hash), platform_);
 }
 
-// The demo again when it has ended, is about to show how the level ends, or leads elsewhere than when it was recorded.
+// Restarts the demo when it has ended, is about to show the end of the level, or deviates from its record.
 void Title::advance_behind_menu(std::uint64_t now_us) {
     const ItemCount lenses = count_items(loaded_->level, walk_->state(), ItemClass::Lens);
     if (!walk_->input().is_replaying() || (lenses.all > 0 && lenses.taken == lenses.all)) {

@@ -7,12 +7,12 @@
 
 namespace oblong {
 
-/// What is behind the title's menu: the recorded walk through the demo level until it has found what there is to find,
-/// again and again; without a record of this level, its start.
+/// The picture behind the title's menu: the recorded walk through the demo level until it has found all lenses, in a
+/// loop; without a record for this level, its start.
 class Title final : public GameScreen {
   public:
-    /// `demo_file`: the record, which need not be there. Throws FileError where it is damaged. `view_options` and
-    /// `platform` outlive the title.
+    /// `demo_file`: the record, which may be missing. Throws FileError if it is damaged. `view_options` and `platform`
+    /// outlive the title.
     Title(std::shared_ptr<const LoadedLevel> loaded, const std::string& demo_file, SessionSettings settings,
           ViewOptions& view_options, Platform& platform);
 

@@ -15,18 +15,18 @@ constexpr std::array<const char*, kMapViewCount> kMapMessages{"{map} Map: off", 
 constexpr std::array<const char*, kWireframeCount> kWireframeMessages{
     "{wireframe} Edges: off", "{wireframe} Edges of visible faces: over the picture",
     "{wireframe} Edges of visible faces: alone"};
-// Fields of view, degrees, between which keys step.
+// Fields of view of the dolly zoom, degrees.
 constexpr std::int32_t kNarrowestZoom = 10, kUnzoomed = 90, kWidestZoom = 120, kZoomStep = 10;
 
 constexpr int kPresetCount = static_cast<int>(kPresets.size());
 
-// The next value of an enumeration of `count`, the first after the last.
+// The next value of an enumeration of `count`, cyclic.
 template <class Enum>
 Enum next_of(Enum value, int count) {
     return static_cast<Enum>((static_cast<int>(value) + 1) % count);
 }
 
-// Zoom against dolly starts at 90 degrees, where it is off, and ends at its limits.
+// The dolly zoom starts at 90 degrees, where it is off.
 std::string zoom(bool is_narrower, ViewOptions& options) {
     const std::int32_t degrees = options.zoom_degrees == 0 ? kUnzoomed : options.zoom_degrees;
     const std::int32_t changed =
@@ -36,13 +36,13 @@ std::string zoom(bool is_narrower, ViewOptions& options) {
     return "{zoom-in} {zoom-out} Zoom against dolly: " + std::to_string(changed) + " degrees";
 }
 
-// Switches an option on or off; the message that tells the user.
+// Switches an option on or off; returns the message to the player.
 std::string toggle(bool& is_on, const char* on = "", const char* off = "") {
     is_on = !is_on;
     return is_on ? on : off;
 }
 
-// How a sphere in the middle of the picture looks in the window.
+// The shape of a sphere in the middle of the picture, in the window.
 std::string describe_sphere(const Preferences& preferences, WindowSize window) {
     const Ratio pixel = shown_pixel(shown_rect(preferences, window), preferences.mode);
     return "spheres " + describe_shape(sphere_shape(preferences.mode, preferences.corrects_projection, pixel));
@@ -70,7 +70,7 @@ std::string describe_scaling(const Preferences& preferences, WindowSize window) 
            " (" + describe(shown_rect(preferences, window), preferences.mode) + ")";
 }
 
-// Does a row of the options what a key does; the message that tells the user.
+// Changes an option by `steps`, as the options menu does; returns the message to the player.
 std::string change(const std::string& name, int steps, Preferences& preferences) {
     const std::span<const Preference> rows = all_preferences();
     const auto row = std::find_if(rows.begin(), rows.end(), [&](const Preference& of) { return of.name == name; });

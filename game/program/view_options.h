@@ -13,34 +13,34 @@
 
 namespace oblong {
 
-/// What keys show over a game's picture, or draw instead of it; none of it is kept.
+/// What keys show over a game's picture, or draw instead of it; not saved.
 struct Overlays {
     bool has_torch = false;
     bool is_isometric = false;      ///< the level from outside, instead of from the player's eye
-    std::int32_t zoom_degrees = 0;  ///< the field of view of zoom against dolly; 0: off
-    std::int32_t cost_page = 0;     ///< of what a frame costs, from 1; 0: not shown, as after the last page
+    std::int32_t zoom_degrees = 0;  ///< the field of view of the dolly zoom; 0: off
+    std::int32_t cost_page = 0;     ///< page of a frame's cost, from 1; 0: not shown
     bool shows_aspect_guide = false, shows_four_aspects = false;
-    bool inspects = false;  ///< says what is in the middle of the picture
-    LogChannels log;        ///< written on standard error while any is on
+    bool inspects = false;  ///< describes the object in the middle of the picture
+    LogChannels log;        ///< written on standard error
     MapView map = MapView::Off;
     Wireframe wireframe = Wireframe::Off;
-    LineMethod line_method = LineMethod::GuptaSproull;  ///< of both
+    LineMethod line_method = LineMethod::GuptaSproull;  ///< of map and wireframe
     LabOptions lab;
 };
 
-/// What keys change during a game: how it is drawn and shown, never what happens in it.
+/// What keys change during a game: how it is drawn and shown, never the game itself.
 struct ViewOptions : Overlays {
-    Preferences preferences;  ///< what is kept
+    Preferences preferences;  ///< saved in the options file
     bool uses_pad = false;    ///< the player's last input was a gamepad's: messages name its buttons
 };
 
 Settings settings_of(const Preferences& preferences);
 WindowSettings window_settings_of(const WindowPreferences& preferences);
-/// Where a window shows the picture, and how.
+/// Where and how a window shows the picture.
 PresentRect shown_rect(const PicturePreferences& preferences, WindowSize window);
 
-/// Carries out a command; the message that tells the user ("" where there is none), for KeyNames::in(). Ignores what
-/// the program does itself: Action::Screenshot, Action::ShowHelp.
+/// Runs a command; returns a message to the player for KeyNames::in(), or "". Ignores commands of the program:
+/// Action::Screenshot, Action::ShowHelp.
 std::string apply(Action command, ViewOptions& options, WindowSize window);
 
 }  // namespace oblong

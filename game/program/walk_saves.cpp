@@ -14,14 +14,14 @@
 namespace oblong {
 namespace {
 
-constexpr std::int64_t kNothing_ticks = 2 * kTicksPerSecond;  // is lost in so short a time
+constexpr std::int64_t kNothing_ticks = 2 * kTicksPerSecond;  // less progress than this needs no save
 constexpr std::int64_t kAutosave_ticks = 60 * kTicksPerSecond;
 
 std::int64_t taken_items(const GameState& state) {
     return std::count(state.items.begin(), state.items.end(), ItemState::Taken);
 }
 
-// False in a web page. std::async() finds out, too, but what libc++ has prepared by then waits for its thread for ever.
+// False in a web page. std::async() also fails there, but libc++ then waits for ever for the thread of its state.
 bool has_threads() {
     try {
         std::thread([] {}).join();
@@ -45,7 +45,7 @@ bool WalkSaves::has_unsaved_progress() const {
 }
 
 SaveSlot WalkSaves::own_slot(SaveKind kind) {
-    if (!held_) finish_autosave();  // which may be taking a place
+    if (!held_) finish_autosave();  // which may take a place
     if (!held_) held_ = slots_.hold_new();
     return {kind, held_->number};
 }
@@ -102,7 +102,7 @@ void WalkSaves::finish_autosave() {
         walk_->show("Not saved: " + done.fault);
 }
 
-// A walk that has hardly begun is not worth a place of its own.
+// A walk that has hardly begun gets no place.
 std::string WalkSaves::save_on_leaving() {
     finish_autosave();
     if (!can_save() || walk_->state().tick <= saved_tick_ || !(held_ || has_unsaved_progress())) return "";

@@ -8,24 +8,24 @@
 
 namespace oblong {
 
-/// A walk's ticks: when they are due, what the player or a demo does in them, and the states that they lead to.
+/// A walk's ticks: their clock, their input from the player or a demo, and their states.
 class WalkTicks {
   public:
     /// The level outlives it. The first state is that of its start.
     WalkTicks(const GameLevel& level, TickInputSource input);
 
-    /// What is to happen after each tick.
+    /// Called after each tick.
     using AfterTick = std::function<void(const GameState& before, const GameState& after, const TickReport& report)>;
 
-    /// Plays the ticks that are due after so much more time. `speed_100`: TickClock::advance()'s.
+    /// Plays the ticks that are due after `elapsed_us`. `speed_100`: TickClock::advance()'s.
     void advance(std::uint64_t elapsed_us, std::int32_t speed_100, const AfterTick& after_tick);
-    /// Goes on from another state of the level.
+    /// Continues from another state of the level.
     void restore(const GameState& state) { before_ = after_ = state; }
 
     const GameState& state() const { return after_; }
-    /// What a picture shows now: a moment between the last two states.
+    /// The state to show now, between the last two states.
     InterpolatedState shown() const { return {before_, after_, clock_.fraction_16()}; }
-    /// The player's eye then, turned by what the mouse has done since.
+    /// The camera at the player's eye, with the mouse motion since the last tick.
     Camera camera(Degrees field_of_view) const;
     TickInputSource& input() { return input_; }
     const TickInputSource& input() const { return input_; }

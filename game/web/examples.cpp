@@ -1,5 +1,5 @@
-// The examples' page: the program whose name comes first, or a list of them. Before that, as in a shell, NAME=VALUE of
-// the environment.
+// The examples' page: runs the program that the first argument names, or lists all. Arguments NAME=VALUE before it set
+// the environment, as in a shell.
 #include <emscripten.h>
 
 #include <cstdlib>
@@ -34,7 +34,7 @@ EM_JS(void, page_offer, (const char* name), {
 
 namespace oblong {
 
-// The examples' window and sound, which are SDL's elsewhere.
+// The examples' window and sound, which are SDL's on other systems.
 std::unique_ptr<Platform> open_window(const char* title, WindowSize) {
     std::unique_ptr<Platform> page = open_page(true);
     page->set_title(title);

@@ -1,8 +1,8 @@
 // Loads the program and its data, keeps what the player saves, and starts the game. SIZES: bytes of each file.
 const SIZES = {/*@sizes@*/};
-Page.lines = [];  // what the program said last
+Page.lines = [];  // the program's last messages
 
-// The bytes of a file, wherever they are: in this page, packed, or beside it. The bar shows how many have come.
+// The bytes of a file, packed in this page or beside it. The bar shows the progress.
 let loadedBytes = 0;
 const allBytes = Object.values(SIZES).reduce((sum, size) => sum + size, 0);
 const streamOf = async name => {
@@ -20,7 +20,7 @@ const streamOf = async name => {
   }));
 };
 
-// The data: how long its list is, the list as JSON, {name, size} each, and the files.
+// The data: the length of its list, the list as JSON, {name, size} each, and the files.
 const unpack = bytes => {
   const length = new DataView(bytes.buffer).getUint32(0, true);
   let at = 4 + length;
@@ -31,14 +31,14 @@ const unpack = bytes => {
   }
 };
 
-// What is below /save is kept by the browser's database, written soon after it has changed. That takes it some time, which a
-// page that is closed does not get: what it still has to write is kept by its local storage until the next start.
+// Files below /save are written to the browser's database soon after a change. A page that is closed may not finish
+// that, so the rest is kept in its local storage until the next start.
 const RESCUED = "oblong:";
 const storage = (() => {
   try {
     return localStorage;
   } catch (error) {
-    return null;  // a browser that keeps nothing of this page
+    return null;  // the browser stores nothing for this page
   }
 })();
 const readSaves = () => new Promise(resolve => {
@@ -99,7 +99,7 @@ const keepSaves = hasDatabase => {
 };
 
 const said = document.getElementById("said");
-// Over the picture, until it is answered.
+// Shows a text over the picture until the next input.
 Page.warn = text => {
   said.textContent = text;
   said.className = "over";
@@ -120,7 +120,7 @@ const fail = error => {
   Page.end("");
 };
 
-// A program with a loop of its own waits for each picture in page_wait(): the browser leaves it there, and enters it again.
+// A program with its own loop waits for each picture in page_wait(): the browser suspends it there, and resumes it.
 const WAITS = /*@waits@*/;
 const suspended = imports => {
   if (!WebAssembly.Suspending) throw new Error("This browser can't wait in the middle of a program (JSPI).");
@@ -134,7 +134,7 @@ const entered = instance => {
 
 const data = streamOf("/*@program@*/.data").then(stream => new Response(stream).arrayBuffer());
 globalThis.Module = {
-  // Of the address: oblong.html?--mode%20640x480
+  // From the address: oblong.html?--mode%20640x480
   arguments: [/*@game@*/...decodeURIComponent(location.search.slice(1)).split(" ").filter(word => word)],
   print: line => console.log(line),
   printErr: line => {

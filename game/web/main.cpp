@@ -23,7 +23,7 @@ EM_JS(void, page_when_hidden, (Keep keep, void* page), {
 });
 EM_JS(void, page_end, (const char* text), { Page.end(UTF8ToString(text)); });
 
-/// The browser calls the game, a picture at a time: it outlives main().
+/// The browser calls the game for each picture, so this outlives main().
 struct PageGame {
     Options options;
     PreferencesStore store;
@@ -39,7 +39,7 @@ void step(void* page) {
     page_end(code == 0 ? "The game has ended." : "");
 }
 
-// A tab that is hidden may be closed without a word: the walk is kept then. A step opens the menu.
+// A hidden tab may be closed without notice, so the walk is saved. A step opens the menu.
 void keep(void* page) {
     Program& program = static_cast<PageGame*>(page)->program;
     run_program("oblong", [&] {

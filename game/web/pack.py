@@ -14,7 +14,7 @@ import struct
 import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-# Of the built game's data, what is played; level sources and lists for tools are not.
+# The played part of the built game's data, without level sources and lists for tools.
 PLAYED = r'(demo\.bsp|walk\.demo|game\.json|palette\.lmp|(models|music|sounds)/.*)'
 
 
