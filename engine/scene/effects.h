@@ -6,7 +6,7 @@
 
 namespace oblong {
 
-/// What a scene may call for in addition to lit walls.
+/// What a scene may show in addition to lit walls.
 enum class Effect : std::uint8_t {
     Sky,
     Liquid,
@@ -43,7 +43,7 @@ struct EffectSet {
     constexpr bool operator==(const EffectSet&) const = default;
 };
 
-/// Those that leave texels and light as the level's file has them: what a frame's exactness is measured with.
+/// The effects that leave texels and light as they are in the level's file: accuracy is measured with these alone.
 inline constexpr EffectSet kStillEffects = EffectSet{}.with(Effect::Sky).with(Effect::Liquid).with(Effect::BrushModels);
 
 }  // namespace oblong

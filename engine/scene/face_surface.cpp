@@ -12,9 +12,9 @@ namespace oblong {
 
 namespace {
 
-/// What the surface cache is made with, and grows by. A 320x200 frame needs 0.3 to 0.6 MB. With three times
-/// that, a room is lit anew now and then when one turns round in it, which takes up to a twentieth of the time while
-/// one does. In large modes surfaces are shown by their finest texels, and need less a pixel.
+/// The surface cache's initial size, and the size by which it grows. A 320x200 frame needs 0.3 to 0.6 MB. With three
+/// times that, turning round in a room sometimes builds its surfaces again, which takes up to a twentieth of the time.
+/// In large modes surfaces use their finest mip levels and need fewer bytes a pixel.
 std::size_t surface_piece_bytes(const ScreenMode& mode) {
 #ifdef OBLONG_SMALL_MEMORY  // a PC of 16 MB
     constexpr std::size_t kBytesAPixel = 8, kLeast = std::size_t{1} << 19;
@@ -109,10 +109,10 @@ Texel eye_texel(const Vec3<TexelAxis>& axis, Texel offset, const Vec3<World>& ey
     return texel;
 }
 
-/// Edge-on, or turned round by rounding to the screen: for such a sliver any steep view of the plane will do.
+/// For faces edge-on or turned round by rounding to the screen: for such slivers any small distance will do.
 constexpr auto kLeastDistance = PlaneDistance::from_raw(std::int64_t{1} << 30);
 
-/// A face's plane, turned to where the face faces.
+/// The normal of a face's plane, on the side that the face faces.
 Vec3<Unit> normal_of(const LevelPlane& plane, bool is_back) {
     return is_back ? -plane.normal : plane.normal;
 }
@@ -143,7 +143,7 @@ void FaceSurfaces::start_frame(const Accuracy& accuracy, std::int32_t brightness
     if (quality.shades < Colormap::kShades) fewer_shades_ = with_shades(colormap, quality.shades);
 }
 
-/// Levels 0, 1 and 2 end where the nearest texels are 1, 0.4 and 0.2 pixels wide: Quake's thresholds.
+/// Mip levels 0, 1 and 2 end where the nearest texels are 1, 0.4 and 0.2 pixels wide: Quake's thresholds.
 int FaceSurfaces::mip_level(FaceIndex face, View nearest_z, const ProjectionAxis& projection_x,
                             std::int32_t bias) const {
     const CoarseMultiplier multiplier = floor_shift(projection_x.coarse, std::max(bias, 0));

@@ -16,51 +16,51 @@
 
 namespace oblong {
 
-/// What the look of a face depends on beside its mip level.
+/// What a face's texels depend on besides its mip level.
 struct SurfaceState {
     const LightStyles& styles;
     TextureIndex texture = TextureIndex::none();  ///< the frame of an animated texture; none: the face's own
     Vec3<World> offset{};                         ///< of the face's model
 };
 
-/// The texels that one face shows, and how they are drawn.
+/// The texels of one face, and how they are drawn.
 struct FaceSurface {
     SurfaceView view;
     int mip = 0;
-    std::int32_t origin_u = 0, origin_v = 0;  ///< the texel of mip level 0 at its first column and row
+    std::int32_t origin_u = 0, origin_v = 0;  ///< the texel of mip level 0 at the first column and row
     TexelLimits limits;
     BlockKernel kernel = nullptr;
     bool is_wrapped_by_masks = true;
 };
 
-/// The surfaces of a level's faces: a lit one from the cache or built now (texture times light), for a liquid the
-/// texture itself, which wraps.
+/// The surfaces of a level's faces. Lit surfaces (texture times light) come from the cache or are built; a liquid's
+/// surface is the texture itself, which wraps.
 class FaceSurfaces {
   public:
-    /// Level and table must outlive it.
+    /// `level` and `faces` must outlive it.
     FaceSurfaces(const Level& level, const FaceTable& faces, const ScreenMode& mode);
 
-    /// Sets how light is computed from now on. Texels got before may be overwritten from here on.
+    /// Sets how light is computed from now on. Texels returned earlier may be overwritten from now on.
     void start_frame(const Accuracy& accuracy, std::int32_t brightness_100, const Colormap& colormap);
-    /// What light is looked up in: the level's, or that with fewer shades.
+    /// The colormap used for light: the level's, or a copy with fewer shades.
     const Colormap& colormap() const { return fewer_shades_ ? *fewer_shades_ : *colormap_; }
-    /// The mip level of a lit or liquid face, or a part of it, whose nearest point in view has this depth.
+    /// The mip level of a lit or liquid face, or a part of one, whose nearest point in view has the depth `nearest_z`.
     int mip_level(FaceIndex face, View nearest_z, const ProjectionAxis& projection_x, std::int32_t bias) const;
     /// Sets the moving lights from now on; at first there are none.
     void set_moving_lights(std::span<const MovingLight> lights, const Vec3<World>& eye) {
         moving_lights_.set(lights, eye);
     }
     bool has_moving_lights() const { return !moving_lights_.is_empty(); }
-    /// Whether one of them touches a lit face, its model moved by `offset`.
+    /// Whether a moving light touches a lit face, its model moved by `offset`.
     bool is_touched(FaceIndex face, const Vec3<World>& offset) {
         return faces_[face].material == Material::Lit && moving_lights_.touch(face, offset).lights != 0;
     }
     /// The surface of a lit or liquid face. Its texels stay where they are, unchanged, until the next start_frame().
     FaceSurface get(FaceIndex face, int mip, const SurfaceState& state);
-    /// Forgets all lit surfaces: the next frame builds them again.
+    /// Drops all lit surfaces; the next frame builds them again.
     void clear() { cache_.clear(); }
-    std::int64_t built_texels() const { return built_texels_; }      ///< of all lit surfaces ever built
-    std::int64_t built_surfaces() const { return built_surfaces_; }  ///< how many those were
+    std::int64_t built_texels() const { return built_texels_; }      ///< in all lit surfaces ever built
+    std::int64_t built_surfaces() const { return built_surfaces_; }  ///< number of lit surfaces ever built
     const SurfaceCache& cache() const { return cache_; }
 
     BlockKernel kernel = best_block_kernel();
@@ -80,9 +80,9 @@ class FaceSurfaces {
     MovingLights moving_lights_;
     LightQuality light_quality_;                ///< of the surfaces in the cache
     const Colormap* colormap_ = nullptr;        ///< the scene's
-    std::optional<Colormap> fewer_shades_;      ///< instead of it
+    std::optional<Colormap> fewer_shades_;      ///< used instead of `colormap_`
     std::vector<std::int32_t> corner_shades_;   ///< scratch
-    std::vector<std::int32_t> moving_light_8_;  ///< scratch, made when a moving light first touches a face
+    std::vector<std::int32_t> moving_light_8_;  ///< scratch, allocated when a light first touches a face
     std::int64_t built_texels_ = 0, built_surfaces_ = 0;
 };
 
@@ -90,7 +90,7 @@ class FaceSurfaces {
 PlaneInverseZ make_face_inverse_z(const Level& level, const Face& face, const Vec3<World>& offset,
                                   const ViewContext& view, const InverseProjection& inverse_projection);
 
-/// The screen gradients of the same face's surface; `inverse_z` is make_face_inverse_z().
+/// Screen gradients of a face's texture coordinates; `inverse_z` is from make_face_inverse_z().
 TextureGradients make_face_gradients(const Level& level, const Face& face, const FaceSurface& surface,
                                      const Vec3<World>& offset, const PlaneInverseZ& inverse_z, const ViewContext& view,
                                      const InverseProjection& inverse_projection);

@@ -13,7 +13,7 @@ namespace oblong {
 
 namespace {
 
-/// Appends the corners of a face, each edge with the vertices inside it, in the face's direction.
+/// Appends the corners of a face, with the T-junction vertices on its edges, in the face's winding.
 void append_corners(const Level& level, const Face& face, const TJunctions& junctions,
                     std::vector<VertexIndex>& corners) {
     for (const SurfEdge step : level.edges_of(face)) {
@@ -26,7 +26,6 @@ void append_corners(const Level& level, const Face& face, const TJunctions& junc
     }
 }
 
-/// The effects that a face needs by its texture.
 EffectSet effects_of(const TexInfo& texinfo, const std::string& texture) {
     if (texinfo.material == Material::Sky) return EffectSet{}.with(Effect::Sky);
     if (texinfo.material == Material::Liquid) return EffectSet{}.with(Effect::Liquid);
@@ -35,7 +34,7 @@ EffectSet effects_of(const TexInfo& texinfo, const std::string& texture) {
     return {};
 }
 
-/// Texels per unit along the denser axis of each of a level's texture mappings.
+/// Texels per unit along the denser axis of each texinfo.
 Table<TexelDensity, TexInfo> densities_of(const Table<TexInfo>& texinfos) {
     Table<TexelDensity, TexInfo> densities;
     densities.reserve(texinfos.size());
@@ -44,7 +43,7 @@ Table<TexelDensity, TexInfo> densities_of(const Table<TexInfo>& texinfos) {
     return densities;
 }
 
-/// The texture's axes map the face to a plane of texels. Of such a map the smallest stretch is its change of area by
+/// The texture's axes map the face's plane to texels. The smallest stretch of this map is its change of area divided by
 /// its greatest stretch, which is at most the root of the sum of both axes' squares.
 TexelDensity least_density(const LevelPlane& plane, const TexInfo& texinfo) {
     using Coarse = Fixed<std::int32_t, 12>;
@@ -69,7 +68,7 @@ void add_face(const Level& level, const Face& face, const TJunctions& junctions,
     table.most_corners = std::max(table.most_corners, count);
 }
 
-/// visit(from, to) for each edge of the faces that the world's nodes hold: others are never drawn.
+/// Calls visit(from, to) for each edge of the faces in the world's nodes; other faces are never drawn.
 template <class Visit>
 void for_each_edge(const Level& level, const FaceTable& table, Visit visit) {
     const IndexRange<Face>& world = level.world().faces;
@@ -90,12 +89,11 @@ std::uint64_t scrambled(std::uint64_t hash) {
     return hash ^ hash >> 29;
 }
 
-/// Two numbers of a place.
+/// Two hashes of a vertex's position.
 struct PlaceHash {
     std::uint64_t first, second;
 };
 
-/// Of each vertex; equal ones where places are.
 Table<PlaceHash, Vertex> hashes_of_places(const Level& level) {
     Table<PlaceHash, Vertex> hashes;
     hashes.reserve(level.vertices.size());
@@ -107,8 +105,8 @@ Table<PlaceHash, Vertex> hashes_of_places(const Level& level) {
     return hashes;
 }
 
-/// Whether each edge is used as often in one direction as in the other: then both cancel. By chance they do so in one
-/// of 2^56 other levels.
+/// Whether each edge is used as often in one direction as in the other: then the sum cancels. In one of 2^56 other
+/// levels it cancels by chance.
 bool is_closed(const Level& level, const FaceTable& table) {
     const Table<PlaceHash, Vertex> hashes = hashes_of_places(level);
     std::uint64_t sum = 0;

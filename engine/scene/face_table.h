@@ -16,18 +16,18 @@ using TexelDensity = Fixed<std::int64_t, 16>;
 struct PreparedFace {
     std::uint32_t first_corner = 0, corner_count = 0;  ///< in FaceTable::corners
     TexelDensity density;                              ///< texels of mip level 0 per unit, along the denser axis
-    TexelDensity least_density;                        ///< no fewer in any direction on the face
+    TexelDensity least_density;                        ///< a lower bound for all directions on the face
     Material material = Material::Lit;
-    bool is_above_fog = false;  ///< surely, where its model has not moved
-    EffectSet effects;          ///< that it needs
+    bool is_above_fog = false;  ///< certainly, while its model has not moved
+    EffectSet effects;          ///< needed to draw it
 };
 
 /// Data of a level's faces, precomputed for all frames.
 struct FaceTable {
     Table<PreparedFace, Face> faces;
-    std::vector<VertexIndex> corners;  ///< of all faces, with those inserted at T-junctions
-    std::size_t most_corners = 0;      ///< of any face
-    std::size_t torn_edges = 0;        ///< edges of the world where faces do not meet: pixels may stay free there
+    std::vector<VertexIndex> corners;  ///< of all faces, including vertices inserted at T-junctions
+    std::size_t most_corners = 0;      ///< of one face
+    std::size_t torn_edges = 0;        ///< edges of the world where faces do not meet; pixels may stay free there
 
     const PreparedFace& operator[](FaceIndex face) const { return faces[face]; }
     PreparedFace& operator[](FaceIndex face) { return faces[face]; }

@@ -47,7 +47,7 @@ constexpr char kFogForm[] =
     "density r g b [alpha mindist maxdist top fadedepth]: density 0 to 64, colours and alpha 0 to 1, 0 <= mindist < "
     "maxdist, fadedepth above 0, lengths up to 262144";
 
-/// From numbers with 24 fraction bits; nothing unless each is in its range.
+/// From numbers with 24 fraction bits; none unless each is in its range.
 std::optional<LevelFog> fog_of(const Numbers& numbers) {
     constexpr std::int64_t kOne = std::int64_t{1} << LevelFog::Density::kFractionBits, kLongest = kOne << 18;
     const auto number = [&numbers](std::size_t i, std::int64_t otherwise) {
@@ -118,7 +118,7 @@ void read_sky_fog(const std::string& value, LevelEffects& effects) {
     effects.sky_fog_256 = static_cast<std::int32_t>(*share_256);
 }
 
-/// The kind whose alpha a key sets, with or without '_' before it.
+/// The kind of liquid whose alpha a key sets, with or without a leading '_'.
 std::optional<LiquidKind> kind_of_alpha_key(std::string_view key) {
     if (key.starts_with('_')) key.remove_prefix(1);
     const auto found = std::find(kAlphaKeys.begin(), kAlphaKeys.end(), key);
@@ -135,7 +135,7 @@ void read_world_key(const std::string& key, const std::string& value, LevelEffec
     if (const auto kind = kind_of_alpha_key(key)) return read_alpha(*kind, key, value, effects);
     if (key == "sky" || key == "skyname")
         return warn(effects.warnings, "worldspawn key " + in_quotes(key) + ": sky boxes are not supported");
-    const bool is_known = find_entity_key(*find_entity_class("worldspawn"), key) != nullptr;  // others read it
+    const bool is_known = find_entity_key(*find_entity_class("worldspawn"), key) != nullptr;  // read elsewhere
     if (!is_known && !key.starts_with('_')) warn(effects.warnings, "worldspawn key " + in_quotes(key) + " is unknown");
 }
 
@@ -148,7 +148,7 @@ void read_world(const Level& level, LevelEffects& effects) {
         if (seen.insert(key).second) read_world_key(key, value, effects);
 }
 
-/// What is wrong with a light's own pattern; empty: nothing.
+/// What is wrong with a light's own pattern; empty if nothing.
 std::string fault_of_pattern(const std::string& pattern, const std::string& style, const std::string& same_style) {
     if (style.empty()) return "its style is not a number from 32 to 63, expected a style that the game may set";
     if (!is_light_pattern(pattern)) return "expected 1 to 65536 letters from a to z";

@@ -11,12 +11,12 @@ namespace oblong {
 
 namespace {
 
-/// As many steps as may begin within a third of a second.
+/// Steps that may begin within a third of a second.
 constexpr std::size_t kStepsOfChange = 4;
-/// Reduced styles are averaged over a second: a strobe keeps its mean, a slow pulse goes on.
+/// Reduced styles are averaged over a second: a strobe becomes its mean, a slow pulse stays.
 constexpr std::size_t kAveragedSteps = 10;
 
-/// The sums of `steps` values from each one on. Values repeat.
+/// For each value the sum of `steps` values from there on; values repeat.
 std::vector<std::int32_t> sums_ahead(const std::vector<std::uint16_t>& values, std::size_t steps) {
     std::vector<std::int32_t> sums;
     std::int32_t sum = 0;
@@ -36,8 +36,8 @@ std::int32_t most_change(const std::vector<std::int32_t>& values, std::size_t st
     return most;
 }
 
-/// Averages, then moves all values toward the mean until none changes too much. Rounding adds less than a step of
-/// brightness to a change, for which there is room.
+/// Averages, then scales all differences from the mean so that no change is too large. kReducedChange - 1 leaves room
+/// for rounding.
 std::vector<std::uint16_t> reduced_steps(const std::vector<std::uint16_t>& full, std::int32_t mean) {
     constexpr std::int64_t kMost = (kReducedChange - 1) * static_cast<std::int64_t>(kAveragedSteps);
     const std::vector<std::int32_t> sums = sums_ahead(full, kAveragedSteps);
@@ -97,7 +97,7 @@ bool LightPatterns::is_called_for_by(const Face& face) const {
 }
 
 std::string_view quake_light_pattern(int style) {
-    // As Quake's world.qc sets them when a level begins. Style 0 is "m": plain.
+    // From Quake's world.qc. Style 0 is "m": plain.
     constexpr std::array<std::string_view, 12> kPatterns{"",
                                                          "mmnmmommommnonmmonqnmmo",
                                                          "abcdefghijklmnopqrstuvwxyzyxwvutsrqponmlkjihgfedcba",
@@ -136,13 +136,13 @@ namespace {
 
 constexpr World kLowest = World::from_int(-524'287);
 
-/// Texels from the face's first one; s . p for any p, whose parts may be too large for one exact sum.
+/// Texels from the face's first one. Products are rounded one by one: for some p, an exact sum of s . p would overflow.
 Texel texel_on(const Vec3<TexelAxis>& axis, Texel offset, std::int32_t least, const Vec3<World>& p) {
     return product<Texel>(axis.x, p.x) + product<Texel>(axis.y, p.y) + product<Texel>(axis.z, p.z) + offset -
            Texel::from_int(least);
 }
 
-/// The light of a face's sample at a place on its plane; none where the face does not reach.
+/// The light of a face's sample at a point of its plane; none outside the face's extents.
 std::optional<std::int32_t> light_8_on(const Level& level, const Face& face, const Vec3<World>& p,
                                        const LightStyles& styles) {
     const TexInfo& texinfo = level.texinfos[face.texinfo];
@@ -153,7 +153,7 @@ std::optional<std::int32_t> light_8_on(const Level& level, const Face& face, con
     return light_8_of_sample(level, face, u, v, styles);
 }
 
-/// That of the first of a node's faces which reaches there.
+/// The light of the first of a node's faces whose extents hold `p`.
 std::optional<std::int32_t> light_8_at(const Level& level, NodeIndex node, const Vec3<World>& p,
                                        const LightStyles& styles) {
     for (const FaceIndex face : level.nodes[node].faces)

@@ -15,14 +15,14 @@ namespace oblong {
 
 namespace {
 
-/// Distances within a light's radius: World's steps in 64 bits.
+/// World's steps in 64 bits.
 using Distance = WorldWide;
 /// Vectors on a face, world units.
 using OnFace = Fixed<std::int64_t, 24>;
 
 constexpr std::int32_t kSampleStep = 16;  ///< texels from one light sample to the next
 
-/// A light seen from a face: how far it is in front, and at which texel, from that of the first light sample.
+/// A light's distance in front of a face, and the texel nearest to it, counted from the first light sample.
 struct LightAtFace {
     PlaneDistance distance;
     Texel u, v;
@@ -32,7 +32,7 @@ Vec3<World> in_model(const Vec3<World>& position, const Vec3<World>& offset) {
     return saturating_convert<World>(widening_difference(position, offset));
 }
 
-/// s . p for any p: its parts may be too large for one exact sum.
+/// s . p with each product rounded: for some p an exact sum would overflow.
 Texel texel_along(const Vec3<TexelAxis>& axis, const Vec3<World>& p) {
     return product<Texel>(axis.x, p.x) + product<Texel>(axis.y, p.y) + product<Texel>(axis.z, p.z);
 }
@@ -58,13 +58,13 @@ LightAtFace light_at_face(const Level& level, const Face& face, const Vec3<World
             texel_below(texinfo.t, texinfo.t_offset, plane, p, distance) - Texel::from_int(face.texel_min_v)};
 }
 
-/// The way on a face from a texel to the next, world units.
+/// The step on a face from one texel to the next, in world units.
 using TexelWay = std::array<SoftFloat, 3>;
 struct TexelWays {
     TexelWay u, v;
 };
 
-/// With s . u = t . v = 1 and s . v = t . u = n . u = n . v = 0. Nothing if the axes are parallel on the plane.
+/// Solves s . u = t . v = 1 and s . v = t . u = n . u = n . v = 0. None if the axes are parallel on the plane.
 std::optional<TexelWays> texel_ways(const LevelPlane& plane, const TexInfo& texinfo) {
     const auto u = cross(texinfo.t, plane.normal), v = cross(plane.normal, texinfo.s);
     WideSum sum;
@@ -93,7 +93,8 @@ std::optional<Vec3<OnFace>> on_face(const TexelWays& ways, Texel u, Texel v) {
     return Vec3<OnFace>{parts[0], parts[1], parts[2]};
 }
 
-/// From the point of a face that is nearest to a light: the first light sample, and steps to the next ones.
+/// The first light sample, from the point of the face's plane nearest to the light, and the steps to the next column
+/// and row.
 struct SampleGrid {
     Vec3<OnFace> first, column, row;
 };
@@ -106,8 +107,8 @@ std::optional<SampleGrid> sample_grid(const TexelWays& ways, const LightAtFace& 
     return SampleGrid{*first, *column, *row};
 }
 
-/// What a light adds to a sample at `way` from the point nearest to it; 8 fraction bits. `square` is that of its
-/// distance from the plane. With a radius below 2^23 steps no square exceeds 2^48.
+/// What a light adds to a sample at `way` from the point nearest to it; 8 fraction bits. `square` is its distance from
+/// the plane, squared. With a radius below 2^23 steps, squares stay below 2^48.
 std::int32_t light_at(const Vec3<OnFace>& way, std::int64_t square, Distance radius, std::int32_t brightness_256) {
     for (const OnFace part : {way.x, way.y, way.z}) {
         const auto distance = convert<Distance>(part);
@@ -119,7 +120,6 @@ std::int32_t light_at(const Vec3<OnFace>& way, std::int64_t square, Distance rad
     return static_cast<std::int32_t>(floor_of((radius - distance) * brightness_256));
 }
 
-/// Adds a light to samples, `columns` a row.
 void add_samples(const SampleGrid& grid, PlaneDistance distance, const MovingLight& light, std::int32_t columns,
                  std::span<std::int32_t> samples_8) {
     const std::int64_t height = convert<Distance>(distance).raw;
@@ -135,18 +135,18 @@ void add_samples(const SampleGrid& grid, PlaneDistance distance, const MovingLig
     }
 }
 
-/// What comes first, nearest first: the distance from the eye to a light's reach with 8 fraction bits, and the light.
+/// Sorts lights: distance from the eye minus radius, with 8 fraction bits, then the light's index.
 using RankedLight = std::pair<std::int64_t, std::size_t>;
 
 RankedLight rank_of(const MovingLight& light, std::size_t index, const Vec3<World>& eye) {
-    // In 1/256 unit: so that squares of any distance fit.
+    // In 1/256 unit, so that the square of any distance fits.
     const auto square = [](Distance way) { return floor_of<8>(way) * floor_of<8>(way); };
     const Vec3<Distance> way = widening_difference(light.position, eye);
     const auto squared = static_cast<std::uint64_t>(square(way.x) + square(way.y) + square(way.z));
     return {std::int64_t{integer_root(squared)} - floor_of<8>(light.radius), index};
 }
 
-/// A light within the limits; nothing if it gives no light.
+/// The light, clamped to the limits; none if it gives no light.
 std::optional<MovingLight> limited(MovingLight light) {
     if (light.radius <= World{} || light.brightness_256 <= 0) return std::nullopt;
     light.radius = std::min(light.radius, kMostLightRadius);
@@ -162,7 +162,7 @@ void for_each_bit(std::uint32_t bits, Visit visit) {
 }  // namespace
 
 void MovingLights::choose(std::span<const MovingLight> lights, const Vec3<World>& eye) {
-    std::array<RankedLight, kMost> heap;  // the last of the chosen ones first
+    std::array<RankedLight, kMost> heap;  // the farthest chosen light first
     std::size_t count = 0;
     for (std::size_t index = 0; index < lights.size(); ++index) {
         const std::optional<MovingLight> light = limited(lights[index]);
@@ -181,7 +181,7 @@ void MovingLights::choose(std::span<const MovingLight> lights, const Vec3<World>
         chosen_.push_back(*limited(lights[candidate.second]));
 }
 
-/// Chosen lights that are known as they are stay so, those of earlier frames too, and leave the list.
+/// Chosen lights that are known and unchanged, also from earlier frames, keep their slots and leave `chosen_`.
 void MovingLights::keep_known() {
     active_ = 0;
     std::erase_if(chosen_, [&](const MovingLight& light) {

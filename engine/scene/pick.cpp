@@ -13,22 +13,22 @@ namespace oblong {
 
 namespace {
 
-/// Distances that differ by less may be in the wrong order: each is rounded once.
+/// Distances that differ by less may be in the wrong order, as each is rounded once.
 constexpr RayDistance kSlack = RayDistance::from_raw(4);
 
-/// A pending step down the tree: a part of the ray, and what to do with it.
+/// A pending part of the ray in the walk down the tree.
 struct RayStep {
     NodeChild at;
     RayDistance from, to;
-    bool tests_faces;  ///< those on the node's plane, which the ray meets at `from`
+    bool tests_faces;  ///< tests the faces on the node's plane, which the ray meets at `from`
 };
 
-/// A ray through the tree of one model, in the model's own coordinates.
+/// A ray through the tree of one model, in the model's coordinates.
 class RayWalk {
   public:
     RayWalk(const Level& level, const Vec3<World>& eye, const Vec3<Unit>& direction)
         : level_(level), eye_(eye), direction_(direction) {
-        // Axes across the ray: seen along it, it is a point, which lies in the faces that it goes through.
+        // Viewspace along the ray: there the ray is the origin of the x-y plane.
         axes_.forward = direction;
         axes_.right = perpendicular_to(direction);
         axes_.up = normalised(cross(axes_.right, direction));
@@ -79,7 +79,7 @@ class RayWalk {
         return FaceIndex::none();
     }
 
-    /// Whether the ray goes through a face: seen along it, it lies on the inner side of each edge, or on the edge.
+    /// Whether the ray goes through a face: seen along the ray, it is on the inner side of each edge, or on it.
     bool is_through(const Face& face) const {
         const std::span<const SurfEdge> edges = level_.edges_of(face);
         return std::all_of(edges.begin(), edges.end(), [this](SurfEdge edge) {
@@ -89,7 +89,7 @@ class RayWalk {
         });
     }
 
-    /// The sign of the turn from one corner to another about the ray: below 0 clockwise.
+    /// The sign of the turn from one corner to another around the ray; negative is clockwise.
     int turn_about(VertexIndex from, VertexIndex to) const {
         const Vec3<View> a = to_view(level_.vertices[from], eye_, axes_), b = to_view(level_.vertices[to], eye_, axes_);
         WideSum turn;

@@ -12,14 +12,14 @@ namespace oblong {
 /// The first face that a ray meets.
 struct PickedFace {
     FaceIndex face;
-    PlacedIndex model = PlacedIndex::none();  ///< of those given; none: the world
+    PlacedIndex model = PlacedIndex::none();  ///< in `models`; none: the world
     RayDistance distance;
     Vec3<World> world_point;
 };
 
-/// What a ray from `eye` meets first of a level's faces that face it: those of the world, and of the models at their
-/// places. Liquids and sky count, and so do the holes of fences. `direction` has length 1. Through the trees, near side
-/// first: a line against the plane of each node that the ray crosses, and the faces on it only.
+/// The first face that faces `eye` on a ray from there: a face of the world or of a model at its place. Liquids, sky
+/// and the holes of fences count too. `direction` has length 1. Walks the trees near side first, and tests only faces
+/// on the planes of nodes that the ray crosses.
 std::optional<PickedFace> pick_face(const Level& level, std::span<const PlacedModel> models, const Vec3<World>& eye,
                                     const Vec3<Unit>& direction);
 

@@ -17,11 +17,11 @@ struct PlacedModel {
 
 using PlacedIndex = Index<PlacedModel>;  ///< of a scene's models
 
-/// The brush model that an entity's "model" names ("*3"), 1 and up; nothing where the level has no such model.
+/// The brush model named by an entity's key "model" ("*3"), 1 and up; none if the level has no such model.
 std::optional<ModelIndex> brush_model_of(const Entity& entity, const Level& level);
 
-/// The brush models that a level's entities show, at their initial positions. Triggers are not shown, and what turns is
-/// by read_level_models(). An entity that names a missing model is ignored.
+/// The brush models of a level's entities at their initial positions. Left out are triggers, which are not shown,
+/// rotating models, which read_level_models() reads, and entities that name a missing model.
 std::vector<PlacedModel> models_at_rest(const Level& level);
 
 }  // namespace oblong

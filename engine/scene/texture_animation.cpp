@@ -13,13 +13,13 @@ namespace oblong {
 
 namespace {
 
-/// The frames of one name: [0] those of digits, [1] those of letters; none: missing.
+/// The frames of one name: [0] digits, [1] letters; none: missing.
 struct NamedFrames {
     NamedFrames() {
         for (auto& frames : of_kind) frames.fill(TextureIndex::none());
     }
     std::array<std::array<TextureIndex, TextureAnimations::kMostFrames>, 2> of_kind;
-    std::string fault;  ///< what is wrong; empty: nothing
+    std::string fault;  ///< empty: none
 };
 
 struct FrameName {
@@ -27,7 +27,7 @@ struct FrameName {
     std::string name;
 };
 
-/// Quake takes capital letters too.
+/// Capital letters are valid too, as in Quake.
 std::optional<FrameName> frame_name_of(const std::string& texture) {
     const char letter = texture[1];
     if (letter >= '0' && letter <= '9') return FrameName{0, letter - '0', texture.substr(2)};
@@ -61,7 +61,7 @@ const MipTexture& first_of(const Level& level, const NamedFrames& frames) {
     return level.textures.front();  // not reached: a name has a frame
 }
 
-/// What is wrong with the frames of one kind: a gap, or a size unlike that of the first frame. Empty: nothing.
+/// What is wrong with the frames of one kind: a gap, or a size that differs from the first frame's. Empty if nothing.
 std::string fault_of(const Level& level, int kind, const std::string& name, const NamedFrames& frames) {
     const auto& of_kind = item(frames.of_kind, kind);
     const MipTexture& first = first_of(level, frames);
