@@ -27,7 +27,7 @@ struct Pair {
     std::int32_t first, second;
 };
 
-/// Two whole numbers from `least` to `most` with `between` in their middle. Throws UsageError(expected).
+/// Two whole numbers from `least` to `most` with `between` between them. Throws UsageError(expected).
 Pair parse_pair(const std::string& text, char between, std::int32_t least, std::int32_t most,
                 const std::string& expected) {
     const std::size_t at = text.find(between);

@@ -28,9 +28,9 @@ WindowSize parse_window_size(const std::string& text);
 Ratio parse_display(const std::string& text);
 /// A field of view in degrees, decimal, from 1 to 179.
 Degrees parse_field_of_view(const std::string& text);
-/// How bright lit surfaces are, decimal, from 0.25 to 8: in hundredths.
+/// The brightness of lit surfaces, decimal, from 0.25 to 8; returned in hundredths.
 std::int32_t parse_brightness(const std::string& text);
-/// Refuses values that are valid alone, but not together: a wide field of view in a mode of few pixels.
+/// Throws UsageError for values that are valid alone but not together: a wide field of view in a mode of few pixels.
 void check_view(const ScreenMode& mode, Degrees field_of_view);
 /// "1991", "1994", "1996", "bounded", "exact".
 Preset parse_preset(const std::string& text);
@@ -38,27 +38,27 @@ Preset parse_preset(const std::string& text);
 std::string values_of(const Dial& dial);
 /// Sets a dial by "NAME=VALUE" (engine/accuracy/dials.h).
 void parse_dial(const std::string& text, Accuracy& accuracy);
-/// A preset with dials turned: those of --accuracy and all --dial.
+/// A preset with changed dials: the values of --accuracy and all --dial.
 Accuracy parse_accuracy(Preset preset, const std::vector<std::string>& dials);
 /// A decimal number such as "-12.375" as raw units of 2^-fraction_bits (0 to 32), rounded to the nearest; |value| below
 /// 2^24. Throws UsageError that begins with `option` for anything else, "nan" and "1e3" included.
 std::int64_t parse_number(const std::string& option, const std::string& text, int fraction_bits);
 
-/// What a program says of an error on standard error, after its name.
+/// A program's message for an error, without its name.
 std::string message_of(const std::exception& error);
 
-/// Runs a program's body, checks that its standard output was written, and turns exceptions into messages and exit
-/// codes: 0 success; 1 a failure, `PROGRAM: FILE: WHERE: what is wrong` on standard error; 2 wrong usage.
+/// Runs a program's body, checks that its standard output was written, and reports exceptions and returns an exit code:
+/// 0 success; 1 a failure, `PROGRAM: FILE: WHERE: what is wrong` on standard error; 2 wrong usage.
 int run_program(const std::string& name, const std::function<void()>& body);
 
-/// Prints a fault that the program goes on after on standard error, `PROGRAM: FAULT`; nothing for an empty one.
+/// Prints a fault that does not end the program on standard error, `PROGRAM: FAULT`; nothing if it is empty.
 void print_fault(const std::string& program, const std::string& fault);
 
 /// Prints warnings about a level on standard error, a line each.
 void print_warnings(const std::string& program, const std::string& level_file,
                     const std::vector<std::string>& warnings);
 
-/// Warns on standard error that faces of a level do not meet at so many edges; prints nothing if there are none.
+/// Warns on standard error that faces of a level do not meet at some edges; prints nothing if `edges` is 0.
 void warn_of_torn_edges(const std::string& program, const std::string& level_file, std::size_t edges);
 
 }  // namespace oblong

@@ -4,12 +4,12 @@
 
 namespace oblong {
 
-/// The folder of the running program. `called_as`: argv[0], for systems that do not say which program runs.
+/// The folder of the running program. `called_as`: argv[0], for systems without /proc.
 std::string program_folder(const char* called_as);
 
-/// The folder of the project's own level, palette and sounds: beside the folder of the running program in a build
-/// tree (build/bin, build/assets), wherever that was moved to, or where `cmake --install` puts it
-/// (PREFIX/share/oblong). `called_as` as in program_folder(). Throws FileError where neither is there.
+/// The folder of the project's own level, palette and sounds: in a build tree, beside the folder of the running program
+/// (build/bin, build/assets); else where `cmake --install` puts it (PREFIX/share/oblong). `called_as` as in
+/// program_folder(). Throws FileError if neither exists.
 std::string assets_folder(const char* called_as);
 
 }  // namespace oblong

@@ -21,9 +21,9 @@ bool is_control(char letter) {
     return (static_cast<unsigned char>(letter) < ' ' && letter != '\t') || letter == '\x7f';
 }
 
-// Without arrays: a value is all that follows, commas and brackets too.
+// Without arrays: a value is the rest of the line, with commas and brackets.
 CLI::ConfigINI line_reader() {
-    constexpr char kNever = '\x01';  // no line with control characters comes so far
+    constexpr char kNever = '\x01';  // lines with control characters are refused before
     CLI::ConfigINI reader;
     reader.comment('#')->arrayBounds(kNever, kNever)->arrayDelimiter(kNever)->parentSeparator(kNever);
     return reader;
@@ -116,7 +116,7 @@ CommandLine::CommandLine(std::shared_ptr<CLI::App> app) : CommandArguments(app.g
 int CommandLine::run(int argument_count, const char* const* arguments, const std::function<void()>& body) {
     const std::string program = owned_->get_name();
     owned_->failure_message([&](const CLI::App*, const CLI::Error& error) {
-        constexpr std::size_t kMost = 1000;  // it names all arguments that were not expected
+        constexpr std::size_t kMost = 1000;  // the message names all unexpected arguments
         return program + ": " + shortened(error.what(), kMost) + "\nRun it with --help for more information.\n";
     });
     try {
@@ -128,7 +128,7 @@ int CommandLine::run(int argument_count, const char* const* arguments, const std
     return run_program(program, body);
 }
 
-// CLI11 looks for what is missing first; what is written wrong is more often the cause.
+// CLI11 reports missing arguments first, but misspelt ones are more often the cause.
 void CommandLine::parse(int argument_count, const char* const* arguments) {
     try {
         owned_->parse(argument_count, arguments);

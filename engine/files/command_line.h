@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-// CLI11 takes long to compile, so that only this file's source includes it.
+// CLI11 takes long to compile, so only this file's source includes it.
 namespace CLI {
 class App;
 class Option;
@@ -22,7 +22,7 @@ class CommandOption {
 
     CommandOption& require();
     CommandOption& limit(std::int64_t least, std::int64_t most);  ///< to a whole number from `least` to `most`
-    CommandOption& need(const CommandOption& other);              ///< never without `other`
+    CommandOption& need(const CommandOption& other);              ///< only together with `other`
     CommandOption& exclude(const CommandOption& other);           ///< never together with `other`
     CommandOption& accept_standard_output();                      ///< as "-"
     CommandOption& accept_no_value(const std::string& instead);   ///< the name alone stands for this value
@@ -43,7 +43,7 @@ class CommandArguments {
     template <class Value>
     CommandOption add(const std::string& names, Value& value, const std::string& help);
     void add_flag(const std::string& names, bool& value, const std::string& help);
-    /// --NAME and --no-NAME: `value` becomes "true" or "false" where it is given; what follows --NAME= as it stands.
+    /// --NAME and --no-NAME set `value` to "true" or "false"; --NAME=TEXT sets it to TEXT.
     void add_switch(const std::string& name, std::string& value, const std::string& help);
 
     /// A subcommand; one of them must be given.
@@ -59,8 +59,8 @@ class CommandLine : public CommandArguments {
   public:
     CommandLine(const std::string& program, const std::string& description);
 
-    /// Reads the arguments and runs `body` as run_program() does; the program's exit code. After --help and --version
-    /// that is 0, and for wrong usage, reported on standard error, 2: both without running `body`.
+    /// Reads the arguments and runs `body` as run_program() does; returns the program's exit code: 0 after --help and
+    /// --version, 2 for wrong usage, reported on standard error; both without running `body`.
     int run(int argument_count, const char* const* arguments, const std::function<void()>& body);
 
   private:
@@ -76,8 +76,8 @@ struct ConfigLine {
 };
 
 /// Reads one line of an options file, as CLI11 does: a comment begins with # or, at the beginning of a line, with ;
-/// quotes around name and value fall away. Nothing for an empty line or a comment. Throws InputError without a place
-/// for what is neither.
+/// quotes around name and value are removed. Nothing for an empty line or a comment. Throws InputError without a place
+/// for any other line.
 std::optional<ConfigLine> parse_config_line(const std::string& line);
 
 }  // namespace oblong

@@ -9,14 +9,15 @@
 
 namespace oblong {
 
-/// What a camera's middle ray meets first.
+/// The first face on the camera's middle ray.
 std::optional<PickedFace> pick_ahead(const Level& level, std::span<const PlacedModel> models, const Camera& camera);
 
-/// What a picked face is, in two lines: texture, distance and place; face, plane and entity. "Nothing ahead" for none.
+/// A description of a picked face, in two lines: texture, distance and place; face, plane and entity. "Nothing ahead"
+/// for none.
 std::string describe_picked(const Level& level, std::span<const PlacedModel> models,
                             const std::optional<PickedFace>& picked);
 
-/// A cross around the middle of the canvas, which it leaves free.
+/// Draws a cross around the middle of the canvas, which stays free.
 void draw_crosshair(Framebuffer canvas, TextColours colours);
 
 }  // namespace oblong

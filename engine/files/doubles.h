@@ -6,7 +6,7 @@
 
 namespace oblong {
 
-/// A number in doubles, for what is read, reported or compared with doubles.
+/// A number as a double, for reading, reports and comparisons.
 template <class Int, int Frac>
 double number_of(Fixed<Int, Frac> value) {
     return std::ldexp(static_cast<double>(value.raw), -Frac);

@@ -13,7 +13,7 @@
 namespace oblong {
 namespace {
 
-// A lock belongs to what was opened, not to the program: two of one program exclude each other too.
+// Open file description locks: two locks in one program exclude each other too.
 bool is_held_by_another(int descriptor, std::int64_t place) {
     struct flock lock = {};
     lock.l_type = F_WRLCK;

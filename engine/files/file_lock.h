@@ -6,12 +6,12 @@
 
 namespace oblong {
 
-/// A place of a file that is held by one at a time, of all programs, until it lets go or ends, however it ends. The
-/// file's bytes are not used. On a file system without locks everyone holds all places.
+/// An exclusive lock on a byte position of a file, among all programs; it is released when its holder ends, in any way.
+/// The file's bytes are not used. On a file system without locks, all locks are granted.
 class FileLock {
   public:
-    /// Waits so long for it; null where another still holds it then. Makes the file. Throws FileError where it can't be
-    /// opened.
+    /// Waits for at most `longest_wait_ms`; null if the lock is still held. Creates the file. Throws FileError if it
+    /// cannot be opened.
     static std::unique_ptr<FileLock> take(const std::string& file, std::int64_t place, int longest_wait_ms);
     ~FileLock();
     FileLock(const FileLock&) = delete;

@@ -28,10 +28,10 @@ std::string reason() {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostLinks = 40;  // as Linux follows
+constexpr int kMostLinks = 40;  // as in Linux
 constexpr const char* kNoRegularFile = "is a pipe or a device, expected a regular file";
 
-// The system's message where a call failed, as the calls below return it; else empty.
+// errno's message if a call failed, else empty.
 std::string reason_unless(bool is_done) {
     return is_done ? "" : reason();
 }
@@ -41,14 +41,14 @@ std::string folder_of(const std::string& path) {
     return folder.empty() ? "." : folder;
 }
 
-// What is in the system's memory goes to the disk. Where a file system can't, there is nothing to wait for.
+// Flushes a file to the disk; file systems that cannot do that are ignored.
 std::string sync(int descriptor) {
     return reason_unless(fsync(descriptor) == 0 || errno == EINVAL || errno == ENOTSUP);
 }
 
 std::string sync_folder(const std::string& folder) {
     const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor < 0) return errno == EACCES ? "" : reason();  // one that may be written to, but not be read
+    if (descriptor < 0) return errno == EACCES ? "" : reason();  // a folder that may be written but not read
     std::string failure = sync(descriptor);
     close(descriptor);
     return failure;
@@ -64,7 +64,7 @@ std::string write_all(int descriptor, std::span<const std::uint8_t> bytes) {
     return {};
 }
 
-// Takes over an open file, or -1.
+// Takes ownership of an open file, or -1.
 std::string write_and_close(int descriptor, std::span<const std::uint8_t> bytes, bool is_synced) {
     if (descriptor < 0) return reason();
     std::string failure = write_all(descriptor, bytes);
@@ -73,7 +73,7 @@ std::string write_and_close(int descriptor, std::span<const std::uint8_t> bytes,
     return failure.empty() ? of_closing : failure;
 }
 
-// A file that was not there, beside another; `name` becomes its own. -1 where that fails.
+// Creates a new file beside another; `name` becomes its name. -1 on failure.
 int open_unfinished(const std::string& path, std::string& name) {
     for (int number = 0;; ++number) {
         name = path + "." + std::to_string(getpid()) + "-" + std::to_string(number) + kUnfinishedExtension;
@@ -82,7 +82,7 @@ int open_unfinished(const std::string& path, std::string& name) {
     }
 }
 
-// Writes such a file, and then finish(its name), which returns a message where it failed: nothing is left of it then.
+// Writes such a file, then calls finish(its name), which returns an error or "". On an error, the file is removed.
 template <class Finish>
 std::string write_beside(const std::string& path, std::span<const std::uint8_t> bytes, bool is_synced, Finish finish) {
     std::string name;
@@ -102,7 +102,7 @@ std::string rename_file(const std::string& from, const std::string& to) {
     throw FileError(path, "write", failure + ", expected a place for a file of " + std::to_string(size) + " bytes");
 }
 
-// What a process has open, by its number: it may have another name or none.
+// Open files of a process, by number: they may have another name or none.
 bool is_open_file(const std::string& path) {
     const std::string folder = folder_of(path);
     return folder.starts_with("/proc/") || folder == "/dev/fd";

@@ -20,43 +20,43 @@ class FileError : public std::runtime_error {
 
 inline constexpr std::size_t kLargestFile_bytes = std::size_t{1} << 30;
 
-/// Whose a file is.
+/// The use of a file.
 enum class FileUse : std::uint8_t {
-    Named,  ///< a user names it: a device or a pipe is read and written to, as by any program
-    Kept    ///< the program keeps it for the player: a regular file, or refused; what was written outlasts a power cut
+    Named,  ///< named by the user: may also be a device or a pipe
+    Kept    ///< kept by the program: must be a regular file; written so that it survives a power cut
 };
 
-/// All bytes of a file. Throws FileError where it can't be read or has more than `most_bytes`.
+/// All bytes of a file. Throws FileError if it cannot be read or has more than `most_bytes`.
 std::vector<std::uint8_t> read_file(const std::string& path, std::size_t most_bytes = kLargestFile_bytes,
                                     FileUse use = FileUse::Named);
-/// `length` bytes of a file from an offset on. Throws FileError where they can't be read or are not there.
+/// `length` bytes of a file from an offset on. Throws FileError if they are missing or cannot be read.
 std::vector<std::uint8_t> read_file_part(const std::string& path, std::uint64_t offset, std::size_t length);
 /// A whole file as text.
 std::string read_text(const std::string& path);
 
-/// Where a path leads at the end of its symbolic links; there need be nothing. Throws FileError where they go round.
+/// The path at the end of symbolic links; it need not exist. Throws FileError for a loop.
 std::string end_of_links(const std::string& path);
 
-/// Writes a whole file under a name that no other program has, beside the end of the path's links, and renames it when
-/// it is complete: whatever fails, a full disk or the power too, the file that was there stays. Throws FileError.
+/// Writes a whole file under a unique name beside the end of the path's links, then renames it: if anything fails, a
+/// full disk or the power too, the old file stays. Throws FileError.
 void write_file(const std::string& path, std::span<const std::uint8_t> bytes, FileUse use = FileUse::Named);
 void write_file(const std::string& path, const std::string& text, FileUse use = FileUse::Named);
-inline constexpr const char* kUnfinishedExtension = ".part";  ///< of such a name
+inline constexpr const char* kUnfinishedExtension = ".part";  ///< of the unique name
 
-/// The same for a regular file that is kept (no link), and is kept on under another name, in the place of what was
-/// there before. Whenever the program ends: `path` or, where it is missing, `former_path` is a whole file.
+/// The same for a regular file (no link) whose old version is kept under another name, which it replaces. Whenever the
+/// program ends, `path` or, if that is missing, `former_path` is a whole file.
 void replace_file(const std::string& path, const std::string& former_path, std::span<const std::uint8_t> bytes);
 
-/// Removes files, those that there are, so that they are gone after a power cut too. Throws FileError.
+/// Removes those of the files that exist, durably. Throws FileError.
 void remove_files(const std::vector<std::string>& paths);
 
 /// Flushes standard output. Throws FileError if any output, now or before, could not be written.
 void flush_standard_output();
 
-/// Whether a path leads to something below a folder, by its text alone: it is relative, not empty, and has no "..".
+/// Whether a path, by its text alone, is below a folder: it is relative, not empty, and has no "..".
 bool stays_below(const std::string& path);
 
-/// Makes a folder and those above it, unless they are there, to outlast a power cut. Throws FileError.
+/// Makes a folder and those above it, durably, unless they exist. Throws FileError.
 void make_folder(const std::string& path);
 
 /// Runs work(); an InputError that it throws becomes a FileError with the file's name.

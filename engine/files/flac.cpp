@@ -11,7 +11,7 @@
 namespace oblong {
 namespace {
 
-/// Numbers of any count of bits, the highest first.
+/// Reads numbers of any number of bits, the highest bit first.
 class BitReader {
   public:
     explicit BitReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
@@ -26,7 +26,7 @@ class BitReader {
     std::int32_t take_signed(int count) {
         return static_cast<std::int32_t>(take(count) << (32 - count)) >> (32 - count);
     }
-    /// How many zeros there are before the next one, which is taken, too.
+    /// The number of zero bits before the next one bit, which is taken, too.
     std::uint32_t take_zeros() {
         std::uint32_t zeros = 0;
         for (; window() >> 32 == 0; zeros += 32) skip(32);
@@ -50,7 +50,7 @@ class BitReader {
     }
 
   private:
-    /// The next bits from the top on, 57 of them or more; zeros behind the file's end.
+    /// The next 57 bits or more, from the top; zeros beyond the file's end.
     std::uint64_t window() const {
         std::uint64_t bits = 0;
         if (offset() + 8 <= bytes_.size()) {
@@ -71,7 +71,7 @@ bool is_of_16_bits(std::int64_t sample) {
     return sample == static_cast<std::int16_t>(sample);
 }
 
-/// What each value of the highest byte adds to a checksum of x^16 + x^15 + x^2 + 1.
+/// The change of a checksum by each value of its highest byte; polynomial x^16 + x^15 + x^2 + 1.
 constexpr std::array<std::uint16_t, 256> kCrcOfByte = [] {
     std::array<std::uint16_t, 256> table{};
     for (std::uint32_t byte = 0; byte < 256; ++byte) {
@@ -89,13 +89,13 @@ std::uint16_t crc16(std::span<const std::uint8_t> bytes) {
     return static_cast<std::uint16_t>(crc);
 }
 
-/// The samples before it, weighted, say what a sample is about: coefficients from the last sample back, then a shift.
+/// Linear prediction of a sample from the samples before it: coefficients from the last sample back, then a shift.
 struct Prediction {
     std::array<std::int32_t, 32> coefficients{};
     std::size_t order = 0;
     int shift = 0;
 
-    /// `next` points behind `order` samples.
+    /// `order` samples precede `next`.
     std::int64_t of(const std::int32_t* next) const {
         std::int64_t sum = 0;
         for (std::size_t i = 0; i < order; ++i) sum += std::int64_t{coefficients[i]} * *(next - 1 - i);
@@ -103,12 +103,12 @@ struct Prediction {
     }
 };
 
-/// Those that the format names by their order alone: of a constant, a line, and so on.
+/// The format's fixed predictions, by order: of zero, a constant, a line, and so on.
 constexpr std::array<Prediction, 5> kFixedPredictions{
     {{{}, 0}, {{1}, 1}, {{2, -1}, 2}, {{3, -3, 1}, 3}, {{4, -6, 4, -1}, 4}}};
 
-/// What lies between prediction and sample: small numbers in parts, each with a count of low bits of its own (Rice's
-/// code).
+/// Adds the differences between prediction and samples: small numbers in parts, Rice-coded with a number of low bits
+/// for each part.
 void add_residual(BitReader& bits, const Prediction& prediction, std::span<std::int32_t> block) {
     const std::uint32_t method = bits.take(2);
     bits.expect(method < 2, "an unknown way of writing residuals");
@@ -145,7 +145,7 @@ Prediction read_prediction(BitReader& bits, std::size_t order) {
     return prediction;
 }
 
-/// The samples of a block. `size_bits` is what a sample is written with.
+/// Reads the samples of a block. `size_bits`: the size of a written sample.
 void read_subframe(BitReader& bits, std::span<std::int32_t> block) {
     bits.expect(bits.take(1) == 0, "no subframe");
     const std::uint32_t type = bits.take(6);
@@ -173,11 +173,11 @@ std::size_t block_size(BitReader& bits, std::uint32_t code) {
     return std::size_t{256} << (code - 8);
 }
 
-/// Frames follow one another: a header, one subframe (of one channel), a checksum.
+/// Reads a frame: a header, one subframe (for one channel), a checksum.
 void read_frame(BitReader& bits, std::vector<std::int16_t>& samples) {
     const std::size_t start = bits.offset();
     bits.expect(bits.take(15) == 0x7ffc, "no frame");
-    bits.skip(1);  // how frames are numbered
+    bits.skip(1);  // the numbering of frames
     const std::uint32_t size_code = bits.take(4), rate_code = bits.take(4), channels = bits.take(4),
                         depth = bits.take(3);
     bits.expect(channels == 0 && (depth == 0 || depth == 4) && bits.take(1) == 0,
@@ -186,7 +186,7 @@ void read_frame(BitReader& bits, std::vector<std::int16_t>& samples) {
     bits.skip(more_bytes_of_number > 1 ? 8 * as_size(more_bytes_of_number - 1) : 0);
     std::vector<std::int32_t> block(block_size(bits, size_code));
     bits.skip(rate_code == 12 ? 8 : rate_code == 13 || rate_code == 14 ? 16 : 0);
-    bits.skip(8);  // the header's own checksum: that of the frame is over it, too
+    bits.skip(8);  // the header's checksum: the frame's checksum covers it, too
     read_subframe(bits, block);
     bits.align();
     const std::uint16_t expected = crc16(bits.since(start));

@@ -6,14 +6,14 @@
 
 namespace oblong {
 
-/// What a file of sound holds: one channel of 16 bits.
+/// The contents of a sound file: one channel of 16 bits.
 struct SoundSamples {
     std::int32_t rate_hz = 0;
     std::vector<std::int16_t> samples;
 };
 
-/// Decodes a FLAC file (RFC 9639) of one channel and 16 bits a sample, with integers alone. Throws InputError with the
-/// offset of what is wrong: a damaged frame (each has a checksum), more channels, no samples.
+/// Decodes a FLAC file (RFC 9639) of one channel and 16 bits a sample, with integers only. Throws InputError with the
+/// offset of the error: a damaged frame (each has a checksum), more channels, no samples.
 SoundSamples decode_flac(std::span<const std::uint8_t> file);
 
 }  // namespace oblong

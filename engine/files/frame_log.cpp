@@ -38,7 +38,7 @@ std::size_t claim_bytes(const Claims& claims) {
     return bytes;
 }
 
-/// What a part of a room takes.
+/// The memory of a part of a room.
 struct MemoryUse {
     const char *room, *part;
     std::size_t bytes;

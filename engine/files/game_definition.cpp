@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// A value in the file, and the way to it, as "/classes/item_coin/is".
+/// A value in the file, and its path, as "/classes/item_coin/is".
 class Value {
   public:
     Value(const std::string& file, const Json& json, std::string where)
@@ -49,7 +49,7 @@ class Value {
     std::string where_;
 };
 
-// What oblong-map asks of a class: it takes own ones for others without effect.
+// Roles that oblong-map recognises by the class's name, so that own classes cannot have them.
 bool is_of_compiler(ClassRole role) {
     constexpr std::array kOfCompiler{ClassRole::Worldspawn,     ClassRole::Start,      ClassRole::TeleportExit,
                                      ClassRole::Lamp,           ClassRole::BrushGroup, ClassRole::Detail,
@@ -57,7 +57,7 @@ bool is_of_compiler(ClassRole role) {
     return std::find(kOfCompiler.begin(), kOfCompiler.end(), role) != kOfCompiler.end();
 }
 
-// Not that of a family.
+// The row of a class, but not of a family of classes.
 const EntityClass* find_own_row(const std::string& name) {
     const EntityClass* const row = find_entity_class(name);
     return row && !row->is_family() ? row : nullptr;

@@ -18,7 +18,7 @@ std::vector<PakEntry> read_directory(const std::string& pak) {
     });
 }
 
-// The first of that name, as in Quake; null if there is none.
+// The first entry of that name, as in Quake; null if there is none.
 const PakEntry* find_entry(const std::vector<PakEntry>& entries, const std::string& name) {
     const auto found =
         std::find_if(entries.begin(), entries.end(), [&](const PakEntry& entry) { return entry.name == name; });

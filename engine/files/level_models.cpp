@@ -28,11 +28,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::int32_t kItemTurn_ms = 3600;             ///< Quake's items turn by 100 degrees a second
-constexpr std::int32_t kLeastLight = 110;               ///< of what there is to find: a lightmap value
+constexpr std::int32_t kLeastLight = 110;               ///< of items: a lightmap value
 constexpr World kFarthestFloor = World::from_int(256);  ///< below an item
 constexpr World kLift = World::from_int(6);             ///< by which an item is lifted before it drops
 
-/// A file, and how it is to be read.
+/// A file and its reading options.
 struct ModelFile {
     std::string path;
     World scale = World::from_int(1);
@@ -198,7 +198,7 @@ class LevelModelReader {
         models_.models.push_back(model);
     }
 
-    /// Nothing is shown where its file is not there, as for Quake's classes without a folder of models.
+    /// Shows nothing if its file is missing, as for Quake's classes without a folder of models.
     void read_own_item(const OwnModel& own, const EntityValues& values) {
         const std::optional<Vec3<World>> origin = values.origin();
         const fs::path named = values.text("model");
@@ -221,14 +221,14 @@ class LevelModelReader {
         models_.models.push_back(model);
     }
 
-    /// Of the skins that read_obj() makes for all glasses_; other files have none for them.
+    /// The skin that read_obj() makes for one of glasses_; 0 in other files.
     std::uint32_t skin_of_glass(const std::string& glass, const Mesh& mesh) const {
         const auto found = std::lower_bound(glasses_.begin(), glasses_.end(), glass);
         const std::size_t skin = glass.empty() ? 0 : as_size(found - glasses_.begin()) + 1;
         return skin < mesh.skin_sequences.size() ? static_cast<std::uint32_t>(skin) : 0;
     }
 
-    /// One warning a file, of the first entity that wants it; one for all models of brushes.
+    /// One warning for each file, at the first entity that needs it; one for all brush models.
     void report_missing(const ClassModel& quakes, const Entity& entity, std::size_t index) {
         const std::string file(quakes.file);
         const bool has_brushes = file.ends_with(".bsp");
@@ -274,7 +274,7 @@ class LevelModelReader {
     LevelModels models_;
     std::map<ModelFile, const Mesh*> meshes_;
     TurningBrushes turning_;
-    std::vector<std::string> glasses_;  ///< that its entities name, in order
+    std::vector<std::string> glasses_;  ///< that the level's entities name, sorted
     std::set<std::string> missing_;     ///< files of Quake's classes
 };
 

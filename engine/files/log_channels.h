@@ -7,7 +7,7 @@
 
 namespace oblong {
 
-/// What log lines are about. Channels are chosen by kind, not by how important a line is: each is off until asked for.
+/// The subjects of log lines. A channel is chosen by subject, not by importance, and is off by default.
 enum class LogChannel : std::uint8_t { Level, Memory, Matrices, Clip, Spans, Cache };
 inline constexpr std::size_t kLogChannelCount = 6;
 inline constexpr std::array<std::string_view, kLogChannelCount> kLogChannelNames{"level", "memory", "matrices",
@@ -34,7 +34,7 @@ class LogChannels {
 LogChannels parse_log_channels(const std::string& text);
 /// The names of a set, with commas between them; "off" for none.
 std::string names_of(LogChannels channels);
-/// The next set of those that a key steps through: off, each channel alone, all of them.
+/// The next set for the log key: off, each channel alone, all of them.
 LogChannels next_channels(LogChannels channels);
 
 }  // namespace oblong

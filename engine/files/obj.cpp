@@ -36,16 +36,16 @@ Vec3<Unit> unit_normal(const std::vector<double>& numbers, std::size_t normal, c
     return options.is_z_up ? Vec3<Unit>{part(x), part(y), part(z)} : Vec3<Unit>{part(z), part(x), part(y)};
 }
 
-/// A vertex of the mesh: what its corners have in common.
+/// A vertex of the mesh, shared by corners with the same values.
 struct ObjVertex {
     std::int32_t position, texcoord, normal;  ///< of the file; -1: none
-    std::uint32_t smooth;                     ///< where there is no normal: the vertex as the computed normals see it
+    std::uint32_t smooth;                     ///< without a normal: the number of its SmoothVertex
     std::uint32_t skin;
     bool operator==(const ObjVertex&) const = default;
     std::array<std::int64_t, 5> numbers() const { return {position, texcoord, normal, smooth, skin}; }
 };
 
-/// A vertex as computed normals see it: one of each smoothing group at each position.
+/// A vertex for computed normals: one for each position and smoothing group.
 struct SmoothVertex {
     std::int32_t position;
     std::int64_t group;
@@ -53,7 +53,7 @@ struct SmoothVertex {
     std::array<std::int64_t, 2> numbers() const { return {position, group}; }
 };
 
-/// Numbers different records, from 0 on.
+/// Assigns numbers to different records, from 0.
 template <class Record>
 class Numbering {
   public:
@@ -83,7 +83,7 @@ class Numbering {
     std::vector<Record> records_;
 };
 
-/// Makes a mesh out of the faces of a file that has been checked.
+/// Makes a mesh from the faces of a checked file.
 class ObjMeshBuilder {
   public:
     ObjMeshBuilder(const tinyobj::attrib_t& file, const ObjOptions& options)
@@ -94,7 +94,7 @@ class ObjMeshBuilder {
             normals_.push_back(unit_normal(file.normals, i, options));
     }
 
-    /// `smoothing` is a group's number; faces of a group that touch have common normals.
+    /// `smoothing` is a group's number; touching faces of a group share normals.
     void add_face(std::span<const tinyobj::index_t> corners, std::uint32_t skin, std::int64_t smoothing) {
         const std::size_t first = numbers_.size();
         for (const tinyobj::index_t& corner : corners) add_corner(corner, skin, smoothing);
@@ -108,7 +108,7 @@ class ObjMeshBuilder {
                                           std::to_string(kMostMeshVertices) + " vertices, expected a smaller model");
     }
 
-    /// `used`: by faces; skins beyond them stand for these, and are as large.
+    /// `used`: the number of skins of faces; further skins replace these, and have the same sizes.
     Mesh finish(std::vector<Skin> skins, std::size_t used, std::vector<std::string>& warnings) {
         mesh_.skins = std::move(skins);
         set_texels(used, warnings);
@@ -142,7 +142,7 @@ class ObjMeshBuilder {
         smooth_numbers_.push_back(smooth);
     }
 
-    /// Of corners that stand in numbers_ from `first` on: counter-clockwise in the file, clockwise in the mesh.
+    /// `corners` count from `first` in numbers_: counter-clockwise in the file, clockwise in the mesh.
     void add_triangle(std::size_t first, const CornerTriple& corners, std::uint32_t skin) {
         const std::size_t a = first + corners[0], b = first + corners[2], c = first + corners[1];
         mesh_.triangles.push_back({{numbers_[a], numbers_[b], numbers_[c]}, skin});
@@ -165,7 +165,7 @@ class ObjMeshBuilder {
         return {item(file_.texcoords, vertex.texcoord * 2), 1 - item(file_.texcoords, vertex.texcoord * 2 + 1)};
     }
 
-    /// Sets texels from places on skins, which are repeated as often as that takes.
+    /// Sets texels from places on skins, and repeats the skins as often as needed.
     void set_texels(std::size_t used, std::vector<std::string>& warnings) {
         std::vector<PlaceRange> ranges(used);
         for (const ObjVertex& vertex : vertices_.records())
@@ -184,13 +184,13 @@ class ObjMeshBuilder {
     Mesh mesh_;
     Numbering<ObjVertex> vertices_;
     Numbering<SmoothVertex> smooth_vertices_;
-    std::vector<Triangle> smooth_triangles_;               ///< the mesh's, of those
-    std::vector<std::uint32_t> numbers_, smooth_numbers_;  ///< of a face's corners: in the mesh, and of those
+    std::vector<Triangle> smooth_triangles_;               ///< the mesh's triangles, of smooth vertices
+    std::vector<std::uint32_t> numbers_, smooth_numbers_;  ///< of a face's corners: vertices and smooth vertices
 };
 
 constexpr const char* kGlass = "glass";
 
-/// The skins of the materials that faces use, made when the first one does.
+/// The skins of materials, made at their first use by a face.
 class ObjSkins {
   public:
     ObjSkins(const std::vector<tinyobj::material_t>& materials, std::filesystem::path folder, const Palette& palette,
@@ -203,8 +203,8 @@ class ObjSkins {
         return known->second;
     }
 
-    /// Adds all skins once more for each of these materials that there are, which is in the place of glass. Their
-    /// sequences begin with that of glass itself.
+    /// Adds all skins again for each of these materials that exists, which then replaces glass. The first sequence is
+    /// of glass itself.
     std::vector<MeshSequence> add_for_glass(const std::vector<std::string>& names) {
         std::vector<MeshSequence> sequences(names.size() + 1);
         const std::size_t used = skins.size();
@@ -222,7 +222,7 @@ class ObjSkins {
     std::vector<Skin> skins;
 
   private:
-    static constexpr int kNone = -2;  ///< of no face: -1 are those without a material
+    static constexpr int kNone = -2;  ///< no such material; -1: faces without a material
 
     int find(const std::string& name) const {
         const auto found =
@@ -239,7 +239,7 @@ class ObjSkins {
     std::map<int, std::uint32_t> numbers_;
 };
 
-/// A file as tinyobjloader has it.
+/// A file as tinyobjloader reads it.
 struct ObjFile {
     tinyobj::attrib_t numbers;
     std::vector<tinyobj::shape_t> shapes;

@@ -9,9 +9,9 @@
 namespace oblong {
 
 struct ObjOptions {
-    double scale = 1;      ///< world units of a unit of the file, above 0
-    bool is_z_up = false;  ///< the file has the world's axes; else y is up and z ahead, as most programs write it
-    Dither dither = Dither::None;           ///< of skins
+    double scale = 1;              ///< world units of a unit of the file, above 0
+    bool is_z_up = false;          ///< the file has the world's axes; else y is up and z ahead, as most programs write
+    Dither dither = Dither::None;  ///< of skins
     std::vector<std::string> glasses = {};  ///< materials that may stand for "glass": skins of the mesh from 1 on
 };
 
@@ -20,16 +20,16 @@ ObjOptions scaled_256(std::int32_t scale_256);
 
 struct ObjModel {
     Mesh mesh;                          ///< of one frame
-    std::vector<std::string> warnings;  ///< what of the file is missing, and what is done instead
+    std::vector<std::string> warnings;  ///< of missing parts of the file, with their replacements
 };
 
-/// A Wavefront OBJ file with its materials (by tinyobjloader), a skin for each that is used: the picture of its map_Kd,
-/// or a texel of its colour Kd. A missing material file, a material or a picture is a warning, and grey stands for it.
-/// Coordinates are rounded to 1/4,096 unit once, after they are scaled: a model of a unit's size loses nothing if
-/// `scale` makes it as large as it is shown. Faces may be polygons of up to 255 corners, concave ones too. Where
-/// a face has no normals they are computed: smooth within its smoothing group, flat where that is off, and smooth
-/// everywhere in a file that names no groups. Throws FileError with the line: for numbers that are none or too
-/// large, faces of fewer than three corners, corners that the file does not have, a file without faces.
+/// A Wavefront OBJ file with its materials (by tinyobjloader), a skin for each used material: the picture of its
+/// map_Kd, or a texel of its colour Kd. A missing material file, material or picture is a warning, and replaced by
+/// grey. Coordinates are rounded to 1/4,096 unit once, after scaling: a model of a unit's size loses nothing if `scale`
+/// gives it its final size. Faces may be polygons of up to 255 corners, concave ones too. Missing normals are computed:
+/// smooth within a smoothing group, flat where that is off, and smooth everywhere in a file that names no groups.
+/// Throws FileError with the line for invalid or too large numbers, faces of fewer than three corners, corners that the
+/// file does not have, a file without faces.
 ObjModel read_obj(const std::string& path, const Palette& palette, const ObjOptions& options = {});
 
 }  // namespace oblong

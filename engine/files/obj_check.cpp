@@ -19,7 +19,7 @@ namespace {
 constexpr int kMostCorners = 255;           ///< of a face: tinyobjloader counts them in a byte
 constexpr double kFarthestTexcoord = 1024;  ///< repetitions of a skin
 
-/// A number that is the whole of a word; charconv does not take a plus, nor everywhere doubles.
+/// A whole word as a number; charconv refuses a plus, and lacks doubles in some libraries.
 std::optional<double> parse_double(std::string_view word) {
     const std::string text(word);
     if (text.find_first_not_of("+-.0123456789eE") != std::string::npos) return std::nullopt;
@@ -37,7 +37,7 @@ std::optional<int> parse_int(std::string_view word) {
     return number;
 }
 
-/// The lines v, vt or vn so far, and the largest number by which a face names one, with its line.
+/// The number of v, vt or vn lines so far, and the largest index of one in a face, with its line.
 struct ObjRecords {
     const char* name;
     std::int64_t count = 0, greatest = 0, greatest_line = 0;
@@ -71,7 +71,7 @@ class ObjChecker {
         if (kind == "s") summary_.has_smoothing_groups = true;
     }
 
-    /// At least `least` numbers, of which the first three stay below a limit.
+    /// Checks at least `least` numbers; the absolute values of the first three are below a limit.
     void check_numbers(std::string_view words, ObjRecords& records, int least, double limit) {
         ++records.count;
         int count = 0;
@@ -125,7 +125,7 @@ class ObjChecker {
         records.greatest_line = line_;
     }
 
-    /// Faces may name what comes later in the file.
+    /// Faces may refer to later lines.
     static void check_greatest(const ObjRecords& records) {
         if (records.greatest <= records.count) return;
         throw InputError("line " + std::to_string(records.greatest_line),

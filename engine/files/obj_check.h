@@ -10,8 +10,8 @@ struct ObjSummary {
     bool has_smoothing_groups = false;
 };
 
-/// Checks what tinyobjloader takes as it comes: that the words of v, vt, vn and f lines are numbers in range, and that
-/// the corners of faces exist. Throws InputError with the line.
+/// Checks what tinyobjloader does not: that the words of v, vt, vn and f lines are numbers in range, and that the
+/// corners of faces exist. Throws InputError with the line.
 ObjSummary check_obj(std::string_view text, double scale);
 
 }  // namespace oblong

@@ -33,7 +33,7 @@ std::string with_slashes(std::string path) {
     return path;
 }
 
-/// How often a skin is repeated along a side of `size` texels, from the whole number below `least` on.
+/// The number of repetitions of a skin along a side of `size` texels, from the whole number below `least`.
 std::int32_t repetitions(double least, double greatest, std::int32_t size, bool& is_cut) {
     const double wanted = std::max(std::ceil(greatest - kRounding) - std::floor(least + kRounding), 1.0);
     const std::int32_t most = std::max(kLargestSkinSide / size, 1);

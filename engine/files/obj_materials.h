@@ -24,7 +24,7 @@ class ObjMaterialReader : public tinyobj::MaterialReader {
     std::filesystem::path folder_;
 };
 
-/// A material's picture, or else its colour; pictures are beside the OBJ file. Adds a warning where one can't be read.
+/// A material's picture, or else its colour; pictures are beside the OBJ file. Adds a warning if one cannot be read.
 Skin make_skin(const tinyobj::material_t& material, const std::filesystem::path& folder, const Palette& palette,
                Dither dither, std::vector<std::string>& warnings);
 
@@ -33,27 +33,27 @@ struct SkinPlace {
     double u = 0, v = 0;
 };
 
-/// The places that vertices have.
+/// The range of the vertices' places.
 struct PlaceRange {
     SkinPlace least{1e9, 1e9}, greatest{-1e9, -1e9};
     void include(const SkinPlace& place);
 };
 
-/// From places to texels.
+/// Converts places to texels.
 struct SkinScale {
     std::int32_t first_u = 0, first_v = 0;  ///< whole repetitions left of the skin and above it
-    double width = 1, height = 1;           ///< of one, texels
+    double width = 1, height = 1;           ///< of the skin, texels
     MeshTexel texel_at(const SkinPlace& place) const;
 };
 
-/// Repeats a skin, which is drawn once, as often as its places ask, up to 4,096 texels a side; adds a warning where
-/// that is too few.
+/// Repeats a skin as often as its places need, up to 4,096 texels a side, since a skin is drawn only once; adds a
+/// warning if that is too few.
 SkinScale repeat_skin(Skin& skin, const PlaceRange& range, std::vector<std::string>& warnings);
 
-/// As large as another one, of the nearest texels.
+/// Resized to another skin's size, by the nearest texels.
 Skin resized(const Skin& skin, const Skin& other);
 
-/// Of faces without a material.
+/// The skin of faces without a material.
 Skin grey_skin(const Palette& palette);
 
 }  // namespace oblong

@@ -12,7 +12,7 @@ namespace {
 constexpr std::string_view kMagic = "PACK";
 constexpr std::size_t kName_bytes = 56;
 
-// Some bytes of the file, for the entry at `entry_offset`, or the header and the directory.
+// A range of the file: of the entry at `entry_offset`, or of header or directory (0).
 struct Range {
     std::uint64_t begin = 0, end = 0;
     std::uint64_t entry_offset = 0;
@@ -42,7 +42,7 @@ PakEntry read_entry(LittleEndianReader& in, std::size_t offset, std::uint64_t fi
     return entry;
 }
 
-// Each begins where the one before has ended, or is the same.
+// Each range begins after the previous one, or is the same.
 void check_overlaps(std::vector<Range> ranges) {
     std::sort(ranges.begin(), ranges.end(),
               [](const Range& a, const Range& b) { return a.begin != b.begin ? a.begin < b.begin : a.end < b.end; });

@@ -8,7 +8,7 @@
 namespace oblong {
 
 // Quake's pak files: "PACK", offset and length of the directory (u32 each, little-endian); a directory of entries of 64
-// bytes: a name that ends in a zero byte, as "maps/e1m1.bsp" (56 bytes), offset and length of the file (u32 each).
+// bytes: a zero-terminated name, as "maps/e1m1.bsp" (56 bytes), offset and length of the file (u32 each).
 
 inline constexpr std::size_t kPakHeader_bytes = 12, kPakEntry_bytes = 64, kMostPakEntries = 65'536;
 
@@ -25,8 +25,8 @@ struct PakEntry {
 PakHeader read_pak_header(std::span<const std::uint8_t> bytes, std::uint64_t file_bytes);
 
 /// Reads the bytes of the directory. Throws InputError, with the offset in the file, for an entry without a name, a
-/// name without an end, and data that is not all in the file, or in part another entry's, the header's or the
-/// directory's. Two entries may share all of their data.
+/// name without an end, and data that is not all in the file or overlaps other data. Two entries may share all of their
+/// data.
 std::vector<PakEntry> read_pak_directory(std::span<const std::uint8_t> bytes, const PakHeader& header,
                                          std::uint64_t file_bytes);
 

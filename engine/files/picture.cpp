@@ -11,7 +11,7 @@
 #include "engine/base/table.h"
 #include "engine/view/screen.h"
 
-// stb is here alone: it reads what other readers leave, and no PNG, which libpng reads without a fault when damaged.
+// Only this file uses stb: for formats other than PNG, since libpng also detects damage.
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_ONLY_BMP
 #define STBI_ONLY_JPEG
@@ -19,7 +19,7 @@
 #define STBI_NO_STDIO
 #define STBI_NO_SIMD  // the same colours on every machine
 #define STBI_MAX_DIMENSIONS 4096
-// Zeroed memory: a JPEG without its tables is decoded by what is in their place.
+// Zeroed memory: a JPEG without tables is decoded with what is in their place.
 #define STBI_MALLOC(size) std::calloc(1, size)
 #define STBI_REALLOC std::realloc
 #define STBI_FREE std::free
@@ -30,7 +30,7 @@ namespace {
 
 constexpr const char* kFormats = "PNG, JPEG, BMP or TGA";
 
-/// Bytes handed to stb, which takes a zero for each one past the end and says nothing: this notes it.
+/// Feeds bytes to stb, which reads zeros beyond the end without an error, and notes if it did.
 class Source {
   public:
     explicit Source(std::span<const std::uint8_t> file) : left_(file) {}
@@ -38,8 +38,8 @@ class Source {
     static stbi_io_callbacks callbacks() { return {read, skip, is_at_end}; }
 
   private:
-    // stb fills a buffer of its own, always the first one that it asks for, by as much as there is. Into any other it
-    // reads what it needs.
+    // stb first fills its own buffer, always the same one, with as much as there is. Into any other it reads exactly
+    // what it needs.
     static int read(void* source, char* to, int wanted) {
         Source& self = *static_cast<Source*>(source);
         if (!self.buffer_) self.buffer_ = to;
@@ -63,8 +63,8 @@ class Source {
     bool is_short_ = false;
 };
 
-/// The counts of a JPEG's Huffman tables (ISO/IEC 10918-1, B.2.4.2): more than 256 codes would be written past the end
-/// of stb 2.27's table. Any bytes that it could take for the marker are looked at: no others start such a segment.
+/// Checks the counts of a JPEG's Huffman tables (ISO/IEC 10918-1, B.2.4.2): more than 256 codes would be written past
+/// the end of stb 2.27's table. All bytes that stb could take for the marker are checked.
 void check_huffman_tables(std::span<const std::uint8_t> file) {
     constexpr std::size_t kLengths = 16, kMostCodes = 256;
     for (std::size_t marker = 0; marker + 4 < file.size(); ++marker) {

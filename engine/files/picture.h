@@ -14,28 +14,28 @@ struct Rgba8 {
     constexpr bool operator==(const Rgba8&) const = default;
 };
 
-/// What a PNG file holds. Rows run from top to bottom.
+/// The contents of a PNG file. Rows run from top to bottom.
 struct PngImage {
     std::int32_t width_px = 0, height_px = 0;
-    std::vector<std::uint8_t> indices;  ///< into `colours`, one a pixel; none where the PNG has no palette
-    std::vector<Rgba8> colours;         ///< the PNG's palette (1 to 256), or without one a colour a pixel
+    std::vector<std::uint8_t> indices;  ///< into `colours`, one a pixel; empty if the PNG has no palette
+    std::vector<Rgba8> colours;         ///< the PNG's palette (1 to 256), or else a colour for each pixel
 
     Rgba8 pixel(std::size_t at) const { return colours[indices.empty() ? at : indices[at]]; }
 };
 
-/// A PNG of any kind, 4096 pixels a side at most; colours are sRGB, as a gAMA chunk says. Throws InputError for bytes
-/// that are no PNG or a damaged one (but damage to what does not change the picture passes).
+/// A PNG of any kind, up to 4096 pixels a side; colours are sRGB, converted by a gAMA chunk. Throws InputError for
+/// bytes that are no PNG or a damaged one (damage that does not affect the picture is ignored).
 PngImage decode_png(std::span<const std::uint8_t> file);
 
-/// The bytes of a PNG file of colour type 3 (8-bit palette) that holds `pixels` (rows top to bottom, one palette index
-/// each, exactly width_px * height_px of them) as they are. The same input gives the same file. Throws InputError where
-/// the sizes do not agree.
+/// The bytes of a PNG file of colour type 3 (8-bit palette) with these `pixels` (rows top to bottom, one palette index
+/// each, width_px * height_px of them). The same input gives the same file. Throws InputError if the sizes do not
+/// agree.
 std::vector<std::uint8_t> encode_indexed_png(std::span<const std::uint8_t> pixels, std::int32_t width_px,
                                              std::int32_t height_px, const Palette& palette);
 
-/// A picture that a mapper's editor wrote: a PNG as decode_png() reads it, or a TGA, JPEG or BMP, 4096 pixels a side at
-/// most, as a colour a pixel (a palette of theirs is not kept). Throws InputError for bytes that are none of these, or
-/// of which a part is missing or damaged.
+/// A picture from an image editor: a PNG as decode_png() reads it, or a TGA, JPEG or BMP, up to 4096 pixels a side, as
+/// a colour for each pixel (their palettes are not kept). Throws InputError for any other bytes, and for missing or
+/// damaged parts.
 PngImage decode_picture(std::span<const std::uint8_t> file);
 
 }  // namespace oblong

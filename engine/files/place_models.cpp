@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::int32_t kSeparateFrame_ms = 100;  ///< Quake's game code goes to the next frame ten times a second
 
-/// Of a model whose frames are sequences of their own.
+/// The frame at a time; `frames` are shown in turn, and each may be a sequence.
 std::uint32_t frame_at(const LevelModel& model, const Mesh& mesh, std::int64_t time_ms) {
     const std::int64_t since = model.frames > 1 ? time_ms / kSeparateFrame_ms % model.frames : 0;
     return shown_at(item(mesh.frame_sequences, model.first_frame + since), time_ms);

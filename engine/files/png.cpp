@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::uint32_t kLargestSide_px = 4096;
 
-/// libpng's state of one picture read or written. Its simplified interface needs no longjmp: a call that fails returns
-/// 0 and leaves a message.
+/// libpng's state of one picture. Its simplified interface needs no longjmp: a failing call returns 0 and leaves a
+/// message.
 class PngState {
   public:
     PngState() { image.version = PNG_IMAGE_VERSION; }

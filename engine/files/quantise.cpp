@@ -16,12 +16,13 @@ constexpr Channels16 in_16(Rgb8 colour) {
     return {colour.red * 16, colour.green * 16, colour.blue * 16};
 }
 
-/// The errors that pixels pass on, to those after them in their row and to the row below. Pixel x is at x + 1: what
-/// leaves the picture at a side has a place too.
+/// The errors that pixels pass on, within their row and to the row below. Pixel x is at x + 1, so that errors beyond
+/// both sides have a place.
 struct PassedErrors {
     explicit PassedErrors(int width_px) : here(as_size(width_px) + 2), below(here.size()) {}
 
-    /// Of 16 parts 7 to the next pixel, and below 3, 5 and 1, the last with what rounding left: none is lost.
+    /// Passes 7/16 to the next pixel, and below 3/16, 5/16 and 1/16; the last one gets the rounding rest, so that none
+    /// is lost.
     void pass(int x, int step, const Channels16& errors) {
         for (std::size_t i = 0; i < errors.size(); ++i) {
             const int next = errors[i] * 7 / 16, behind = errors[i] * 3 / 16, under = errors[i] * 5 / 16;
@@ -39,8 +40,8 @@ struct PassedErrors {
     std::vector<Channels16> here, below;
 };
 
-/// The colour with the errors that reached it. What lies beyond black or white is let go: where the palette has no
-/// such colour, errors would add up without end.
+/// The colour with the errors that reached it, clamped: if the palette has no such colour, errors would add up without
+/// bound.
 Channels16 wanted_colour(Rgb8 colour, const Channels16& passed) {
     Channels16 wanted = in_16(colour);
     for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] = std::clamp(wanted[i] + passed[i], 0, 255 * 16);
@@ -52,7 +53,7 @@ Rgb8 rounded(const Channels16& colour) {
     return {channel(colour[0]), channel(colour[1]), channel(colour[2])};
 }
 
-// Rows go to and fro: if all went one way, the patterns would slant.
+// Rows alternate in direction: otherwise the patterns would slant.
 std::vector<std::uint8_t> dithered(const PngImage& image, const Palette& palette, ColourRange range) {
     std::vector<std::uint8_t> indices(pixel_count(image.width_px, image.height_px));
     PassedErrors passed(image.width_px);

@@ -11,13 +11,13 @@ namespace oblong {
 
 namespace {
 
-/// The number of the pass that an effect has for itself, of the same name; kPassCount: none.
+/// The pass with the name of an effect; kPassCount: none.
 std::size_t pass_of(std::string_view effect) {
     const auto pass = std::find_if(kPasses.begin(), kPasses.end(), [&](const Pass& one) { return one.name == effect; });
     return as_size(pass - kPasses.begin());
 }
 
-/// The part of the claims that is the walk: sampled, so that chance may make it a little less than nothing.
+/// The walk's part of the claims. It is sampled, so it may be slightly negative: clamped.
 std::int64_t walk_ns(const PassTimes& times) {
     return std::clamp(times.walk_ns, std::int64_t{0}, times.claims_ns);
 }

@@ -16,20 +16,19 @@ namespace oblong {
 /// A clock for frames: nanoseconds of std::chrono::steady_clock.
 std::int64_t steady_clock_ns();
 
-/// The median of some times with the quartiles below and above it; nanoseconds.
+/// The median and the quartiles of some times; nanoseconds.
 struct TimeSpread {
     double median = 0, low = 0, high = 0;
 };
 /// Of at least one time.
 TimeSpread spread_of(std::vector<double> times_ns);
-/// "+-3%": half of what lies between the quartiles, of the median, rounded up.
+/// "+-3%": half of the interquartile range, as a percentage of the median, rounded up.
 std::string spread_text(const TimeSpread& times);
-/// Whether the spread leaves no doubt which of two is less.
+/// Whether the quartile ranges do not overlap.
 inline bool are_apart(const TimeSpread& a, const TimeSpread& b) {
     return a.high < b.low || b.high < a.low;
 }
 
-/// A line of a plan as it is shown.
 struct PlanLine {
     std::string_view name;
     std::int64_t pixels = 0;
@@ -37,8 +36,8 @@ struct PlanLine {
     double low_ns = 0, high_ns = 0;  ///< quartiles
 };
 
-/// What renderings of one view took, and where it went: the one way in which programs time frames. A view is drawn once
-/// untimed before, so that its surfaces are lit and its caches warm.
+/// Times of renderings of one view, by pass. All programs time frames with it. A view is drawn once before, so that its
+/// surfaces are lit and its caches warm.
 class RenderingTimes {
   public:
     /// Keeps the last `most` renderings.
@@ -57,12 +56,11 @@ class RenderingTimes {
     void clear() { renderings_.clear(); }
     std::size_t count() const { return renderings_.size(); }
 
-    /// Of at least one rendering, like what follows.
+    /// Requires at least one rendering, as do the following.
     TimeSpread frame_ns() const;
-    /// "walk", "claims", the plan's passes and "other": what belongs to none of those, so that the lines add up to the
-    /// frame's median.
+    /// "walk", "claims", the plan's passes, and "other" for the rest, so that the lines add up to the frame's median.
     std::vector<PlanLine> pass_lines(const FramePlan& plan, const FrameCounts& counts) const;
-    /// The effects on the plan: each a part of passes, or one of them.
+    /// The plan's effects: each is a part of passes, or a pass.
     std::vector<PlanLine> effect_lines(const FramePlan& plan, const FrameCounts& counts) const;
 
   private:

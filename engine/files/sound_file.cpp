@@ -23,7 +23,7 @@ WavFormat read_format(LittleEndianReader chunk) {
     const std::size_t at = chunk.offset();
     const auto kind = chunk.next<std::uint16_t>(), channels = chunk.next<std::uint16_t>();
     const auto rate_hz = chunk.next<std::uint32_t>();
-    chunk.take(6);  // bytes a second and a frame, which follow
+    chunk.take(6);  // bytes a second and a frame, which follow from the others
     const auto bits = chunk.next<std::uint16_t>();
     expect_at(at, kind == kPcm, "format " + std::to_string(kind) + ", expected 1: PCM");
     expect_at(at + 2, channels == 1, std::to_string(channels) + " channels, expected one");
@@ -32,7 +32,7 @@ WavFormat read_format(LittleEndianReader chunk) {
     return {bits, static_cast<std::int32_t>(rate_hz)};
 }
 
-// Of 8 bits they are unsigned, of 16 they are not.
+// 8-bit samples are unsigned, 16-bit samples signed.
 std::vector<std::int16_t> read_samples(std::span<const std::uint8_t> bytes, std::uint16_t bits) {
     std::vector<std::int16_t> samples;
     LittleEndianReader in(bytes);

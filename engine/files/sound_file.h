@@ -8,7 +8,7 @@
 namespace oblong {
 
 /// Decodes a sound of one channel: FLAC as decode_flac() reads it, or WAV (RIFF) with PCM of 8 or 16 bits. Throws
-/// InputError with the offset of what is wrong.
+/// InputError with the offset of the error.
 SoundSamples decode_sound(std::span<const std::uint8_t> file);
 
 }  // namespace oblong

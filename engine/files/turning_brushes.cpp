@@ -11,7 +11,7 @@ namespace {
 constexpr World kFastestTurn = World::from_int(3600);  // degrees a second
 constexpr std::int64_t kAboutX = 4, kDoorAboutX = 64;  // spawnflags; twice as much: about y
 
-// The origin, or the middle of the brushes; nothing where they are too large for a mesh.
+// The origin, or the middle of the brushes; nothing if they are too large for a mesh.
 std::optional<Vec3<World>> place_of_axis(const SubModel& brushes, bool is_door, const EntityValues& values) {
     const std::string named = values.text("origin");
     const std::optional<Vec3<World>> origin = parse_world_vector(named);

@@ -10,16 +10,16 @@
 
 namespace oblong {
 
-/// Reads the entities of a level whose brushes turn, func_rotating and func_door_rotating, as models. What it warns of
-/// is left out or turns about its middle.
+/// Reads entities with turning brushes, func_rotating and func_door_rotating, as models. It warns of entities that are
+/// left out or turn about their middle.
 class TurningBrushes {
   public:
-    /// A model and its mesh, which is appended; nothing where the entity has no brushes, or they are left out.
+    /// A model and its mesh, which is appended; nothing if the entity has no brushes, or is left out.
     std::optional<LevelModel> read(const Level& level, const Entity& entity, const EntityValues& values,
                                    std::vector<std::unique_ptr<const Mesh>>& meshes);
 
   private:
-    std::set<ModelIndex> read_;                         // each turns once
+    std::set<ModelIndex> read_;                         // each is read once
     std::int64_t texels_left_ = std::int64_t{1} << 25;  // of all their skins
 };
 

@@ -44,7 +44,7 @@ std::string row_text(const std::array<Entry, 4>& row) {
     return text;
 }
 
-/// A face that owns pixels, and the list that it is in.
+/// A face that owns pixels, and its list.
 struct ListedFace {
     VisibleFace face;
     std::size_t list;
@@ -73,7 +73,7 @@ std::vector<Vec3<View>> view_corners(const VisibleFace& visible, const LoggedFra
     return corners;
 }
 
-/// The spans of a row, left to right, each with its face.
+/// A span of a row, with its face.
 struct RowSpan {
     Span span;
     ListedFace face;
@@ -95,7 +95,7 @@ std::string face_text(const ListedFace& listed, const Level& level) {
            level.texture_of(level.faces[face]).name + ")";
 }
 
-/// Corners of a face, and what clipping leaves of it.
+/// The corners of a face, before and after clipping.
 LogLines lines_of_face(const ListedFace& listed, const LoggedFrame& frame, const ViewContext& view) {
     const std::vector<Vec3<View>> corners = view_corners(listed.face, frame, view);
     LogLines lines{face_text(listed, frame.scene.level) +

@@ -15,7 +15,7 @@ constexpr std::size_t kNameBytes = 16, kMiptexHeaderBytes = 40, kWadHeaderBytes 
 constexpr std::uint8_t kMiptexType = 'D';
 constexpr ByteView::value_type kSignature[]{'W', 'A', 'D', '2'};
 
-/// `size` bytes at `offset`, if there are as many.
+/// `size` bytes at `offset`. Throws InputError if they are not all there.
 ByteView part_of(ByteView bytes, std::size_t offset, std::size_t size, const std::string& what) {
     if (offset > bytes.size() || size > bytes.size() - offset) {
         throw InputError(what, std::to_string(size) + " bytes at offset " + std::to_string(offset) +

@@ -9,10 +9,10 @@
 namespace oblong {
 namespace {
 
-constexpr std::int64_t kDarkest_256 = 140;   // how much light the borders of rows lose
-constexpr std::uint32_t kThrough_256 = 205;  // what a column lets through of the other two channels
+constexpr std::int64_t kDarkest_256 = 140;   // the loss of light at the edges of rows
+constexpr std::uint32_t kThrough_256 = 205;  // the factor of a column for the other two channels
 
-// The share of light at the middle of a pixel's row: least at the borders of the picture's rows.
+// The share of light in a row of pixels: least at the edges of the picture's rows.
 std::uint32_t row_light_256(std::int64_t y, std::int64_t height_px, std::int64_t rows) {
     const std::int64_t pixels_256 = height_px * 256 / rows;
     const std::int64_t depth_256 = std::clamp<std::int64_t>(pixels_256 - 512, 0, 256) * kDarkest_256 / 256;

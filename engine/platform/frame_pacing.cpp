@@ -7,7 +7,7 @@ std::uint64_t FramePacing::next_wait_us(std::uint64_t now_us, std::int32_t frame
     constexpr std::uint64_t kSecond_us = 1'000'000;
     const auto rate = static_cast<std::uint64_t>(frames_per_second);
     const std::uint64_t due_us = start_us_ + frames_ * kSecond_us / rate;
-    // More than a frame late: pictures that nobody waited for are not made up for.
+    // More than a frame late: the missed pictures are skipped.
     if (frames_per_second != frames_per_second_ || now_us > due_us + kSecond_us / rate) {
         frames_per_second_ = frames_per_second;
         start_us_ = now_us;

@@ -125,7 +125,7 @@ struct DeviceNames {
     Device device;
     std::string_view prefix;
     std::span<const CodeName> names;
-    std::uint16_t first = 1, end = 0;  // codes that are named by their numbers, where they have no other name
+    std::uint16_t first = 1, end = 0;  // codes without a name, which are named by their numbers
 };
 constexpr std::array<DeviceNames, 5> kDevices{{
     {Device::MouseButton, "Mouse ", {}, 1, kMostButtons},
@@ -154,7 +154,7 @@ std::string key_name(std::uint16_t code) {
     return "";
 }
 
-// A decimal number from `first` to before `end`.
+// A decimal number in [first, end).
 std::optional<std::uint16_t> number_in(std::string_view text, std::uint16_t first, std::uint16_t end) {
     if (text.empty() || text.size() > 3 || text.find_first_not_of("0123456789") != std::string_view::npos) return {};
     std::uint16_t number = 0;

@@ -7,19 +7,19 @@
 
 namespace oblong {
 
-/// What an input is part of.
+/// The device of an input.
 enum class Device : std::uint8_t {
-    Key,          ///< code: its place on the keyboard, a USB HID usage: 4 is A of a US keyboard
+    Key,          ///< code: the key's place, a USB HID usage: 4 is A on a US keyboard
     MouseButton,  ///< code: 1 left, 2 right, 3 middle, 4 and on: others
     MouseWheel,   ///< code: a WheelTurn
     PadButton,    ///< code: a PadButton
     PadAxis,      ///< code: a half of an axis, see pad_axis()
-    Script        ///< what a program presses by itself; the code is its own
+    Script        ///< pressed by the program; the code is its own
 };
 
 enum class WheelTurn : std::uint16_t { Up, Down, Left, Right };
 
-/// The buttons of a gamepad, as SDL numbers them: A is what the pad calls so, or the lowest of the four.
+/// The buttons of a gamepad, as SDL numbers them: A is the button of that name, or the lowest of the four.
 enum class PadButton : std::uint16_t {
     A,
     B,
@@ -45,9 +45,9 @@ enum class PadButton : std::uint16_t {
 };
 
 enum class PadAxis : std::uint16_t { LeftX, LeftY, RightX, RightY, LeftTrigger, RightTrigger };
-inline constexpr int kAxisHalfCount = 12;  ///< codes of pad_axis() are less
+inline constexpr int kAxisHalfCount = 12;  ///< codes of pad_axis() are below this
 
-/// One thing that can be pressed: a key, a button, a turn of the wheel, or a stick or trigger in one direction.
+/// A key, a button, a turn of the wheel, or a stick or trigger in one direction.
 struct Input {
     Device device = Device::Key;
     std::uint16_t code = 0;
@@ -55,10 +55,10 @@ struct Input {
     auto operator<=>(const Input&) const = default;
 };
 
-/// The largest value of a half of an axis, as of SDL.
+/// The largest value of a half of an axis, as in SDL.
 inline constexpr std::int32_t kFullAxis = 32'767;
 
-/// Half of an axis: towards right or down where it `is_positive`, as of SDL. Triggers have positive halves only.
+/// Half of an axis: towards right or down if `is_positive`, as in SDL. Triggers have positive halves only.
 constexpr Input pad_axis(PadAxis axis, bool is_positive) {
     return {Device::PadAxis, static_cast<std::uint16_t>(2 * static_cast<int>(axis) + int{is_positive})};
 }
@@ -73,15 +73,15 @@ constexpr bool is_of_pad(Input input) {
     return input.device == Device::PadButton || input.device == Device::PadAxis;
 }
 
-/// Whether the input opens the menu, whatever is bound, so that there is always a way to it: Escape, a gamepad's Start.
+/// Whether the input always opens the menu and cannot be bound: Escape, a gamepad's Start.
 bool is_reserved(Input input);
 
 /// "W", "Left Shift", "Keypad 5", "Key 135", "Mouse 1", "Wheel Up", "Pad A", "Pad Left Stick Up". Keys are named after
 /// a US keyboard, so that a name means the same place on every keyboard.
 std::string name_of(Input input);
 
-/// The input of such a name, with any letters' case and with a hyphen for any space ("left-shift"). Throws InputError
-/// where there is none.
+/// The input of such a name, in any case, with hyphens for spaces ("left-shift"). Throws InputError for an unknown
+/// name.
 Input input_named(std::string_view name);
 
 }  // namespace oblong

@@ -8,17 +8,17 @@
 
 namespace oblong {
 
-/// Something that the player did with a device, or that ended it.
+/// An event of an input device.
 struct InputEvent {
     enum class Kind : std::uint8_t {
         Press,
-        Repeat,  ///< what the system reports again and again while a key is held
+        Repeat,  ///< reported repeatedly while a key is held
         Release,
         Click,           ///< a press by a mouse that points at a menu; has no release
-        Axis,            ///< `input`: a half of an axis, `x`: where it is, 0 to kFullAxis
+        Axis,            ///< `input`: a half of an axis, `x`: its value, 0 to kFullAxis
         MouseMotion,     ///< of the captured mouse, `x`, `y`: counts of the device, right and down positive
-        ReleasePressed,  ///< of all keys and buttons; sticks stay where they are
-        ReleasePad,      ///< of all that a gamepad held
+        ReleasePressed,  ///< of all keys and buttons; sticks keep their positions
+        ReleasePad,      ///< of all inputs of the gamepad
         ReleaseAll
     };
     Kind kind = Kind::Press;
@@ -34,14 +34,14 @@ struct Pointer {
     bool has_moved = false, is_pressed = false;  ///< since the last poll
 };
 
-/// What the window is to the player now.
+/// The state of the window.
 struct WindowInput {
-    std::optional<Pointer> pointer;  ///< nothing while the mouse is captured, or where there is none
+    std::optional<Pointer> pointer;  ///< nothing if the mouse is captured, or there is none
     bool has_focus = true, is_minimised = false;
-    bool changes_full_screen = false;  ///< to the whole screen or back, since the last poll: Alt+Enter
+    bool changes_full_screen = false;  ///< Alt+Enter since the last poll: to the whole screen or back
 };
 
-/// What the player did since the last poll, in the order in which it happened.
+/// The player's input since the last poll, in order.
 struct PlatformInput : WindowInput {
     std::vector<InputEvent> events;
 };

@@ -79,7 +79,7 @@ void Mixer::stop_music() {
     music_.reset();
 }
 
-// Between two samples of a recording it goes straight.
+// Interpolates linearly between the samples of a recording.
 void Mixer::add_voice(Voice& voice, std::span<std::int32_t> sums) const {
     const Recording& recording = recordings_[voice.recording];
     const std::uint64_t length_32 = std::uint64_t{recording.samples.size()} << 32;

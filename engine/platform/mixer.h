@@ -13,8 +13,8 @@
 
 namespace oblong {
 
-/// Mixes voices and music with integers: the same calls give the same samples on every machine. What plays them asks
-/// for them by mix(), perhaps from another thread.
+/// Mixes voices and music with integers: the same calls give the same samples on every machine. The output device calls
+/// mix() for them, perhaps in another thread.
 class Mixer : public SoundOutput {
   public:
     static constexpr std::int32_t kRate_hz = ModulePlayer::kRate_hz, kVoices = 32;
@@ -29,7 +29,7 @@ class Mixer : public SoundOutput {
     void set_music_volume(std::int32_t volume_256) override;
     void stop_music() override;
 
-    /// The next samples to be heard, left and right by turns.
+    /// Writes the next samples, left and right alternating.
     void mix(std::span<std::int16_t> samples);
 
   private:
@@ -38,7 +38,7 @@ class Mixer : public SoundOutput {
         std::int32_t rate_hz = kRate_hz;
     };
     struct Voice {
-        VoiceNumber number = kNoVoice;  // kNoVoice: none is heard here
+        VoiceNumber number = kNoVoice;  // kNoVoice: unused
         std::size_t recording = 0;
         bool is_loop = false, is_held = false, is_stopping = false;
         std::uint64_t at_32 = 0;  // in the recording, 32 fraction bits

@@ -7,16 +7,16 @@
 namespace oblong {
 namespace {
 
-constexpr std::int32_t kLoudness_256 = 128;  // of a channel: two on a side are as loud as 16 bits can be
+constexpr std::int32_t kLoudness_256 = 128;  // of a channel: two on a side reach the full range of 16 bits
 
-// 65,536 times 2 to the power of so many 12ths: what a semitone multiplies a rate by.
+// 65,536 * 2^(n/12): the factors of a rate for n semitones.
 constexpr std::array<std::int64_t, 16> kSemitones_16{65'536,  69'433,  73'562,  77'936,  82'570,  87'480,
                                                      92'682,  98'193,  104'032, 110'218, 116'772, 123'715,
                                                      131'072, 138'866, 147'123, 155'872};
-// The same of 96ths, from -8 to 7.
+// 65,536 * 2^(n/96), n from -8 to 7.
 constexpr std::array<std::int64_t, 16> kFinetunes_16{61'858, 62'306, 62'757, 63'212, 63'670, 64'132, 64'596, 65'065,
                                                      65'536, 66'011, 66'489, 66'971, 67'456, 67'945, 68'438, 68'933};
-// ProTracker's half a sine.
+// ProTracker's half sine.
 constexpr std::array<std::int32_t, 32> kSine_255{0,   24,  49,  74,  97,  120, 141, 161, 180, 197, 212,
                                                  224, 235, 244, 250, 253, 255, 253, 250, 244, 235, 224,
                                                  212, 197, 180, 161, 141, 120, 97,  74,  49,  24};

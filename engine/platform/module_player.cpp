@@ -11,9 +11,9 @@ namespace {
 
 constexpr std::int32_t kLeastPeriod = 113, kMostPeriod = 856;
 constexpr std::int32_t kLeastBeats = 32;
-constexpr std::int32_t kOwnSide_256 = 192;  // of a channel at first
+constexpr std::int32_t kOwnSide_256 = 192;  // the initial share of a channel's own side
 
-/// What an effect's number means; those of kExtended by the parameter's upper half.
+/// The effects by number; those of kExtended by the parameter's upper half.
 enum ModuleEffect : std::uint8_t {
     kArpeggio,
     kSlideUp,
@@ -68,7 +68,7 @@ std::int32_t bounded_volume(std::int32_t volume_64) {
 
 }  // namespace
 
-// Channels are left, right, right, left, as the Amiga has them.
+// Channels are left, right, right, left, as on the Amiga.
 ModulePlayer::ModulePlayer(TrackerModule module) : module_(std::move(module)), channels_(module_.channels) {
     for (std::size_t i = 0; i < channels_.size(); ++i) {
         const bool is_right = i % 4 == 1 || i % 4 == 2;
@@ -89,7 +89,7 @@ void ModulePlayer::add(std::span<std::int32_t> sums, std::int32_t volume_256) {
     }
 }
 
-// At 125 beats a minute, a 50th of a second.
+// A tick is 1/50 s at 125 beats a minute.
 void ModulePlayer::begin_tick() {
     constexpr std::int32_t kSamplesTimesBeats = kRate_hz * 5 / 2;
     rest_ += kSamplesTimesBeats;
@@ -227,7 +227,7 @@ void ModulePlayer::apply_extended_at_row(ModuleChannel& channel) {
     }
 }
 
-// At each tick of a row but its first.
+// In each tick of a row except the first.
 void ModulePlayer::apply_at_tick(ModuleChannel& channel) {
     const ModuleNote& note = channel.note;
     const bool has_vibrato = note.effect == kVibrato || note.effect == kVibratoAndVolume;

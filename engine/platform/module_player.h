@@ -9,9 +9,9 @@
 
 namespace oblong {
 
-/// Plays a tracker module again and again, with integers: the same samples on every machine. Its effects are
-/// ProTracker's (0 to 7, 9 to F, E1, E2, E4 to E7 and E9 to EE; waveforms of vibrato and tremolo are its three) and 8
-/// of later trackers, where on the way from left, 00, to right, FF, a channel is.
+/// Plays a tracker module in a loop, with integers: the same samples on every machine. Effects are ProTracker's (0 to
+/// 7, 9 to F, E1, E2, E4 to E7 and E9 to EE; with its three waveforms of vibrato and tremolo), and effect 8 of later
+/// trackers, the panning of a channel from left, 00, to right, FF.
 class ModulePlayer {
   public:
     static constexpr std::int32_t kRate_hz = ModuleChannel::kRate_hz;
@@ -20,15 +20,15 @@ class ModulePlayer {
     ModulePlayer(const ModulePlayer&) = delete;
     ModulePlayer& operator=(const ModulePlayer&) = delete;
 
-    /// Adds the next samples to `sums`, left and right by turns: within 16 bits at the full `volume_256`, 256, but
-    /// where more than four channels are loud at once.
+    /// Adds the next samples to `sums`, left and right alternating. At the full `volume_256`, 256, they stay within 16
+    /// bits, unless more than four channels are loud at once.
     void add(std::span<std::int32_t> sums, std::int32_t volume_256);
 
     struct Place {
         std::size_t order = 0, row = 0;
         bool operator==(const Place&) const = default;
     };
-    /// The row that sounds.
+    /// The row that is played.
     Place place() const { return place_; }
 
   private:
@@ -46,7 +46,7 @@ class ModulePlayer {
     Place place_, next_;
     bool is_next_set_ = false;
     std::int32_t speed_ = 6, beats_ = 125, tick_ = 0, rows_held_ = 0;
-    std::int32_t samples_left_ = 0, rest_ = 0;  // of the tick; of its length, which is a fraction
+    std::int32_t samples_left_ = 0, rest_ = 0;  // samples left in the tick; the remainder of its length
 };
 
 }  // namespace oblong

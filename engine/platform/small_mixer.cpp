@@ -17,7 +17,7 @@ std::int32_t level_of(const VoiceLevels& levels) {
 
 std::vector<std::int8_t> SmallMixer::at_own_rate(std::span<const std::int16_t> samples, std::int32_t rate_hz) {
     const auto place = [rate_hz](std::size_t i) {
-        if (rate_hz == kRate_hz) return i;  // as under DOS, where a division of 64 bits takes long
+        if (rate_hz == kRate_hz) return i;  // under DOS, where 64-bit divisions are slow
         return static_cast<std::size_t>(std::uint64_t{i} * static_cast<std::uint64_t>(rate_hz) / kRate_hz);
     };
     std::vector<std::int8_t> result;

@@ -10,8 +10,8 @@
 
 namespace oblong {
 
-/// Mixes voices for a slow machine: one channel of 8 bits, a tenth of a Mixer's work. Without music. What plays them
-/// asks for them by mix(), perhaps from an interrupt.
+/// Mixes voices for a slow machine: one channel of 8 bits, a tenth of a Mixer's work. Without music. The output device
+/// calls mix() for samples, perhaps in an interrupt.
 class SmallMixer : public SoundOutput {
   public:
     static constexpr std::int32_t kRate_hz = 11'025, kVoices = 16;
@@ -28,10 +28,10 @@ class SmallMixer : public SoundOutput {
     void set_music_volume(std::int32_t) override {}
     void stop_music() override {}
 
-    /// The next samples to be heard. False: voices are being changed, and nothing was done.
+    /// Writes the next samples. False: voices are being changed, and nothing was written.
     bool mix(std::span<std::uint8_t> samples);
 
-    /// A sound at kRate_hz: each sample the mean of those that it stands for.
+    /// A sound at kRate_hz: each sample is the mean of those that it replaces.
     static std::vector<std::int8_t> at_own_rate(std::span<const std::int16_t> samples, std::int32_t rate_hz);
 
   protected:
@@ -39,12 +39,12 @@ class SmallMixer : public SoundOutput {
 
   private:
     struct Voice {
-        VoiceNumber number = kNoVoice;  // kNoVoice: none is heard here
+        VoiceNumber number = kNoVoice;  // kNoVoice: unused
         std::size_t recording = 0, at = 0;
         bool is_loop = false, is_held = false, is_stopping = false, is_muffled = false;
         std::int32_t level_256 = 0, wanted_256 = 0, passed_8 = 0;
     };
-    static constexpr std::size_t kBlock = 64;  // samples between two changes of a level
+    static constexpr std::size_t kBlock = 64;  // samples between changes of a level
     using Sums = std::array<std::int32_t, kBlock>;
 
     Voice* find(VoiceNumber number);

@@ -21,7 +21,7 @@ std::size_t doubled_u16(std::span<const std::uint8_t> file, std::size_t at) {
     return 2 * (std::size_t{file[at]} * 256 + file[at + 1]);
 }
 
-// The samples themselves come last in the file.
+// The values of samples follow at the end of the file.
 ModuleSample sample_head(std::span<const std::uint8_t> file, std::size_t at) {
     ModuleSample sample;
     sample.samples.resize(doubled_u16(file, at + 22));
@@ -33,14 +33,14 @@ ModuleSample sample_head(std::span<const std::uint8_t> file, std::size_t at) {
     return sample;
 }
 
-// A loop of one word is how the format says that there is none.
+// In this format a loop of one word means no loop.
 void bound_loop(ModuleSample& sample) {
     sample.loop_start = std::min(sample.loop_start, sample.samples.size());
     sample.loop_length = std::min(sample.loop_length, sample.samples.size() - sample.loop_start);
     if (sample.loop_length <= 2) sample.loop_start = sample.loop_length = 0;
 }
 
-// By the four letters after the orders; 0: they are none.
+// From the four letters after the orders; 0: unknown.
 std::size_t channels_of(std::string_view signature) {
     if (signature == "M.K." || signature == "M!K!" || signature == "FLT4") return 4;
     const auto digit = [&](std::size_t at) {
@@ -64,7 +64,7 @@ ModuleNote note_at(std::span<const std::uint8_t> file, std::size_t at) {
     return note;
 }
 
-// Effect 8 puts a channel between left, 0, and right, 255; trackers of DOS wrote 128 for right.
+// Effect 8 pans a channel from left, 0, to right, 255; DOS trackers wrote 128 for right.
 void double_small_pannings(std::vector<ModuleNote>& notes) {
     constexpr std::uint8_t kPanningEffect = 8, kRight = 128;
     const auto is_above = [](const ModuleNote& note) {
@@ -94,7 +94,7 @@ TrackerModule parse_module(std::span<const std::uint8_t> file) {
     module.orders.assign(orders.begin(), orders.end());
     if (file[kOrderCount + 1] < order_count) module.restart = file[kOrderCount + 1];
 
-    // Also those that are not played are in the file before the samples.
+    // The file also has the patterns that are not played.
     const auto all_orders = file.subspan(kOrders, kMostOrders);
     const std::size_t patterns = std::size_t{*std::max_element(all_orders.begin(), all_orders.end())} + 1;
     module.notes.resize(patterns * kPatternRows * module.channels);

@@ -6,13 +6,13 @@ namespace oblong {
 
 namespace {
 
-/// Looks for something to come, and now and then lets others have the processor.
+/// Polling that now and then yields the processor.
 class Lookout {
   public:
     void wait() {
         if (++looks_ % kLooksPerTurn == 0) std::this_thread::yield();
     }
-    /// Whether it has been waiting for long: a tenth of a millisecond or more.
+    /// Whether it has waited for a tenth of a millisecond or more.
     bool is_late() const { return looks_ > kLooksPerTurn * 256; }
 
   private:
@@ -25,7 +25,7 @@ class Lookout {
 WorkerThreads::WorkerThreads(int wanted) {
     try {
         for (int worker = 1; worker < wanted; ++worker) threads_.emplace_back([this, worker] { run(worker); });
-    } catch (const std::system_error&) {  // no more threads: those that there are do the work
+    } catch (const std::system_error&) {  // fewer threads do the work
     }
 }
 
@@ -52,7 +52,7 @@ void WorkerThreads::finish_items() {
 }
 
 void WorkerThreads::end() {
-    state_.store(State::Resting);  // who does not look now waits for the next change anyway
+    state_.store(State::Resting);  // needs no notification: sleeping threads wait for the next work
 }
 
 void WorkerThreads::set_state(State state) {
@@ -79,7 +79,7 @@ WorkerThreads::State WorkerThreads::wait_for_work() {
     return state_.load();
 }
 
-/// Items are taken in order. An item that is taken was added, even if `added_` has moved on: it only grows.
+/// Items are taken in order. A taken item was added, since `added_` only grows.
 bool WorkerThreads::do_next_item(int worker) {
     std::uint32_t next = taken_.load(std::memory_order_relaxed);
     do {

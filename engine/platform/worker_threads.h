@@ -11,11 +11,11 @@
 
 namespace oblong {
 
-/// Threads that share in work. They sleep while there is none, and look for items without sleeping while there is: work
-/// is what takes less than a frame.
+/// Threads that share work. They sleep while there is none, and poll for items while there is, since work takes less
+/// than a frame.
 class WorkerThreads final : public Workers {
   public:
-    /// Makes count() `wanted`, 1 or more; or fewer, where the system does not give as many threads.
+    /// Makes count() `wanted`, 1 or more; or less if the system allows fewer threads.
     explicit WorkerThreads(int wanted);
     WorkerThreads(const WorkerThreads&) = delete;
     ~WorkerThreads() override;
@@ -34,20 +34,21 @@ class WorkerThreads final : public Workers {
     bool do_next_item(int worker);
     void set_state(State state);
 
-    /// Items are numbered through, from work to work. Numbers wrap, and soon, so that any test would show if that were
-    /// wrong: they are compared by their differences.
+    /// Items are numbered consecutively across works. The numbers wrap, and are compared by their differences. They
+    /// start near the wrap, so that tests cover it.
     static constexpr std::uint32_t kFirstNumber = 0xffff'ff00;
 
-    /// A line of the processors' caches: what different threads write does not share one.
+    /// A cache line: variables written by different threads are on different lines.
     static constexpr std::size_t kLine_bytes = 64;
 
-    SharedWork* work_ = nullptr;                                              ///< read by who has taken an item of it
-    std::uint32_t first_item_ = kFirstNumber;                                 ///< of the work; read likewise
-    alignas(kLine_bytes) std::atomic<std::uint32_t> added_{kFirstNumber};     ///< up to here items may be taken
-    alignas(kLine_bytes) std::atomic<std::uint32_t> taken_{kFirstNumber};     ///< up to here they are
-    alignas(kLine_bytes) std::atomic<std::uint32_t> finished_{kFirstNumber};  ///< so many are
+    SharedWork* work_ = nullptr;               ///< read only by threads that have taken an item
+    std::uint32_t first_item_ = kFirstNumber;  ///< number of the work's first item; read likewise
+    alignas(kLine_bytes) std::atomic<std::uint32_t> added_{kFirstNumber};  ///< the end of the items that may be taken
+    alignas(kLine_bytes) std::atomic<std::uint32_t> taken_{kFirstNumber};  ///< the end of the items taken
+    alignas(kLine_bytes) std::atomic<std::uint32_t> finished_{
+        kFirstNumber};  ///< the number of items done, in the same numbering
     alignas(kLine_bytes) std::atomic<State> state_{State::Resting};
-    std::mutex mutex_;  ///< of changes of state_
+    std::mutex mutex_;  ///< for changes of state_
     std::condition_variable changed_;
     std::vector<std::thread> threads_;
 };

@@ -1,5 +1,5 @@
-// oblong-dos-image ASSETS BUILT OUT: packs what the DOS build has made in BUILT (kernel.bin, oblong_dos, boot.bin,
-// loader.bin) and the museum of ASSETS into OUT/OBLONG.SYS and OUT/oblong.img. Runs where the game is built, not under
+// oblong-dos-image ASSETS BUILT OUT: packs the results of the DOS build in BUILT (kernel.bin, oblong_dos, boot.bin,
+// loader.bin) and the museum of ASSETS into OUT/OBLONG.SYS and OUT/oblong.img. Runs on the build machine, not under
 // DOS.
 #include <algorithm>
 #include <filesystem>
@@ -28,7 +28,7 @@ void append(Bytes& to, const Bytes& bytes) {
     to.insert(to.end(), bytes.begin(), bytes.end());
 }
 
-// Zeros up to a multiple of `unit`.
+// Appends zeros up to a multiple of `unit`.
 void pad(Bytes& bytes, std::size_t unit) {
     bytes.resize((bytes.size() + unit - 1) / unit * unit);
 }
@@ -42,7 +42,7 @@ struct ArchivedFile {
     Bytes bytes;
 };
 
-// As engine/platform/dos/kernel/files.cpp reads it.
+// The format that engine/platform/dos/kernel/files.cpp reads.
 Bytes archive_of(const std::vector<ArchivedFile>& files) {
     constexpr std::size_t kHead = 64, kEntry = 64, kName = 56;
     Bytes archive(kHead + kEntry * files.size());
@@ -60,7 +60,7 @@ Bytes archive_of(const std::vector<ArchivedFile>& files) {
     return archive;
 }
 
-// A program (ELF, 32 bits) as it lies in memory from PROGRAM_ADDRESS on, with zeros where it has no bytes.
+// The memory image of a program (ELF, 32 bits) from PROGRAM_ADDRESS on, with zeros where the file has no bytes.
 Bytes loaded_program(const Bytes& elf) {
     constexpr std::size_t kHeadersOffset = 28, kHeaderCount = 44, kHeader = 32;
     constexpr std::uint32_t kLoaded = 1;
@@ -77,7 +77,7 @@ Bytes loaded_program(const Bytes& elf) {
     return memory;
 }
 
-// As game/dos/substitutes.cpp reads it.
+// The format that game/dos/substitutes.cpp reads.
 Bytes sound_of(const std::string& file) {
     const SoundSamples sound = read_parsed(file, decode_flac);
     const std::vector<std::int8_t> samples = SmallMixer::at_own_rate(sound.samples, sound.rate_hz);
@@ -101,7 +101,7 @@ Bytes museum_archive(const fs::path& assets) {
     return archive_of(archived);
 }
 
-// What the loader copies to KERNEL_ADDRESS.
+// The image that the loader copies to KERNEL_ADDRESS.
 Bytes system_of(const fs::path& assets, const fs::path& built) {
     Bytes system = read_file((built / "kernel.bin").string());
     system.resize(PROGRAM_ADDRESS - KERNEL_ADDRESS);
@@ -114,7 +114,7 @@ Bytes system_of(const fs::path& assets, const fs::path& built) {
 
 Bytes disk_of(const fs::path& built, const Bytes& system) {
     constexpr std::size_t kLoaderSectors = 7, kCylinder = 16 * 63 * kSector;
-    constexpr std::size_t kEndSector = 440, kPartitionSectors = 458;  // where boot.S has them
+    constexpr std::size_t kEndSector = 440, kPartitionSectors = 458;  // as in boot.S
     Bytes disk = read_file((built / "boot.bin").string());
     append(disk, read_file((built / "loader.bin").string()));
     if (disk.size() > (1 + kLoaderSectors) * kSector) throw InputError("loader.bin", "more than 7 sectors");

@@ -1,7 +1,7 @@
-// The game under DOS: OBLONG [NAME=VALUE ...], options by their names on a command line elsewhere ("accuracy=1994").
-// Also replay=FILE; hashes=N, which draws N ticks of the walk as fast as it goes, each with its hash on the serial
-// port, and with hold=1 shows the last one until a key is pressed; and report=1, which counts the pictures shown there,
-// and the keys taken.
+// The game under DOS: OBLONG [NAME=VALUE ...], with options named as on the command line of other systems
+// ("accuracy=1994"). Also replay=FILE; hashes=N, which draws N ticks of the walk as fast as possible and writes each
+// tick's hash to the serial port, and with hold=1 shows the last picture until a key is pressed; and report=1, which
+// writes the numbers of pictures shown and keys pressed there.
 #include <malloc.h>
 
 #include <cstdio>
@@ -26,7 +26,7 @@ namespace oblong {
 namespace {
 
 constexpr const char* kAssets = "/assets";
-constexpr const char* kData = "/oblong";  // there if DOS keeps it
+constexpr const char* kData = "/oblong";  // exists if DOS stores it
 
 struct Arguments {
     Options options;
@@ -34,7 +34,7 @@ struct Arguments {
     bool holds = false, reports = false;
 };
 
-// Tells a test on the serial port that another picture is shown or another key was pressed, whatever time that took.
+// Writes each picture and key press to the serial port, so that a test does not depend on time.
 class ReportingPc : public dos::Pc {
   public:
     explicit ReportingPc(bool reports) : reports_(reports) {}
@@ -106,12 +106,12 @@ void print_memory() {
                  memory.emulated);
 }
 
-// What has been read is in memory twice: the archive's bytes make room.
+// The loaded level makes the archive's bytes redundant: frees them.
 void empty_read_files() {
     for (const char* name : {"/demo.bsp", "/demo.ready"}) write_file(std::string(kAssets) + name, std::string());
 }
 
-// Nobody reads them without a card, or again.
+// Frees the sound files: without a card, or after loading, they are not read.
 void empty_sounds() {
     std::vector<std::string> files;
     for (const auto& entry : std::filesystem::directory_iterator(std::string(kAssets) + "/sounds"))
@@ -119,7 +119,7 @@ void empty_sounds() {
     for (const std::string& file : files) write_file(file, std::string());
 }
 
-// As tests compare them: the hash of the state after each tick, and of the picture of that.
+// For tests: the hash of the state after each tick, and of its picture.
 void print_hashes(const Options& options, std::size_t ticks, dos::Pc& pc) {
     const auto now_ms = [&pc] { return static_cast<unsigned>(pc.now_us() / 1000); };
     const LoadedLevel loaded(level_files_of(options, kAssets));
@@ -166,7 +166,7 @@ void play(const Options& options, dos::Pc& pc) {
 }
 
 int run(int count, char** words) {
-    // Large blocks go back at once: memory is scarce.
+    // Memory is scarce, so large freed blocks are returned at once.
     mallopt(M_MMAP_THRESHOLD, 64 * 1024);
     mallopt(M_TRIM_THRESHOLD, 64 * 1024);
     return run_program("oblong", [&] {

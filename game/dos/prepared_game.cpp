@@ -11,7 +11,7 @@
 namespace oblong {
 namespace {
 
-/// Appends what it visits.
+/// Appends the visited values.
 class Writer {
   public:
     template <class Int>
@@ -27,7 +27,7 @@ class Writer {
     std::vector<std::uint8_t> bytes;
 };
 
-/// Fills what it visits.
+/// Reads the visited values.
 class Reader {
   public:
     explicit Reader(std::span<const std::uint8_t> bytes) : reader_(bytes) {}
@@ -53,7 +53,7 @@ class Reader {
     LittleEndianReader reader_;
 };
 
-// visit(archive, value) writes or reads, by the archive; values are const for a writer.
+// visit(archive, value) writes or reads, depending on the archive; values are const for a writer.
 template <class Archive, class Value>
 void visit(Archive& archive, Value& value);
 
@@ -126,7 +126,7 @@ void visit(Archive& archive, Value& value) {
 
 constexpr std::array<Angle PlacedMesh::*, 3> kTurns{&PlacedMesh::yaw, &PlacedMesh::pitch, &PlacedMesh::roll};
 
-// All but its mesh.
+// All fields but the mesh.
 template <class Archive, class Model>
 void visit_model(Archive& archive, Model& model) {
     auto& placed = model.placed;

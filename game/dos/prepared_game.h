@@ -7,18 +7,18 @@
 #include "engine/level/t_junctions.h"
 #include "game/level/load.h"
 
-// A level as it is in memory after loading: the DOS build's LEVEL.ready, beside LEVEL.bsp. DOS has not the libraries to
-// load models and pictures, and a 486 takes too long. Warnings and the names of frames and skins are left out.
+// A level's data after loading: the DOS build's LEVEL.ready, beside LEVEL.bsp. DOS lacks the libraries to load models
+// and pictures, and a 486 is too slow for it. Warnings and the names of frames and skins are left out.
 
 namespace oblong {
 
-/// The hash of the level, its colormap and its models.
+/// Writes the level's hash, its colormap and its models.
 std::vector<std::uint8_t> encode_prepared_game(const GameData& data);
 
-/// Fills those. Throws InputError for bytes that end too early, or are too many.
+/// Reads the same. Throws InputError for bytes that end too early, or are too many.
 void decode_prepared_game(std::span<const std::uint8_t> bytes, GameData& data);
 
-/// Each edge's vertices: how many, and which.
+/// For each edge, the number of its vertices and their indices.
 std::vector<std::uint8_t> encode_t_junctions(const Level& level, const TJunctions& junctions);
 
 }  // namespace oblong

@@ -1,4 +1,4 @@
-// What the game asks of libraries that are not there under DOS.
+// Substitutes for functions whose libraries are missing under DOS.
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -19,7 +19,7 @@
 
 namespace oblong {
 
-/// There is no reader of JSON: what the museum's game.json says was written into museum.h by the build.
+/// There is no JSON reader: the build has written the museum's game.json into museum.h.
 GameDefinition read_game_definition(const std::string& folder) {
     GameDefinition game;
     game.folder = folder;
@@ -30,7 +30,7 @@ GameDefinition read_game_definition(const std::string& folder) {
     return game;
 }
 
-/// Of the museum, prepared by the build: there is no reader of OBJ and PNG files, and a 486 takes seconds for the rest.
+/// The museum, prepared by the build: there is no reader of OBJ and PNG files, and the rest takes seconds on a 486.
 GameData load_game(const LevelFiles& files) {
     const auto file = [&](const char* name) { return (std::filesystem::path(files.assets) / name).string(); };
     GameData data;
@@ -44,7 +44,7 @@ GameData load_game(const LevelFiles& files) {
     return data;
 }
 
-/// Those that the build has found in the museum, the only level.
+/// Found by the build in the museum, the only level.
 TJunctions::TJunctions(const Level& level) : found_(level.edges.size()) {
     read_parsed("/assets/demo.edges", [&](std::span<const std::uint8_t> bytes) {
         LittleEndianReader reader(bytes);
@@ -55,7 +55,7 @@ TJunctions::TJunctions(const Level& level) : found_(level.edges.size()) {
     });
 }
 
-/// The build has made them what the mixer plays.
+/// The build has converted them to the mixer's format.
 SoundSamples decode_flac(std::span<const std::uint8_t> file) {
     SoundSamples sound{SmallMixer::kRate_hz, {}};
     sound.samples.reserve(file.size());
@@ -64,7 +64,7 @@ SoundSamples decode_flac(std::span<const std::uint8_t> file) {
     return sound;
 }
 
-/// Of PNG files and others: the museum has none but those of its models.
+/// No picture files: the museum has only those of its models, which are prepared.
 PngImage decode_picture(std::span<const std::uint8_t>) {
     throw InputError("image", "no pictures are read under DOS");
 }
@@ -83,14 +83,14 @@ std::string MapWatch::due_reminder(std::uint64_t) {
 }
 void MapWatch::remind_of(std::string) {}
 
-/// The options file is not kept.
+/// There is no options file.
 std::optional<ConfigLine> parse_config_line(const std::string&) {
     return std::nullopt;
 }
 
 }  // namespace oblong
 
-// Or the library's own comes along, with a reader of mangled names.
+// Replaces the library's own, which would add a demangler.
 void __gnu_cxx::__verbose_terminate_handler() {
     std::abort();
 }

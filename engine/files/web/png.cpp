@@ -10,7 +10,7 @@
 #include "engine/files/picture.h"
 #include "engine/view/screen.h"
 
-// For programs without libpng: PNGs of 8-bit palettes, as all of the game's own are. stb unpacks them.
+// For programs without libpng: PNGs with 8-bit palettes, as all of the game's own. Unpacked by stb.
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
 #define STBI_ONLY_PNG
@@ -34,7 +34,6 @@ std::uint32_t u32_at(ByteView bytes, std::size_t at) {
            bytes[at + 3];
 }
 
-/// The chunks of which a picture is made.
 struct Chunks {
     ByteView head, palette, alphas;
     Bytes packed;
@@ -67,7 +66,7 @@ int predicted(int filter, int left, int above, int corner) {
     return std::array{0, left, above, (left + above) / 2, nearest}[static_cast<std::size_t>(filter)];
 }
 
-/// From rows that each begin with their filter (PNG, 9.2) to indices.
+/// Converts rows, each of which begins with its filter type (PNG, 9.2), to indices.
 Bytes unfiltered(ByteView rows, std::size_t width, std::size_t height) {
     Bytes pixels(width * height);
     for (std::size_t y = 0; y < height; ++y) {
@@ -95,7 +94,7 @@ void append_chunk(Bytes& file, std::string_view name, ByteView content) {
     append_big_endian(file, crc32(ByteView(file.data(), file.size()).subspan(start)));
 }
 
-/// zlib's format (RFC 1950), its bytes as they are.
+/// Bytes in zlib's format (RFC 1950), not compressed.
 Bytes stored(ByteView bytes) {
     Bytes packed{0x78, 0x01};
     std::uint32_t a = 1, b = 0;

@@ -1,5 +1,5 @@
-// The first sector of the disk image. The BIOS reads it to 0x7c00 and jumps there, in real mode, with the drive's number in
-// dl. It reads the loader (loader.S), which is in the seven sectors after it, and jumps to that.
+// The first sector of the disk image. The BIOS reads it to 0x7c00 and jumps there, in real mode, with the drive's
+// number in dl. This code reads the loader (loader.S) from the next seven sectors, and jumps to it.
 #define LOADER_SEGMENT 0x1000
 #define LOADER_SECTORS 7
 
@@ -13,21 +13,21 @@ _start:
     movw $0x7c00, %sp
     sti
     cld
-    ljmp $0, $1f                    // some BIOSes come here as 0x07c0:0
+    ljmp $0, $1f                    // some BIOSes jump to 0x07c0:0
 1:  movb %dl, drive
     movb $5, tries
 read:
     movw $LOADER_SEGMENT, %ax
     movw %ax, %es
-    movw $0x100, %bx                // where DOS puts a program, too
+    movw $0x100, %bx                // as DOS loads a program
     movw $0x0200 + LOADER_SECTORS, %ax
-    movw $0x0002, %cx               // cylinder 0, sector 2: they are counted from 1
+    movw $0x0002, %cx               // cylinder 0, sector 2: sectors are counted from 1
     xorb %dh, %dh
     movb drive, %dl
     int $0x13
     movb drive, %dl
     jnc loaded
-    xorb %ah, %ah                   // resets the drive: floppies fail at first, while they speed up
+    xorb %ah, %ah                   // resets the drive: floppies fail at first, until they reach their speed
     int $0x13
     decb tries
     jnz read
@@ -49,9 +49,9 @@ tries: .byte 0
 
     .org 440
     .long 0                         // the sector after the game's last, for the loader: written by game/dos/image.cpp
-    // One partition that can be booted: BIOSes take a USB stick without any for a floppy.
+    // One bootable partition: BIOSes treat a USB stick without one as a floppy.
     .org 446
     .byte 0x80, 0, 2, 0, 0x7f, 0xfe, 0xff, 0xff
-    .long 1, 0                      // from sector 1, how many: written there too
+    .long 1, 0                      // first sector 1, number of sectors: also written there
     .org 510
     .word 0xaa55

@@ -2,22 +2,22 @@
 
 #include <cstdint>
 
-// What the game asks of the kernel beside Linux's system calls: INT 80h with one of these numbers in eax, and the
-// address of what it fills in ebx.
+// The game's own calls to the kernel, beside Linux's system calls: INT 80h with one of these numbers in eax, and in ebx
+// the address of the result.
 
 namespace oblong::dos {
 
 enum class Call : std::uint32_t {
     Clock = 1000,  ///< ebx: std::uint64_t, counts of the timer since the start, kTimerHz a second
     Key,           ///< returns the next byte from the keyboard (scan codes of set 1), or -1
-    Mouse,         ///< ebx: MouseState; its motion begins anew
-    Idle,          ///< until the next interrupt
+    Mouse,         ///< ebx: MouseState; resets its motion
+    Idle,          ///< waits for the next interrupt
     Memory,        ///< ebx: MemoryState
-    LowMemory,     ///< returns the address of kLowMemory bytes below 1 MB, which cross no boundary of 64 KB
-    Timer          ///< ebx: TimerHook, from now on
+    LowMemory,     ///< returns the address of kLowMemory bytes below 1 MB that cross no 64 KB boundary
+    Timer          ///< ebx: the TimerHook to set
 };
 
-/// What the PC's timer (an 8253 or 8254) counts by: a third of the colour subcarrier of American television.
+/// The frequency of the PC's timer (8253 or 8254): a third of the NTSC colour subcarrier.
 inline constexpr std::uint32_t kTimerHz = 1'193'182;
 
 struct MouseState {
@@ -27,13 +27,13 @@ struct MouseState {
 
 struct MemoryState {
     std::uint32_t size = 0;      ///< of the PC, from 1 MB on, bytes
-    std::uint32_t most = 0;      ///< of that in use at any time, the program and its files with it
-    std::uint32_t emulated = 0;  ///< instructions that the processor did not know
+    std::uint32_t most = 0;      ///< the most in use at any time, with the program and its files
+    std::uint32_t emulated = 0;  ///< instructions that the processor lacks
 };
 
 inline constexpr std::uint32_t kLowMemory = 4096;
 
-/// What each interrupt of the timer calls, 291 times a second; null: nothing.
+/// Called at each interrupt of the timer, 291 times a second; null: nothing.
 struct TimerHook {
     void (*function)(void* argument) = nullptr;
     void* argument = nullptr;

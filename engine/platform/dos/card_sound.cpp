@@ -11,16 +11,16 @@
 namespace oblong::dos {
 namespace {
 
-constexpr std::size_t kLead = 1024;  // samples that are ready, 93 ms
+constexpr std::size_t kLead = 1024;  // samples that are mixed in advance, 93 ms
 constexpr std::uint32_t kEvery = 8;  // interrupts of the timer: 27 ms
 
-/// What outlives the device while all is silent.
+/// Kept while the device is closed.
 struct Kept {
-    std::function<void()> when_loaded;  ///< empty: has been called
+    std::function<void()> when_loaded;  ///< empty: already called
     SmallMixer::Recordings recordings;
 };
 
-/// Fills the ring that the card plays, in interrupts, so that no picture is too slow for it.
+/// Fills the card's ring buffer in interrupts, so that slow pictures do not interrupt the sound.
 class CardSound final : public SmallMixer {
   public:
     CardSound(SoundBlaster card, std::shared_ptr<Kept> kept) : card_(card), kept_(std::move(kept)) {
@@ -35,7 +35,7 @@ class CardSound final : public SmallMixer {
         card_.stop();
         kept_->recordings = std::move(recordings_);
     }
-    /// A file that was emptied is a recording that was kept.
+    /// An emptied file stands for a kept recording.
     SoundNumber add_sound(std::span<const std::int16_t> samples, std::int32_t rate_hz) override {
         const std::size_t number = recordings_.size();
         if (!samples.empty() || number >= kept_->recordings.size()) return SmallMixer::add_sound(samples, rate_hz);
@@ -54,7 +54,7 @@ class CardSound final : public SmallMixer {
         if (++interrupts_ % kEvery == 0) fill();
     }
 
-    // What was played becomes silence: that is heard while DOS is asked, and nothing again.
+    // Overwrites played samples with silence, so that they are not repeated while DOS is called.
     void fill() {
         const std::size_t playing = card_.position();
         for_each_part(played_, playing, [](std::span<std::uint8_t> part) {
@@ -72,7 +72,7 @@ class CardSound final : public SmallMixer {
 
     std::size_t distance(std::size_t from, std::size_t to) const { return (to - from) % ring_.size(); }
 
-    // The ring's end may lie between.
+    // The range may wrap around the ring's end.
     template <class Use>
     bool for_each_part(std::size_t from, std::size_t to, Use use) {
         if (from <= to) return use(ring_.subspan(from, to - from));
@@ -83,7 +83,7 @@ class CardSound final : public SmallMixer {
     std::shared_ptr<Kept> kept_;
     std::span<std::uint8_t> ring_{reinterpret_cast<std::uint8_t*>(call(Call::LowMemory)), kLowMemory};
     std::uint32_t interrupts_ = 0;
-    std::size_t played_ = 0, end_ = 0;  // in the ring: up to where silence is, and up to where samples are
+    std::size_t played_ = 0, end_ = 0;  // in the ring: the end of the silence, the end of the samples
 };
 
 }  // namespace

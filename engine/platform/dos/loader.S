@@ -1,20 +1,21 @@
-// Loads the game above 1 MB and starts it in protected mode; and later comes back. Assembled twice: as OBLONG.COM, which
-// reads OBLONG.SYS by DOS, and (FROM_DISK) as what follows the disk image's first sector, which reads the same bytes by the
-// BIOS. Either way it lies at offset 0x100 of its segment, and the 64 KB from cs + 0x1000 are free.
+// Loads the game above 1 MB and starts it in protected mode; later returns to real mode. Assembled twice: as
+// OBLONG.COM, which reads OBLONG.SYS through DOS, and (FROM_DISK) as the sectors after the disk image's first one,
+// which read the same bytes through the BIOS. In both cases it is at offset 0x100 of its segment, and the 64 KB from cs
+// + 0x1000 are free.
 //
-// A PC starts in real mode: addresses are segment * 16 + offset, 1 MB and no more. The BIOS copies what is read into
-// memory above that (INT 15h, AH=87h). Protected mode has offsets of 32 bits; the BIOS and DOS can't be called there.
+// A PC starts in real mode: addresses are segment * 16 + offset, up to 1 MB. The BIOS copies data to memory above that
+// (INT 15h, AH=87h). Protected mode has 32-bit offsets; the BIOS and DOS cannot be called there.
 #include "engine/platform/dos/layout.h"
 
-#define PIECE 32768                 // bytes that are read at a time
+#define PIECE 32768                 // bytes read at a time
 
-    // What follows runs in protected mode, with all memory as its data.
+    // After this macro, code runs in protected mode, with all memory as its data.
     .macro ENTER_PROTECTED_MODE
     lgdtl gdtr
     movl %cr0, %eax
     orb $1, %al
     movl %eax, %cr0
-    ljmpl $0x28, $1f                // code of 32 bits, of this segment
+    ljmpl $0x28, $1f                // 32-bit code of this segment
     .code32
 1:  movw $0x10, %ax
     movw %ax, %ds
@@ -28,7 +29,7 @@
     .globl _start
 _start:
     jmp begin
-    // The words after OBLONG on a command line of DOS; in a disk image whoever writes it to a disk may put them here.
+    // The words after OBLONG on a DOS command line. In a disk image they may be written here.
     .ascii "ARGUMENTS:"
 words: .byte 13
     .skip 100
@@ -44,11 +45,11 @@ begin:
 #else
     movw $text_memory, %si
     addw $0x2000, %ax
-    cmpw 2, %ax                     // the end of DOS's memory, in the program segment prefix
+    cmpw 2, %ax                     // the end of DOS memory, from the program segment prefix
     ja fail
 #endif
     movw $text_v86, %si
-    smsww %ax                       // protected already: another is master of it
+    smsww %ax                       // already in protected mode: another program controls it
     testb $1, %al
     jnz fail
     movw $text_486, %si
@@ -96,7 +97,7 @@ loaded:
     ljmpl $0x08, $KERNEL_ADDRESS    // ebx: boot_info
     .code16
 
-// The kernel comes here when the game has ended: in protected mode, in a segment of 16 bits.
+// The kernel jumps here when the game has ended: in protected mode, in a 16-bit segment.
 leave:
     movw $0x20, %ax
     movw %ax, %ds
@@ -107,7 +108,7 @@ leave:
     movl %cr0, %eax
     andb $0xfe, %al
     movl %eax, %cr0
-    .byte 0xea                      // a far jump: only that loads cs as real mode has it
+    .byte 0xea                      // only a far jump loads cs for real mode
     .word in_real_mode
 leave_segment: .word 0
 in_real_mode:
@@ -116,7 +117,7 @@ in_real_mode:
     movw %ax, %es
     movw %ax, %ss
     movzwl saved_sp, %esp
-    lidtl real_idt                  // interrupts by the table at address 0 again
+    lidtl real_idt                  // interrupts through the table at address 0 again
     sti
 #ifndef FROM_DISK
     cmpb $0, dos_is_asked
@@ -132,7 +133,7 @@ fail:
     call print
     xorb %ah, %ah
     int $0x16                       // waits for a key
-    ljmp $0xffff, $0                // where a PC starts
+    ljmp $0xffff, $0                // restarts the PC
 #else
     movb exit_code, %al
     jmp exit
@@ -145,7 +146,7 @@ exit:
 #endif
 
 #ifndef FROM_DISK
-// The kernel asks DOS for something (DosCall of kernel/boot_info.h), and goes on at dos_resume.
+// Makes a DOS call for the kernel (DosCall of kernel/boot_info.h), which continues at dos_resume.
 ask_dos:
     movb $0, dos_is_asked
     movw dos_bx, %bx
@@ -166,9 +167,8 @@ ask_dos:
     ljmpl *%cs:dos_resume
     .code16
 
-// Where the driver of extended memory (XMS) has given any away, as to a disk cache, DOS is not called once the game has
-// overwritten that; but what a driver of expanded memory keeps for the system, as handle 0, is none of a cache's: DOSBox
-// has 128 KB there.
+// If the driver of extended memory (XMS) has allocated any, for example for a disk cache, DOS is not called after the
+// game has overwritten it. Memory of the expanded-memory driver's own handle 0 does not count: DOSBox has 128 KB there.
 check_memory:
     movw $0x4300, %ax
     int $0x2f
@@ -180,7 +180,7 @@ check_memory:
     movw %bx, xms_driver
     movw %es, xms_driver + 2
     popw %es
-    movb $8, %ah                    // dx: what is free, KB
+    movb $8, %ah                    // dx: free KB
     lcall *xms_driver
     xorw %ax, %ax
     movw %ax, %fs
@@ -196,7 +196,7 @@ check_memory:
     shlw $4, %bx
     addw %bx, %dx
 2:
-    movb $0x31, %al                 // what there is, KB, in the battery-backed clock's memory
+    movb $0x31, %al                 // the total KB, from the CMOS memory
     outb %al, $0x70
     inb $0x71, %al
     movb %al, %ch
@@ -204,14 +204,14 @@ check_memory:
     outb %al, $0x70
     inb $0x71, %al
     movb %al, %cl
-    addw $64, %dx                   // of DOS itself
+    addw $64, %dx                   // used by DOS itself
     jc 1f
     cmpw %cx, %dx
     jae 1f
     movl $0, info_dos
 1:  ret
 
-critical_error:                     // DOS would ask whether to try again, in text, in the picture: the call fails
+critical_error:                     // without this, DOS would ask for a retry, as text over the picture: fails the call
     movb $3, %al
     iret
 #endif
@@ -241,7 +241,7 @@ has_486:                            // not zero: flag AC (bit 18) of the 486 can
     testl $0x40000, %eax
     ret
 
-open_a20:                           // or address line 20 is held at 0, as on an 8086
+open_a20:                           // otherwise address line 20 is held at 0, as on an 8086
     movw $0x2401, %ax
     int $0x15
     inb $0x92, %al
@@ -250,7 +250,7 @@ open_a20:                           // or address line 20 is held at 0, as on an
     outb %al, $0x92
     ret
 
-set_bases:                          // this segment's address, where it is needed
+set_bases:                          // stores this segment's address where it is needed
     movw %cs, %ax
     movw %ax, leave_segment
     addw $0x1000, %ax
@@ -276,16 +276,16 @@ set_bases:                          // this segment's address, where it is neede
     orl %eax, gdt + 0x20 + 2
     orl %eax, gdt + 0x28 + 2
     movl $KERNEL_ADDRESS, %eax
-set_copy_to:                        // eax: where the next piece goes
+set_copy_to:                        // eax: the address for the next piece
     movl %eax, copy_to
     movl %eax, bios_gdt + 26
     movb $0x93, bios_gdt + 29
     ret
 
 #ifdef FROM_DISK
-// Sectors are asked for by cylinder, head and sector, which every BIOS understands.
+// Sectors are addressed by cylinder, head and sector, which every BIOS supports.
 open_file:
-    movb $8, %ah                    // the drive's shape
+    movb $8, %ah                    // the drive's geometry
     movb drive, %dl
     pushw %es
     int $0x13
@@ -298,7 +298,7 @@ open_file:
     xorb %ch, %ch
     incw %cx
     movw %cx, heads
-    xorw %ax, %ax                   // the boot sector is still there
+    xorw %ax, %ax                   // the boot sector is still in memory
     movw %ax, %fs
     movl %fs:0x7c00 + 440, %eax
     movl %eax, end_sector
@@ -381,7 +381,7 @@ gdtr: .word 47
     .long gdt
 real_idt: .word 0x3ff
     .long 0
-bios_gdt:                           // what the BIOS copies by: from (at 16), to (at 24)
+bios_gdt:                           // descriptors for the BIOS's copy: from (at 16), to (at 24)
     .quad 0, 0
     .quad 0xffff, 0xffff, 0, 0
 

@@ -73,7 +73,7 @@ PlatformInput Pc::poll() {
     return std::exchange(input_, {});
 }
 
-// What the mouse did on its way is no turn of the view.
+// Mouse motion before the capture does not turn the view.
 void Pc::capture_mouse(bool is_captured) {
     if (is_captured_ == is_captured) return;
     take_mouse();
@@ -93,7 +93,7 @@ bool Pc::wait_for_input(std::int32_t timeout_ms) {
     return false;
 }
 
-// A picture that took longer than the beam is not held up further.
+// Does not wait after a picture that took longer than a frame of the display.
 void Pc::present(Framebuffer picture, const Palette& palette, const PresentRect&) {
     constexpr std::uint64_t kFrame_us = 1'000'000 / 70;
     if (settings_.waits_for_display && now_us() - shown_us_ < kFrame_us) vga_.wait_for_retrace();

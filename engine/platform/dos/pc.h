@@ -9,13 +9,13 @@
 
 namespace oblong::dos {
 
-/// A PC without a system: VGA, keyboard, PS/2 mouse, timer.
+/// A PC without an operating system: VGA, keyboard, PS/2 mouse, timer.
 class Pc : public Platform {
   public:
     bool is_open() const override { return true; }  ///< until the player leaves
     PlatformInput poll() override;
     std::uint64_t now_us() override;
-    /// A monitor of 4:3 whose pixels are square: the picture fills it, and nothing is drawn around it.
+    /// A 4:3 monitor with square pixels: the picture fills it.
     WindowSize window_size() const override { return {1600, 1200}; }
     void set_title(const char*) override {}
     void capture_mouse(bool is_captured) override;
@@ -32,8 +32,8 @@ class Pc : public Platform {
     Vga vga_;
     WindowSettings settings_;
     PlatformInput input_;
-    bool is_extended_ = false;            // the next byte is of a key that the first keyboards had not
-    std::map<std::uint16_t, bool> held_;  // keys, by their usages
+    bool is_extended_ = false;            // the last byte was E0h
+    std::map<std::uint16_t, bool> held_;  // keys, by usage
     bool is_captured_ = false;
     std::uint32_t buttons_ = 0;
     Pointer pointer_{800, 600, false, false};

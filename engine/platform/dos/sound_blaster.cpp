@@ -5,14 +5,14 @@
 
 #include "engine/platform/dos/kernel/ports.h"
 
-// The card's processor (DSP) takes its samples by the DMA controller (8237), which reads memory by itself. (Creative
+// The card's processor (DSP) gets its samples through the DMA controller (8237), which reads memory itself. (Creative
 // Labs, "Sound Blaster Series Hardware Programming Guide".)
 
 namespace oblong::dos {
 namespace {
 
-constexpr int kReset = 0x6, kRead = 0xa, kWrite = 0xc, kHasByte = 0xe;  // ports, from the card's first
-constexpr int kLongestWait = 2000;                                      // readings of a port, a microsecond each
+constexpr int kReset = 0x6, kRead = 0xa, kWrite = 0xc, kHasByte = 0xe;  // ports, relative to the card's base
+constexpr int kLongestWait = 2000;                                      // reads of a port, a microsecond each
 constexpr std::uint8_t kVersion = 0xe1, kSpeakerOn = 0xd1, kTimeConstant = 0x40, kRate = 0x41;
 constexpr std::uint8_t kBlockSize = 0x48, kPlayAgainAndAgain = 0x1c;
 
@@ -25,7 +25,7 @@ std::uint8_t byte_of(std::uint32_t value, int number) {
     return static_cast<std::uint8_t>(value >> 8 * number);
 }
 
-// A setting of BLASTER: the number behind a letter.
+// A setting of BLASTER: the number after a letter.
 std::uint32_t setting(const char* blaster, char letter, int base, std::uint32_t usual) {
     for (const char* at = blaster; at != nullptr && *at != 0; ++at)
         if (*at == letter && (at == blaster || at[-1] == ' '))
@@ -92,9 +92,9 @@ void SoundBlaster::start(std::span<const std::uint8_t> ring, std::int32_t rate_h
     for (const std::uint8_t byte : {kBlockSize, byte_of(last, 0), byte_of(last, 1), kPlayAgainAndAgain}) tell(byte);
 }
 
-// The controller's count goes down while it is read, a byte at a time.
+// The controller's count changes while its two bytes are read, so it is read until two values agree.
 std::size_t SoundBlaster::position() const {
-    read_port(port(kHasByte));  // the card has interrupted, for nobody
+    read_port(port(kHasByte));  // acknowledges the card's interrupt
     const auto count_port = static_cast<std::uint16_t>(2 * channel_ + 1);
     const auto left = [count_port] {
         write_port(kClearFlipFlop, 0);

@@ -9,13 +9,13 @@ namespace oblong::dos {
 /// A Sound Blaster 2.0 or a later one.
 class SoundBlaster {
   public:
-    /// Where DOS's variable BLASTER has it ("A220 I5 D1"), which may be null: where most have it.
+    /// The card at the address in DOS's variable BLASTER ("A220 I5 D1"); null: at the usual address.
     static std::optional<SoundBlaster> find(const char* blaster);
 
-    /// Plays these bytes again and again until stop(): samples around 128, `rate_hz` a second. They are below 1 MB and
-    /// cross no boundary of 64 KB.
+    /// Plays these bytes in a loop until stop(): samples around 128, `rate_hz` a second. They are below 1 MB and cross
+    /// no 64 KB boundary.
     void start(std::span<const std::uint8_t> ring, std::int32_t rate_hz);
-    /// Which byte of the ring is played.
+    /// The index of the byte of the ring that is played.
     std::size_t position() const;
     void stop();
 

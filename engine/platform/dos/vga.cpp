@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint16_t kMiscellaneous = 0x3c2, kSequencer = 0x3c4, kColourIndex = 0x3c8, kColour = 0x3c9;
 constexpr std::uint16_t kCrtController = 0x3d4, kInputStatus = 0x3da;
 
-// An indexed register: the port's number, the next port's value.
+// An indexed register: the index goes to a port, the value to the next port.
 struct Register {
     std::uint8_t index, value;
 };
@@ -24,23 +24,23 @@ void write(std::uint16_t port, Register to) {
     write_port(static_cast<std::uint16_t>(port + 1), to.value);
 }
 
-// In mode 13h the VGA puts each four bytes that follow each other into its four planes ("chain 4"), which leaves three
-// quarters of its memory out. Switched off, a write goes to the planes that the sequencer's register 2 names: modes of
-// more pixels (M. Abrash, "Mode X: 256-Color VGA Magic", Dr. Dobb's Journal, July 1991).
+// In mode 13h the VGA distributes four consecutive bytes to its four planes ("chain 4"), which leaves three quarters of
+// its memory unused. With chain 4 off, a write goes to the planes selected by the sequencer's register 2, which allows
+// modes of more pixels (M. Abrash, "Mode X: 256-Color VGA Magic", Dr. Dobb's Journal, July 1991).
 constexpr Register kNoChain4{0x04, 0x06};
-constexpr Register kUnchained[] = {{0x14, 0x00}, {0x17, 0xe3}};  // of the controller: addresses go by bytes
-constexpr Register k400Lines[] = {{0x09, 0x40}};                 // each line once, not twice
-// 480 lines of a screen of 525, as of mode 12h: total, overflow, retrace, the last one shown, blanking.
+constexpr Register kUnchained[] = {{0x14, 0x00}, {0x17, 0xe3}};  // of the CRT controller: byte addressing
+constexpr Register k400Lines[] = {{0x09, 0x40}};                 // no line doubling
+// 480 of 525 lines, as in mode 12h: total, overflow, retrace, last line shown, blanking.
 constexpr Register k480Lines[] = {{0x06, 0x0d}, {0x07, 0x3e}, {0x10, 0xea}, {0x11, 0xac},
                                   {0x12, 0xdf}, {0x15, 0xe7}, {0x16, 0x06}};
 constexpr Register kTwice[] = {{0x09, 0x41}}, kOnce[] = {{0x09, 0x40}};
-// 360 pixels a line at 28.3 MHz, in units of four: total, shown, blanking, retrace, and how far lines are apart.
+// 360 pixels a line at 28.3 MHz, in units of four: total, shown, blanking, retrace, line pitch.
 constexpr Register k360Pixels[] = {{0x00, 0x6b}, {0x01, 0x59}, {0x02, 0x5a}, {0x03, 0x8e},
                                    {0x04, 0x5e}, {0x05, 0x8a}, {0x13, 0x2d}};
 
 struct ModeRegisters {
     VgaMode mode;
-    std::uint8_t miscellaneous;  // the clock, and by the pulses' polarities how tall the monitor shows it
+    std::uint8_t miscellaneous;  // the clock, and the sync polarities, which tell the monitor the number of lines
     std::span<const Register> lines, doubling, columns;
 };
 constexpr ModeRegisters kModes[] = {{{320, 240}, 0xe3, k480Lines, kTwice, {}},
@@ -85,7 +85,7 @@ void copy_nearest(Framebuffer picture) {
 
 }  // namespace
 
-// From mode 13h on, all registers that any of them changes.
+// First writes mode 13h's values of all registers that any mode changes.
 void Vga::set_mode(VgaMode mode) {
     static constexpr Register k13h[] = {{0x00, 0x5f}, {0x01, 0x4f}, {0x02, 0x50}, {0x03, 0x82}, {0x04, 0x54},
                                         {0x05, 0x80}, {0x06, 0xbf}, {0x07, 0x1f}, {0x09, 0x41}, {0x10, 0x9c},
@@ -98,7 +98,7 @@ void Vga::set_mode(VgaMode mode) {
     write(kSequencer, kRun);
     write(kSequencer, wanted != nullptr ? kNoChain4 : kChain4);
     write(kSequencer, kAllPlanes);
-    write(kCrtController, {0x11, 0x0e});  // or the first eight can't be written
+    write(kCrtController, {0x11, 0x0e});  // unlocks the first eight
     const auto write_all = [](std::span<const Register> registers) {
         for (const Register& each : registers) write(kCrtController, each);
     };
@@ -116,7 +116,7 @@ void Vga::set_mode(VgaMode mode) {
 
 void Vga::wait_for_retrace() {
     constexpr std::uint8_t kIsRetrace = 8;
-    constexpr int kMost = 100'000;  // readings: a card without it would stop the game
+    constexpr int kMost = 100'000;  // reads: a card without a retrace must not stop the game
     for (int i = 0; i < kMost && (read_port(kInputStatus) & kIsRetrace) != 0; ++i) {
     }
     for (int i = 0; i < kMost && (read_port(kInputStatus) & kIsRetrace) == 0; ++i) {
@@ -125,7 +125,7 @@ void Vga::wait_for_retrace() {
 
 void Vga::set_palette(const Palette& palette) {
     if (has_palette_ && palette.colours == palette_.colours) return;
-    wait_for_retrace();  // or those that are shown flicker
+    wait_for_retrace();  // else visible colours flicker
     write_port(kColourIndex, 0);
     for (const Rgb8& colour : palette.colours)
         for (const std::uint8_t part : {colour.red, colour.green, colour.blue}) write_port(kColour, narrow_dac6(part));

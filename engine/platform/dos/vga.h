@@ -7,7 +7,7 @@
 
 namespace oblong::dos {
 
-/// The VGA's modes of 256 colours: mode 13h, which the BIOS knows, and those "X" that its registers can do besides.
+/// A 256-colour mode of the VGA: mode 13h of the BIOS, or a "mode X" set through registers.
 struct VgaMode {
     std::int32_t width_px, height_px;
     bool operator==(const VgaMode&) const = default;
@@ -16,10 +16,10 @@ struct VgaMode {
 /// The screen of a VGA.
 class Vga {
   public:
-    /// Shows a picture, of 320x200, 320x240, 320x400 or 360x480 pixels as it is; of another size the nearest pixels, in
-    /// 320x200. Colours have 6 bits each. They change while nothing is shown.
+    /// Shows a picture: 320x200, 320x240, 320x400 or 360x480 pixels unchanged, other sizes as nearest pixels in
+    /// 320x200. Colours have 6 bits a channel, and change during the retrace.
     void show(Framebuffer picture, const Palette& palette);
-    /// Until the beam goes back to the top, 70 times a second (60 in 240 and 480 lines).
+    /// Waits for the vertical retrace, 70 times a second (60 with 240 and 480 lines).
     void wait_for_retrace();
 
   private:

@@ -10,7 +10,7 @@ namespace oblong {
 /// A platform without a screen: scripted input, a clock that advances one tick a poll, frames passed to a callback.
 class HeadlessPlatform final : public Platform {
   public:
-    /// The input at each poll; poll 0 is the first.
+    /// The input at each poll, counted from 0.
     using Script = std::function<PlatformInput(std::int64_t poll)>;
     using FrameSink = std::function<void(Framebuffer, const Palette&)>;
 

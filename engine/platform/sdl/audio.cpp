@@ -19,8 +19,7 @@ using AlsaErrorHandler = void (*)(const char* file, int line, const char* functi
 
 void ignore_alsa_error(const char*, int, const char*, int, const char*, ...) {}
 
-// Where there is no sound card, ALSA's library writes a dozen lines on standard error by itself: the game says it in
-// one.
+// Without a sound card, ALSA's library writes a dozen lines to standard error; the game's own message is one line.
 void silence_alsa() {
     void* library = SDL_LoadObject("libasound.so.2");
     if (library == nullptr) return;
@@ -29,7 +28,7 @@ void silence_alsa() {
     if (set_handler != nullptr) set_handler(ignore_alsa_error);
 }
 
-// SDL asks for samples in a thread of its own, and converts them where the device wants others.
+// SDL requests samples in its own thread, and converts them for the device if needed.
 class SdlAudio final : public Mixer {
   public:
     SdlAudio() {

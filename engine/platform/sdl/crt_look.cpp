@@ -9,7 +9,7 @@
 namespace oblong {
 namespace {
 
-constexpr std::uint8_t kGlow = 90;  // of 255: what the mask takes away on the whole
+constexpr std::uint8_t kGlow = 90;  // of 255: makes up for the mask's loss of light
 
 bool has_size(SDL_Texture* texture, int width, int height) {
     int is_width = 0, is_height = 0;
@@ -41,7 +41,7 @@ void CrtLook::draw_mask(const PresentRect& shown, int rows) {
     SDL_RenderCopy(renderer_, mask_.get(), nullptr, &target);
 }
 
-// A copy of half the size, spread over the picture and added to it.
+// Adds a half-size copy, enlarged, to the picture.
 void CrtLook::draw_glow(SDL_Texture* picture, int width, int height, const PresentRect& shown) {
     if (!has_size(glow_.get(), width / 2, height / 2)) {
         glow_.reset(

@@ -5,14 +5,14 @@
 
 namespace oblong {
 
-/// Makes the picture in a window look like that of a tube. Its textures are made when a picture is first drawn.
+/// Draws the CRT look over the picture in a window. Its textures are made at the first picture.
 class CrtLook {
   public:
     /// The renderer outlives it.
     explicit CrtLook(SDL_Renderer* renderer) : renderer_(renderer) {}
 
-    /// Draws over a picture that is shown in `shown`: scanlines and a mask, then the glow around what is bright. Leaves
-    /// out what the renderer can't do.
+    /// Draws over a picture that is shown in `shown`: scanlines and a mask, then the glow around bright parts. Leaves
+    /// out effects that the renderer does not support.
     void draw_over(SDL_Texture* picture, const PresentRect& shown);
 
   private:

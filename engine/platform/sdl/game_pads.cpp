@@ -16,7 +16,7 @@ static_assert(static_cast<int>(PadButton::Touchpad) == SDL_CONTROLLER_BUTTON_TOU
 static_assert(static_cast<int>(PadAxis::RightTrigger) == SDL_CONTROLLER_AXIS_TRIGGERRIGHT);
 static_assert(kFullAxis == SDL_JOYSTICK_AXIS_MAX);
 
-// What makers print on the buttons, in PadButton's order, then on the triggers; the rest is called as it is everywhere.
+// The labels on buttons, in PadButton's order, and on the triggers; "": the common name.
 struct MakersNames {
     std::array<std::string_view, 11> buttons;
     std::string_view left_trigger, right_trigger;
@@ -67,7 +67,7 @@ GamePads::~GamePads() {
 
 void GamePads::take(const SDL_Event& event, std::vector<InputEvent>& events) {
     switch (event.type) {
-        case SDL_JOYDEVICEADDED:  // also of those that are no gamepads
+        case SDL_JOYDEVICEADDED:  // also for joysticks that are no gamepads
             return add(event.jdevice.which);
         case SDL_CONTROLLERDEVICEREMOVED:
             return remove(event.cdevice.which, events);
@@ -117,7 +117,7 @@ void GamePads::take_axis(const SDL_ControllerAxisEvent& event, std::vector<Input
     if (event.axis >= SDL_CONTROLLER_AXIS_MAX) return;
     const std::int32_t value = event.value;
     const bool is_other = used_ != kNone && event.which != used_;
-    if (is_other && std::abs(value) < kFullAxis / 2) return;  // it lies beside, at rest
+    if (is_other && std::abs(value) < kFullAxis / 2) return;  // another pad's stick at rest
     use_pad(event.which, events);
     const auto axis = static_cast<PadAxis>(event.axis);
     events.push_back({InputEvent::Kind::Axis, pad_axis(axis, true), value, 0});

@@ -14,21 +14,20 @@ union SDL_Event;
 
 namespace oblong {
 
-/// The gamepads that are plugged in, now or later. The one used last acts. Nothing asks a pad for its state: SDL
-/// reports what changes, and without a pad nothing.
+/// The connected gamepads. The one used last is active. No pad is polled: SDL reports changes.
 class GamePads {
   public:
-    /// Without SDL's help for gamepads (an error there) a line on standard error, and no pads.
+    /// If SDL's gamepad support fails, writes a line on standard error, and there are no pads.
     GamePads();
     ~GamePads();
     GamePads(const GamePads&) = delete;
     GamePads& operator=(const GamePads&) = delete;
 
-    /// Adds what the events of gamepads, and no others, say. A pad that SDL has no description of is ignored, with a
-    /// line on standard error.
+    /// Adds the events of gamepads; ignores other events. A pad unknown to SDL is ignored, with a line on standard
+    /// error.
     void take(const SDL_Event& event, std::vector<InputEvent>& events);
 
-    /// What the pad used last calls one of its inputs ("Cross", "L1"); without a pad, name_of().
+    /// The name of an input on the pad used last ("Cross", "L1"); without a pad, name_of().
     std::string local_name_of(Input input) const;
 
   private:

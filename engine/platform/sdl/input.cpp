@@ -14,12 +14,12 @@ bool is_mouse_captured() {
     return SDL_GetRelativeMouseMode() == SDL_TRUE;
 }
 
-// Scancodes, not letters: WASD are four places on the keyboard, in every country.
+// Scancodes, not letters: WASD are the same four places on every keyboard layout.
 Input key_of(SDL_Scancode code) {
     return {Device::Key, static_cast<std::uint16_t>(code)};
 }
 
-// From SDL's numbers, where the middle button is the second one.
+// From SDL's numbers, in which the middle button is 2.
 Input mouse_button_of(std::uint8_t button) {
     constexpr std::array<std::uint16_t, 4> kNumbers{0, 1, 3, 2};
     return mouse_button(button < kNumbers.size() ? kNumbers[button] : button);
@@ -29,7 +29,7 @@ Input wheel_of(WheelTurn turn) {
     return {Device::MouseWheel, static_cast<std::uint16_t>(turn)};
 }
 
-// Counts of the device: neither the system's acceleration nor its scale.
+// Counts of the device, without the system's acceleration and scale.
 void ask_for_raw_motion() {
     SDL_SetHint(SDL_HINT_MOUSE_RELATIVE_SYSTEM_SCALE, "0");
     SDL_SetHint(SDL_HINT_MOUSE_RELATIVE_MODE_WARP, "0");
@@ -63,14 +63,14 @@ void SdlInput::note(InputEvent::Kind kind, Input input) {
     events_.push_back({kind, input, 0, 0});
 }
 
-// A letter as the user's keyboard has it: the key W is called Z on a French one.
+// The letter on the user's keyboard: the key W is Z on a French one.
 std::string SdlInput::local_name_of(Input input) const {
     if (!is_printable_key(input)) return pads_.local_name_of(input);
     const std::string name = SDL_GetKeyName(SDL_GetKeyFromScancode(static_cast<SDL_Scancode>(input.code)));
     return name.size() == 1 && name[0] > ' ' && name[0] <= '~' ? name : name_of(input);
 }
 
-// What the mouse has done on its way to being captured is no turn of the view.
+// Mouse motion before the capture does not turn the view.
 void SdlInput::capture_mouse(bool is_captured) {
     if (is_captured == is_mouse_captured()) return;
     SDL_SetRelativeMouseMode(is_captured ? SDL_TRUE : SDL_FALSE);
@@ -138,7 +138,7 @@ void SdlInput::take_button(const SDL_MouseButtonEvent& button) {
     note(InputEvent::Kind::Click, input);
 }
 
-// A mouse that rests where the window opens, or enters it, has not moved: it chooses nothing.
+// A mouse that rests where the window opens, or enters it, has not moved, so it chooses nothing.
 void SdlInput::take_motion(const SDL_MouseMotionEvent& motion) {
     if (is_mouse_captured()) {
         events_.push_back({InputEvent::Kind::MouseMotion, {}, motion.xrel, motion.yrel});
@@ -149,7 +149,7 @@ void SdlInput::take_motion(const SDL_MouseMotionEvent& motion) {
     pointer_->has_moved |= before && (before->x_px != pointer_->x_px || before->y_px != pointer_->y_px);
 }
 
-// From the window's own units, which a display of high density has fewer of.
+// Converts the window's units to pixels: they differ on high-density displays.
 void SdlInput::point_at(std::int32_t x, std::int32_t y) {
     int width = 0, height = 0, width_px = 0, height_px = 0;
     SDL_GetWindowSize(window_, &width, &height);
@@ -164,7 +164,7 @@ void SdlInput::point_at(std::int32_t x, std::int32_t y) {
 
 void SdlInput::take_wheel(const SDL_MouseWheelEvent& wheel) {
     const auto turn = [&](std::int32_t notches, WheelTurn ahead, WheelTurn back) {
-        constexpr std::int32_t kMost = 16;  // more than a wheel turns between two polls
+        constexpr std::int32_t kMost = 16;  // more notches than a wheel turns between two polls
         notches = std::clamp(notches, -kMost, kMost);
         for (std::int32_t i = 0; i < std::abs(notches); ++i) {
             note(InputEvent::Kind::Press, wheel_of(notches > 0 ? ahead : back));

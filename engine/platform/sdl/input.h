@@ -17,17 +17,17 @@ struct SDL_MouseWheelEvent;
 
 namespace oblong {
 
-/// The keyboard, the mouse and the gamepads of a window. Losing the focus frees the mouse and lets go of all that is
-/// held; Alt+Enter asks for the whole screen, or back.
+/// The keyboard, the mouse and the gamepads of a window. Losing the focus frees the mouse and releases all inputs;
+/// Alt+Enter toggles the whole screen.
 class SdlInput {
   public:
     explicit SdlInput(SDL_Window* window);
 
     /// All that SDL reported since the last poll.
     PlatformInput poll();
-    /// What the input is called on the user's keyboard and the pad used last.
+    /// The name of an input on the user's keyboard or the pad used last.
     std::string local_name_of(Input input) const;
-    /// Lets go of keys and buttons, too: what was pressed in a menu does nothing in the game.
+    /// Also releases keys and buttons, so that presses in a menu do not reach the game.
     void capture_mouse(bool is_captured);
     bool is_closed() const { return is_closed_; }
     /// True once after the renderer lost its textures.

@@ -36,8 +36,8 @@ namespace {
     throw std::runtime_error(std::string(what) + ": " + SDL_GetError());
 }
 
-// SDL falls back to drivers that show nothing: they are used only when asked for by their name alone, neither by an
-// empty one nor at the end of a list.
+// SDL falls back to drivers without a display. They are used only if SDL_VIDEODRIVER is exactly their name: not if it
+// is empty, nor at the end of a list.
 bool shows_nothing() {
     const std::string_view driver = SDL_GetCurrentVideoDriver();
     const char* const wanted = SDL_getenv("SDL_VIDEODRIVER");
@@ -72,7 +72,7 @@ Owned<SDL_Window> make_window(const char* title, WindowSize size) {
     return window;
 }
 
-// A hardware renderer where there is one, else SDL's software renderer.
+// A hardware renderer if there is one, else SDL's software renderer.
 Owned<SDL_Renderer> make_renderer(SDL_Window* window) {
     constexpr std::array<std::uint32_t, 3> wishes{SDL_RENDERER_ACCELERATED | SDL_RENDERER_PRESENTVSYNC,
                                                   SDL_RENDERER_ACCELERATED, SDL_RENDERER_SOFTWARE};
@@ -82,9 +82,8 @@ Owned<SDL_Renderer> make_renderer(SDL_Window* window) {
     fail("no renderer");
 }
 
-// At most how many frames a second a window is shown, whose display is to be waited for. Where presenting does not wait
-// although it was asked to, this does: for an eighth more than the display shows, so that one of 59.94 Hz, which is
-// called 59, is not held up.
+// The most frames a second for a window that waits for its display: the limit if presenting does not wait although it
+// should. It is an eighth above the display's rate, so that a display of 59.94 Hz, reported as 59, is not slowed down.
 std::int32_t display_limit(SDL_Window* window) {
     constexpr int kUnknownRate = 128;
     SDL_DisplayMode mode{};
@@ -151,7 +150,7 @@ std::uint64_t SdlPlatform::now_us() {
 }
 
 void SdlPlatform::set_icon(std::span<const std::uint8_t> rgba, WindowSize size) {
-    std::vector<std::uint8_t> pixels(rgba.begin(), rgba.end());  // SDL asks for what it may write to
+    std::vector<std::uint8_t> pixels(rgba.begin(), rgba.end());  // SDL needs a writable buffer
     const Owned<SDL_Surface> surface(SDL_CreateRGBSurfaceWithFormatFrom(pixels.data(), size.width_px, size.height_px,
                                                                         32, size.width_px * 4, SDL_PIXELFORMAT_RGBA32));
     if (surface) SDL_SetWindowIcon(window_.get(), surface.get());
@@ -163,7 +162,7 @@ WindowSize SdlPlatform::window_size() const {
     return size;
 }
 
-// `texture`, made again if its size differs.
+// Returns `texture`, remade if its size differs.
 SDL_Texture* SdlPlatform::fitted(Owned<SDL_Texture>& texture, int access, WindowSize size, SDL_ScaleMode scale_mode) {
     WindowSize is;
     if (texture) SDL_QueryTexture(texture.get(), nullptr, nullptr, &is.width_px, &is.height_px);
@@ -173,7 +172,7 @@ SDL_Texture* SdlPlatform::fitted(Owned<SDL_Texture>& texture, int access, Window
     return texture.get();
 }
 
-// The picture in whole multiples, to be blended down; the picture itself where the renderer has no room for them.
+// The picture enlarged by whole multiples, to be scaled down with blending; the picture itself if the renderer fails.
 SDL_Texture* SdlPlatform::upscaled(SDL_Texture* picture, WindowSize size) {
     SDL_Texture* target = fitted(upscaled_, SDL_TEXTUREACCESS_TARGET, size, SDL_ScaleModeLinear);
     if (target == nullptr || SDL_SetRenderTarget(renderer_.get(), target) != 0) return picture;
@@ -190,7 +189,7 @@ void SdlPlatform::change_window(const WindowSettings& settings) {
     settings_ = settings;
 }
 
-// Where there is a gamepad SDL looks at it every millisecond: 1.7 % of a processor.
+// With a gamepad, SDL_WaitEventTimeout() polls every millisecond: 1.7 % of a processor.
 bool SdlPlatform::wait_for_input(std::int32_t timeout_ms) {
     if (SDL_NumJoysticks() <= 0) return SDL_WaitEventTimeout(nullptr, timeout_ms) == 1;
     constexpr std::int32_t kStep_ms = 15;
@@ -208,7 +207,7 @@ bool SdlPlatform::is_minimised() const {
 }
 
 void SdlPlatform::present(Framebuffer picture, const Palette& palette, const PresentRect& shown) {
-    constexpr std::int32_t kUnseenFrame_ms = 200;  // less than what TickClock counts of a pause
+    constexpr std::int32_t kUnseenFrame_ms = 200;  // less than the pause that TickClock counts
     if (is_minimised()) {
         wait_for_input(kUnseenFrame_ms);
         return;

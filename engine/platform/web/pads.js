@@ -1,6 +1,6 @@
-// Gamepads of the standard layout; the last one that was used plays.
+// Gamepads with the standard layout; the one used last is active.
 const Pads = {
-  before: new Map(),  // by index: what buttons and axes were
+  before: new Map(),  // by index: the last values of buttons and axes
   used: -1,
   // From the standard layout's buttons to PadButton; its two triggers are axes here.
   BUTTONS: [0, 1, 2, 3, 9, 10, -4, -5, 4, 6, 7, 8, 11, 12, 13, 14, 5],
@@ -8,7 +8,7 @@ const Pads = {
     try {
       return navigator.getGamepads();
     } catch (error) {
-      return [];  // a frame of another page that may not
+      return [];  // not allowed in a frame of another page
     }
   },
   follow() {

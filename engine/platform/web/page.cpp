@@ -11,7 +11,7 @@
 namespace oblong {
 namespace {
 
-/// What page.js knows when it is asked, as it writes it.
+/// The page's state, as page.js writes it.
 struct PageState {
     std::int32_t has_focus, is_hidden, changes_full_screen;
     std::int32_t has_pointer, pointer_x_px, pointer_y_px, has_moved, is_pressed;
@@ -86,7 +86,7 @@ WindowSize PagePlatform::window_size() const {
     return {size[0], size[1]};
 }
 
-// A letter as the user's keyboard has it, where the browser tells.
+// The letter on the user's keyboard, if the browser tells.
 std::string PagePlatform::local_name_of(Input input) const {
     const int letter = input.device == Device::Key ? page_letter(input.code) : 0;
     return letter > ' ' && letter <= '~' ? std::string(1, static_cast<char>(letter)) : name_of(input);

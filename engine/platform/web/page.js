@@ -1,6 +1,6 @@
 "use strict";
-// What of engine/platform/web only the browser can do: input, the whole screen, and by the other scripts the picture,
-// gamepads, touches, sound. page.cpp asks it.
+// The JavaScript part of engine/platform/web: input and full screen; the other scripts do picture, gamepads, touch and
+// sound. Called by page.cpp.
 
 // The numbers of InputEvent::Kind and Device.
 const Kind = {Press: 0, Repeat: 1, Release: 2, Click: 3, Axis: 4, MouseMotion: 5, ReleasePressed: 6, ReleasePad: 7, ReleaseAll: 8};
@@ -25,11 +25,11 @@ const Page = globalThis.Page = {
   events: [],
   pointer: null,  // {x, y, hasMoved, isPressed} in the canvas' pixels; null while the mouse is captured or elsewhere
   isCaptured: false,  // the game wants the mouse
-  isLockRefused: !HTMLCanvasElement.prototype.requestPointerLock,  // then it turns the view as long as it is in the canvas
+  isLockRefused: !HTMLCanvasElement.prototype.requestPointerLock,  // then the mouse turns the view while it is in the canvas
   changesFullScreen: false,
   fillsScreen: false,
-  letters: null,  // the keyboard's layout, where the browser tells
-  hasTouch: !matchMedia("(any-pointer: fine)").matches,  // thumbs, not a mouse, were used last
+  letters: null,  // the keyboard's layout, if the browser tells
+  hasTouch: !matchMedia("(any-pointer: fine)").matches,  // touch, not a mouse, was used last
 
   start() {
     this.screen = new (GlScreen.context(this.canvas) ? GlScreen : Screen)(this.canvas);
@@ -42,19 +42,19 @@ const Page = globalThis.Page = {
 
   note(kind, device = 0, code = 0, x = 0, y = 0) {
     this.events.push([kind, device, code, Math.trunc(x), Math.trunc(y)]);
-    if (this.events.length > 4096) this.events.splice(0, 1024);  // nobody asked for a long time
+    if (this.events.length > 4096) this.events.splice(0, 1024);  // not polled for a long time
   },
   tap(device, code) {
     for (const kind of [Kind.Press, Kind.Release]) this.note(kind, device, code);
   },
 
-  // What the program asks at each picture. Offsets are in 32-bit words.
+  // The state that the program polls for each picture. Offsets are in 32-bit words.
   state(words, at) {
     Pads.follow();
     const pointer = this.isCaptured ? null : this.pointer;
     const {x, y, hasMoved, isPressed} = pointer || {};
     words.set([document.hasFocus(), document.hidden, this.changesFullScreen, pointer !== null, x, y, hasMoved, isPressed,
-               this.events.length], at);  // true is 1; false, and what there is not, 0
+               this.events.length], at);  // true is 1; false and undefined are 0
     this.changesFullScreen = false;
     if (this.pointer) this.pointer.hasMoved = this.pointer.isPressed = false;
   },
@@ -78,7 +78,7 @@ const Page = globalThis.Page = {
   // In pixels of the device, whatever the browser's zoom.
   followSize() {
     const canvas = this.canvas;
-    // The browser's own count differs from the product by its rounding alone.
+    // The browser's exact size differs from the product only by rounding.
     const nearest = (product, exact) => Math.max(1, Math.abs(product - exact) < 2 ? exact : Math.round(product));
     const fit = (exactWidth, exactHeight) => {
       canvas.width = nearest(canvas.clientWidth * devicePixelRatio, exactWidth);
@@ -129,8 +129,8 @@ const Page = globalThis.Page = {
     if (!document.fullscreenElement) document.documentElement.requestFullscreen().catch(giveUp);
   },
 
-  // A mouse that turns the view can't leave the canvas. Browsers grant that after a key or a click alone, and take it
-  // back by Escape, of which they say nothing else: it is that key then.
+  // A mouse that turns the view cannot leave the canvas. Browsers allow that only after a key or a click, and end it on
+  // Escape without a key event: the end is then taken as that key.
   capture(isCaptured) {
     if (isCaptured === this.isCaptured) return;
     this.isCaptured = isCaptured;
@@ -141,7 +141,7 @@ const Page = globalThis.Page = {
     if (isCaptured) this.lockPointer();
     else if (document.pointerLockElement) document.exitPointerLock();
   },
-  // Some browsers report the key as well.
+  // Some browsers also report the key.
   isSecondEscape() {
     const before_ms = this.escape_ms || -1000;
     this.escape_ms = performance.now();
@@ -150,7 +150,7 @@ const Page = globalThis.Page = {
   lockPointer() {
     if (this.hasTouch || !this.canvas.requestPointerLock) return;
     const asked = this.canvas.requestPointerLock();
-    if (asked) asked.catch(() => {});  // pointerlockerror says it, too
+    if (asked) asked.catch(() => {});  // pointerlockerror reports it, too
   },
   turnsView() {
     return this.isCaptured && (document.pointerLockElement === this.canvas || this.isLockRefused);
@@ -184,7 +184,7 @@ const Page = globalThis.Page = {
       this.pointer.isPressed ||= event.button === 0;
       this.note(Kind.Click, Device.MouseButton, BUTTONS[event.button]);
     });
-    // Of several buttons, all but the first are reported as moves.
+    // If several buttons are held, browsers report all but the first as pointermove.
     canvas.addEventListener("mousedown", event => {
       if (event.buttons & event.buttons - 1 && this.turnsView())
         this.note(Kind.Press, Device.MouseButton, BUTTONS[event.button]);

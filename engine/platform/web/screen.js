@@ -1,4 +1,4 @@
-// What the canvas shows, without WebGL: all but the look of a tube.
+// Draws the canvas without WebGL: everything but the CRT look.
 class Screen {
   constructor(canvas) {
     this.canvas = canvas;
@@ -14,7 +14,7 @@ class Screen {
 
   setMask() {}
 
-  // pixels: red, green, blue, 255. rect: x, y, width, height in the canvas, and by how much columns and rows are multiplied first.
+  // pixels: red, green, blue, 255. rect: x, y, width, height in the canvas, and the multiples of columns and rows.
   present(pixels, width, height, rect, ...look) {
     if (++this.shown === 1) {
       this.first_ms = performance.now();
@@ -36,7 +36,7 @@ class Screen {
   }
 }
 
-// By WebGL, with the same scaling as SDL's window has.
+// Draws with WebGL, with the same scaling as SDL's window.
 class GlScreen extends Screen {
   static context(canvas) {
     return canvas.getContext("webgl", {alpha: false, antialias: false, depth: false});
@@ -94,7 +94,7 @@ class GlScreen extends Screen {
     gl.enableVertexAttribArray(corner);
     gl.vertexAttribPointer(corner, 2, gl.FLOAT, false, 0, 0);
     this.place = name => gl.getUniformLocation(program, name);
-    ["mask", "picture"].forEach((name, unit) => {  // the last one stays the active one
+    ["mask", "picture"].forEach((name, unit) => {  // the last one stays active
       gl.activeTexture(gl.TEXTURE0 + unit);
       gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
       for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, filter, unit ? gl.LINEAR : gl.NEAREST);
@@ -103,7 +103,7 @@ class GlScreen extends Screen {
     });
     this.places = Object.fromEntries(["size", "upscale", "is_blended", "has_crt_look"].map(name => [name, this.place(name)]));
     this.width = this.height = 0;  // of the texture
-    this.isLost = true;  // what the canvas showed
+    this.isLost = true;  // the canvas's content
     if (this.mask) this.setMask(...this.mask);
   }
 

@@ -1,8 +1,8 @@
-// Samples that the program mixes, a few hundredths of a second ahead of what is heard.
+// Plays samples that the program mixes a few hundredths of a second ahead.
 class Sound {
   constructor() {
     this.context = new AudioContext({sampleRate: 44100, latencyHint: "interactive"});
-    this.end = 0;  // of what has been mixed, seconds of the context's clock
+    this.end = 0;  // of the mixed samples, seconds of the context's clock
     this.closed = new AbortController();
     const start = () => { if (!document.hidden) this.context.resume(); };
     const follow = (event, act) => addEventListener(event, act, {capture: true, signal: this.closed.signal});
@@ -10,7 +10,7 @@ class Sound {
     follow("visibilitychange", () => document.hidden ? this.context.suspend() : start());
   }
 
-  // mix(frames) returns so many pairs of 16-bit samples, left and right.
+  // mix(frames) returns `frames` pairs of 16-bit samples, left and right.
   play(mix) {
     const AHEAD_s = 0.08, FRAMES = 882;
     const goOn = () => {

@@ -1,9 +1,9 @@
-// Two thumbs: the left one is a stick where it touches, the right one turns the view. In menus and in the gallery a tap
-// clicks, and a thumb that moves presses arrow keys.
+// Touch input: the left thumb is a stick centred where it first touches, the right one turns the view. In menus and in
+// the gallery a tap clicks, and a swipe presses arrow keys.
 const Touch = {
   thumbs: new Map(),
   begin(event) {
-    if (document.pointerLockElement) document.exitPointerLock();  // it would take the touches
+    if (document.pointerLockElement) document.exitPointerLock();  // pointer lock would capture the touches
     document.body.classList.add("touched");
     const isStick = Page.isCaptured && event.clientX < innerWidth / 2;
     this.thumbs.set(event.pointerId, {isStick, isTap: !Page.isCaptured, x: event.clientX, y: event.clientY});
@@ -33,7 +33,7 @@ const Touch = {
     if (this.thumbs.size > 0) this.push(0, 0);
     this.thumbs.clear();
   },
-  // An arrow key every few pixels, by the direction that the thumb has moved further in.
+  // Presses an arrow key every few pixels, by the main direction of the motion.
   swipe(thumb, x, y) {
     const STEP = 24, isAcross = Math.abs(x) > Math.abs(y), way = Math.sign(isAcross ? x : y);
     const key = isAcross ? (way > 0 ? "ArrowRight" : "ArrowLeft") : way > 0 ? "ArrowUp" : "ArrowDown";

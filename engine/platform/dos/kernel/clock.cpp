@@ -1,8 +1,8 @@
 #include "engine/platform/dos/kernel/kernel.h"
 #include "engine/platform/dos/kernel/ports.h"
 
-// Channel 0 of the timer (8253) counts down from a number of 16 bits, interrupts at its end, and begins again. Under
-// DOS that number is 65,536: 18.2 interrupts a second.
+// Channel 0 of the timer (8253) counts down from a 16-bit number, interrupts at the end, and restarts. Under DOS the
+// number is 65,536: 18.2 interrupts a second.
 
 namespace oblong::dos {
 namespace {
@@ -49,7 +49,7 @@ std::uint64_t clock_counts() {
     std::uint32_t left = read_port(kCounter0);
     left |= std::uint32_t{read_port(kCounter0)} << 8;
     std::uint32_t whole = periods;
-    // A period that has ended, but not interrupted yet: the counter has begun anew.
+    // The counter may have restarted with its interrupt still pending.
     write_port(kInterruptController, kReadRequests);
     if ((read_port(kInterruptController) & 1) != 0 && left > kPeriod / 2) ++whole;
     return std::uint64_t{whole} * kPeriod + (kPeriod - left);

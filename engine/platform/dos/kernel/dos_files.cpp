@@ -1,15 +1,15 @@
 #include "engine/platform/dos/kernel/file_table.h"
 #include "engine/platform/dos/kernel/kernel.h"
 
-// The files of the game's folder lie in one file of DOS, as those of the archive (file_table.cpp). It is written anew
-// under another name, and takes the old one's place when all of it is there.
+// The files of the game's folder are stored in one DOS file, in the archive's format (file_table.cpp). A new version is
+// written under another name, and replaces the old one when it is complete.
 
 namespace oblong::dos {
 namespace {
 
 constexpr char kFolder[] = "oblong", kKept[] = "OBLONG.SAV", kNew[] = "OBLONG.NEW", kUnfinished[] = ".part";
 constexpr std::uint32_t kHead = 64, kPiece = 32 * 1024;
-constexpr std::uint16_t kNames = 0xff00;  // in the buffer, behind all pieces
+constexpr std::uint16_t kNames = 0xff00;  // in the buffer, after all pieces
 
 struct Entry {
     char name[kNameSize];
@@ -40,7 +40,7 @@ bool read_all(std::uint16_t handle, void* to, std::uint32_t size) {
     return true;
 }
 
-// Whatever is in a file of DOS must not lead anywhere else.
+// A damaged DOS file must not refer to memory outside it.
 bool is_sound(const Entry& entry, const Head& head) {
     return entry.name[kNameSize - 1] == 0 && name_in(kFolder, entry.name) != nullptr && entry.offset <= head.size &&
            entry.size <= head.size - entry.offset;
@@ -68,7 +68,7 @@ void read_kept_file(std::uint16_t handle) {
     free_pages(archive, whole_pages(head.size));
 }
 
-// Collects pieces for DOS.
+// Collects data into pieces for DOS.
 class Writer {
   public:
     explicit Writer(std::uint16_t handle) : handle_(handle) {}
@@ -136,7 +136,7 @@ void read_kept_files() {
     if (dos_buffer() == nullptr) return;
     make_file(Path(kFolder), true);
     std::int32_t handle = open_kept(kKept);
-    if (handle < 0) handle = open_kept(kNew);  // switched off between the old one's end and the new one's name
+    if (handle < 0) handle = open_kept(kNew);  // power was lost between removing the old file and renaming the new one
     if (handle < 0) return;
     read_kept_file(static_cast<std::uint16_t>(handle));
     call_dos(0x3e00, static_cast<std::uint16_t>(handle), 0, 0);

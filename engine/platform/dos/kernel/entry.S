@@ -1,5 +1,5 @@
-// The kernel's first instruction, at KERNEL_ADDRESS, and the gates of all interrupts: each pushes its number, and they go on
-// as one.
+// The kernel's first instruction, at KERNEL_ADDRESS, and the gates of all interrupts: each pushes its number and jumps
+// to the common handler.
     .code32
     .globl _start, gates
     .section .text.start, "ax"
@@ -12,7 +12,7 @@ _start:
     .altmacro
 .macro GATE number
 gate_\number:
-    // For these the processor pushes a code of its own.
+    // For the other numbers the processor pushes an error code.
   .if (\number != 8) && ((\number < 10) || (\number > 14)) && (\number != 17)
     pushl $0
   .endif
@@ -35,7 +35,7 @@ any_interrupt:
     addl $8, %esp                   // number and code
     iretl
 
-// To the loader in real mode, and back to resume_from_dos: go_to_dos(segments' register, far address).
+// Jumps to the loader, which returns to resume_from_dos: go_to_dos(LGDT operand, far address).
     .globl go_to_dos, resume_from_dos
 go_to_dos:
     pushal

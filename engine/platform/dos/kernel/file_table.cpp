@@ -5,7 +5,7 @@
 namespace oblong::dos {
 namespace {
 
-/// As the archive has it.
+/// An entry of the archive.
 struct ArchivedFile {
     char name[kNameSize];
     std::uint32_t offset, size;  ///< from the archive's beginning
@@ -83,14 +83,14 @@ int make_file(const Path& path, bool is_folder) {
         files[i] = {};
         copy_name(path.name, files[i].name);
         files[i].is_folder = is_folder;
-        files[i].room = 1;  // it may be written
+        files[i].room = 1;  // marks it as writable
         return i;
     }
     return kTooManyFiles;
 }
 
 void remove_file(int file) {
-    // Of an archived file there is nothing but its bytes.
+    // An archived file's room is its size.
     free_pages(files[file].bytes, files[file].room > 1 ? files[file].room : files[file].size);
     files[file].name[0] = 0;
 }

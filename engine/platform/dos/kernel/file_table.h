@@ -2,12 +2,12 @@
 
 #include <cstdint>
 
-// Files are bytes in memory: those of the archive behind the program, which can't be changed, and those that the game
-// makes. A folder is there if a file is in it, or if the game has made it.
+// Files are bytes in memory: read-only ones in the archive behind the program, and those that the game makes. A folder
+// exists if it contains a file, or if the game has made it.
 
 namespace oblong::dos {
 
-/// As Linux numbers them (asm/errno.h).
+/// Linux's numbers (asm/errno.h).
 enum Error : std::int32_t {
     kNoEntry = -2,
     kBadDescriptor = -9,
@@ -28,13 +28,13 @@ inline constexpr std::uint32_t kNameSize = 56;
 inline constexpr int kMostFiles = 256;
 
 struct File {
-    char name[kNameSize];  // without a slash in front; empty: none
+    char name[kNameSize];  // without a leading slash; empty: unused
     const std::uint8_t* bytes;
-    std::uint32_t size, room;  // no room: of the archive
+    std::uint32_t size, room;  // room 0: in the archive, read-only
     bool is_folder;
 };
 
-/// A name as files have it: "/a/./b//c/" is "a/b/c".
+/// A normalised name: "/a/./b//c/" is "a/b/c".
 struct Path {
     char name[kNameSize];
     bool is_too_long = false;
@@ -42,19 +42,19 @@ struct Path {
 };
 
 File& file_of(int number);
-/// -1: there is none.
+/// The number of a file; -1: none.
 int find_file(const Path& path);
 bool is_folder(const Path& path);
 bool has_files(const Path& folder);
-/// What of a file's name comes after the folder's; null where it is not in there.
+/// A file's name relative to a folder; null if the file is not in it.
 const char* name_in(const char* folder, const char* name);
-/// Numbers of new files; an Error where that can't be.
+/// The number of a new file, or an Error.
 int make_file(const Path& path, bool is_folder);
 void remove_file(int number);
 void rename_file(int number, const Path& path);
-/// Whether a file outlives the game (dos_files.cpp).
+/// Whether a file is stored in DOS (dos_files.cpp).
 bool is_kept(const File& file);
-/// Whether a file's bytes can be so many.
+/// Gives a file room for `size` bytes; false if memory is full.
 bool make_room(File& file, std::uint32_t size);
 
 }  // namespace oblong::dos

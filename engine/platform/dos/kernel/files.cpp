@@ -1,7 +1,7 @@
 #include "engine/platform/dos/kernel/file_table.h"
 #include "engine/platform/dos/kernel/kernel.h"
 
-// Linux's system calls about files.
+// Linux's system calls for files.
 
 namespace oblong::dos {
 namespace {
@@ -9,7 +9,7 @@ namespace {
 constexpr int kMostOpen = 32, kStandardFiles = 3;
 
 struct Open {
-    int file = -1;  // of files; -1: closed
+    int file = -1;  // number of a file; -1: closed
     std::uint32_t at = 0;
 };
 Open opened[kMostOpen];
@@ -85,7 +85,7 @@ std::int32_t each_piece(const Registers& registers, Do do_one) {
     return all;
 }
 
-// Linux's _llseek: a place of 64 bits, which is also written to esi.
+// Linux's _llseek: a 64-bit position, also written to the address in esi.
 std::int32_t seek(const Registers& registers) {
     Open* const open = open_file(registers.ebx);
     if (open == nullptr) return registers.ebx < kStandardFiles ? -29 : kBadDescriptor;
@@ -99,7 +99,7 @@ std::int32_t seek(const Registers& registers) {
     return 0;
 }
 
-// What statx() fills: kind and size are enough. (As linux/stat.h has it.)
+// Fills the result of statx() (linux/stat.h): kind and size are enough.
 std::int32_t describe(const Registers& registers) {
     constexpr std::uint16_t kFile = 0100644, kFolder = 0040755, kDevice = 0020620;
     const auto* const name = reinterpret_cast<const char*>(registers.ecx);
@@ -137,7 +137,7 @@ std::int32_t rename(const char* from, const char* to) {
     if (file_of(file).room == 0) return kReadOnly;
     const int former = find_file(target);
     if (former == file) return 0;
-    // Gone for now, and for good when DOS has the new one.
+    // Hides the old file; it is removed when DOS has the new one.
     char none = 0;
     char& former_start = former < 0 ? none : file_of(former).name[0];
     const char letter = former_start;
@@ -171,7 +171,7 @@ std::int32_t make_folder(const char* name) {
     return made < 0 ? made : 0;
 }
 
-// getdents64: a folder's files; folders within it only where the game has made them.
+// getdents64: a folder's files, and its folders that the game has made.
 std::int32_t list(const Registers& registers) {
     struct Entry {
         std::uint64_t inode, next;
@@ -244,13 +244,13 @@ std::int32_t system_call_of_files(Registers& registers, bool& is_known) {
             return kNoTerminal;  // ioctl
         case 85:
         case 305:
-            return kInvalid;  // readlink: none is a link
+            return kInvalid;  // readlink: there are no links
         case 118:
         case 148:
             return 0;  // fsync
         case 55:
         case 221:
-            return 0;  // fcntl: nobody else locks a file
+            return 0;  // fcntl: no other program locks files
         case 140:
             return seek(registers);
         case 145:

@@ -1,27 +1,27 @@
 #include "engine/platform/dos/kernel/kernel.h"
 #include "engine/platform/dos/kernel/ports.h"
 
-// Two interrupt controllers (8259) tell the processor which device wants it: the timer is line 0, the keyboard 1, the
-// second controller is on line 2 of the first, and the mouse is its line 4, which makes 12.
+// Two interrupt controllers (8259) forward interrupts of devices: the timer is line 0, the keyboard line 1; the second
+// controller is on line 2 of the first, and the mouse is its line 4, interrupt line 12.
 
 extern "C" const std::uint32_t gates[49];  // of entry.S
 
 namespace oblong::dos {
 namespace {
 
-constexpr std::uint16_t kFirst = 0x20, kSecond = 0xa0;  // ports of the controllers; their masks' are the next
+constexpr std::uint16_t kFirst = 0x20, kSecond = 0xa0;  // ports of the controllers; their masks are at the next port
 constexpr std::uint8_t kEndOfInterrupt = 0x20;
 constexpr std::uint32_t kFirstLine = 32, kTimer = kFirstLine, kKeyboard = kFirstLine + 1, kMouse = kFirstLine + 12;
 constexpr std::uint8_t kTimerLine = 1 << 0, kKeyLine = 1 << 1, kSecondLine = 1 << 2;  // of the first one's mask
 constexpr std::uint8_t kMouseLine = 1 << 4;                                           // of the second one's
 constexpr std::uint32_t kInvalidOpcode = 6, kSystemCall = 0x80;
-constexpr std::uint8_t kDosFirstLine = 8, kDosSecondLine = 0x70;  // where DOS has them
+constexpr std::uint8_t kDosFirstLine = 8, kDosSecondLine = 0x70;  // the interrupt numbers under DOS
 
 struct Gate {
     std::uint16_t low, segment, kind, high;
 };
 Gate table[kSystemCall + 1];
-std::uint8_t first_mask, second_mask;  // of DOS
+std::uint8_t first_mask, second_mask;  // under DOS
 
 void set_gate(std::uint32_t number, std::uint32_t address) {
     constexpr std::uint16_t kInterruptGate = 0x8e00, kCode = 0x08;
@@ -29,7 +29,7 @@ void set_gate(std::uint32_t number, std::uint32_t address) {
                      static_cast<std::uint16_t>(address >> 16)};
 }
 
-// Which interrupts the lines of both are, and which lines are heard.
+// Sets the interrupt numbers of both controllers' lines, and their masks.
 void set_controllers(std::uint8_t first_line, std::uint8_t second_line, std::uint8_t mask,
                      std::uint8_t mask_of_second) {
     constexpr std::uint8_t kInitialise = 0x11, kSecondIsOnLine2 = 4, kOnLine2 = 2, k8086 = 1;

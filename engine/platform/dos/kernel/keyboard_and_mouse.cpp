@@ -1,14 +1,14 @@
 #include "engine/platform/dos/kernel/kernel.h"
 #include "engine/platform/dos/kernel/ports.h"
 
-// One controller (8042) has both: it interrupts for each byte that one of them sends.
+// One controller (8042) serves both, and interrupts for each byte from one of them.
 
 namespace oblong::dos {
 namespace {
 
 constexpr std::uint16_t kData = 0x60, kControl = 0x64;
 constexpr std::uint8_t kHasByte = 1, kIsBusy = 2;  // of its status
-constexpr int kLongestWait = 20'000;               // readings of it, a microsecond each
+constexpr int kLongestWait = 20'000;               // reads of it, a microsecond each
 constexpr std::size_t kKeys = 256;
 
 volatile std::uint8_t keys[kKeys];  // a ring
@@ -39,14 +39,14 @@ void tell_mouse(std::uint8_t byte) {
     constexpr std::uint8_t kToMouse = 0xd4;
     command(kToMouse);
     send(byte);
-    receive();  // that it has heard
+    receive();  // the acknowledgement
 }
 
 }  // namespace
 
 void start_mouse() {
     constexpr std::uint8_t kEnableMouse = 0xa8, kReadSettings = 0x20, kWriteSettings = 0x60;
-    constexpr std::uint8_t kInterrupts = 0x03, kDisabled = 0x30;  // of both; of both
+    constexpr std::uint8_t kInterrupts = 0x03, kDisabled = 0x30;  // bits of keyboard and mouse
     constexpr std::uint8_t kDefaults = 0xf6, kReport = 0xf4;      // 100 reports a second, four counts a millimetre
     const WithoutInterrupts during;
     command(kEnableMouse);
@@ -72,7 +72,7 @@ int next_key_byte() {
     return byte;
 }
 
-// Three bytes: buttons and signs, how far to the right, how far up.
+// Three bytes: buttons and signs, motion to the right, motion up.
 void take_mouse_byte() {
     constexpr std::uint8_t kIsFirst = 0x08, kLeft = 0x10, kDown = 0x20, kButtons = 0x07;
     const std::uint8_t byte = read_port(kData);

@@ -10,7 +10,7 @@ namespace {
 const BootInfo* boot;
 constexpr std::uint16_t kSerial = 0x3f8, kLineState = 0x3fd;  // COM1
 constexpr int kLongestWait = 20'000;
-// The last that was put: what the program says before it ends is why it does.
+// The last text that was put: the reason why the program ends.
 constexpr std::uint32_t kKept = 512;
 char kept[kKept];
 std::uint32_t kept_end;
@@ -30,7 +30,7 @@ struct [[gnu::packed]] FarAddress {
     std::uint16_t segment;
 };
 
-// Lines end as DOS has it.
+// Converts line ends to DOS's.
 void write_message(char* to, std::uint32_t room) {
     std::uint32_t at = kept_end > kKept ? kept_end - kKept : 0, size = 0;
     for (; at < kept_end && size + 3 < room; ++at) {
@@ -52,7 +52,7 @@ const char* command_line() {
     return boot->words;
 }
 
-// The program segment prefix, which the command line is in, has the segment of all variables, each ended by 0.
+// The program segment prefix, which contains the command line, has the segment of the variables, each terminated by 0.
 const char* dos_variable(const char* name) {
     constexpr std::uint32_t kWords = 0x81, kVariables = 0x2c;
     if (boot->dos == nullptr) return nullptr;
@@ -66,7 +66,7 @@ const char* dos_variable(const char* name) {
     return nullptr;
 }
 
-// In the buffer, between what dos_files.cpp has there.
+// A part of the buffer that dos_files.cpp does not use.
 std::uint8_t* low_memory() {
     return reinterpret_cast<std::uint8_t*>(whole_pages(reinterpret_cast<std::uint32_t>(boot->buffer) + 0x8000));
 }
@@ -91,7 +91,7 @@ std::uint8_t* dos_buffer() {
     return boot->dos != nullptr ? boot->buffer : nullptr;
 }
 
-// Meanwhile the PC is as DOS has it, but for keys: they wait.
+// During the call, timer and interrupts are DOS's, except those of keyboard and mouse.
 std::int32_t call_dos(std::uint16_t ax, std::uint16_t bx, std::uint16_t cx, std::uint16_t dx, std::uint16_t di) {
     if (boot->dos == nullptr) return -1;
     const WithoutInterrupts during;

@@ -1,20 +1,20 @@
 #include "engine/platform/dos/kernel/kernel.h"
 #include "engine/platform/dos/kernel/ports.h"
 
-// Without paging an address is a place in memory. The heap grows from the program's end up, pages are given from
-// memory's end down; where they meet, it is full.
+// Without paging, addresses are physical. The heap grows up from the program's end, pages are taken down from the end
+// of memory.
 
 namespace oblong::dos {
 namespace {
 
 constexpr std::uint32_t kMegabyte = 1 << 20, kMostMemory = 64 * kMegabyte;
-// Where the heap can't grow, the C library asks for pages of 1 MB together instead.
+// If the heap cannot grow, the C library asks for 1 MB of pages instead.
 constexpr std::uint32_t kHeapReserve = kMegabyte;
 bool is_taken[kMostMemory / kPage];
 std::uint32_t first, heap_end, end, most;
-std::int32_t taken;  // pages beyond those of the program and its archive; fewer than 0 where some of these are free
+std::int32_t taken;  // pages beyond those of the program and its archive; below 0 if some of these are free
 
-// The battery-backed clock's memory: kilobytes above 1 MB, as the BIOS found them.
+// Kilobytes above 1 MB, as the BIOS has stored them in the CMOS memory.
 std::uint32_t kilobytes() {
     const auto read = [](std::uint8_t cell) {
         write_port(0x70, cell);
@@ -28,8 +28,8 @@ void note_use() {
     if (used > most) most = used;
 }
 
-// The end of the smallest room of free pages that has this size, neither of the heap nor of the `reserve` behind it; 0:
-// there is none.
+// The end of the smallest range of free pages of at least this size, outside the heap and the `reserve` behind it; 0:
+// none.
 std::uint32_t find_room(std::uint32_t size, std::uint32_t reserve) {
     std::uint32_t room = 0, best = 0, best_end = 0;
     for (std::uint32_t at = kPage; at <= end; at += kPage) {
@@ -77,7 +77,7 @@ void* take_pages(std::uint32_t bytes) {
     return memset(reinterpret_cast<void*>(at), 0, size);
 }
 
-// Files of the archive share pages: the one in which two meet is free when both are, the former one first.
+// Files of the archive share pages: a page shared by two files is freed when both are, if the first one is freed first.
 void free_pages(const void* bytes, std::uint32_t size) {
     constexpr std::uint32_t kFilesApart = 16;
     static std::uint32_t freed_from, freed_to;

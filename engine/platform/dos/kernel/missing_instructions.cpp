@@ -1,8 +1,7 @@
 #include "engine/platform/dos/kernel/kernel.h"
 
-// The game is compiled for an i486, but Debian's C library for processors from the Pentium Pro on: that one's CMOV, its
-// comparisons of floating-point numbers that set flags, and long NOPs are done here. They are in few places: a walk of
-// a minute meets some hundreds.
+// The game is compiled for an i486, but Debian's C library for the Pentium Pro and later: its CMOVs, floating-point
+// comparisons that set flags, and long NOPs are emulated here. They are rare: some hundreds in a minute's walk.
 
 namespace oblong::dos {
 namespace {
@@ -25,11 +24,11 @@ Value read(std::uint32_t address) {
     return *reinterpret_cast<const Value*>(address);
 }
 
-// The operand that a ModR/M byte means: a register, or an address.
+// The operand of a ModR/M byte: a register or an address.
 struct Operand {
     bool is_register = false;
     std::uint32_t at = 0;    // the register's number, or the address
-    std::uint32_t size = 1;  // of what says so, bytes
+    std::uint32_t size = 1;  // of the encoding, bytes
 };
 
 Operand operand_at(std::uint32_t at, Registers& registers) {
@@ -38,7 +37,7 @@ Operand operand_at(std::uint32_t at, Registers& registers) {
     if (mode == 3) return {true, number, 1};
     Operand operand;
     std::uint32_t base = number;
-    if (number == 4) {  // a byte more: base, index, and by what that is multiplied
+    if (number == 4) {  // a SIB byte follows: scale, index, base
         const std::uint8_t sib = read<std::uint8_t>(at + operand.size++);
         const std::uint32_t index = sib >> 3 & 7;
         base = sib & 7;
@@ -56,7 +55,7 @@ Operand operand_at(std::uint32_t at, Registers& registers) {
     return operand;
 }
 
-// Whether a condition holds, by the number that instructions have of it.
+// Whether a condition holds, by its number in instructions.
 bool holds(std::uint32_t condition, std::uint32_t flags) {
     const bool is_less = ((flags & kSign) != 0) != ((flags & kOverflow) != 0);
     bool is_so = false;
@@ -99,7 +98,7 @@ void move_if(std::uint32_t condition, std::uint32_t at, bool is_wide, Registers&
     registers.eip = at + from.size;
 }
 
-// FUCOMI and its like: compares the top of the floating-point stack with another number there, and pops it perhaps.
+// FUCOMI and its variants: compare the top of the floating-point stack with another register, and may pop it.
 void compare_floats(std::uint32_t number, bool pops, Registers& registers) {
     std::uint16_t status = 0;
     switch (number) {
@@ -129,7 +128,7 @@ void compare_floats(std::uint32_t number, bool pops, Registers& registers) {
             break;
     }
     if (pops) asm volatile("fstp %st(0)");
-    // The status' bits 8, 10 and 14 are the flags' 0, 2 and 6.
+    // Bits 8, 10 and 14 of the status are bits 0, 2 and 6 of the flags.
     constexpr std::uint32_t kCompared = kCarry | kParity | kZero;
     registers.flags = (registers.flags & ~(kCompared | kSign | kOverflow)) | (status >> 8 & kCompared);
     registers.eip += 2;

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-// The processor's instructions that C++ has no words for.
+// Processor instructions that C++ lacks.
 
 namespace oblong::dos {
 
@@ -15,7 +15,7 @@ inline std::uint8_t read_port(std::uint16_t port) {
     return value;
 }
 
-/// While it lives nothing interrupts.
+/// Disables interrupts during its lifetime.
 class WithoutInterrupts {
   public:
     WithoutInterrupts() { asm volatile("pushfl; popl %0; cli" : "=r"(flags_)::"memory"); }

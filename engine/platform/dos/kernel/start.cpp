@@ -2,8 +2,8 @@
 #include "engine/platform/dos/kernel/ports.h"
 #include "engine/platform/dos/layout.h"
 
-// Segments, devices, and the program: a static one for Linux, which lies at PROGRAM_ADDRESS as its file says (ELF),
-// with the archive of its files on the next page.
+// Segments, devices, and the program: a static Linux program loaded at PROGRAM_ADDRESS (ELF), with the archive of its
+// files on the next page.
 
 namespace oblong::dos {
 namespace {
@@ -21,7 +21,7 @@ void start_segments() {
     asm volatile("lgdt %0; ljmp $0x08, $1f; 1:" ::"m"(where));
 }
 
-// Floating point is there for the C library: errors of its own are not reported.
+// The C library needs floating point; its exceptions stay masked.
 void start_coprocessor() {
     constexpr std::uint32_t kEmulation = 1 << 2, kTaskSwitched = 1 << 3, kMonitor = 1 << 1, kReports = 1 << 5;
     std::uint32_t cr0;
@@ -30,7 +30,7 @@ void start_coprocessor() {
     asm volatile("movl %0, %%cr0; fninit" ::"r"(cr0));
 }
 
-// What of a processor from the Pentium III on the C library finds and then uses.
+// Enables SSE, which the C library uses if a processor (Pentium III or later) has it.
 void start_wide_registers() {
     std::uint32_t before, after;
     asm volatile("pushfl; popl %0; movl %0, %1; xorl $0x200000, %0; pushl %0; popfl; pushfl; popl %0"
@@ -55,12 +55,12 @@ struct ElfPart {
     std::uint32_t kind, offset, address, physical, file_size, memory_size, flags, alignment;
 };
 
-// A number that Linux tells a program at its start, and what it is: elf.h's AT_...
+// An entry of the auxiliary vector that Linux passes to a program: elf.h's AT_...
 struct Told {
     std::uint32_t what, value;
 };
 
-// The words of a command line, each ended by 0, in `room`; how many.
+// Splits a command line into words, each terminated by 0, in `room`; returns their number.
 std::uint32_t split_words(const char* line, char* room, std::uint32_t room_size, std::uint32_t* words,
                           std::uint32_t most) {
     std::uint32_t count = 0, size = 0;

@@ -1,7 +1,7 @@
 #include "engine/platform/dos/kernel/kernel.h"
 
-// Linux's system calls, by their numbers (asm/unistd_32.h), as far as the C and C++ libraries make them. Others fail,
-// and say so on the serial port.
+// Linux's system calls, by number (asm/unistd_32.h), as far as the C and C++ libraries use them. Others fail, and are
+// reported on the serial port.
 
 namespace oblong::dos {
 
@@ -61,7 +61,7 @@ std::int32_t thread_area(std::uint32_t* description) {
     return 0;
 }
 
-// The same numbers at each start.
+// The same numbers in each run.
 std::int32_t fill_random(std::uint8_t* to, std::uint32_t size) {
     for (std::uint32_t i = 0; i < size; ++i) to[i] = static_cast<std::uint8_t>(i * 37 + 11);
     return static_cast<std::int32_t>(size);
@@ -110,7 +110,7 @@ std::int32_t call_of_process(const Registers& registers, bool& is_known) {
         case 202:
         case 224:
         case 258:
-            return 1;  // numbers of process, thread, user, group
+            return 1;  // ids of process, thread, user, group
         case 45:
             return static_cast<std::int32_t>(move_heap_end(b));
         case 91:

@@ -9,8 +9,8 @@
 #include "tools/measure/exact.h"
 #include "tools/reference/level.h"
 
-// What the lab wants of the header of the same name, where nothing is measured (tools/reference/level.h beside this
-// one).
+// A substitute for what the lab uses of the header of the same name: nothing is measured (see tools/reference/level.h
+// beside this).
 
 namespace oblong {
 

@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <vector>
 
-// The reference renderer computes with doubles and integers of 128 bits, which an i486 lacks: the lab says so instead
-// of showing an error. Found before the header of the same name.
+// The reference renderer needs doubles and 128-bit integers, which an i486 lacks: the lab shows this message instead of
+// errors. Found before the header of the same name.
 
 namespace oblong::reference {
 
