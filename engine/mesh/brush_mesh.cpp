@@ -15,7 +15,7 @@ std::int32_t wrapped(std::int64_t texel, std::int32_t size) {
     return static_cast<std::int32_t>(rest < 0 ? rest + size : rest);
 }
 
-/// Where texels of one direction lie: whole ones around all corners of a face.
+/// The range of whole texels in one direction that holds all corners of a face.
 struct TexelWindow {
     std::int64_t first = 0;
     std::int32_t count = 1;
@@ -73,7 +73,7 @@ class BrushMeshBuilder {
         mesh_.skins.push_back(std::move(skin));
     }
 
-    /// A fan: faces are convex, and run clockwise as a mesh's triangles do.
+    /// Adds a fan: faces are convex, and clockwise as a mesh's triangles are.
     void add_corners(const Face& face, std::span<const Texel> across, std::span<const Texel> down, Texel first_u,
                      Texel first_v) {
         std::vector<MeshVertex>& vertices = mesh_.frames.front().vertices;

@@ -13,12 +13,12 @@ Texel within_skins(Texel texel) {
     return std::clamp(texel, Texel{}, Texel::from_int(kMostTexel));
 }
 
-/// A shade for Colormap, its floor the nearest one.
+/// A row of Colormap plus 1/2, so that its floor is the nearest row.
 Fixed<std::int64_t, 16> rounded_shade(Light8 light, const MeshLight& lights) {
     return Fixed<std::int64_t, 16>::from_raw(shade_16_of(light, lights.brightness_100) + (1 << 15));
 }
 
-/// What is constant while the triangles of a mesh are found.
+/// Constant during is_seen().
 struct MeshPlacement {
     const PlacedMesh& placed;
     const ViewContext& view;
@@ -27,15 +27,15 @@ struct MeshPlacement {
     const MeshTransform& transform;
 };
 
-/// Everything that is constant while a mesh is drawn.
+/// Constant during draw_mesh().
 struct MeshContext : MeshPlacement {
     const MeshDrawing& drawing;
     const HighlightTable& highlights;
     Vec3<Unit> halfway;
-    Skin plain;  ///< of triangles without a skin
+    Skin plain;  ///< for triangles without a skin
 };
 
-/// Begins a mesh, or goes on with it. None if it cannot be drawn.
+/// Begins a mesh, or continues after is_seen(). None if it cannot be drawn.
 std::optional<MeshPlacement> place_mesh(const PlacedMesh& placed, const ViewContext& view, const MeshTarget& target,
                                         MeshScratch& scratch) {
     if (!placed.mesh || placed.mesh->frames.empty()) return std::nullopt;
@@ -60,7 +60,7 @@ const Skin& skin_of(const MeshTriangle& triangle, const MeshContext& mesh) {
     return number < skins.size() && is_whole(item(skins, number)) ? item(skins, number) : mesh.plain;
 }
 
-/// One light for a whole triangle, that of its middle.
+/// Sets one light for a whole triangle, that of its middle.
 void set_flat_light(const MeshTriangle& triangle, const MeshContext& mesh, const MeshScratch& scratch,
                     std::array<CornerValues, 3>& values) {
     Vec3<WorldWide> sum;
@@ -73,7 +73,7 @@ void set_flat_light(const MeshTriangle& triangle, const MeshContext& mesh, const
     for (CornerValues& corner : values) corner.light = shade;
 }
 
-/// A vertex as the view sees it.
+/// A vertex in the view, computed on first use.
 const ViewVertex& seen_vertex(std::uint32_t number, const MeshPlacement& mesh, MeshScratch& scratch) {
     ViewVertex& seen = item(scratch.view_vertices, number);
     VertexStage& stage = item(scratch.stages, number);
@@ -91,23 +91,23 @@ std::array<const ViewVertex*, 3> seen_vertices(const MeshTriangle& triangle, con
     return {&seen_vertex(a, mesh, scratch), &seen_vertex(b, mesh, scratch), &seen_vertex(c, mesh, scratch)};
 }
 
-/// Whether a triangle is all inside of the view.
+/// Whether all of a triangle is inside the view.
 bool is_inside(const std::array<const ViewVertex*, 3>& vertices) {
     return (vertices[0]->outcode | vertices[1]->outcode | vertices[2]->outcode) == 0;
 }
 
-/// Whether it is surely all outside of it.
+/// Whether all of it is certainly outside.
 bool is_outside(const std::array<const ViewVertex*, 3>& vertices) {
     return (vertices[0]->outcode & vertices[1]->outcode & vertices[2]->outcode) != 0;
 }
 
-/// The corners of a triangle all inside, without values.
+/// The corners of a triangle inside the view, without values.
 std::array<ScreenCorner, 3> places_of(const std::array<const ViewVertex*, 3>& vertices) {
     const auto place = [](const ViewVertex& vertex) { return ScreenCorner{vertex.screen, vertex.inverse_z, {}}; };
     return {place(*vertices[0]), place(*vertices[1]), place(*vertices[2])};
 }
 
-/// Its values. The view has seen it.
+/// A vertex's values, computed on first use; requires VertexStage::Seen.
 const CornerValues& values_at(std::uint32_t number, const MeshContext& mesh, MeshScratch& scratch) {
     CornerValues& values = item(scratch.values, number);
     VertexStage& stage = item(scratch.stages, number);
@@ -119,7 +119,6 @@ const CornerValues& values_at(std::uint32_t number, const MeshContext& mesh, Mes
     return values;
 }
 
-/// Those of a triangle's vertices.
 std::array<CornerValues, 3> values_of(const MeshTriangle& triangle, const MeshContext& mesh, MeshScratch& scratch) {
     std::array<CornerValues, 3> values;
     for (std::size_t i = 0; i < 3; ++i) values[i] = values_at(triangle.vertices[i], mesh, scratch);
@@ -127,14 +126,13 @@ std::array<CornerValues, 3> values_of(const MeshTriangle& triangle, const MeshCo
     return values;
 }
 
-/// What of a triangle of the screen is to be drawn: its spans are in the scratch.
+/// A triangle on the screen whose spans are in the scratch.
 struct TriangleInView {
     Barycentric weights;
     LinearQuantity<InverseZ> inverse_z;
 };
 
-/// None if it covers no pixel's centre, is seen from its back, or lies behind what is there. Reads the corners' places
-/// alone, not their values.
+/// None if it covers no pixel's centre, is seen from its back, or is hidden. Does not read the corners' values.
 std::optional<TriangleInView> find_triangle(const std::array<const ScreenCorner*, 3>& corners, const MeshTarget& target,
                                             MeshScratch& scratch, MeshCounts& counts) {
     const std::array places{corners[0]->screen, corners[1]->screen, corners[2]->screen};
@@ -154,7 +152,6 @@ MeshPaint paint_of(const MeshTriangle& triangle, const MeshContext& mesh) {
             drawing.is_affine,       mesh.halfway,     &mesh.highlights, drawing.after};
 }
 
-/// Draws a triangle that was found.
 void draw_triangle(const TriangleInView& triangle, const MeshPaint& paint, const MeshTarget& target,
                    MeshScratch& scratch, MeshCounts& counts) {
     const GradientChoice choice{paint.shading == Shading::Phong, paint.is_affine};
@@ -162,8 +159,8 @@ void draw_triangle(const TriangleInView& triangle, const MeshPaint& paint, const
     counts.pixels += draw_mesh_spans(scratch.spans, gradients, paint, target);
 }
 
-/// Draws a triangle of the mesh that is inside of the view. Its vertices' normals, light and texels are worked out when
-/// the first triangle shows that has them: most of a small mesh's do not.
+/// Draws a triangle that is inside the view. Normals, light and texels of a vertex are computed only when a triangle
+/// shows that uses it: most triangles of a small mesh do not.
 void draw_whole(const MeshTriangle& triangle, const std::array<const ViewVertex*, 3>& vertices, const MeshContext& mesh,
                 MeshScratch& scratch, MeshCounts& counts) {
     std::array<ScreenCorner, 3> corners = places_of(vertices);
@@ -174,7 +171,7 @@ void draw_whole(const MeshTriangle& triangle, const std::array<const ViewVertex*
     draw_triangle(*found, paint_of(triangle, mesh), mesh.target, scratch, counts);
 }
 
-/// Draws what of a triangle clipping leaves, a fan.
+/// Clips a triangle and draws the rest as a fan.
 void draw_clipped(const MeshTriangle& triangle, const std::array<const ViewVertex*, 3>& vertices,
                   const MeshContext& mesh, MeshScratch& scratch, MeshCounts& counts) {
     clip_and_project(vertices, values_of(triangle, mesh, scratch), mesh.view, scratch.clip, scratch.polygon);
@@ -186,7 +183,6 @@ void draw_clipped(const MeshTriangle& triangle, const std::array<const ViewVerte
     }
 }
 
-/// Draws one triangle of the mesh.
 void draw_polygon(const MeshTriangle& triangle, const MeshContext& mesh, MeshScratch& scratch, MeshCounts& counts) {
     const std::array<const ViewVertex*, 3> vertices = seen_vertices(triangle, mesh, scratch);
     if (is_outside(vertices)) return;
@@ -208,8 +204,7 @@ bool is_seen(const MeshTriangle& triangle, const MeshPlacement& mesh, MeshScratc
     return false;
 }
 
-/// Whether asks() is true of a triangle of some parts that faces the eye; it is asked of one after the other until
-/// then.
+/// Calls asks() for the triangles of some parts that face the eye until it returns true; returns whether it did.
 template <class Ask>
 bool any_facing(const MeshPlacement& mesh, MeshParts parts, MeshScratch& scratch, Ask asks) {
     const std::span<const MeshTriangle> all(mesh.placed.mesh->triangles);
@@ -226,7 +221,7 @@ bool any_facing(const MeshPlacement& mesh, MeshParts parts, MeshScratch& scratch
     });
 }
 
-/// The table of a mesh's highlights; without Shading::Phong any.
+/// The table of a mesh's highlights; arbitrary without Shading::Phong.
 const HighlightTable& highlights_of(const PlacedMesh& placed, MeshScratch& scratch) {
     if (placed.shading == Shading::Phong && scratch.highlight != placed.highlight) {
         scratch.highlights = make_highlight_table(placed.highlight);
@@ -235,7 +230,7 @@ const HighlightTable& highlights_of(const PlacedMesh& placed, MeshScratch& scrat
     return scratch.highlights;
 }
 
-/// To the eye from the mesh's place, for highlights.
+/// The direction from the mesh's origin to the eye, for highlights.
 Vec3<Unit> toward_eye(const PlacedMesh& placed, const ViewContext& view) {
     return normalised(widening_difference(view.eye, placed.position));
 }

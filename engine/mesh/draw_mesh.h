@@ -8,33 +8,33 @@
 
 namespace oblong {
 
-/// How far a vertex came on its way to the screen.
+/// Which stages a vertex has passed.
 enum class VertexStage : std::uint8_t { Unknown, Seen, Complete };
 
-/// What the stages of a mesh make, one after the other; kept from mesh to mesh, so that little is allocated.
+/// The results of a mesh's stages; kept from mesh to mesh to save allocations.
 struct MeshScratch {
     explicit MeshScratch(std::int32_t height_px) : rows(height_px) {}
 
-    /// Before a mesh of so many vertices, none of them worked out.
+    /// Resets the stages of `vertex_count` vertices.
     void begin(std::size_t vertex_count);
 
-    const PlacedMesh* begun = nullptr;  ///< is_seen() left off here, and draw_mesh() goes on; null: neither
+    const PlacedMesh* begun = nullptr;  ///< the mesh that is_seen() began and draw_mesh() continues; or null
     MeshTransform transform;
-    std::optional<std::int32_t> highlight;  ///< that `highlights` is of; none: not made yet
+    std::optional<std::int32_t> highlight;  ///< of `highlights`; none: not made yet
     HighlightTable highlights;
-    std::vector<MeshVertex> object_vertices;  ///< between two frames
+    std::vector<MeshVertex> object_vertices;  ///< interpolated between two frames
     std::vector<std::uint32_t> facing;        ///< triangles
     std::vector<WorldVertex> world_vertices;
     std::vector<ViewVertex> view_vertices;
-    std::vector<CornerValues> values;  ///< of the vertices
-    std::vector<VertexStage> stages;   ///< of the vertices: what of the three above is known
+    std::vector<CornerValues> values;  ///< of vertices
+    std::vector<VertexStage> stages;   ///< of vertices: which of the three above are set
     ClipScratch clip;
-    std::vector<ScreenCorner> polygon;  ///< of one triangle
+    std::vector<ScreenCorner> polygon;  ///< one clipped triangle
     ScanlineExtents rows;
     std::vector<Span> spans;
 };
 
-/// The numbers of a mesh's parts that are drawn, rising; none: all of it.
+/// The parts of a mesh to draw, in ascending order; empty: all.
 using MeshParts = std::span<const std::uint32_t>;
 
 /// How meshes are drawn.
@@ -43,28 +43,28 @@ struct MeshDrawing {
     const Colormap& colormap;
     MeshLight light;
     const std::uint8_t* after = nullptr;  ///< MeshPaint::after
-    bool is_affine = false;               ///< textures without perspective within a triangle, as in Quake's models
+    bool is_affine = false;               ///< texture mapping without perspective, as in Quake's models
     MeshParts parts = {};
 };
 
-/// Whether draw_mesh() would draw a pixel. If so, the next mesh that is drawn with this scratch is this one, as it is
-/// and in this view, or `begun` is reset before.
+/// Whether draw_mesh() would draw a pixel. If so, the next mesh drawn with this scratch must be this one, unchanged and
+/// in this view, or `begun` must be reset.
 bool is_seen(const PlacedMesh& placed, MeshParts parts, const ViewContext& view, const MeshTarget& target,
              MeshScratch& scratch);
 
-/// What drawing a mesh took.
+/// Counts of one draw_mesh().
 struct MeshCounts {
     std::int64_t facing = 0;     ///< triangles that face the eye
-    std::int64_t triangles = 0;  ///< that cover pixels, after clipping
-    std::int64_t pixels = 0;     ///< drawn, some of them more than once
+    std::int64_t triangles = 0;  ///< after clipping, those that cover pixels
+    std::int64_t pixels = 0;     ///< drawn, including overdraw
 };
 
-/// The values of a vertex that go over the screen: texels, and the light or what it is worked out from at each pixel.
+/// The values of a vertex that are interpolated over the screen.
 CornerValues corner_values(const PlacedMesh& placed, std::size_t number, const WorldVertex& vertex,
                            const MeshLight& light);
 
-/// Draws a mesh where nothing is nearer, and sets the depth of its pixels. Any mesh and place: what cannot be drawn (no
-/// frames, a scale without inverse, numbers of missing vertices) is left out.
+/// Draws a mesh where nothing is nearer, and sets the depth of its pixels. Accepts any mesh and place: what cannot be
+/// drawn (no frames, a scale without inverse, triangles of missing vertices) is left out.
 MeshCounts draw_mesh(const PlacedMesh& placed, const MeshDrawing& drawing, const MeshTarget& target,
                      MeshScratch& scratch);
 

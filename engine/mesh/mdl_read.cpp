@@ -12,16 +12,16 @@ namespace {
 
 constexpr std::int32_t kMostSkins = 1024, kLargestSkinSide = 4096, kMostMdlFrames = 65536;
 constexpr std::int32_t kLongestTurn_s = 3600;
-constexpr int kMdlBits = 32;  ///< of fractions of coordinates before they are rounded
+constexpr int kMdlBits = 32;  ///< fraction bits of coordinates before rounding
 constexpr std::size_t kMdlNameSize = 16;
 constexpr std::uint32_t kTurningFlag = 8;
 
-/// Little-endian numbers, one after the other. Reading past the end is an InputError.
+/// Reads little-endian numbers in sequence. Throws InputError at the end of the file.
 class MdlBytes {
   public:
     explicit MdlBytes(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
 
-    /// What follows belongs to this part of the file: "frame 3".
+    /// Names the part of the file that follows, for messages: "frame 3".
     void begin_part(const std::string& part) { part_ = part; }
 
     std::span<const std::uint8_t> read_bytes(std::size_t size) {
@@ -58,7 +58,7 @@ class MdlBytes {
         return name.substr(0, name.find('\0'));
     }
 
-    /// Throws unless so many records of this size are left: before memory is taken for them.
+    /// Throws unless this many records of this size are left; called before memory is allocated for them.
     void expect_records(std::int32_t count, std::size_t size, const char* what) {
         if (as_size(count) <= left() / size) return;
         field_ = position_;
@@ -108,7 +108,7 @@ MdlHeader read_mdl_header(MdlBytes& in) {
     return header;
 }
 
-/// Reads one model; the parts of the file are read in their order.
+/// Reads one model, part by part in the file's order.
 class MdlReader {
   public:
     MdlReader(std::span<const std::uint8_t> bytes, World scale)
@@ -144,7 +144,7 @@ class MdlReader {
                                {texels.begin(), texels.end()}});
     }
 
-    /// When each of a group ends, in milliseconds from seconds.
+    /// When each frame or skin of a group ends, converted from seconds to milliseconds.
     std::vector<std::int32_t> read_ends(std::int32_t count) {
         in_.expect_records(count, 4, "times");
         std::vector<std::int32_t> ends_ms;
@@ -194,7 +194,7 @@ class MdlReader {
         }
     }
 
-    /// The vertex as the skin's back half has it.
+    /// The vertex to use with the skin's back half.
     std::uint32_t on_back(std::uint32_t vertex) {
         const SkinPlace& place = item(places_, vertex);
         if (!place.is_on_seam) return vertex;
@@ -256,8 +256,8 @@ class MdlReader {
     MdlHeader header_;
     Mesh mesh_;
     std::vector<SkinPlace> places_;                      ///< of the file's vertices
-    std::vector<std::array<std::uint32_t, 3>> corners_;  ///< of the triangles, in the file's vertices
-    std::vector<std::uint32_t> source_;                  ///< the file's vertex of each of the mesh's
+    std::vector<std::array<std::uint32_t, 3>> corners_;  ///< the triangles' vertices in the file
+    std::vector<std::uint32_t> source_;                  ///< for each of the mesh's vertices, that of the file
     std::vector<std::uint32_t> back_copies_;             ///< of the file's vertices; 0: none
 };
 

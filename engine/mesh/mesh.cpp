@@ -13,7 +13,7 @@ namespace {
 using Corners = std::array<std::uint32_t, 3>;
 using NormalSum = std::array<std::int64_t, 3>;  ///< of products of two World raw numbers, without their last bits
 
-/// Outward, twice as long as the triangle is large: corners run clockwise.
+/// Outward, of twice the triangle's area in length: corners are clockwise.
 auto normal_of(const std::vector<MeshVertex>& vertices, const Corners& corners) {
     const Vec3<World> a = item(vertices, corners[0]).position;
     return cross(item(vertices, corners[2]).position - a, item(vertices, corners[1]).position - a);
@@ -23,7 +23,7 @@ std::int64_t largest_part(const NormalSum& normal) {
     return std::max({std::abs(normal[0]), std::abs(normal[1]), std::abs(normal[2])});
 }
 
-/// How many last bits of the normals are left out, so that the sum of all would fit 64 bits.
+/// How many low bits of the normals to drop so that the sum of all fits 64 bits.
 int bits_too_many(const std::vector<MeshVertex>& vertices, std::span<const Corners> triangles) {
     std::int64_t largest = 0;
     for (const Corners& corners : triangles)

@@ -11,26 +11,25 @@
 
 namespace oblong {
 
-/// A picture that lies on a mesh: rows top to bottom, one palette index a texel.
+/// A mesh's texture: rows top to bottom, one palette index a texel.
 struct Skin {
     std::string name;
     std::int32_t width = 0, height = 0;
     std::vector<std::uint8_t> texels;
 };
 
-/// A corner of triangles, as one frame of a mesh has it: in the mesh's own axes, which are the world's (x ahead, y
-/// left, z up).
+/// A vertex in one frame of a mesh, in object space: x ahead, y left, z up.
 struct MeshVertex {
     Vec3<World> position;
-    Vec3<Unit> normal;  ///< outward; of length 1
+    Vec3<Unit> normal;  ///< outward, of length 1
 };
 
-/// The skin's place that a vertex shows, texels; the same in all frames.
+/// A vertex's texture coordinates, in texels; the same in all frames.
 struct MeshTexel {
     Texel u, v;
 };
 
-/// Vertices by number, clockwise seen from the front.
+/// Vertex numbers, clockwise seen from the front.
 struct MeshTriangle {
     std::array<std::uint32_t, 3> vertices;
     std::uint32_t skin = 0;
@@ -41,56 +40,56 @@ struct MeshBox {
     bool operator==(const MeshBox&) const = default;
 };
 
-/// How many triangles a part of a mesh has, one after the other; its last part perhaps fewer.
+/// A part of a mesh is this many consecutive triangles; the last part may have fewer.
 inline constexpr std::size_t kPartTriangles = 64;
 
 struct MeshFrame {
     std::string name;
     std::vector<MeshVertex> vertices;
-    Vec3<World> mins, maxs;           ///< the box of its vertices
-    std::vector<MeshBox> parts = {};  ///< the box of each of the mesh's parts; none: not known
+    Vec3<World> mins, maxs;           ///< box of its vertices
+    std::vector<MeshBox> parts = {};  ///< box of each part; empty: unknown
 };
 
-/// Consecutive frames or skins that take turns; or a single one, which stays.
+/// Consecutive frames or skins shown in turn, or a single one.
 struct MeshSequence {
     std::uint32_t first = 0;
-    std::vector<std::int32_t> ends_ms;  ///< of each, from the start of a turn of all: rising, the last above 0; or none
+    std::vector<std::int32_t>
+        ends_ms;  ///< end of each, from the start of a cycle: ascending, the last above 0; or empty
 };
 
-/// The frame or skin that is shown at a time, which may be negative.
+/// The frame or skin shown at a time, which may be negative.
 std::uint32_t shown_at(const MeshSequence& sequence, std::int64_t time_ms);
 
-/// A model made of triangles, with the frames it moves in. Every frame has as many vertices as `texels`.
+/// A model of triangles with its frames of animation. Every frame has as many vertices as `texels`.
 struct Mesh {
     std::vector<MeshFrame> frames;
     std::vector<MeshTexel> texels;
     std::vector<MeshTriangle> triangles;
     std::vector<Skin> skins;
-    std::vector<MeshSequence> frame_sequences, skin_sequences;  ///< what its file counts as frames and skins
-    bool turns = false;  ///< its file asks that it be shown turning (Quake's EF_ROTATE)
+    std::vector<MeshSequence> frame_sequences, skin_sequences;  ///< the file's frames and skins
+    bool turns = false;                                         ///< always rotates (Quake's EF_ROTATE)
 };
 
-/// What readers of meshes accept.
+/// Limits of the mesh readers.
 inline constexpr std::size_t kMostMeshTriangles = std::size_t{1} << 21, kMostMeshVertices = std::size_t{1} << 21,
-                             kMostFrameVertices = std::size_t{1} << 24;  ///< the last: of all frames together
-inline constexpr std::int32_t kMeshLimit = 1 << 15;                      ///< units: no coordinate reaches it
+                             kMostFrameVertices = std::size_t{1} << 24;  ///< the last in all frames together
+inline constexpr std::int32_t kMeshLimit = 1 << 15;                      ///< units: coordinates are below it
 
-/// A frame's normals from its positions: at each vertex the sum of its triangles' normals, each as long as the
-/// triangle is large, made 1 long. Where those cancel, the normal of one of them; up, where there is none. Corners are
-/// numbers of positions.
+/// Sets a frame's normals from its positions: at each vertex the normalised sum of its triangles' normals, weighted by
+/// area. If they cancel, the normal of one triangle; if there is no triangle, up. `corners` are vertex numbers.
 void set_normals(std::vector<MeshVertex>& vertices, std::span<const std::array<std::uint32_t, 3>> corners);
 
-/// The least box around a frame's vertices, empty at the origin if there are none; and those of the parts that some
-/// triangles make, if more than one. Their vertices are the frame's.
+/// Sets the bounding box of a frame's vertices, empty at the origin if there are none; and the boxes of the parts of
+/// `triangles`, if more than one.
 void set_boxes(MeshFrame& frame, std::span<const MeshTriangle> triangles = {});
 
-/// A Quake model: the bytes of an MDL file ("IDPO", version 6), `scale` times as large (above 0, at most 4,096).
+/// Reads a Quake model, an MDL file ("IDPO", version 6), enlarged by `scale` (above 0, at most 4,096).
 ///
-/// A vertex of the seam that triangles of the skin's back half use is two vertices of the mesh. Places on the skin are
-/// those of texels' middles; the ones outside of it, up to as far as it is large, are put onto its border. Normals
-/// are computed (set_normals), the file's, which are numbers of a table of 162 directions, are not read. Throws
-/// InputError that names the part of the file and the offset: for numbers that are not finite or too large, indices
-/// that lead nowhere, counts that the file is too short for or that exceed kMostMeshTriangles and its like.
+/// A vertex on the seam that is used by triangles of the skin's back half becomes two vertices. Texture coordinates are
+/// texel centres; those outside the skin, by at most its size, are clamped to its border. Normals are computed
+/// (set_normals); the file's, which index a table of 162 directions, are ignored. Throws InputError naming the part of
+/// the file and the offset for numbers that are not finite or too large, invalid indices, and counts that exceed the
+/// file's size or kMostMeshTriangles and the other limits.
 Mesh read_mdl(std::span<const std::uint8_t> bytes, World scale = World::from_int(1));
 
 }  // namespace oblong

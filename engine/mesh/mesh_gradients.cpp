@@ -20,8 +20,8 @@ struct Way {
     std::int64_t size() const { return std::max(std::abs(x), std::abs(y)); }
 };
 
-/// part / whole per pixel, both of them in the units of a way, or a product of two. Two divisions of 64 bits, 28 bits
-/// of the quotient each, where the numbers are as small as on a screen of 500,000 pixels.
+/// part / whole per pixel, both in the units of Way or of a product of two. Numbers as small as on a screen of 500,000
+/// pixels take two divisions of 64 bits, for 28 bits of the quotient each.
 WeightStep step_of(std::int64_t part, std::int64_t whole) {
     constexpr int kBits = 28;
     static_assert(WeightStep::from_int(256).raw == std::int64_t{1} << (2 * kBits));
@@ -32,12 +32,12 @@ WeightStep step_of(std::int64_t part, std::int64_t whole) {
     const auto [low, last] = divide(rest << kBits, divisor);
     const bool is_negative = (part < 0) != (whole < 0);
     const auto quotient = static_cast<std::int64_t>((high << kBits) + low);
-    // To the nearest, a tie up.
+    // To nearest, ties up.
     if (is_negative) return WeightStep::from_raw(-(quotient + (2 * last > divisor ? 1 : 0)));
     return WeightStep::from_raw(quotient + (2 * last >= divisor ? 1 : 0));
 }
 
-/// Along the longest side alone, from `from` to `to`.
+/// Changes along the side from `from` to `to` only.
 Barycentric along(const ScreenCorner* from, const ScreenCorner* to) {
     const Way way(*from, *to);
     Barycentric result{{from, to, from}, {}, {}, {}, {}};
@@ -48,7 +48,7 @@ Barycentric along(const ScreenCorner* from, const ScreenCorner* to) {
     return result;
 }
 
-/// A quantity from its values at the corners. Its steps have at most 4 bits more than it; what is added up to far-away
+/// A quantity from its values at the corners. Its steps have at most 4 bits more than the values; sums at far-away
 /// pixels may wrap (LinearQuantity).
 template <class Value>
 LinearQuantity<Value> quantity_of(const Barycentric& weights, Value a, Value b, Value c) {
@@ -67,7 +67,7 @@ LinearQuantity<Value> quantity_of(const Barycentric& weights, Value a, Value b, 
     return quantity;
 }
 
-/// The same of what `value_of` makes of a corner.
+/// The same for the values value_of(corner).
 auto quantity_of(const Barycentric& weights, auto value_of) {
     const auto& [a, b, c] = weights.corners;
     return quantity_of(weights, value_of(*a), value_of(*b), value_of(*c));

@@ -9,7 +9,7 @@ namespace oblong {
 
 namespace {
 
-/// `light` times a cosine; nothing where it is below 0.
+/// light max(0, cosine).
 Light8 lit_by(Light8 light, Sine60 cosine) {
     const std::int64_t cosine_30 = std::clamp(floor_of<30>(cosine), std::int64_t{0}, std::int64_t{1} << 30);
     return static_cast<Light8>(floor_shift(cosine_30 * light, 30));

@@ -10,18 +10,18 @@
 
 namespace oblong {
 
-/// Light that comes from one direction everywhere.
+/// Light from the same direction everywhere.
 struct DirectionalLight {
-    Vec3<Unit> toward;          ///< from the surface to the light, of length 1
-    std::int32_t strength = 0;  ///< a lightmap value: what a surface that faces it gets; 0 to kMostLight
+    Vec3<Unit> toward;          ///< to the light, of length 1
+    std::int32_t strength = 0;  ///< a lightmap value, 0 to kMostLight: the light on a surface that faces it
 };
 
-/// The light that falls on a mesh. kFullLight shows a skin's own colours.
+/// The light on a mesh. kFullLight shows a skin's colours unchanged.
 struct MeshLight {
-    std::int32_t ambient = kFullLight;  ///< a lightmap value, 0 to kMostLight: from everywhere
+    std::int32_t ambient = kFullLight;  ///< a lightmap value, 0 to kMostLight
     DirectionalLight directional;
-    std::span<const MovingLight> points = {};  ///< each reaches as far as its radius
-    std::int32_t brightness_100 = 100;         ///< of all of it
+    std::span<const MovingLight> points = {};
+    std::int32_t brightness_100 = 100;  ///< of the sum
 
     static constexpr std::int32_t kMostLight = 4096;
 };
@@ -29,20 +29,20 @@ struct MeshLight {
 /// A lightmap value with 8 fraction bits.
 using Light8 = std::int32_t;
 
-/// strength max(0, N . L): Lambert's law, L the direction to the light. Both of length 1.
+/// strength max(0, N . L): Lambert's law, L the direction to the light; N and L have length 1.
 Light8 diffuse_light(const Vec3<Unit>& normal, const DirectionalLight& light);
-/// The same from a place: full at the light, nothing from its radius on, linear between (Quake's).
+/// The same for a light at a point: full at the light, falling linearly to 0 at its radius (as in Quake).
 Light8 diffuse_light(const Vec3<World>& position, const Vec3<Unit>& normal, const MovingLight& light);
-/// What does not depend on a pixel's normal of Shading::Phong: ambient light, and that of points.
+/// The part interpolated with Shading::Phong: ambient light and point lights.
 Light8 even_light(const Vec3<World>& position, const Vec3<Unit>& normal, const MeshLight& light);
-/// All light that a vertex gets.
+/// All light on a vertex.
 Light8 light_at(const Vec3<World>& position, const Vec3<Unit>& normal, const MeshLight& light);
 
-/// A row of Colormap, with 16 fraction bits, for the light that a pixel gets.
+/// The row of Colormap for a light, with 16 fraction bits.
 std::int32_t shade_16_of(Light8 light, std::int32_t brightness_100);
 
-/// Blinn's highlight: (N . H)^kShininess by N . H of 0 to 1 in 256ths, times the light that it adds where it is
-/// brightest. H is halfway between the directions to the light and to the eye.
+/// Blinn's highlight: brightest (N . H)^kShininess, indexed by 256 N . H from 0 to 256. H is halfway between the
+/// directions to the light and to the eye.
 using HighlightTable = std::array<Light8, 257>;
 inline constexpr int kShininess = 16;
 HighlightTable make_highlight_table(std::int32_t brightest);

@@ -11,12 +11,12 @@ namespace oblong {
 
 namespace {
 
-/// What the loop over a span does, decided once a triangle.
+/// Template parameters of the loop over a span, chosen once a triangle.
 struct MeshTraits {
     bool is_phong, is_affine, has_after;
 };
 
-/// What changes from a pixel to the next.
+/// The interpolated values at one pixel.
 struct MeshPixel {
     InverseZ inverse_z;
     TexelOverZ u_over_z, v_over_z;
@@ -51,13 +51,13 @@ struct MeshPixel {
     }
 };
 
-/// z with 28 fraction bits, by 1/z with 32: 1/z of a world's point is at least 2^-21.
+/// z with 28 fraction bits from 1/z with 32: 1/z of a point of the world is at least 2^-21.
 std::int64_t depth_28(InverseZ inverse_z) {
     constexpr std::int64_t kLeast = std::int64_t{1} << 11;
     return (std::int64_t{1} << 60) / std::max(floor_of<32>(inverse_z), kLeast);
 }
 
-/// The texel's number along one axis. With kMostTexel texels, at most 2^13, u/z times z has at most 62 bits.
+/// The texel's number along one axis. As texels are below 2^13 (kMostTexel), u/z times z has at most 62 bits.
 std::int64_t texel_number(TexelOverZ over_z, std::int64_t z_28) {
     return floor_shift(floor_of<21>(over_z) * z_28, 49);
 }
@@ -78,7 +78,7 @@ std::uint8_t texel_at(const MeshPixel& pixel, const Skin& skin) {
     return item(skin.texels, v * skin.width + u);
 }
 
-/// N . to, of length 1 at most, 8 fraction bits; `length` that of N: interpolated normals are shorter than 1.
+/// N . to / |N| with 8 fraction bits: interpolated normals are shorter than 1. `over_length` is 1 / |N|.
 std::int64_t cosine_8(const Vec3<Fixed<std::int64_t, 14>>& normal, const ReciprocalRoot& over_length,
                       const Vec3<Unit>& to) {
     const std::int64_t along = floor_of<14>(dot(normal, to));
@@ -87,7 +87,7 @@ std::int64_t cosine_8(const Vec3<Fixed<std::int64_t, 14>>& normal, const Recipro
     return std::min<std::int64_t>(floor_shift(along * over_length.mantissa, 22 + over_length.shift), 256);
 }
 
-/// The light at a pixel by its own normal.
+/// The shade at a pixel from its interpolated normal.
 std::int32_t phong_shade_16(const MeshPixel& pixel, const MeshPaint& paint) {
     const auto part = [](Fixed<std::int64_t, 30> value) { return convert<Fixed<std::int64_t, 14>>(value); };
     const Vec3<Fixed<std::int64_t, 14>> normal{part(pixel.normal.x), part(pixel.normal.y), part(pixel.normal.z)};
@@ -122,10 +122,10 @@ std::int64_t draw_span(const Span& span, const MeshGradients& gradients, const M
     return drawn;
 }
 
-/// Triangles of no more centres across and down than this are scanned centre by centre.
+/// Triangles whose boxes have at most this many pixel centres across and down are tested centre by centre.
 constexpr std::int32_t kFewCentres = 4;
 
-/// Appends the spans of a clockwise triangle by asking at each centre in `box`.
+/// Appends the spans of a clockwise triangle by testing each centre in `box`.
 void append_few(const std::array<ScreenVertex, 3>& corners, const ScreenRectangle& box, std::vector<Span>& spans) {
     const auto& [a, b, c] = corners;
     const std::array edges{edge_over_pixels(a, b, box), edge_over_pixels(b, c, box), edge_over_pixels(c, a, box)};

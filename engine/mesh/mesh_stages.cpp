@@ -24,7 +24,8 @@ constexpr std::uint64_t size_bits(const Vec3<T>& v) {
     return magnitude(v.x) | magnitude(v.y) | magnitude(v.z);
 }
 
-/// b - a, each component below 2^30 steps: so that the cross product of two fits 64 bits. Exact within 2^17 units.
+/// b - a, each component clamped below 2^30 steps, so that the cross product of two fits 64 bits. Exact within 2^17
+/// units.
 constexpr Vec3<World> bounded_difference(const Vec3<World>& a, const Vec3<World>& b) {
     const auto bounded = [](World from, World to) {
         constexpr std::int64_t kMost = (1 << 30) - 1;
@@ -41,9 +42,9 @@ constexpr Vec3<Fixed<std::int64_t, 24>> object_normal(const MeshTriangle& triang
                  bounded_difference(a, vertices[triangle.vertices[1]].position));
 }
 
-/// Whether normal . way is above 0, exactly: in 64 bits where those hold it, as they do for all but huge meshes.
+/// Whether normal . way is above 0, exactly; in 64 bits if they hold it, as for all but huge meshes.
 bool is_above_zero(const Vec3<Fixed<std::int64_t, 24>>& normal, const Vec3<WorldWide>& way) {
-    // Three products below 2^(n + w), n and w the bits of both: their sum fits if that is at most 2^61.
+    // Three products below 2^(n + w), n and w the bits of each: their sum fits if n + w is at most 61.
     using Product = Fixed<std::int64_t, 36>;
     if (log2_floor(size_bits(normal) | 1) + log2_floor(size_bits(way) | 1) + 2 <= 61)
         return dot(normal, way) > Product{};
@@ -61,13 +62,13 @@ constexpr bool is_within_bits(const Vec3<WorldWide>& v) {
     return static_cast<std::uint64_t>((v.x.raw + kEnd) | (v.y.raw + kEnd) | (v.z.raw + kEnd)) >> (kBits + 1) == 0;
 }
 
-/// Whether a triangle's front is toward the eye, exactly.
+/// Whether a triangle faces the eye, exactly.
 bool is_facing(const MeshTriangle& triangle, std::span<const MeshVertex> vertices, const Vec3<World>& object_eye) {
     const Vec3<World>& a = vertices[triangle.vertices[0]].position;
     const auto from_a = [&](const Vec3<World>& p) { return widening_difference(p, a); };
     const auto to_eye = from_a(object_eye), b = from_a(vertices[triangle.vertices[1]].position),
                c = from_a(vertices[triangle.vertices[2]].position);
-    // Three products below 2^(2 * 17 + 1 + 25): their sum fits 64 bits. So it is with nearly all.
+    // Three products below 2^(2 * 17 + 1 + 25): their sum fits 64 bits. Nearly all triangles take this path.
     if (is_within_bits<17>(b) && is_within_bits<17>(c) && is_within_bits<25>(to_eye)) {
         const auto product = [](WorldWide one, WorldWide other) {
             return std::int64_t{static_cast<std::int32_t>(one.raw)} * static_cast<std::int32_t>(other.raw);
@@ -80,12 +81,12 @@ bool is_facing(const MeshTriangle& triangle, std::span<const MeshVertex> vertice
     return is_above_zero(object_normal(triangle, vertices), to_eye);
 }
 
-/// Whether products of the point with entries below 2^5, and their sums, fit 64 bits: it is within 2^13 units.
+/// Whether products of the point with entries below 2^5, and their sums, fit 64 bits: within 2^13 units.
 constexpr bool is_small(const Vec3<World>& point) {
     return size_bits(point) >> (World::kFractionBits + 13) == 0;
 }
 
-/// times() of small entries and a small point: the same bits, without products of more than 64 bits.
+/// times() for small entries and a small point: the same bits, without products of more than 64 bits.
 constexpr Vec3<Entry> times_small(const Matrix4& matrix, const Vec3<World>& point) {
     const auto row_times = [&](const std::array<Entry, 4>& row) {
         const auto part = [](Entry entry, World of) { return convert<Entry>(bounded_product(entry, of)); };
@@ -105,21 +106,21 @@ InverseZ inverse_z_at(View z) {
     return InverseZ::from_raw(View::from_raw(std::int64_t{1} << (InverseZ::kFractionBits + View::kFractionBits)) / z);
 }
 
-/// A share of a triangle's corner: 0 to 1.
+/// A barycentric coordinate: 0 to 1.
 using Weight = Fixed<std::int64_t, 30>;
 
-/// Of the corners B and C; that of A is the rest.
+/// Of the corners B and C; A's is the rest.
 struct Weights {
     Weight b, c;
 };
 
-/// How many low bits two vectors must lose before a 64-bit cross product holds them.
+/// How many low bits to drop from two vectors so that their cross product fits 64 bits.
 int bits_too_many(const Vec3<View>& a, const Vec3<View>& b) {
     return std::max(log2_floor(size_bits(a) | size_bits(b) | 1) - 28, 0);
 }
 
-/// Where a point of a triangle's plane lies between its corners: its areas with two of them, by the whole one, along
-/// the axis from which the triangle looks largest.
+/// The barycentric coordinates of a point in a triangle's plane: its areas with two corners divided by the whole area,
+/// in the projection along the axis that makes the triangle largest.
 Weights weights_at(const Vec3<View>& p, const Vec3<View>& a, const Vec3<View>& b, const Vec3<View>& c) {
     const int shift = bits_too_many(b - a, c - a);
     const auto scaled = [&](const Vec3<View>& v) {
@@ -144,7 +145,7 @@ Weights weights_at(const Vec3<View>& p, const Vec3<View>& a, const Vec3<View>& b
     return {of_b, share(area(to_b, to_p, axis), Weight::from_int(1) - of_b)};
 }
 
-/// a + (b - a) weight of b + (c - a) weight of c.
+/// a + (b - a) weights.b + (c - a) weights.c.
 template <class Value>
 Value mixed(Value a, Value b, Value c, const Weights& weights) {
     constexpr auto kOne = Weight::from_int(1);

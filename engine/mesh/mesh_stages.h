@@ -10,8 +10,7 @@
 #include "engine/view/clip.h"
 #include "engine/view/view_context.h"
 
-// The way of a mesh from its own space to the screen, a function each stage. Each reads what the one before it made,
-// and draw_mesh() (engine/mesh/draw_mesh.h) is their order.
+// A mesh's stages from object space to the screen, one function each, called in order by draw_mesh().
 
 namespace oblong {
 
@@ -21,20 +20,20 @@ struct WorldVertex {
     Vec3<Unit> normal;
 };
 
-/// 1/z of a mesh's corners is at most this: those nearer to the eye than 1/128 unit count as that far.
+/// The largest 1/z of a mesh's corners: those nearer to the eye than 1/128 unit count as 1/128 unit away.
 inline constexpr InverseZ kGreatestMeshInverseZ = InverseZ::from_int(128);
-/// The largest texel coordinate: beyond it, a skin shows its border.
+/// The largest texture coordinate; larger ones are clamped.
 inline constexpr std::int32_t kMostTexel = 8'191;
 
-/// What goes linearly over the screen, at a corner. With Shading::Phong `light` is the even part of it, else a shade:
-/// both with 16 fraction bits, the shade with half a step added, so that its floor is the nearest.
+/// The values at a corner that are interpolated over the screen. `light` is even_light() with Shading::Phong, otherwise
+/// a row of the colormap plus 1/2, so that its floor is the nearest row.
 struct CornerValues {
     Texel u, v;
     Fixed<std::int64_t, 16> light;
-    Vec3<Unit> normal;  ///< of Shading::Phong
+    Vec3<Unit> normal;  ///< for Shading::Phong
 };
 
-/// A vertex as a frame sees it.
+/// A vertex in viewspace and on the screen.
 struct ViewVertex {
     Vec3<View> position;
     std::uint8_t outcode = 0;
@@ -49,33 +48,31 @@ struct ScreenCorner {
     CornerValues values;
 };
 
-/// Object space: the vertices of the frame that is shown, or between two of them (into `scratch`).
+/// The vertices in object space, of one frame or interpolated between two (into `scratch`).
 std::span<const MeshVertex> pose_of(const PlacedMesh& placed, std::vector<MeshVertex>& scratch);
 
-/// Object space: the numbers of the triangles that face the eye, whose place in object space is handed in. The eye is
-/// in front of a triangle if N . (eye - A) > 0, N = (C - A) x (B - A): a dot product, before any vertex is transformed.
-/// Those that name vertices that the pose does not have are left out.
+/// The numbers of the triangles that face the eye, tested in object space before any vertex is transformed: the eye is
+/// in front of a triangle if N . (eye - A) > 0, N = (C - A) x (B - A). Triangles of missing vertices are left out.
 void find_facing(std::span<const MeshTriangle> triangles, std::span<const MeshVertex> object_vertices,
                  const Vec3<World>& object_eye, std::vector<std::uint32_t>& facing);
 
-/// The eye in object space; saturates.
+/// Transforms the eye to object space; saturates.
 Vec3<World> to_object(const Vec3<World>& world_eye, const MeshTransform& transform);
 
-/// A point of object space in the world: by the matrix; saturates.
+/// Transforms a point from object space to the world; saturates.
 Vec3<World> world_position(const Vec3<World>& object_position, const MeshTransform& transform);
-/// A normal of object space in the world, of length 1: by the inverse transpose, and brought back to that length. Where
-/// the mesh is scaled alike along its axes the rotation alone does, within 3 steps (2^-30).
+/// Transforms a normal from object space to the world by the inverse transpose, and normalises it. If all axes have the
+/// same scale, the rotation alone is used; the error is at most 3 steps (2^-30).
 Vec3<Unit> world_normal(const Vec3<Unit>& object_normal, const MeshTransform& transform);
 
-/// The normal of a triangle in the world, of length 1: for Shading::Flat.
+/// The normal of a triangle in the world, of length 1; for Shading::Flat.
 Vec3<Unit> world_normal(const MeshTriangle& triangle, std::span<const MeshVertex> object_vertices,
                         const MeshTransform& transform);
 
-/// World to view: the position, and the sides of the view that it is outside of; where none, also the place on the
-/// screen.
+/// Transforms from the world to viewspace and sets the outcode; if that is 0, also projects.
 ViewVertex view_vertex(const Vec3<World>& world_position, const ViewContext& view);
 
-/// Clips a triangle to the view and projects what is left: 3 to 7 corners, or none. `values` are those of its vertices.
+/// Clips a triangle to the view and projects it: 3 to 7 corners, or none. `values` belong to its vertices.
 void clip_and_project(const std::array<const ViewVertex*, 3>& triangle, const std::array<CornerValues, 3>& values,
                       const ViewContext& view, ClipScratch& scratch, std::vector<ScreenCorner>& polygon);
 

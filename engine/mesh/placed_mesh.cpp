@@ -11,7 +11,7 @@ namespace oblong {
 
 namespace {
 
-/// The largest coordinate of a box, before it is made a unit larger: a level's own boxes reach to 524,287.
+/// The largest coordinate of a box before one unit is added: a level's boxes reach to 524,287.
 constexpr std::int64_t kMostUnits = 524'285;
 
 /// Object space to world.
@@ -26,7 +26,7 @@ bool has_small_entries(const Matrix4& matrix) {
     return entries >> (Entry::kFractionBits + 5) == 0;
 }
 
-/// The rotation that normals make where a mesh is scaled alike along its axes: they keep their length.
+/// The rotation of normals, if the scale is equal along all axes: they keep their length.
 std::optional<std::array<Vec3<Unit>, 3>> rotation_of_normals(const PlacedMesh& placed) {
     const Vec3<Entry>& scale = placed.scale;
     if (scale.x != scale.y || scale.x != scale.z) return std::nullopt;
@@ -56,7 +56,7 @@ std::int32_t whole_units(std::int64_t entry_raw) {
     return static_cast<std::int32_t>(std::clamp(floor_shift(entry_raw, Entry::kFractionBits), -kMostUnits, kMostUnits));
 }
 
-/// The box in the world of what is in one box or the other, or between.
+/// The box in the world that holds both boxes.
 LevelBox world_box(const Matrix4& to_world, const MeshBox& from, const MeshBox& to) {
     const std::array sides{Interval(std::min(from.mins.x, to.mins.x), std::max(from.maxs.x, to.maxs.x)),
                            Interval(std::min(from.mins.y, to.mins.y), std::max(from.maxs.y, to.maxs.y)),
@@ -116,7 +116,7 @@ TurningShape turning_shape(const PlacedMesh& placed) {
     return {placed.position, placed.scale, {MeshBox{from.mins, from.maxs}, MeshBox{to.mins, to.maxs}}};
 }
 
-/// The corner of its frames that is farthest along all axes together is farther than any from the mesh's origin.
+/// The sum of the largest coordinates along the axes is at least the distance of any vertex from the mesh's origin.
 LevelBox turning_box(const TurningShape& shape) {
     const auto& [from, to] = shape.boxes;
     const auto farthest = [](World a, World b, World c, World d) {

@@ -10,13 +10,13 @@ namespace oblong {
 
 namespace {
 
-/// A corner as seen along an axis.
+/// A corner projected along an axis.
 struct FlatCorner {
     World x, y;
     bool operator==(const FlatCorner&) const = default;
 };
 
-/// The sign of the turn from a over b to c: above 0 counter-clockwise.
+/// The sign of the turn at b from a to c: positive counter-clockwise.
 int turn_of(const FlatCorner& a, const FlatCorner& b, const FlatCorner& c) {
     WideSum sum;
     sum.add_product(widening_difference(b.x, a.x), widening_difference(c.y, a.y));
@@ -50,7 +50,7 @@ std::vector<FlatCorner> seen_along(int axis, std::span<const Vec3<World>> corner
     return flat;
 }
 
-/// As seen along the axis from which the polygon is largest, and counter-clockwise.
+/// The polygon projected along the axis that makes it largest, turned counter-clockwise.
 std::vector<FlatCorner> flattened(std::span<const Vec3<World>> corners) {
     std::vector<FlatCorner> best;
     SoftFloat best_area;
@@ -66,7 +66,7 @@ std::vector<FlatCorner> flattened(std::span<const Vec3<World>> corners) {
     return best;
 }
 
-/// What is left of a polygon while ears are cut off.
+/// Cuts ears off a polygon; `left_` are the corners that remain.
 class EarCutter {
   public:
     explicit EarCutter(std::vector<FlatCorner> corners) : corners_(std::move(corners)) {
@@ -90,7 +90,7 @@ class EarCutter {
         return turn_of(corners_[neighbour(at, left_.size() - 1)], corners_[left_[at]], corners_[neighbour(at, 1)]);
     }
 
-    /// A proper ear; where there is none, a corner that is no turn (its triangle has no area), else the first.
+    /// An ear; if there is none, a corner without a turn (its triangle has no area), else the first.
     std::size_t find_ear() const {
         for (std::size_t at = 0; at < left_.size(); ++at)
             if (turn_at(at) > 0 && !holds_a_corner(at)) return at;
@@ -99,7 +99,7 @@ class EarCutter {
         return 0;
     }
 
-    /// Whether another corner lies in the triangle at `at`, its sides included.
+    /// Whether another corner lies in the triangle at `at` or on its sides.
     bool holds_a_corner(std::size_t at) const {
         const FlatCorner &a = corners_[neighbour(at, left_.size() - 1)], &b = corners_[left_[at]],
                          &c = corners_[neighbour(at, 1)];

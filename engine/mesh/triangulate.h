@@ -9,13 +9,12 @@
 
 namespace oblong {
 
-/// Three corners of a polygon by number, in the polygon's own order.
+/// The numbers of three corners, in the polygon's order.
 using CornerTriple = std::array<std::uint32_t, 3>;
 
-/// The triangles between diagonals, lines from a corner to one that is not adjacent: an ear, a corner whose diagonal
-/// lies inside the polygon, is cut off again and again (Meisters). For polygons that are convex or concave, in a plane
-/// or nearly; two fewer than corners. Decided exactly, as seen along the axis that the polygon faces most. A polygon
-/// that crosses itself gets as many triangles, which then overlap.
+/// Triangulates a convex or concave polygon, planar or nearly so, by repeatedly cutting off an ear, a corner whose
+/// diagonal lies inside the polygon (Meisters). Gives two triangles fewer than corners. Decides exactly, in the
+/// projection along the axis that the polygon faces most. The triangles of a polygon that crosses itself overlap.
 std::vector<CornerTriple> triangulate_by_diagonals(std::span<const Vec3<World>> corners);
 
 }  // namespace oblong
