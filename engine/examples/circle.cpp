@@ -1,6 +1,6 @@
-// The same circle in four modes. Left is draw_circle(), which knows the shape of the mode's pixels and is round in
-// each; right is one with as many rows as columns, an egg wherever a pixel is no square. In the texts: Muratori's
-// "Dealing with Aspect Ratios".
+// The same circle in four modes. Left is draw_circle(), which uses the shape of the mode's pixels and is round in each;
+// right is a circle with as many rows as columns, which is an ellipse unless pixels are square. In the texts:
+// Muratori's "Dealing with Aspect Ratios".
 #include <oblong.h>
 
 #include <algorithm>

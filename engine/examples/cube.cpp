@@ -1,7 +1,7 @@
-// A cube step by step: a corner in its own space, turned and put into the world, seen from an eye there, and on the
-// screen by a division and two multipliers; P: in parallel, P and O: obliquely. Arrow keys move the eye. In the texts:
-// the lab's and Princeton's projections; the notes' matrices; Abrash's "Rotation by Projection"; Muratori's
-// multipliers.
+// A cube step by step: corners in object space, rotated and placed in the world, seen from an eye there, and projected
+// to the screen by a division and two multipliers. P: parallel projection, P and O: oblique. Arrow keys move the eye.
+// In the texts: the lab's and Princeton's projections; the notes' matrices; Abrash's "Rotation by Projection";
+// Muratori's multipliers.
 #include <oblong.h>
 
 #include <string>
@@ -10,13 +10,13 @@ using namespace oblong;
 
 namespace {
 
-constexpr int kOne = 4096, kEyeYaw_256 = 10 * 256, kMarked = 3;  // a unit of space, degrees, a corner
+constexpr int kOne = 4096, kEyeYaw_256 = 10 * 256, kMarked = 3;  // one unit; degrees; the labelled corner
 
 struct Point {
     int x, y, z;  // right, up, ahead
 };
 
-// The coordinates along two axes that were turned from the first to the second: each is a projection onto an axis.
+// The coordinates after rotating two axes from the first to the second: each is a projection onto an axis.
 void turn(int& first, int& second, std::int64_t angle_256) {
     const std::int64_t sine = sine_65536(angle_256), cosine = sine_65536(angle_256 + 90 * 256), a = first, b = second;
     first = static_cast<int>((a * cosine + b * sine) >> 16);
@@ -40,7 +40,7 @@ PixelPosition to_screen(Point view, const Window& window) {
     const int middle = 5 * kOne, depth = window.is_down("P") ? middle : view.z;
     if (window.is_down("O")) view.x += (view.z - middle) / 3, view.y += (view.z - middle) / 3;
     const auto [width, height] = mode.pixel();  // 5 to 6
-    const std::int64_t across = mode.width_px;  // half of them for what is half as far to the side as away: 53 degrees
+    const std::int64_t across = mode.width_px;  // the edge of the screen is half as far to the side as away: 53 degrees
     return {static_cast<int>(mode.width_px / 2 + across * view.x / depth),
             static_cast<int>(mode.height_px / 2 - across * width * view.y / (height * depth))};
 }

@@ -1,6 +1,6 @@
-// A recorded demo, played back and hashed. Each picture is a tick of 1/70 second and depends on nothing but the moves
-// before it, so that the same moves give the same pictures on every machine: their checksums are printed, and a change
-// of one pixel would change one of them. So does another accuracy: 1991, 1994, 1996, bounded or exact.
+// A recorded demo, played back and hashed. Each picture is a tick of 1/70 second and depends only on the moves before
+// it, so that the same moves give the same pictures on every machine. Their checksums are printed; one different pixel
+// changes one, and so does another accuracy: 1991, 1994, 1996, bounded or exact.
 //
 // Usage: example_demo [ASSETS [ACCURACY]]
 #include <oblong.h>
@@ -13,7 +13,7 @@ using namespace oblong;
 namespace {
 
 constexpr std::int64_t kRate_hz = 70, kTicksALetter = 15, kHashedTicks = 50;
-// What was held down, a letter for 15 ticks: w ahead, l and r to turn left and right.
+// The keys held, a letter for 15 ticks: w ahead, l and r to turn left and right.
 constexpr std::string_view kMoves = "wwwwwwwwwwwwwrrrrwwwwwwwwwwwww";
 
 Pose after_move(const LevelScene& level, Pose eye, char move) {

@@ -1,5 +1,5 @@
-// Fire: each pixel becomes the mean of those below it, a little colder by chance; the lowest row is fuel. It burns 70
-// times a second, however many pictures a display shows. Space takes the fuel away.
+// Fire: each pixel becomes the mean of the pixels below it, minus a small random amount; the lowest row is fuel. It
+// burns 70 times a second, at any frame rate. Space removes the fuel.
 #include <oblong.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kRate_hz = 70, kHottest = 255, kLog_px = 8;
 
-// Logs of eight columns, a few of which change: some burn well, some don't.
+// Logs of eight columns, of random heat; a few change each time.
 void lay_fuel(Framebuffer fire, bool is_out, std::uint64_t& random) {
     for (int x = 0; x < fire.width_px; x += kLog_px)
         if (is_out || random_below(8, random) == 0)
@@ -31,7 +31,7 @@ void burn(Framebuffer fire, std::uint64_t& random) {
 
 int main() {
     Window window("Fire");
-    // A colour's number is its heat.
+    // A colour's index is its heat.
     set_ramp(window.palette, 0, 63, {0, 0, 0}, {120, 0, 0});
     set_ramp(window.palette, 64, 127, {120, 0, 0}, {250, 100, 0});
     set_ramp(window.palette, 128, 191, {250, 100, 0}, {255, 230, 80});

@@ -1,6 +1,6 @@
-// A textured floor. All of a row below the horizon is equally far away: a row needs one division, and its texture two
-// sums a pixel. Arrow keys turn and drive. In the texts: the course notes on perspective and textures; Muratori's
-// multipliers.
+// A textured floor. All pixels of a row below the horizon have the same distance, so that a row needs one division, and
+// a pixel two additions. Arrow keys turn and drive. In the texts: the course notes on perspective and textures;
+// Muratori's multipliers.
 #include <oblong.h>
 
 using namespace oblong;
@@ -10,13 +10,13 @@ namespace {
 constexpr int kShades = 32, kSky = 3 * kShades;  // colours: three ramps of the floor, one of the sky
 constexpr int kHeight = 48;                      // of the eye above the floor, texels
 
-// Places and distances: 65,536 a texel.
+// Positions and distances: 65,536 a texel.
 struct Eye {
     std::int64_t x = 0, y = 0;
     int yaw_256 = 20 * 256;
 };
 
-// Tiles of 64 texels a side with a border; of two colours in turn.
+// Tiles of 64x64 texels with a border, in two alternating colours.
 int texel_at(std::int64_t u, std::int64_t v) {
     const bool is_border = (u & 63) < 4 || (v & 63) < 4;
     return is_border ? 2 : static_cast<int>((u >> 6 ^ v >> 6) & 1);
@@ -25,7 +25,7 @@ int texel_at(std::int64_t u, std::int64_t v) {
 void draw_floor(Framebuffer canvas, const ScreenMode& mode, const Eye& eye) {
     const auto [width, height] = mode.pixel();  // 5 to 6
     const std::int64_t sine = sine_65536(eye.yaw_256), cosine = sine_65536(eye.yaw_256 + 90 * 256),
-                       across = mode.width_px / 2;  // of a distance of one, to the side: 90 degrees are seen
+                       across = mode.width_px / 2;  // half the screen is as far to the side as away: 90 degrees
     for (int y = mode.height_px / 2; y < mode.height_px; ++y) {
         const int below = 2 * (y - mode.height_px / 2) + 1;  // half rows from the horizon to the row's middle
         const std::int64_t ahead = 65536 * 2 * kHeight * across * width / (height * below), step = ahead / across;
@@ -33,7 +33,7 @@ void draw_floor(Framebuffer canvas, const ScreenMode& mode, const Eye& eye) {
         std::int64_t u = eye.x + ((ahead * cosine + right * sine) >> 16),
                      v = eye.y + ((ahead * sine - right * cosine) >> 16);
         const std::int64_t step_u = step * sine >> 16, step_v = -step * cosine >> 16;
-        const int shade = kShades * below / mode.height_px;  // what is far is dark
+        const int shade = kShades * below / mode.height_px;  // far rows are dark
         for (int x = 0; x < mode.width_px; ++x, u += step_u, v += step_v)
             set_pixel(canvas, x, y, texel_at(u >> 16, v >> 16) * kShades + shade);
     }

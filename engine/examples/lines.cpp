@@ -1,6 +1,6 @@
-// Lines and clipping, written out. Above, a line four times: by a multiplication a pixel, by an addition (a DDA), by
-// Bresenham's whole numbers, and shaded by its distance from pixels, as Gupta and Sproull do. Below, a triangle cut by
-// each side of a window, the rest filled as a fan. In the texts: the course notes on lines and clipping; Abrash on
+// Lines and clipping, written out. Above, a line in four ways: with a multiplication for each pixel, with an addition
+// (DDA), with Bresenham's integers, and shaded by its distance from pixels, as by Gupta and Sproull. Below, a triangle
+// clipped by each side of a window and filled as a fan. In the texts: the course notes on lines and clipping; Abrash on
 // planes.
 #include <oblong.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kWhite = 63, kGrey = 64, kBlue = 65, kOne = 65536;  // colours: shades up to white; 1 of a row
 
-// Each draws a line that goes `run` columns right and `rise` rows down, no more of these.
+// Each draws a line of `run` columns to the right and `rise` rows down, rise <= run.
 void draw_naive(Framebuffer canvas, int x, int y, int run, int rise) {
     for (int i = 0; i <= run; ++i) set_pixel(canvas, x + i, y + (i * (rise * kOne / run) + kOne / 2) / kOne, kWhite);
 }
@@ -25,25 +25,25 @@ void draw_dda(Framebuffer canvas, int x, int y, int run, int rise) {
 
 void draw_bresenham(Framebuffer canvas, int x, int y, int run, int rise) {
     for (int i = 0, error = -run; i <= run; ++i, error += 2 * rise) {
-        if (error >= 0) ++y, error -= 2 * run;  // the next row is nearer, or as near
+        if (error >= 0) ++y, error -= 2 * run;  // the next row is as near or nearer
         set_pixel(canvas, x + i, y, kWhite);
     }
 }
 
-// Two rows share each column's light. The distance is measured along it, which is a little more than the true one.
+// Two rows share each column's light, by the vertical distance, which is slightly larger than the true one.
 void draw_shaded(Framebuffer canvas, int x, int y, int run, int rise) {
     for (int i = 0, row = 0; i <= run; ++i, row += rise * kOne / run)
         for (int at = row / kOne; at < row / kOne + 2; ++at)
             set_pixel(canvas, x + i, y + at, kWhite * (kOne - std::abs(row - at * kOne)) / kOne);
 }
 
-// A side of the window as a plane is written: how far (a, b) leads from it, inwards.
+// A side of the window as a plane equation; distances are positive inside.
 struct Side {
     int a, b, c;
     int distance(PixelPosition p) const { return a * p.column + b * p.row + c; }
 };
 
-// The corners inwards of a side, and where an edge crosses it.
+// The corners inside of a side, and the points where edges cross it.
 std::vector<PixelPosition> cut(const std::vector<PixelPosition>& polygon, const Side& side) {
     std::vector<PixelPosition> kept;
     for (std::size_t i = 0; i < polygon.size(); ++i) {

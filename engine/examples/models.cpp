@@ -1,7 +1,7 @@
-// Models without a level: one out of a file, one made of triangles here, and light from everywhere and from one
-// side. Which of two is in front is seen at each pixel, in whatever order they are drawn. S saves the picture. In the
-// texts: Abrash on normals, the dot product and faces turned away; Princeton's illumination; the course notes' depth
-// buffer, shading and textures.
+// Models without a level: one from a file, one made of triangles here, with ambient and directional light. A depth
+// buffer decides which one is in front, in any order of drawing. S saves the picture. In the texts: Abrash on normals,
+// the dot product and faces turned away; Princeton's illumination; the course notes' depth buffer, shading and
+// textures.
 //
 // Usage: example_models [ASSETS]
 #include <oblong.h>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kBackground = 98;  // a dark blue
 
-// Sides that meet above the middle; seen from outside their corners run clockwise.
+// Four sides that meet above the middle; their corners run clockwise seen from outside.
 void add_pyramid(Model& model, const Picture& picture) {
     const int number = model.add_picture(picture), right = picture.width_px, bottom = picture.height_px;
     constexpr std::array<PixelPosition, 4> kGround{{{-20, -20}, {20, -20}, {20, 20}, {-20, 20}}};

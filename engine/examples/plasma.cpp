@@ -1,12 +1,13 @@
-// Plasma by cycling the palette. A sum of four waves is drawn once; after that no pixel changes, only the 256 colours
-// move: 768 bytes a picture instead of 64,000.
+// Plasma by cycling the palette. A sum of four waves is drawn once; after that only the 256 colours move: 768 bytes for
+// a picture instead of 64,000.
 #include <oblong.h>
 
 using namespace oblong;
 
 namespace {
 
-// Of the four waves at a place, from -4 * 65,536 to 4 * 65,536. Rings come of a square: their angle grows faster.
+// The sum of the four waves at a place, from -4 * 65,536 to 4 * 65,536. The last term makes rings: its angle grows with
+// the square of the distance.
 int height(int x, int y) {
     constexpr int kDegree = 256;
     const int right = x - 160, down = y - 120;

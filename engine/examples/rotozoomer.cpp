@@ -1,6 +1,6 @@
-// Rotozoomer: a picture turned and scaled over the whole screen. A column further is one step on the picture, a row
-// further another one at right angles, so that the inner loop only adds. Rows are farther apart than columns, by the
-// shape of a pixel: without that its squares would not stay square.
+// Rotozoomer: a picture turned and scaled over the whole screen. The next column is one step on the picture, the next
+// row another step at right angles, so that the inner loop only adds. The row's step is larger by the shape of a pixel,
+// so that squares stay square.
 #include <oblong.h>
 
 using namespace oblong;
@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kSide = 64;
 
-// A power of two wide and high, so that it repeats by itself.
+// Its sides are powers of two, so that coordinates wrap with a mask.
 Picture texture() {
     Picture picture = Picture::of_size(kSide, kSide);
     for (int y = 0; y < kSide; ++y)
@@ -17,7 +17,7 @@ Picture texture() {
     return picture;
 }
 
-// Along the picture: how far right and down, 65,536 a texel.
+// A step on the picture, right and down, 65,536 a texel.
 struct Step {
     int u, v;
 };
@@ -43,7 +43,7 @@ int main() {
     const Ratio pixel = window.mode().pixel();  // 5 wide, 6 high
     do {
         const std::int64_t turn = 30 * 256 + window.time_ms() * 10, breath = window.time_ms() * 16;
-        const int texels_256 = 140 + sine_65536(breath) / 600;  // a column: from a tenth of a texel to one
+        const int texels_256 = 140 + sine_65536(breath) / 600;  // for each column: from a tenth of a texel to one
         const auto along = [&](std::int64_t angle) { return std::int64_t{sine_65536(angle)} * texels_256 / 256; };
         const auto u = static_cast<int>(along(turn + 90 * 256)), v = static_cast<int>(along(turn));
         const auto row = [&](int across) { return static_cast<int>(across * pixel.denominator / pixel.numerator); };

@@ -62,7 +62,7 @@ int main() {
         draw_land(canvas, window.mode());
         const PixelPosition net = window.mouse();
         for (int i = 0; i < kMoths; ++i) {
-            // Each flies its own loops, and those that were caught have changed them.
+            // Each flies its own loops; each catch changes them.
             const std::int64_t turn = window.time_ms() * (8 + i) + (i + caught) * 15'000;
             const int x = 160 + sine_65536(turn) / 480, y = 90 + sine_65536(turn * 2 + i * 9000) / 900;
             draw_turned(canvas, moth, x, y, sine_65536(turn) / 3, 320 + 64 * i);

@@ -1,6 +1,6 @@
-// Star field: perspective is one division. A star's place on the screen is its place in space times a multiplier over
-// its distance; there are two multipliers, since pixels are taller than wide. In the texts: Muratori on aspect ratios
-// and on the field of view; Princeton's "Perspective Projection".
+// Star field: perspective is one division. A star's screen position is its position in space times a multiplier,
+// divided by its distance; there are two multipliers, since pixels are taller than wide. In the texts: Muratori on
+// aspect ratios and on the field of view; Princeton's "Perspective Projection".
 #include <oblong.h>
 
 #include <vector>
@@ -23,7 +23,7 @@ std::vector<Star> scattered() {
     return stars;
 }
 
-// Half of 320 columns for what is as far to the right as it is away: 90 degrees across.
+// Half the columns for a star as far to the right as away: 90 degrees across.
 PixelPosition on_screen(const Star& star, int distance, const ScreenMode& mode) {
     const auto [width, height] = mode.pixel();
     const int across = mode.width_px / 2, down = static_cast<int>(across * width / height);
@@ -40,7 +40,7 @@ int main() {
         clear(window.canvas());
         const std::int64_t flown = window.time_ms() * 256 / 1000;
         for (const Star& star : stars) {
-            // Who is passed comes again from afar.
+            // A star that is passed returns from afar.
             const int distance =
                 static_cast<int>((star.distance + 1'000'000 * std::int64_t{kFarthest} - flown) % kFarthest);
             const PixelPosition now = on_screen(star, distance + 1, window.mode()),

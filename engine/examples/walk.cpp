@@ -1,7 +1,7 @@
 // A level to walk: W A S D and the mouse, or a gamepad; Space jumps, E opens doors on hinges, F fills the screen, M
-// ends the music, Escape the program. The level says where a body gets that wants to go somewhere; how fast it wants to
-// is the program's. In the texts: all that Princeton's "Polygon Pipeline" names happens in LevelScene::draw(); Abrash's
-// BSP tree; the course notes' camera of first-person games.
+// ends the music, Escape the program. The level handles collisions; the speed is the program's. In the texts:
+// LevelScene::draw() does all stages of Princeton's "Polygon Pipeline"; Abrash's BSP tree; the course notes' camera of
+// first-person games.
 //
 // Usage: example_walk [ASSETS [LEVEL]]
 #include <oblong.h>
@@ -14,9 +14,9 @@ using namespace oblong;
 
 namespace {
 
-constexpr int kSpeed = 280, kJump = 270, kGravity = 800;  // units a second, and what is added to the fall each second
+constexpr int kSpeed = 280, kJump = 270, kGravity = 800;  // units a second; gravity: units a second squared
 
-// From -256 to 256: a key against another, a half of the pad's stick against the other.
+// From -256 to 256: two opposite keys, and two directions of the pad's stick.
 int pressure_256(const Window& window, std::string_view minus, std::string_view plus, const std::string& stick_minus,
                  const std::string& stick_plus) {
     return std::clamp(window.pressure_256(plus) - window.pressure_256(minus) +

@@ -6,10 +6,10 @@ namespace oblong {
 namespace {
 
 constexpr World kStep = World::from_int(18);
-// Of a floor's normal: steeper ones are no floor (Quake's 0.7).
+// The least z of a floor's normal (Quake's 0.7).
 constexpr Unit kLeastFloor = Unit::from_raw(751'619'277);
 
-// The shortest of the ways in the world and in each brush model.
+// The shortest trace in the world and in each brush model.
 TraceResult trace_body(const Surroundings& around, const Vec3<World>& from, const Vec3<World>& to) {
     TraceResult nearest = trace_hull(around.level, around.level.world(), Hull::Player, from, to);
     for (const PlacedModel& model : around.models) {
@@ -22,7 +22,7 @@ TraceResult trace_body(const Surroundings& around, const Vec3<World>& from, cons
     return nearest;
 }
 
-// What is left of a way along a plane.
+// A way without its component into a plane.
 Vec3<World> along_plane(const Vec3<World>& way, const Vec3<Unit>& normal) {
     const World into = convert<World>(dot(way, normal), Rounding::Floor);
     const auto part = [&](Unit component) { return product<World>(into, component); };
@@ -52,7 +52,7 @@ WorldWide distance_2d(const Vec3<World>& a, const Vec3<World>& b) {
 Vec3<World> walk_body(const Surroundings& around, const Vec3<World>& from, const Vec3<World>& way) {
     const Vec3<World> along_ground = slide(around, from, way);
     if (way.x == World{} && way.y == World{}) return along_ground;
-    // Up a step, on, and down again: taken where it leads farther.
+    // The way over a step, up, ahead and down, is taken if it leads farther.
     const Vec3<World> up = trace_body(around, from, from + Vec3<World>{{}, {}, kStep}).end;
     const Vec3<World> over = slide(around, up, {way.x, way.y, {}});
     const TraceResult down = trace_body(around, over, over - Vec3<World>{{}, {}, up.z - from.z});

@@ -7,15 +7,16 @@
 
 namespace oblong {
 
-/// What a body of the player's size (Hull::Player) may meet: the level, and its brush models where they are now.
+/// The obstacles of a body of the player's size (Hull::Player): the level, and its brush models at their current
+/// places.
 struct Surroundings {
     const Level& level;
     std::span<const PlacedModel> models;
 };
 
-/// Where a body gets that wants to go on so far: it slides along what it meets, and climbs steps of 18 units.
+/// Moves a body by `way`: it slides along obstacles, and climbs steps of 18 units. Returns its place.
 Vec3<World> walk_body(const Surroundings& around, const Vec3<World>& from, const Vec3<World>& way);
-/// Whether something to stand on is less than a unit below.
+/// Whether there is a floor less than a unit below.
 bool stands_on_floor(const Surroundings& around, const Vec3<World>& at);
 
 }  // namespace oblong

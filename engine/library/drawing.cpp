@@ -20,7 +20,7 @@ bool is_in(Framebuffer canvas, std::int64_t x, std::int64_t y) {
     return x >= 0 && y >= 0 && x < canvas.width_px && y < canvas.height_px;
 }
 
-// Any number, so that sums of two fit.
+// Bounds a number so that sums of two fit.
 std::int32_t bounded(std::int32_t any_px) {
     return std::clamp(any_px, -(1 << 28), 1 << 28);
 }
@@ -29,7 +29,7 @@ Area area_of(std::int32_t x, std::int32_t y, std::int32_t width, std::int32_t he
     return {bounded(x), bounded(y), bounded(std::max(width, 0)), bounded(std::max(height, 0))};
 }
 
-/// A circle on the display, half a pixel larger so that it is round at its sides, too: (across x)^2 + (down y)^2 =
+/// A circle on the display, half a pixel larger so that its extreme sides look round, too: (across x)^2 + (down y)^2 =
 /// (across (radius + 1/2))^2, x in columns, y in rows.
 struct Circle {
     Circle(const ScreenMode& mode, std::int32_t radius_px) {
@@ -43,7 +43,7 @@ struct Circle {
         doubled_radius = across * (2 * std::clamp(radius_px, 0, 2 * kLargestMode_px) + 1);
     }
     std::int32_t height() const { return static_cast<std::int32_t>(doubled_radius / (2 * down)); }
-    /// Columns beside the middle one that are inside; -1 above the top.
+    /// Columns on each side of the middle one that are inside; -1 above the top.
     std::int32_t half_width(std::int64_t rows) const {
         const std::int64_t at = 2 * down * rows, rest = doubled_radius * doubled_radius - at * at;
         if (rest < 0) return -1;
@@ -65,7 +65,7 @@ void fill_row(Framebuffer canvas, std::int64_t first, std::int64_t last, std::in
         std::fill_n(canvas.row(static_cast<std::int32_t>(y)) + first, last - first + 1, as_index(colour));
 }
 
-// In 24.8 the middle of a pixel, as near as 2^20 pixels.
+// The middle of a pixel in 24.8, clamped to 2^20 pixels.
 ScreenVertex middle_of_pixel(PixelPosition pixel) {
     const auto middle = [](std::int32_t at) {
         return Screen::from_raw(std::clamp(at, -(1 << 20), 1 << 20) * 256 + 128);
@@ -120,7 +120,7 @@ void draw_circle(Framebuffer canvas, const ScreenMode& mode, std::int32_t x, std
                  std::int32_t colour) {
     const Circle circle(mode, radius_px);
     for (std::int64_t rows = 0; rows <= circle.height(); ++rows) {
-        // As far in as the next row begins, so that the line has no gap.
+        // Inwards to where the next row begins, so that the line has no gap.
         const std::int64_t outer = circle.half_width(rows),
                            inner = std::min<std::int64_t>(outer, circle.half_width(rows + 1) + 1);
         for (const std::int64_t row : {y - rows, y + rows}) {
@@ -155,7 +155,7 @@ void draw_turned(Framebuffer canvas, const Picture& picture, std::int32_t x, std
     // Of the picture, for each column and each row of the canvas, 16 fraction bits.
     const std::int64_t sine = std::int64_t{sine_65536(degrees_256)} * 256 / scale_256,
                        cosine = std::int64_t{sine_65536(std::int64_t{degrees_256} + 90 * 256)} * 256 / scale_256;
-    // No corner is farther from the middle than half the width and half the height.
+    // No corner is farther from the middle than half the width plus half the height.
     const std::int64_t reach = (std::int64_t{picture.width_px} + picture.height_px) * scale_256 / 512 + 1;
     const auto from = [&](std::int32_t middle) { return std::max<std::int64_t>(middle - reach, 0); };
     const auto to = [&](std::int32_t middle, std::int32_t end) { return std::min<std::int64_t>(middle + reach, end); };

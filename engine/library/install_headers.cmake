@@ -1,4 +1,4 @@
-# Run by cmake --install: oblong.h, the headers that programs may include besides, and all that these include.
+# Run by cmake --install: oblong.h, the other headers that programs may include, and all that these include.
 cmake_policy(VERSION 3.25)
 file(GLOB HEADERS_TO_READ ${ENGINE}/library/oblong.h ${ENGINE}/draw/*.h ${ENGINE}/methods/*.h)
 foreach(NAME effects/palette_effects files/files files/level_models files/obj files/pak files/picture files/quantise files/wad

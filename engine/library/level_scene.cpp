@@ -18,10 +18,10 @@
 namespace oblong {
 namespace {
 
-// Of a body's eye above its middle (Quake's).
+// Of a body's eye above its origin (Quake's).
 constexpr World kEyeHeight = World::from_int(22);
 
-// As the game takes entities: what is only seen stops nobody, and open gates are not there.
+// As in the game: passable brushes do not stop a body, and open gates are missing.
 bool is_solid(ClassRole role) {
     return role != ClassRole::Passable && role != ClassRole::OpenGate;
 }
@@ -57,7 +57,7 @@ struct LevelScene::State {
             throw FileError(file, "entity " + std::to_string(number), "has no brushes, expected a door or its like");
         return *model;
     }
-    /// The model that shows an entity that turns by turn_entity(), into `models`.
+    /// The index in `models` of the model of a turning door.
     std::optional<std::size_t> turning_door(std::int32_t number) const {
         for (std::size_t i = 0; i < models.models.size(); ++i)
             if (models.models[i].is_door && models.models[i].entity == as_size(number)) return i;
@@ -70,9 +70,9 @@ struct LevelScene::State {
     Level level;
     Colormap colormap;
     LevelModels models;
-    std::vector<Angle> turned;               // of each model that is a door
-    std::vector<PlacedModel> brushes;        // all that show, but for those doors
-    std::vector<PlacedModel> solid_brushes;  // those that stop a body
+    std::vector<Angle> turned;               // of turning doors, in the order of `models`
+    std::vector<PlacedModel> brushes;        // all visible ones, except turning doors
+    std::vector<PlacedModel> solid_brushes;  // the solid ones of these
     std::vector<PlacedMesh> shown;           // in the next picture
     std::vector<std::shared_ptr<const Mesh>> shown_meshes;
     Settings settings;
@@ -106,7 +106,7 @@ Pose LevelScene::start() const {
     const auto origin = parse_world_vector(start->value("origin")).value_or(Vec3<World>{});
     const auto angles = parse_world_vector(start->value("angles"));
     const World yaw = angles ? angles->y : parse_world_number(start->value("angle")).value_or(World{});
-    constexpr World kLift = World::from_int(1);  // as the game's
+    constexpr World kLift = World::from_int(1);  // as in the game
     return {to_256(origin.x), to_256(origin.y), to_256(origin.z + kLift + kEyeHeight), to_256(yaw)};
 }
 

@@ -8,10 +8,10 @@
 namespace oblong {
 
 struct Model::State {
-    std::shared_ptr<Mesh> mesh;  ///< never null; shared with pictures that are still to show it
+    std::shared_ptr<Mesh> mesh;  ///< never null; shared with level scenes that will show it
 };
 
-/// A mesh as a pose and a frame of its motion say.
+/// Places a mesh by a pose and a frame of its motion.
 PlacedMesh placed_at(const Mesh& mesh, const Pose& pose, std::int32_t frame);
 
 }  // namespace oblong

@@ -22,7 +22,7 @@ Mesh read_mesh(const std::string& file, const Palette& palette, std::int32_t sca
     });
 }
 
-// The first vertex of a triangle that is added: three of its own, so that it is flat.
+// Adds a vertex of a triangle. Triangles do not share vertices, so that they are flat.
 std::uint32_t add_corner(Mesh& mesh, const Corner& corner) {
     const auto within = [](std::int32_t units) {
         return World::from_int(std::clamp(units, 1 - kMeshLimit, kMeshLimit - 1));

@@ -51,7 +51,7 @@ void cycle_colours(Palette& palette, int first, int last, std::int64_t places) {
     check(first, last);
     const std::int64_t count = last - first + 1;
     const auto begin = palette.colours.begin() + first;
-    // A colour moves up: what was in the last places comes first.
+    // Colours move up; the last ones move to the front.
     std::rotate(begin, begin + (count - (places % count + count) % count) % count, begin + count);
 }
 

@@ -19,7 +19,7 @@ std::int32_t sine_65536(std::int64_t degrees_256) {
     return static_cast<std::int32_t>((sine(angle_from_256(degrees_256)).raw + kHalf) >> 14);
 }
 
-// SplitMix64 (Steele, Lea, Flood 2014); the high half of a product instead of a remainder.
+// SplitMix64 (Steele, Lea, Flood 2014); the high half of a product replaces a remainder.
 std::int32_t random_below(std::int32_t limit, std::uint64_t& state) {
     state += 0x9E37'79B9'7F4A'7C15u;
     std::uint64_t mixed = state;

@@ -7,7 +7,7 @@
 
 namespace oblong {
 
-/// 256ths of a unit, as far as the world reaches.
+/// Converts 256ths of a unit, clamped to the range of the world.
 constexpr World world_from_256(std::int64_t units_256) {
     constexpr std::int64_t kFarthest_256 = std::int64_t{500'000} * 256;
     const std::int64_t bounded = units_256 < -kFarthest_256  ? -kFarthest_256
@@ -22,7 +22,7 @@ inline Vec3<World> place_of(const Pose& pose) {
     return {world_from_256(pose.x_256), world_from_256(pose.y_256), world_from_256(pose.z_256)};
 }
 
-/// 256ths of a degree, any: 360 are a turn.
+/// Converts 256ths of a degree, of any number of turns.
 constexpr Angle angle_from_256(std::int64_t degrees_256) {
     constexpr std::int64_t kTurn_256 = 360 * 256;
     const std::int64_t turned = (degrees_256 % kTurn_256 + kTurn_256) % kTurn_256;

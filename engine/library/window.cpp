@@ -70,7 +70,7 @@ struct Window::State {
     void take(const InputEvent& event);
     void point(const Pointer& pointer);
 
-    std::unique_ptr<Platform> owned;  // null where the program brought its own
+    std::unique_ptr<Platform> owned;  // null if the program passed its own
     Platform& platform;
     ScreenMode mode;
     std::vector<std::uint8_t> pixels;
@@ -78,7 +78,7 @@ struct Window::State {
     std::int64_t time_us = 0;
     bool is_closed = false;
     WindowSettings settings;
-    std::map<Input, std::int32_t> held;  // inputs that are pressed, and how far: 1 to kFullAxis
+    std::map<Input, std::int32_t> held;  // pressed inputs, with their pressures: 1 to kFullAxis
     std::vector<Input> pressed;          // since the last picture
     PixelPosition mouse, motion;
 };
@@ -120,7 +120,7 @@ void Window::State::take(const InputEvent& event) {
     if (!was_held && held.contains(event.input)) pressed.push_back(event.input);
 }
 
-// The window's pixel as one of the canvas.
+// Converts a position in the window to a pixel of the canvas.
 void Window::State::point(const Pointer& pointer) {
     const PresentRect rect = shown();
     if (rect.width_px == 0 || rect.height_px == 0) return;
@@ -135,7 +135,8 @@ void Window::State::point(const Pointer& pointer) {
 void Window::State::take_input() {
     pressed.clear();
     motion = {};
-    std::erase_if(held, [](const auto& one) { return one.first.device == Device::MouseWheel; });  // never let go
+    std::erase_if(
+        held, [](const auto& one) { return one.first.device == Device::MouseWheel; });  // wheel turns have no release
     const PlatformInput input = platform.poll();
     for (const InputEvent& event : input.events) take(event);
     if (input.pointer) point(*input.pointer);
@@ -188,7 +189,7 @@ std::int64_t Window::time_ms() const {
 }
 
 bool Window::is_down(std::string_view input) const {
-    // A stick that hangs a little to one side is not held there.
+    // A quarter of the range is a stick's dead zone.
     return pressure_256(input) >= 64;
 }
 

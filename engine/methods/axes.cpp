@@ -22,12 +22,12 @@ Vec3<Sine60> without(const Vec3<Unit>& v, const Vec3<Unit>& axis) {
     return {rest(v.x, axis.x), rest(v.y, axis.y), rest(v.z, axis.z)};
 }
 
-/// The direction of `v` without its part along `axis`; any direction at right angles to the axis where nothing is left.
+/// The direction of `v` without its part along `axis`; any perpendicular direction if nothing is left.
 Vec3<Unit> direction_without(const Vec3<Unit>& v, const Vec3<Unit>& axis) {
     const Vec3<Unit> once = normalised(without(v, axis));
     if (once == Vec3<Unit>{}) return perpendicular_to(axis);
-    // For nearly parallel directions the remainder is small, and rounding errors large in it: a second pass removes
-    // them.
+    // For nearly parallel directions the remainder is small and its rounding errors are relatively large: a second pass
+    // removes them.
     return normalised(without(once, axis));
 }
 

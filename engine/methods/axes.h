@@ -4,9 +4,8 @@
 
 namespace oblong {
 
-/// view_basis() in a world with y up (x right, z forward, left-handed: a view that has not been turned): yaw turns
-/// forward toward +x, then pitch turns forward toward up, then roll turns right toward up. At 0, 0, 0 the axes are the
-/// world's.
+/// view_basis() in a world with y up (x right, z forward, left-handed: the axes of an unturned view): yaw turns forward
+/// toward +x, then pitch turns forward toward up, then roll turns right toward up. At 0, 0, 0 the axes are the world's.
 Basis y_up_basis(Angle yaw, Angle pitch, Angle roll);
 
 /// The axes before y_up_basis() rounds them: each component within 2^-57.
@@ -15,16 +14,16 @@ struct FineBasis {
 };
 FineBasis y_up_fine_basis(Angle yaw, Angle pitch, Angle roll);
 
-/// How far axes are from length 1 and from right angles: the largest |r_i . r_j - d_ij|. Where it is not 0, multiplying
-/// components no longer gives lengths and angles (Muratori). Each axis is shorter than 1.6.
+/// How far axes are from orthonormal: the largest |r_i . r_j - d_ij|. Unless it is 0, products of components do not
+/// give lengths and angles (Muratori). Each axis is shorter than 1.6.
 Sine60 orthonormal_flaw(const Basis& basis);
 
-/// The most that rounding components to 2^-30 causes, with a margin: 2^-26.
+/// The largest flaw from rounding components to 2^-30, with a margin: 2^-26.
 inline constexpr Sine60 kOrthonormalFlaw = Sine60::from_raw(std::int64_t{1} << (60 - 26));
 bool is_orthonormal(const Basis& basis);
 
-/// Orthonormal axes of the same handedness (Gram and Schmidt): forward keeps its direction, up loses its part along
-/// forward, right follows from both. Zero or parallel axes are replaced by some that are perpendicular.
+/// Orthonormal axes of the same handedness (Gram and Schmidt): forward keeps its direction, up loses its component
+/// along forward, right follows from both. Zero or parallel axes are replaced by perpendicular ones.
 Basis orthonormalised(const Basis& basis);
 
 }  // namespace oblong

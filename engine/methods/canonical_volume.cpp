@@ -10,7 +10,7 @@ namespace {
 constexpr std::array<VolumeSide, kVolumeSideCount> kVolumeSides{VolumeSide::Left, VolumeSide::Right, VolumeSide::Bottom,
                                                                 VolumeSide::Top,  VolumeSide::Near,  VolumeSide::Far};
 
-/// The same point with smaller numbers: sums of two coordinates, and differences of such sums, then fit.
+/// The same point with smaller coordinates, so that sums of two, and differences of such sums, fit.
 Vec4 with_room(const Vec4& point) {
     constexpr Entry kRoom = Entry::from_int(1 << 29);
     const auto fits = [&](Entry value) { return value < kRoom && value > -kRoom; };

@@ -8,9 +8,9 @@
 
 namespace oblong {
 
-/// The six sides of the canonical view volume, -w <= x <= w, -w <= y <= w, 0 <= z <= w, in homogeneous coordinates:
-/// what every view with a near and a far plane becomes by its matrix, so that clipping compares coordinates and knows
-/// no angles.
+/// The six sides of the canonical view volume, -w <= x <= w, -w <= y <= w, 0 <= z <= w, in homogeneous coordinates. The
+/// matrix of a view with a near and a far plane maps its volume to this one, so that clipping only compares
+/// coordinates.
 enum class VolumeSide : std::uint8_t { Left, Right, Bottom, Top, Near, Far };
 inline constexpr int kVolumeSideCount = 6;
 
@@ -21,16 +21,17 @@ Entry distance_inside(const Vec4& point, VolumeSide side);
 /// A bit for each side that the point is outside of, in the order of VolumeSide (Cohen and Sutherland).
 unsigned volume_outcode(const Vec4& point);
 
-/// Both parts of a convex polygon that a side cuts, each with the two corners on the side; a corner on it belongs to
-/// the inside. Empty where nothing is left. Corners are computed from the edge's inside end: neighbours get the same.
+/// Both parts of a convex polygon cut by a side, each with the two corners on the side; a corner on it belongs to the
+/// inside. A part may be empty. Crossings are computed from an edge's inside end, so that neighbours get the same ones.
 /// Coordinates of less than 2^29.
 struct SplitPolygon {
     std::vector<Vec4> inside, outside;
 };
 SplitPolygon split_polygon(const std::vector<Vec4>& polygon, VolumeSide side);
 
-/// The part of a convex polygon that is in the volume, by one side after the other (Sutherland and Hodgman). Any
-/// coordinates: points of more than 2^29 are scaled down first, which leaves them where they are.
+/// The part of a convex polygon that is in the volume, clipped by one side after the other (Sutherland and Hodgman).
+/// Any coordinates: points of more than 2^29 are scaled down first, which does not change the points that they
+/// represent.
 std::vector<Vec4> clip_to_volume(const std::vector<Vec4>& polygon);
 
 /// Viewspace to the canonical volume of a perspective view between depths `nearest` and `farthest` (above 0, the second
@@ -38,8 +39,8 @@ std::vector<Vec4> clip_to_volume(const std::vector<Vec4>& polygon);
 /// (course notes), w = z.
 Matrix4 volume_matrix(const Projection& projection, Entry nearest, Entry farthest);
 
-/// Where a point in the volume is on the screen, in pixels, y down: the perspective divide and the viewport. `point`
-/// has w above 0.
+/// The screen position of a point in the volume, in pixels, y down: perspective divide and viewport. `point` has w
+/// above 0.
 struct VolumeScreenPoint {
     Entry x, y, depth;  ///< depth: 0 on the near side, 1 on the far one
 };

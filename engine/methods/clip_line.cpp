@@ -12,8 +12,8 @@ namespace {
 
 constexpr ClipDistance kOnVolumePlane{};
 
-/// Cuts an outside end off at one plane after the other. A cut end counts as inside of its plane, wherever rounding put
-/// it: so each plane cuts it once at most.
+/// Cuts an outside end at one plane after the other. A cut end counts as inside of its plane, whatever its rounding, so
+/// that each plane cuts it at most once.
 std::optional<ViewLine> clip_by_outcodes(const ViewVolume& volume, ViewLine line) {
     std::array<Vec3<View>*, 2> ends{&line.from, &line.to};
     std::array<unsigned, 2> outside{outcode_of(volume, line.from), outcode_of(volume, line.to)}, undecided{63, 63};

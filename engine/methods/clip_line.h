@@ -7,14 +7,14 @@
 
 namespace oblong {
 
-/// The bits of Outcode for the sides, and two more.
+/// Two bits beside those of Outcode for the sides.
 inline constexpr unsigned kOutFront = 16, kOutBack = 32;
 
-/// A bit for each plane of the volume that a point in viewspace is outside of; on a plane is inside.
+/// A bit for each plane of the volume that a point in viewspace is outside of; a point on a plane is inside.
 unsigned outcode_of(const ViewVolume& volume, const Vec3<View>& p);
 
 enum class LineClipping : std::uint8_t {
-    CohenSutherland,  ///< an outcode for each end; cuts the line at one plane after the other, and rounds at each
+    CohenSutherland,  ///< an outcode for each end; the line is cut at one plane after the other, and rounded at each
     LiangBarsky       ///< clip_line() of engine/view
 };
 

@@ -48,7 +48,7 @@ struct EightValues {
     }
 };
 
-/// A bit for each of eight pixels where one of the functions is below 0.
+/// A bit for each of eight pixels: one of the functions is below 0.
 unsigned outside_bits(const EightValues& a, const EightValues& b, const EightValues& c) {
     const __m128i low = _mm_or_si128(_mm_or_si128(a.low, b.low), c.low);
     const __m128i high = _mm_or_si128(_mm_or_si128(a.high, b.high), c.high);

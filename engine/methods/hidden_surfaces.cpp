@@ -12,7 +12,7 @@ namespace oblong {
 
 namespace {
 
-/// Sets the plane of a face from its front.
+/// Sets the plane of a face, seen from its front.
 void set_plane(const FrameContext& frame, ScannedFace& scanned) {
     const Level& level = frame.scene.level;
     const Face& face = level.faces[scanned.face];
@@ -85,7 +85,7 @@ void HiddenSurfaceMethod::find_owners(const FrameContext& frame) {
     }
 }
 
-/// Claims a face's own runs for it.
+/// Claims a face's runs of pixels.
 void HiddenSurfaceMethod::claim_runs(const ScannedFace& face, std::span<const OwnedRun> runs, const FrameContext& frame,
                                      ViewScratch& scratch) {
     Claims& claims = scratch.claims;

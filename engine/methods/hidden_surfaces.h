@@ -12,7 +12,7 @@
 
 namespace oblong {
 
-/// How a frame finds out which face owns which pixel. All but the span buffer are there to be compared with it.
+/// How a frame finds the owner face of each pixel. The engine uses the span buffer; the others are for comparison.
 enum class HiddenSurfaces : std::uint8_t {
     SpanBuffer,     ///< visibility/span_buffer.h: the engine's
     ZBuffer,        ///< methods/z_buffer.h
@@ -29,9 +29,9 @@ constexpr bool serves_parallel_views(HiddenSurfaces method) {
     return method == HiddenSurfaces::SpanBuffer || method == HiddenSurfaces::Painter;
 }
 
-/// Claims the pixels of frames by one of these methods (FrameWorkspace::claimer). Faces of the first walk are kept, all
-/// of them scanned; then the method finds the owner of each pixel, and what has none is left to the second walk. A
-/// parallel view is drawn with the span buffer whatever the method.
+/// Claims the pixels of frames by one of these methods (FrameWorkspace::claimer). All faces of the first walk are
+/// scanned and kept; then the method finds the owner of each pixel; pixels without an owner are left to the second
+/// walk. A parallel view is drawn with the span buffer whatever the method.
 class HiddenSurfaceMethod final : public FaceClaimer {
   public:
     explicit HiddenSurfaceMethod(HiddenSurfaces method) : method_(method) {}
@@ -39,13 +39,13 @@ class HiddenSurfaceMethod final : public FaceClaimer {
     void claim(const FrameContext& frame, ViewScratch& scratch) override;
 
     HiddenSurfaces method() const { return method_; }
-    /// What the frame drawn last took, without what is in mirrors; all 0 for the span buffer.
+    /// The work of the last frame, without its mirrors; all 0 for the span buffer.
     const HiddenSurfaceCounts& counts() const { return counts_; }
-    /// What the view drawn last was worked out from.
+    /// The faces of the last view.
     const ScannedFaces& scanned() const { return scanned_; }
     const PixelOwners& owners() const { return owners_; }
-    const std::vector<InverseZ>& depths() const { return depths_; }  ///< of each pixel's owner; of the z-buffer alone
-    const RayTargets& targets() const { return targets_; }           ///< of rays alone
+    const std::vector<InverseZ>& depths() const { return depths_; }  ///< of each pixel's owner; z-buffer only
+    const RayTargets& targets() const { return targets_; }           ///< ray casting only
 
   private:
     void keep(const VisibleFace& face, const FrameContext& frame, ViewScratch& scratch);
@@ -63,7 +63,7 @@ class HiddenSurfaceMethod final : public FaceClaimer {
     RayTargets targets_;
 };
 
-/// Its counts by name, for reports.
+/// The counts by name, for reports.
 std::vector<NamedCount> named_counts(const HiddenSurfaceCounts& counts);
 
 }  // namespace oblong

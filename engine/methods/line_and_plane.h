@@ -18,11 +18,11 @@ struct LineHit {
 };
 
 /// Where the line through two points meets a plane (Abrash's LineIntersectPlane, corrected). A start in the plane is
-/// returned as it is; a line parallel to the plane and off it gives none. The point is rounded
-/// once, to the nearest, and saturates.
+/// returned unchanged; a line parallel to the plane, but not in it, has none. The point is rounded once, to the
+/// nearest, and saturates.
 std::optional<LineHit> intersect_line(const Vec3<World>& world_start, const Vec3<World>& world_end, const Plane& plane);
 
-/// The same for the segment from start to end. An end in the plane counts as a meeting point.
+/// The same for the segment from start to end. An end in the plane counts as an intersection.
 std::optional<LineHit> intersect_segment(const Vec3<World>& world_start, const Vec3<World>& world_end,
                                          const Plane& plane);
 

@@ -21,7 +21,7 @@ void paint_face(std::int32_t index, const ScannedFaces& scanned, PixelOwners& ow
     }
 }
 
-/// The place of each face in an order, and of kNone before all of them.
+/// The position of each face in an order, and of kNone before all.
 std::vector<std::int32_t> places_in(std::span<const std::int32_t> order) {
     std::vector<std::int32_t> places(order.size() + 1, PixelOwners::kNone);
     for (std::size_t place = 0; place < order.size(); ++place)

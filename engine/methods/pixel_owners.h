@@ -11,8 +11,7 @@
 
 namespace oblong {
 
-/// A face that was scanned without asking what hides it.
-/// Its spans are all pixels that it covers, in ScannedFaces::spans.
+/// A face that was scanned before anything hides it. Its spans are all pixels that it covers, in ScannedFaces::spans.
 struct ScannedFace : VisibleFace {
     bool is_seen_through = false;                      ///< hides nothing, but may be hidden
     Vec3<Unit> normal;                                 ///< of its plane, toward its front
@@ -41,40 +40,39 @@ struct ScannedFaces {
 
 /// The work that finding out which face owns which pixel took.
 struct HiddenSurfaceCounts {
-    std::int64_t faces_scanned = 0;      ///< or, for rays, held against each of them
+    std::int64_t faces_scanned = 0;      ///< for rays: the faces tested by them
     std::int64_t pixels_tested = 0;      ///< depths compared
-    std::int64_t pixels_written = 0;     ///< owners set, some of them again and again
+    std::int64_t pixels_written = 0;     ///< owners set, also repeatedly for a pixel
     std::int64_t order_comparisons = 0;  ///< of two faces, to sort them
     std::int64_t ray_face_tests = 0;
 };
 
-/// Pixels [first, end) of a row that a face owns, or that it is seen through at.
+/// Pixels [first, end) of a row that a face owns, or shows as a transparent face.
 struct OwnedRun {
     std::int32_t face;  ///< in ScannedFaces::faces
     Span span;
 };
 
-/// Which face each pixel belongs to: what a method of hidden-surface removal finds, except the span buffer, which never
-/// needs to ask again.
+/// The owner face of each pixel: the result of a hidden-surface method other than the span buffer.
 struct PixelOwners {
     static constexpr std::int32_t kNone = -1;
 
     std::int32_t width_px = 0, height_px = 0;
     std::vector<std::int32_t> faces;  ///< of each pixel: in ScannedFaces::faces, or kNone
-    std::vector<OwnedRun> seen;       ///< pixels of faces that are seen through, where no nearer face owns them
+    std::vector<OwnedRun> seen;       ///< pixels of transparent faces that no nearer face owns
     HiddenSurfaceCounts counts;
 
-    /// No pixel has an owner.
+    /// Starts with no owners.
     void start(std::int32_t width, std::int32_t height);
     std::int32_t* row(std::int32_t y) { return faces.data() + std::int64_t{y} * width_px; }
     const std::int32_t* row(std::int32_t y) const { return faces.data() + std::int64_t{y} * width_px; }
 };
 
-/// Adds a face whose spans are those of scanned rows, within a screen of this width. `corners` are its own.
+/// Adds a face with the spans of scanned rows, clipped to a screen of this width, and its corners.
 void add_face(ScannedFace face, const ScanlineExtents& rows, std::int32_t width_px,
               std::span<const Vec3<World>> corners, const Vec3<World>& eye, ScannedFaces& scanned);
 
-/// Appends the run of a face that one more pixel belongs to, or makes the last run longer.
+/// Adds a pixel to a face's runs: extends the last run or appends a new one.
 void append_pixel(std::int32_t face, std::int32_t column, std::int32_t row, std::vector<OwnedRun>& runs);
 
 /// The runs of all pixels that have an owner, and of those seen through: by face, then by row, then by column.

@@ -5,7 +5,7 @@
 
 namespace oblong {
 
-/// A face as rays meet it: its plane, and the planes through the eye and each of its edges.
+/// A face as a target of rays: its plane, and the planes through the eye and each of its edges.
 struct RayTarget {
     std::int32_t face;  ///< in ScannedFaces::faces
     Vec3<Unit> normal;
@@ -25,14 +25,14 @@ struct RayTargets {
     }
 };
 
-/// Ray casting, the naive answer (Princeton, "Ray casting revisited"): through the centre of each pixel a ray from the
-/// eye, held against every face; the nearest that it hits owns the pixel. No face is clipped, projected or scanned for
-/// it, and nothing that one pixel found helps the next.
+/// Ray casting, the naive method (Princeton, "Ray casting revisited"): a ray from the eye through the centre of each
+/// pixel is tested against every face; the nearest hit owns the pixel. No face is clipped, projected or scanned, and
+/// pixels share no work.
 ///
-/// A ray p(t) = eye + t d meets a plane at t = distance / -(N . d), and the face's inside if it is on the inner side of
-/// each edge's plane or on it. Which t is less is decided exactly, without a division. d and the edges' normals are
-/// rounded to 2^-30, a millionth of a pixel; corners are not, so that pixels may differ from those of a method that
-/// projects: where the ray passes within 1/256 pixel of an edge. `targets` is scratch.
+/// A ray p(t) = eye + t d meets a plane at t = distance / -(N . d), and hits the face if the point is on the inner side
+/// of each edge's plane or on it. Values of t are compared exactly, without a division. d and the edges' normals are
+/// rounded to 2^-30, a millionth of a pixel; corners are not rounded, so pixels may differ from those of a projecting
+/// method where the ray passes within 1/256 pixel of an edge. `targets` is scratch.
 void find_owners_by_rays(const ScannedFaces& scanned, const ViewDirections& directions, RayTargets& targets,
                          PixelOwners& owners);
 

@@ -13,7 +13,7 @@ Basis rotate_about_axis(const Basis& basis, const Vec3<Unit>& axis, Angle angle)
 
 /// Rotation by projection onto axes (Abrash): the direction's coordinates along right, up and forward.
 Vec3<Unit> project_onto_axes(const Vec3<Unit>& direction, const Basis& axes);
-/// Its inverse: the direction that has these coordinates along right, up and forward.
+/// The inverse: the direction with these coordinates along right, up and forward.
 Vec3<Unit> sum_along_axes(const Vec3<Unit>& coordinates, const Basis& axes);
 
 /// A rotation: w + x i + y j + z k of length 1, each component 2.30. q and -q are the same rotation.

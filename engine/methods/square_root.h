@@ -8,7 +8,7 @@ namespace oblong {
 /// The square root of `value` in the format To, exact before it is rounded. A negative value has the root 0.
 template <class To, class Int, int Frac>
 To square_root(Fixed<Int, Frac> value, Rounding rounding = Rounding::Floor) {
-    // One bit more than To has, for the rounding: a root is never a tie, for its square would end in a quarter.
+    // One bit more than To has, for rounding: a root is never a tie, since its square would then end in a quarter.
     constexpr int kShift = 2 * (To::kFractionBits + 1) - Frac;
     static_assert(kShift >= 0 && kShift <= 63, "the radicand fits 128 bits");
     if (value <= decltype(value){}) return To{};

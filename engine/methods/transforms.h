@@ -7,17 +7,17 @@
 
 namespace oblong {
 
-/// The point that a homogeneous vector stands for; none for a direction. Each coordinate saturates.
+/// The point of a homogeneous vector; none for a direction. Each coordinate saturates.
 std::optional<Vec3<Entry>> point_of(const Vec4& homogeneous);
 
 /// The rotation whose rows are right, up and forward: world directions to view directions.
 Matrix3 rotation_matrix(const Basis& basis);
 
-/// View to world, the inverse of it: the columns are the axes and the eye.
+/// View to world, its inverse: the columns are the axes and the eye.
 Matrix4 camera_matrix(const Basis& basis, const Vec3<World>& world_eye);
 
-// Rotations as matrices: columns are where the x, y and z axis go. Entries are those of the vectors that
-// methods/rotation.h and basis.h turn, so that the three agree with them bit for bit.
+// Rotations as matrices: their columns are the images of the x, y and z axis. The entries are those of
+// methods/rotation.h and basis.h, bit for bit.
 
 /// About an axis of length 1, counter-clockwise with the axis pointing at the viewer (right-handed axes).
 Matrix3 rotation_matrix(const Vec3<Unit>& axis, Angle angle);

@@ -46,8 +46,8 @@ SoftFloat determinant(const Corner& a, const CornerNormals& normals) {
     return sum.scaled(-42);
 }
 
-/// In the given format. A slope too steep for it changes by more than the whole texture from one pixel to the next, so
-/// that its low bits do not matter.
+/// Converts to the format. A slope beyond its range changes by more than the whole texture from pixel to pixel, so that
+/// its low bits do not matter.
 template <class Value>
 Value step_of(const SoftFloat& value) {
     constexpr auto kSteepest = Value::from_raw(std::int64_t{1} << 62);

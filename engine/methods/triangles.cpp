@@ -21,7 +21,7 @@ ScreenTriangle clamped(const ScreenTriangle& triangle) {
     return {clamped(triangle[0]), clamped(triangle[1]), clamped(triangle[2])};
 }
 
-/// The rows of a part whose centres are from `top` to above `bottom`.
+/// The rows of a part whose centres are in [top, bottom).
 PixelRange rows_of(Screen top, Screen bottom, const ScreenRectangle& part) {
     return {std::max(first_centre_from(top), part.first_row), std::min(first_centre_from(bottom), part.end_row)};
 }
@@ -30,7 +30,7 @@ struct TriangleEdge {
     ScreenVertex top, bottom;
 };
 
-/// One with a flat top or bottom: two edges, and the rows between the heights that they share.
+/// Scans a part with a flat top or bottom: two edges, and the rows between the heights that they share.
 void scan_flat_part(const TriangleEdge& left, const TriangleEdge& right, PixelRange between, ScanlineExtents& rows) {
     if (between.first >= between.end) return;
     ExactWalker from(left.top, left.bottom, between.first), to(right.top, right.bottom, between.first);
@@ -40,7 +40,7 @@ void scan_flat_part(const TriangleEdge& left, const TriangleEdge& right, PixelRa
     }
 }
 
-/// The long edge is not cut at the middle's height: the place would have to be rounded, and the edge would bend there.
+/// The long edge is not cut at the middle's height: the cut would be rounded, and bend the edge.
 void scan_flat_parts(ScreenTriangle triangle, const ScreenRectangle& part, ScanlineExtents& rows) {
     std::sort(triangle.begin(), triangle.end(), [](ScreenVertex a, ScreenVertex b) { return a.y < b.y; });
     const auto& [top, middle, bottom] = triangle;
@@ -56,7 +56,7 @@ void scan_flat_parts(ScreenTriangle triangle, const ScreenRectangle& part, Scanl
 
 using EdgesOverPixels = std::array<LinearQuantity<ScreenWide>, 3>;
 
-/// Whether edge functions fit 32 bits everywhere in a box of this size: linear, they do if they do in its corners.
+/// Whether edge functions fit 32 bits in a box of this size: they are linear, so its corners decide.
 bool fit_32_bits(const EdgesOverPixels& edges, std::int32_t width, std::int32_t height) {
     const auto fits = [](ScreenWide value) { return absolute(value) <= convert<ScreenWide>(Screen::highest()); };
     return std::all_of(edges.begin(), edges.end(), [&](const auto& edge) {
@@ -126,7 +126,7 @@ BarycentricWeights barycentric_weights(const ScreenTriangle& triangle, ScreenVer
 LinearQuantity<CornerQuantity> quantity_over(const ScreenTriangle& triangle,
                                              const std::array<CornerQuantity, 3>& at_corners) {
     const ScreenTriangle corners = clamped(triangle);
-    // Next to a corner weights are small; the way from there to pixel (0, 0) and back may wrap.
+    // Near a corner weights are small; the steps from there to pixel (0, 0) and back may wrap.
     const std::int32_t column = floor_of(corners[0].x), row = floor_of(corners[0].y);
     const BarycentricWeights near =
         barycentric_weights(corners, {Screen::from_int(column) + kHalfPixel, Screen::from_int(row) + kHalfPixel});

@@ -14,7 +14,7 @@
 namespace oblong {
 
 /// A triangle's three edge functions along a row of pixels: at the first one, and their step to the next. A pixel is
-/// inside where none of them is below 0.
+/// inside if none is below 0.
 struct EdgeRow {
     std::array<std::int64_t, 3> value, step;
 };
@@ -24,30 +24,29 @@ using EdgeRowKernel = PixelRange (*)(const EdgeRow& row, std::int32_t count);
 
 /// The reference implementation: a pixel at a time.
 PixelRange inside_edges_plain(const EdgeRow& row, std::int32_t count);
-/// SSE2, eight pixels at a time (plain where the processor has none). Only where all values that belong to the pixels
-/// fit 32 bits.
+/// SSE2, eight pixels at a time (plain on other processors). All values for the pixels must fit 32 bits.
 PixelRange inside_edges_sse2(const EdgeRow& row, std::int32_t count);
 
-/// How the pixels of a triangle are found. All cover exactly the same ones: those whose centre is inside, on a left
-/// edge (not horizontal, the triangle on its right: there may be two) or on a top edge (horizontal, above the rest).
+/// How the pixels of a triangle are found. All find exactly the same ones: those whose centre is inside, on a left edge
+/// (not horizontal, with the triangle on its right; there may be two) or on a top edge (horizontal, above the rest).
 enum class TriangleMethod : std::uint8_t {
-    FlatParts,     ///< cut at the middle corner's height into one with a flat bottom and one with a flat top
+    FlatParts,     ///< split at the middle corner's height into a part with a flat bottom and a part with a flat top
     EdgeWalking,   ///< the engine's scan_convex(): each edge fills the columns of its side
-    EdgeFunctions  ///< every pixel of the bounding box asks on which side of each edge it lies (Pineda)
+    EdgeFunctions  ///< every pixel of the bounding box is tested against each edge (Pineda)
 };
 inline constexpr int kTriangleMethodCount = 3;
 const char* name_of(TriangleMethod method);
 
 using ScreenTriangle = std::array<ScreenVertex, 3>;
 
-/// Finds the pixels of triangles in a part of the screen. Threads that draw one picture have a scanner each, for bands
-/// of rows that do not overlap: the pixels are the same, whatever their number.
+/// Finds the pixels of triangles in a part of the screen. Threads that draw one picture each have a scanner for a band
+/// of rows; the pixels do not depend on the number of bands.
 class TriangleScanner {
   public:
     TriangleScanner(TriangleMethod method, const ScreenRectangle& part, EdgeRowKernel kernel = inside_edges_sse2);
 
-    /// Appends the triangle's pixels, a span a row from top to bottom. Its corners may run either way round; one
-    /// without area covers nothing. Coordinates beyond kLargestScreen are clamped.
+    /// Appends the triangle's pixels, a span a row from top to bottom. Corners may run either way; a triangle without
+    /// area has no pixels. Coordinates beyond kLargestScreen are clamped.
     void scan(const ScreenTriangle& triangle, std::vector<Span>& spans);
 
   private:
@@ -59,20 +58,20 @@ class TriangleScanner {
     ScanlineExtents rows_;
 };
 
-/// Barycentric coordinates of a place in a triangle A, B, C: it is (a A + b B + c C) / whole. They are twice the signed
-/// areas of the triangles that the place makes with the side opposite each corner; one is below 0 beyond its side, and
-/// above the whole beyond its corner. The whole is above 0 if the corners run clockwise, and 0 without area.
+/// Barycentric coordinates of a place in a triangle A, B, C: the place is (a A + b B + c C) / whole. Each weight is
+/// twice the signed area of the triangle of the place and the side opposite the corner; it is below 0 beyond that side,
+/// and above the whole beyond the corner. The whole is above 0 if the corners run clockwise, and 0 without area.
 /// Coordinates beyond kLargestScreen are clamped.
 struct BarycentricWeights {
     ScreenArea a, b, c, whole;
 };
 BarycentricWeights barycentric_weights(const ScreenTriangle& triangle, ScreenVertex place);
 
-/// A quantity that is linear on the screen: its share of a colour, a light; of a texture u/z and 1/z, never u itself.
+/// A quantity that is linear on the screen: a colour or a light; for textures u/z and 1/z, never u itself.
 using CornerQuantity = Fixed<std::int64_t, 32>;
 
-/// The quantity that has these values at the corners, by their weights; each step is the nearest. 0 everywhere for a
-/// triangle without area.
+/// The quantity with these values at the corners; each step is rounded to nearest. 0 everywhere for a triangle without
+/// area.
 LinearQuantity<CornerQuantity> quantity_over(const ScreenTriangle& triangle,
                                              const std::array<CornerQuantity, 3>& at_corners);
 
@@ -83,8 +82,8 @@ struct TexturedCorner {
 };
 
 /// The screen gradients of 1/z, u/z and v/z of a triangle. At the centre of `anchor` they are within half a step of
-/// their formats, and each column or row away from it adds half a step: so spans anchored in their middle are accurate
-/// anywhere in any mode. None for a triangle that is seen edge-on.
+/// their formats, and each column or row away from it adds half a step, so spans anchored in their middle are accurate
+/// in any mode. None for a triangle seen edge-on.
 ///
 /// With corners A, B, C, N = A x B + B x C + C x A and D = A . (B x C), the point seen along P = (X, Y, 1) has
 ///     1/z = N . P / D,    u/z = (uA (B x C) + uB (C x A) + uC (A x B)) . P / D.

@@ -10,7 +10,7 @@ namespace oblong {
 
 namespace {
 
-/// Places of the faces in `scanned`, by their index in the level.
+/// Indices into `scanned`, ordered by the faces' index in the level.
 std::vector<std::int32_t> in_file_order(const ScannedFaces& scanned) {
     std::vector<std::int32_t> order(scanned.faces.size());
     std::iota(order.begin(), order.end(), 0);
@@ -37,7 +37,7 @@ void draw_face(std::int32_t index, const ScannedFaces& scanned, std::vector<Inve
     }
 }
 
-/// Notes where a face that is seen through is nearer than the pixel's owner.
+/// Adds the pixels where a transparent face is nearer than the owner.
 void see_face(std::int32_t index, const ScannedFaces& scanned, const std::vector<InverseZ>& depths,
               PixelOwners& owners) {
     const ScannedFace& face = item(scanned.faces, index);

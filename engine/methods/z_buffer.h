@@ -4,16 +4,16 @@
 
 namespace oblong {
 
-/// The z-buffer (Catmull 1974; course notes, "Z-buffering"): faces come in any order, here as the level's file has
-/// them; each pixel keeps the depth of the nearest face so far, and a face takes the pixels at which it is nearer.
+/// The z-buffer (Catmull 1974; course notes, "Z-buffering"): faces come in any order, here that of the level's file;
+/// each pixel stores the depth of the nearest face so far, and a face takes the pixels at which it is nearer.
 ///
 /// Depths are 1/z at the pixel's centre, from the plane and in steps of 2^-44, not interpolated between corners: faces
-/// in one plane have the same depth, bit for bit, and the first of them keeps the pixel. Within the face's own range of
-/// z: rounded to the screen, a face reaches up to 1/256 pixel past its true outline, where a plane seen almost edge-on
-/// is anywhere. `depths` is scratch.
+/// in one plane have the same depth, bit for bit, and the first of them keeps the pixel. They are clamped to the face's
+/// range of z: rounding on the screen extends a face by up to 1/256 pixel, where the depth of a plane seen almost
+/// edge-on is arbitrary. `depths` is scratch.
 void find_owners_by_z_buffer(const ScannedFaces& scanned, std::vector<InverseZ>& depths, PixelOwners& owners);
 
-/// 1/z of a face at the centre of a pixel, within its own range.
+/// 1/z of a face at the centre of a pixel, clamped to the face's range.
 class FaceDepth {
   public:
     explicit FaceDepth(const ScannedFace& face);
