@@ -17,7 +17,7 @@ BlockRule make_block_rule(const Accuracy& accuracy) {
     rule.texel_bound_256 = accuracy.texel_bound_256;
     const std::int64_t error_4096 = accuracy.pixel_bound_256 * std::int64_t{15};
     for (std::size_t k = 0; k < kBlockSizes; ++k) {
-        // A block no longer than the error allowed is within it whatever its slope.
+        // A block no longer than the error allowed is always within it.
         const std::int64_t reach_4096 = std::max((std::int64_t{4096} << k) - error_4096, std::int64_t{0});
         const std::int64_t per_pixel = 4 * 16 * error_4096;
         rule.factor_8[k] = static_cast<std::uint64_t>((reach_4096 * reach_4096 + per_pixel - 1) / per_pixel);
@@ -46,8 +46,8 @@ BlockThresholds make_block_thresholds(const BlockRule& rule, InverseZ inverse_z_
 }
 
 int longest_block_log2(const BlockRule& rule, Fixed<std::int64_t, 16> texels_per_pixel) {
-    // Steps of 2^-16 texel that are a sixteenth of the bound. One may be lost a pixel, and 8 by rounding the ends and
-    // z.
+    // A sixteenth of the bound in steps of 2^-16 texel. Each pixel may lose one step, and rounding the ends and z 8
+    // more.
     const std::int64_t steps =
         floor_of<4>(std::min(texels_per_pixel, Fixed<std::int64_t, 16>::from_int(65536)) * rule.pixel_bound_256);
     const auto pixels = static_cast<std::uint64_t>(std::max(steps - 8, std::int64_t{1}));

@@ -15,18 +15,18 @@ struct TexelPosition {
     std::uint32_t u_16 = 0, v_16 = 0;
 };
 
-/// From pixel to pixel: texels, 16.16.
+/// Change of a TexelPosition per pixel, 16.16.
 struct TexelStep {
     std::int32_t u_16 = 0, v_16 = 0;
 };
 
 #if defined(__i386__)
-/// Whether both are below 32,768 texels, so that a difference has 32 bits.
+/// Whether both are below 32,768 texels, so that a difference fits 32 bits.
 [[gnu::always_inline]] inline bool are_short(TexelPosition from, TexelPosition to) {
     return (from.u_16 | from.v_16 | to.u_16 | to.v_16) >> 31 == 0;
 }
 
-/// whole / steps, rounded down, by the processor's one division.
+/// whole / steps, rounded down, with one division instruction.
 [[gnu::always_inline]] inline std::int32_t floored(std::int32_t whole, std::int32_t steps) {
     return whole / steps + (whole % steps >> 31);
 }
@@ -43,17 +43,17 @@ struct TexelStep {
             static_cast<std::int32_t>(floor_shift(std::int64_t{to.v_16} - from.v_16, log2))};
 }
 
-/// The step of u or v over `steps` pixels, 1 or more, rounded down. Between neighbours it is clamped to 32,767 texels,
-/// the most that its format holds.
+/// The step of u or v over `steps` pixels, 1 or more, rounded down. For steps = 1 it is clamped to 32,767 texels, the
+/// most that its format holds.
 inline std::int32_t step_by_division(std::int64_t whole, std::int32_t steps) {
     constexpr std::int64_t kSteepest = std::numeric_limits<std::int32_t>::max();
     if (steps == 1) return static_cast<std::int32_t>(std::clamp(whole, -kSteepest, kSteepest));
     return static_cast<std::int32_t>(whole / steps - (whole % steps < 0));
 }
 
-/// For 1 to 511 steps n: m = 2^36 / n, rounded up by less than 1. Where |whole| <= 2^26, whole m is off from
-/// 2^36 whole / n by less than 2^26, so that floor((whole m + 2^26) / 2^36) is floor(whole / n): a quotient that is no
-/// integer is at least 1/511, more than 2^27 / 2^36, below the next one.
+/// For 1 to 511 steps n: m = 2^36 / n, rounded up by less than 1. If |whole| <= 2^26, whole m differs from 2^36 whole /
+/// n by less than 2^26, and floor((whole m + 2^26) / 2^36) = floor(whole / n): a quotient that is not an integer is at
+/// least 1/511, more than 2^27 / 2^36, below the next integer.
 inline constexpr std::int32_t kStepReciprocals = 512;
 inline constexpr std::array<std::int64_t, kStepReciprocals> kStepReciprocal_36 = [] {
     std::array<std::int64_t, kStepReciprocals> reciprocals{};
@@ -61,7 +61,7 @@ inline constexpr std::array<std::int64_t, kStepReciprocals> kStepReciprocal_36 =
     return reciprocals;
 }();
 
-/// The steps over 1 to 4,095 pixels, as step_by_division() has them: by the table wherever that is exact.
+/// The steps over 1 to 4,095 pixels, equal to step_by_division(), by the table where that is exact.
 [[gnu::always_inline]] inline TexelStep steps_by_division(TexelPosition from, TexelPosition to, std::int32_t steps) {
 #if defined(__i386__)
     if (are_short(from, to))

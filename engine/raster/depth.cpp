@@ -8,7 +8,7 @@ namespace oblong {
 
 namespace {
 
-/// More rectangles than these are joined whatever area that adds: each span that is near any is compared with all.
+/// More rectangles than this are joined even if that adds area, as each span near one is compared with all.
 constexpr std::size_t kMostRectangles = 16;
 
 std::int64_t area_of(const ScreenRectangle& rectangle) {
@@ -25,7 +25,7 @@ std::int64_t added_area(const ScreenRectangle& a, const ScreenRectangle& b) {
     return area_of(joined(a, b)) - area_of(a) - area_of(b);
 }
 
-/// Depths of `count` pixels from 1/z of the first on. 1/z is linear: it needs no clamp between two ends that need none.
+/// Writes depths of `count` pixels. As 1/z is linear, it needs no clamping if both ends need none.
 void fill_run(InverseZ first, InverseZ step, std::int32_t count, InverseDepth* out) {
     constexpr int kDropped = InverseZ::kFractionBits - 32;
     const auto is_within = [](InverseZ value) { return value >= InverseZ{} && value < InverseZ::from_int(1); };
@@ -56,7 +56,7 @@ void DepthBuffer::want(ScreenRectangle wanted) {
 
 void DepthBuffer::allocate() {
     if (depths_) return;
-    depths_.reset(new InverseDepth[pixel_count(width_px_, height_px_)]);  // not set: what is read was cleared before
+    depths_.reset(new InverseDepth[pixel_count(width_px_, height_px_)]);  // uninitialised: clear() sets what is read
     hulls_.resize(as_size(height_px_));
 }
 

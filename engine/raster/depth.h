@@ -13,8 +13,8 @@
 
 namespace oblong {
 
-/// 1/z as a depth buffer keeps it, in steps of 2^-32: larger is nearer, 0 is infinitely far (sky, the void), and all z
-/// up to one unit are one.
+/// 1/z in a depth buffer, in steps of 2^-32: larger is nearer, 0 is infinitely far (sky, the void), and all z up to one
+/// unit are equal.
 using InverseDepth = std::uint32_t;
 
 constexpr InverseDepth to_inverse_depth(InverseZ inverse_z) {
@@ -23,34 +23,34 @@ constexpr InverseDepth to_inverse_depth(InverseZ inverse_z) {
     return static_cast<InverseDepth>(steps < 0 ? 0 : steps > kMost ? kMost : steps);
 }
 
-/// The depth of the pixels around things that are drawn into a finished picture. Faces need none (the span buffer), so
-/// it is kept only in rectangles that things ask for: a frame without any takes neither time nor memory, others what
-/// the rectangles' area costs. The order of calls in a frame: start_frame(), want() for each thing, clear(), fill() for
-/// each face; then things may read and write pixels of the rectangles that they wanted.
+/// The depth of pixels, for things that are drawn after the faces. Faces need none (span buffer), so it is kept only in
+/// the rectangles requested for things: time and memory depend on their area, and are zero without any. Calls in a
+/// frame: start_frame(), want() for each thing, clear(), fill() for each face; then depths in the requested rectangles
+/// may be read and written.
 class DepthBuffer {
   public:
     DepthBuffer(std::int32_t width_px, std::int32_t height_px) : width_px_(width_px), height_px_(height_px) {}
 
-    /// No pixel is wanted.
+    /// Drops all rectangles.
     void start_frame() { rectangles_.clear(); }
-    /// Depth will be needed in this rectangle, perhaps empty. Rectangles that overlap, or nearly touch, are joined.
+    /// Requests depth in a rectangle, which may be empty. Rectangles that overlap or nearly touch are joined.
     void want(ScreenRectangle rectangle);
-    /// Whether a pixel is wanted.
+    /// Whether depth of any pixel was requested.
     bool is_wanted() const { return !rectangles_.empty(); }
-    /// Everything in the rectangles is infinitely far.
+    /// Sets all depths in the rectangles to infinitely far.
     void clear();
-    /// Whether spans reach into the rectangles; false only if none of their pixels is wanted.
+    /// False only if no pixel of the spans is in the rectangles.
     bool touches(std::span<const Span> spans) const;
-    /// Sets the depth of the wanted pixels of spans on a plane.
+    /// Sets the depth of those pixels of spans on a plane that are in the rectangles.
     void fill(std::span<const Span> spans, const LinearQuantity<InverseZ>& inverse_z);
-    /// Appends the parts of spans on a plane at whose pixels nothing nearer is known: all that is not wanted, too.
+    /// Appends the parts of spans on a plane where nothing is nearer, including all pixels outside the rectangles.
     void append_seen(std::span<const Span> spans, const LinearQuantity<InverseZ>& inverse_z, std::vector<Span>& seen);
 
     InverseDepth* row(std::int32_t y) { return depths_.get() + std::int64_t{y} * width_px_; }
     std::span<const ScreenRectangle> rectangles() const { return rectangles_; }
 
   private:
-    /// The columns of a row from its first to its last wanted pixel.
+    /// A row's columns from the first to the last in a rectangle.
     struct Hull {
         std::int32_t first = std::numeric_limits<std::int32_t>::max(), end = 0;
     };
@@ -62,7 +62,7 @@ class DepthBuffer {
 
     std::int32_t width_px_, height_px_;
     std::vector<ScreenRectangle> rectangles_;
-    std::unique_ptr<InverseDepth[]> depths_;  ///< a whole screen, not touched outside the rectangles; null until needed
+    std::unique_ptr<InverseDepth[]> depths_;  ///< of the screen, used inside the rectangles only; null until needed
     std::vector<Hull> hulls_;
 };
 

@@ -9,16 +9,15 @@
 
 namespace oblong {
 
-/// Of the edge from `from` to `to` in a clockwise triangle, at a place (y down):
-///     (to.x - from.x)(y - from.y) - (to.y - from.y)(x - from.x),
-/// twice the area of the triangle that the place makes with it: above 0 to its right, where the inside is.
+/// The edge function of a clockwise triangle's edge (y down): (to.x - from.x)(y - from.y) - (to.y - from.y)(x -
+/// from.x), twice the area of the triangle of edge and place; positive to the right of the edge, which is inside.
 inline ScreenArea edge_function(ScreenVertex from, ScreenVertex to, ScreenVertex place) {
     return widening_product(to.x - from.x, place.y - from.y) - widening_product(to.y - from.y, place.x - from.x);
 }
 
-/// An edge function at the centres of pixels, counted from the first one of `box`; floored to 1/256 pixel's area: a
-/// step of a pixel is a whole number of those, so that its sign is exact. Places on the edge itself are outside, by
-/// 2^-16 of area, if it is neither left nor top.
+/// An edge function at pixel centres, counted from the first one of `box`; floored to 1/256 of a pixel's area. Steps
+/// per pixel are whole multiples of that, so the sign is exact. If the edge is neither left nor top, 2^-16 is
+/// subtracted, which puts places on the edge outside.
 inline LinearQuantity<ScreenWide> edge_over_pixels(ScreenVertex from, ScreenVertex to, const ScreenRectangle& box) {
     const Screen dx = to.x - from.x, dy = to.y - from.y;
     const bool is_left = dy < Screen{}, is_top = dy == Screen{} && dx > Screen{};
@@ -29,7 +28,7 @@ inline LinearQuantity<ScreenWide> edge_over_pixels(ScreenVertex from, ScreenVert
     return {convert<ScreenWide>(first, Rounding::Floor), -convert<ScreenWide>(dy), convert<ScreenWide>(dx)};
 }
 
-/// The pixels of a part of the screen whose centres lie within the bounds of a triangle; perhaps none.
+/// The pixels of `part` whose centres are in the bounding box of a triangle; may be empty.
 inline ScreenRectangle box_around(const std::array<ScreenVertex, 3>& triangle, const ScreenRectangle& part) {
     const auto [left, right] = std::minmax({triangle[0].x, triangle[1].x, triangle[2].x});
     const auto [top, bottom] = std::minmax({triangle[0].y, triangle[1].y, triangle[2].y});

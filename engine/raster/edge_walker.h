@@ -8,10 +8,9 @@
 
 namespace oblong {
 
-/// Steps down an edge a row at a time, always at the first column whose centre lies at or right of it.
-/// With the edge from `top` to `bottom`, dy > 0, the column of row r is
-///     ceil(((top.x - 1/2) dy + (r + 1/2 - top.y) dx) / dy),
-/// kept as a quotient and a remainder, so that every step is exact. |coordinates| <= 2^20: numerators stay below 2^60.
+/// Steps down an edge row by row, to the first column whose centre is on or right of the edge. For the edge from `top`
+/// to `bottom`, dy > 0, the column of row r is ceil(((top.x - 1/2) dy + (r + 1/2 - top.y) dx) / dy), stored as quotient
+/// and remainder, so that every step is exact. |coordinates| <= 2^20: numerators stay below 2^60.
 class ExactWalker {
   public:
     ExactWalker(ScreenVertex top, ScreenVertex bottom, std::int32_t row) {
@@ -45,11 +44,11 @@ class ExactWalker {
     std::int64_t whole_, column_, rest_, step_, step_rest_;
 };
 
-/// The same columns for edges on a screen (coordinates from 0 to kLargestMode_px), by one division and one addition a
-/// row: a slope and a position of 41 fraction bits, both rounded down. Why that does: an edge that is dy high, in 1/256
-/// pixel, passes the centres of rows at whole multiples of 1 / (256 dy) pixel, which is 2^-28 or more. The slope is
-/// less than 2^-41 too small, so after 4,096 rows the position is less than 2^-28 too far left: what is right of a
-/// column's centre stays right of it.
+/// The same columns for edges on a screen (coordinates from 0 to kLargestMode_px), with one division, and one addition
+/// a row: slope and position have 41 fraction bits, both rounded down. Why this is exact: an edge of height dy, in
+/// 1/256 pixel, crosses the centres of rows at multiples of 1 / (256 dy) pixel, which is at least 2^-28. The slope is
+/// less than 2^-41 too small, so after 4,096 rows the position is less than 2^-28 too far left: if it is right of a
+/// column's centre, it stays right of it.
 class ScreenWalker {
   public:
     ScreenWalker(ScreenVertex top, ScreenVertex bottom, std::int32_t row) {
@@ -59,7 +58,7 @@ class ScreenWalker {
                          down = widening_difference(Screen::from_int(row), top.y - kHalf);
         const auto dividend = convert<Fixed<std::int64_t, 49>>(dx);
         slope_ = Column::from_raw(floored_division(dividend.raw, dy.raw).quotient);
-        const auto way = bounded_product(slope_, down);  // within dx, as the row is one of the edge's
+        const auto way = bounded_product(slope_, down);  // within dx, as the edge crosses the row
         note_range<"edge slope's dividend">(dividend);
         note_range<"edge's way to its first row">(way);
         column_ = convert<Column>(across) + convert<Column>(way, Rounding::Floor) + Column::from_int(1) - Column::ulp();

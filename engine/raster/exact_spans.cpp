@@ -15,7 +15,6 @@ namespace oblong {
 
 namespace {
 
-/// The fetch of all kernels.
 std::uint8_t texel_from(const SurfaceView& surface, std::uint32_t u, std::uint32_t v) {
     return surface.texels[((v & surface.v_mask) << surface.stride_log2) + (u & surface.u_mask)];
 }
@@ -25,19 +24,19 @@ TexelPosition position_of(const DividedTexel& texel) {
     return {static_cast<std::uint32_t>(texel.u_46 >> 30), static_cast<std::uint32_t>(texel.v_46 >> 30)};
 }
 
-/// Pixels of an octave between two that are divided, the first of which is one of them.
+/// `count` pixels of an octave: texels of the first pixel and of the one after the last are found by division.
 struct Piece {
     DividedTexel from, to;
     std::int32_t count;
 };
 
-/// By how many units of 2^-16 texel the line between a piece's ends may be off a pixel's own texel coordinates.
+/// The largest error, in 2^-16 texel, of texture coordinates interpolated between a piece's ends.
 ///
-/// On the way from one end to the other a Moebius function leaves its chord by (sqrt k - 1) / (sqrt k + 1) <= (k - 1) /
-/// 4 of the way, k being the ratio of the ends' 1/z. Rounding 1/z to 28 bits moves a texel by a 2^-27th, 32 units at
-/// 65,536 texels; rounding u/z by 8 units more, and to 16 bits by one: so ends and pixel are each within 41 units of
-/// the truth, and the true way is 82 longer at most, of which a quarter counts, since k < 2. The step, floored, loses
-/// less than a unit a pixel.
+/// A Moebius function differs from its chord by at most (sqrt k - 1) / (sqrt k + 1) <= (k - 1) / 4 of its change, k
+/// being the ratio of the ends' 1/z. Rounding 1/z to 28 bits moves a texel by 2^-27 of its coordinate, 32 units at
+/// 65,536 texels; rounding u/z by 8 units more, and to 16 bits by one. So ends and pixel are each within 41 units of
+/// the exact value, and the exact change is at most 82 larger, of which a quarter counts, as k < 2. The floored step
+/// loses less than a unit a pixel.
 std::int64_t line_error_16(const Piece& piece) {
     constexpr std::int64_t kRounding_16 = 41 + 41 + 21;
     const TexelPosition from = position_of(piece.from), to = position_of(piece.to);
@@ -48,13 +47,13 @@ std::int64_t line_error_16(const Piece& piece) {
     return (way_16 * ratio_28 >> 30) + 1 + kRounding_16 + piece.count;
 }
 
-/// Pieces whose texels lie almost on a line wait to be drawn by a kernel.
+/// Collects pieces whose texture coordinates are almost linear, and draws them with a kernel.
 class LinePieces {
   public:
     LinePieces(const OctaveRow& row, BlockKernel kernel, const SurfaceView& surface, std::uint8_t* out)
         : row_(row), kernel_(kernel), surface_(surface), out_(out) {}
 
-    /// From a pixel of the octave on.
+    /// `pixel` counts from the octave's first.
     void add(const Piece& piece, std::int32_t pixel, std::int64_t error_16) {
         if (count_ == blocks_.size()) draw();
         const TexelPosition from = position_of(piece.from);
@@ -63,7 +62,7 @@ class LinePieces {
         blocks_[count_++] = {
             static_cast<std::uint32_t>(pixel), piece.count, from.u_16, from.v_16, step.u_16, step.v_16};
     }
-    /// On lines, but where they are so near the border of a texel that a pixel's own may be the next.
+    /// Draws the pieces; pixels so near a texel's border that the exact texel may be the next are divided.
     void draw() {
         if (count_ == 0) return;
         kernel_(std::span(blocks_).first(count_), surface_, out_);
@@ -75,7 +74,7 @@ class LinePieces {
             }
         count_ = 0;
     }
-    std::int64_t divisions() const { return divisions_; }  ///< of draw()
+    std::int64_t divisions() const { return divisions_; }  ///< made by draw()
 
   private:
     const OctaveRow& row_;
@@ -90,18 +89,18 @@ class LinePieces {
 
 constexpr std::int32_t kShortestPiece = 4, kLongestPiece = 32;
 
-/// How a face's pieces have been so far.
+/// The state of the search for a face's pieces.
 struct PieceLengths {
-    std::int32_t next = kShortestPiece;  ///< pixels: twice as long after a piece whose error was small
-    std::int32_t divided = 0;            ///< pixels that are divided one by one before the next piece is tried ...
-    std::int32_t patience = 32;  ///< ... where not even the shortest one is almost a line: twice as many each time
+    std::int32_t next = kShortestPiece;  ///< pixels; doubled after a piece with a small error
+    std::int32_t divided = 0;            ///< pixels to divide one by one before the next piece is tried
+    std::int32_t patience = 32;  ///< next `divided`, if even the shortest piece is not almost linear; doubled each time
 };
 
-/// The same bytes as by a division at each pixel, with two for each piece whose texels lie almost on a line. `out` is
-/// the octave's first pixel. Returns how many it made.
+/// Draws the same bytes as a division at each pixel would, with two divisions for each piece that is almost linear.
+/// `out` is the octave's first pixel. Returns the number of divisions.
 std::int64_t draw_octave(const Octave& octave, const OctaveRow& row, BlockKernel kernel, const SurfaceView& surface,
                          PieceLengths& lengths, bool by_eights, std::uint8_t* out) {
-    constexpr std::int64_t kMost_16 = 2048;  // beyond, too many pixels would be near a border
+    constexpr std::int64_t kMost_16 = 2048;  // above this, too many pixels are near a border
     const std::int32_t end = octave.end - octave.first;
     if (by_eights && end >= kFewestByEights) return draw_divided_by_eights(row, end, out);
     if (!kernel || row.is_constant()) return row.draw_divided(0, end, out);
@@ -134,9 +133,9 @@ std::int64_t draw_octave(const Octave& octave, const OctaveRow& row, BlockKernel
     return divisions + pieces.divisions();
 }
 
-/// fits_range() of an octave, which allows for steeper gradients.
+/// fits_range() for an octave; it allows steeper gradients.
 bool is_in_range(const Octave& octave, std::int32_t row, const TextureGradients& gradients) {
-    // Over a row of 4,096 pixels such steps do not wrap: values between two ends are between them.
+    // Such steps do not wrap over a row of 4,096 pixels, so all values are between those of the ends.
     constexpr auto kSteepest = TexelOverZ::from_raw(std::int64_t{1} << 48);
     const auto fits = [&](std::int32_t column) {
         const Perspective at(gradients, column, row);
@@ -147,8 +146,8 @@ bool is_in_range(const Octave& octave, std::int32_t row, const TextureGradients&
            is_within(gradients.v_over_z.per_column, kSteepest) && fits(octave.first) && fits(octave.end - 1);
 }
 
-/// Calls draw(octave, row, pixels) where nothing has to be clamped. colour_at(position) is a pixel's of the others.
-/// Returns how many divisions they made.
+/// Calls draw(octave, row, pixels) where nothing has to be clamped, and colour_at(position) for all other pixels.
+/// Returns the number of divisions.
 template <class DrawOctave, class ColourAt>
 std::int64_t draw_octaves(std::span<const Span> spans, const BlockCutting& cutting, const SurfaceView& surface,
                           Framebuffer out, DrawOctave draw, ColourAt colour_at) {
@@ -161,7 +160,7 @@ std::int64_t draw_octaves(std::span<const Span> spans, const BlockCutting& cutti
                 octave_from(column, span.end, gradients.inverse_z.at(column, span.y), gradients.inverse_z.per_column);
             if (cutting.fits_range || is_in_range(octave, span.y, gradients)) {
                 const OctaveRow row(octave, span.y, gradients, surface);
-                // The limits are linear in 1/z: what holds at both ends holds between.
+                // The limits are linear in 1/z: if both ends are within them, so is all between.
                 if (row.is_well_within(0, cutting.limits) &&
                     row.is_well_within(octave.end - 1 - column, cutting.limits)) {
                     divisions += draw(octave, row, pixels + column);

@@ -8,13 +8,13 @@
 #include "engine/fixed/wide.h"
 #include "engine/view/screen.h"
 
-// The four line algorithms. Each is a walk: it steps along one axis of the screen, the major one, a pixel at a time,
-// and tells the coordinate on the other, the minor one. minor_at(n) is what minor() is after n steps; it never turns
-// back, so that lines can be clipped by it. `Number` is std::int64_t, or a type that counts what is done with it.
+// The four line algorithms. Each is a walk: it steps along the major axis of the screen, one pixel at a time, and gives
+// the coordinate on the minor axis. minor_at(n) is minor() after n steps; it is monotone, so that lines can be clipped
+// with it. `Number` is std::int64_t, or a type that counts operations.
 
 namespace oblong {
 
-/// A line between two pixels as walks take it, its ends in an order that does not depend on which came first.
+/// A line between two pixels; the order of its ends does not depend on the order of the arguments.
 struct LinePath {
     bool is_steep = false;        ///< the major axis is y
     std::int64_t major = 0;       ///< of the first pixel
@@ -23,7 +23,7 @@ struct LinePath {
     std::int64_t minor_rise = 0;  ///< to the last pixel
 };
 
-/// The path whose major axis is the longer way (x if they are equal); or always x.
+/// The path whose major axis is the longer one (x if equal); or always x.
 constexpr LinePath make_line_path(PixelPosition from, PixelPosition to, bool always_along_x) {
     const std::int64_t dx = std::int64_t{to.column} - from.column, dy = std::int64_t{to.row} - from.row;
     const bool is_steep = !always_along_x && (dy < 0 ? -dy : dy) > (dx < 0 ? -dx : dx);
@@ -34,7 +34,7 @@ constexpr LinePath make_line_path(PixelPosition from, PixelPosition to, bool alw
             is_steep ? first.column : first.row, is_swapped ? -rise : rise};
 }
 
-/// Rise over steps, 16.16, to the nearest; 0 for a line of one step, whose slope is not defined.
+/// Rise over steps, 16.16, rounded to nearest; 0 for a line of one pixel.
 template <class Number>
 constexpr Number line_slope_16(const LinePath& path) {
     if (path.steps == 0) return Number{0};
@@ -42,7 +42,7 @@ constexpr Number line_slope_16(const LinePath& path) {
     return Number{path.minor_rise * (1 << 17) + half} / Number{2 * path.steps};
 }
 
-/// y = m x + b, b where the line starts: a multiplication a pixel. Meant for paths along x.
+/// y = m x + b, b at the line's start: one multiplication a pixel. For paths along x.
 template <class Number>
 class NaiveWalk {
   public:
@@ -55,11 +55,11 @@ class NaiveWalk {
     constexpr void next() { step_ = step_ + Number{1}; }
 
   private:
-    Number slope_16_, start_16_, step_{0};  ///< the start half a pixel on, so that the floor rounds
+    Number slope_16_, start_16_, step_{0};  ///< the start is moved half a pixel, so that the floor rounds
 };
 
-/// Digital differential analyser: adds the slope at each step. It was rounded once, by up to 2^-17 pixel, and so is off
-/// by that a step: a pixel after 2^17.
+/// Digital differential analyser: adds the slope at each step. The slope is rounded by up to 2^-17 pixel, and the error
+/// grows by that at each step: one pixel after 2^17.
 template <class Number>
 class DdaWalk {
   public:
@@ -75,13 +75,11 @@ class DdaWalk {
     Number slope_16_, start_16_, minor_16_;
 };
 
-/// Bresenham's: the pixel nearest to the line, by additions. With dx steps and a rise of dy in all, the line is at
-/// n |dy| / dx after n steps; k pixels were climbed so far, and
-///     error = 2 n |dy| - dx - 2 k dx
-/// reaches 0 where the next pixel is nearer. On a tie the larger coordinate is taken: a line that falls climbs down a
-/// step later, its error is 1 lower. J. E. Bresenham, "Algorithm for computer control of a digital plotter", IBM
-/// Systems Journal 4 (1965). Entering the line at any step is Kuzmin's, "Bresenham's Line Generation Algorithm with
-/// Built-in Clipping", Computer Graphics Forum 14 (1995).
+/// Bresenham's algorithm: the pixel nearest to the line, by additions. With dx steps and a rise of dy, the line is at n
+/// |dy| / dx after n steps. If k pixels were climbed so far, error = 2 n |dy| - dx - 2 k dx reaches 0 when the next
+/// pixel is nearer. A tie goes to the larger coordinate, so the error of a falling line is 1 lower. J. E. Bresenham,
+/// "Algorithm for computer control of a digital plotter", IBM Systems Journal 4 (1965). Starting the line at any step:
+/// Kuzmin, "Bresenham's Line Generation Algorithm with Built-in Clipping", Computer Graphics Forum 14 (1995).
 template <class Number>
 class BresenhamWalk {
   public:
@@ -101,7 +99,7 @@ class BresenhamWalk {
         error_ = first_error_ + climbed.rest_2;
     }
     constexpr Number minor() const { return minor_; }
-    /// Whether it climbed a pixel.
+    /// Returns whether it climbed a pixel.
     constexpr bool next() {
         error_ = error_ + rise_2_;
         if (error_ < Number{0}) return false;
@@ -109,7 +107,7 @@ class BresenhamWalk {
         error_ = error_ - steps_2_;
         return true;
     }
-    /// The line less minor(), in the direction in which the line climbs: 2 dx to a pixel.
+    /// The line minus minor(), in the line's direction of climb; 2 dx is one pixel.
     constexpr Number offset_2() const { return error_ - first_error_; }
 
   private:
@@ -117,7 +115,7 @@ class BresenhamWalk {
         Number pixels, rest_2;
     };
 
-    /// 2 n |dy| = 2 dx pixels + rest. The product may have 66 bits, the rest has 34 and is right modulo 2^64.
+    /// 2 n |dy| = 2 dx pixels + rest. The product may have 66 bits; the rest has 34 and is exact modulo 2^64.
     constexpr Climbed climbed_at(Number step) const {
         if (step == 0) return {0, 0};
         const Number pixels = mul_div(step, rise_2_, steps_2_, Rounding::Floor);
@@ -130,15 +128,15 @@ class BresenhamWalk {
     Number steps_2_, rise_2_, direction_, first_error_, first_minor_, error_, minor_;
 };
 
-/// Of 256, how much of a pixel a line one pixel wide covers, whose middle passes its centre at i / 16 pixel: the volume
-/// of a cone of radius 1 over the line. Integrated numerically by tests/raster/lines_test.cpp.
+/// The coverage of a pixel, of 256, by a line one pixel wide at a distance of i / 16 pixel from its centre: the volume
+/// of a cone of radius 1 over the line. tests/raster/lines_test.cpp integrates it numerically.
 inline constexpr std::array<std::uint8_t, 25> kLineCoverage_256{
     200, 198, 195, 188, 180, 169, 157, 143, 128, 113, 98, 84, 71, 58, 47, 37, 28, 21, 14, 9, 5, 3, 1, 0, 0};
 
-/// Gupta and Sproull's: Bresenham's walk with the distance of the line from the pixel and its two neighbours, kept by
-/// additions as well. Of pixels farther off, a diagonal would cover up to 8 %: three a step leave that out, and the
-/// ends are cut off along a row or column. S. Gupta, R. F. Sproull, "Filtering Edges for Gray-Scale Displays", SIGGRAPH
-/// 1981; Foley et al., "Computer Graphics", 3.17.
+/// Gupta and Sproull's algorithm: Bresenham's walk with the line's distance from the pixel and its two neighbours, also
+/// by additions. Pixels farther off, of which a diagonal would cover up to 8 %, are left out, and the ends are cut off
+/// along a row or column. S. Gupta, R. F. Sproull, "Filtering Edges for Gray-Scale Displays", SIGGRAPH 1981; Foley et
+/// al., "Computer Graphics", 3.17.
 template <class Number>
 class GuptaSproullWalk {
   public:
@@ -165,7 +163,7 @@ class GuptaSproullWalk {
     struct Neighbours {
         std::array<Number, 3> distance_60;  ///< at minor() - 1, minor(), minor() + 1
     };
-    /// Distances from the line, pixels; perhaps below 0 on one of its sides.
+    /// Distances from the line, pixels; negative on one side.
     constexpr Neighbours neighbours() const {
         const Number before = distance_60_ + pixel_60_, after = distance_60_ - pixel_60_;
         if (side_ < 0) return {{after, distance_60_, before}};
@@ -180,8 +178,8 @@ class GuptaSproullWalk {
     }
 
   private:
-    /// 2^60 / (2 sqrt(dx^2 + dy^2)): what turns BresenhamWalk::offset_2() into a distance. Lengths are scaled to 31
-    /// bits before they are squared.
+    /// 2^60 / (2 sqrt(dx^2 + dy^2)): converts BresenhamWalk::offset_2() to a distance. Lengths are scaled to 31 bits
+    /// before squaring.
     static constexpr std::int64_t distance_scale(const LinePath& path) {
         if (path.steps == 0) return 0;
         const int shift = 30 - log2_floor(static_cast<std::uint64_t>(path.steps));  // -1 to 30

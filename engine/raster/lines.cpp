@@ -23,7 +23,7 @@ struct StepRange {
     std::int64_t first, end;
 };
 
-/// The first step from which on the walk is at `minor` or past it, in the direction in which it climbs; by bisection.
+/// The first step at which the walk is at `minor` or past it, in its direction of climb; by bisection.
 template <class Walk>
 std::int64_t first_step_at(std::int64_t minor, const LinePath& path, const Walk& walk, StepRange among) {
     while (among.first < among.end) {
@@ -46,7 +46,7 @@ StepRange steps_inside(const LinePath& path, const Walk& walk, const LineCanvas&
     return steps;
 }
 
-/// The index of a pixel that follows a walk, by additions.
+/// The framebuffer index of a walk's pixel, updated by additions.
 class PixelIndex {
   public:
     PixelIndex(const LineCanvas& canvas, std::int64_t major, std::int64_t minor)

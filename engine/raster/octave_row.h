@@ -11,23 +11,23 @@
 
 namespace oblong {
 
-/// value * 2^bits modulo 2^64: steps need not fit, as long as the values that they lead to do.
+/// value * 2^bits modulo 2^64: steps may wrap if the values at the pixels fit.
 inline std::int64_t shifted_up(std::int64_t value, int bits) {
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(value) << bits);
 }
 
-/// Pixels of one row over which 1/z has the same number of bits.
+/// Pixels of a row where 1/z has the same number of bits.
 struct Octave {
     std::int32_t first, end;
-    int shift;  ///< that brings 1/z to 60 bits, as Depth does at each pixel; below 0: 1/z would have to be clamped
+    int shift;  ///< brings 1/z to 60 bits, as in Depth; negative: 1/z has to be clamped
 };
 
-/// From `first` on, up to `end` at most.
+/// Starts at `first` and ends at `end` at the latest.
 inline Octave octave_from(std::int32_t first, std::int32_t end, InverseZ inverse_z, InverseZ step) {
     if (inverse_z < kLeastInverseZ || inverse_z >= kGreatestInverseZ) return {first, first + 1, -1};
     const int shift = std::countl_zero(inverse_z.bits()) - 4;
     if (step == InverseZ{}) return {first, end, shift};
-    // Most spans are one octave, which is seen without a division. Steps of a unit a pixel and more may wrap.
+    // Most spans are one octave; this test for it needs no division. Steps of a unit a pixel or more may wrap.
     const InverseZ last = stepped(inverse_z, step, end - 1 - first);
     const std::uint64_t differing_bits = inverse_z.bits() ^ last.bits();
     if (is_within(step, InverseZ::from_int(1)) && differing_bits >> (59 - shift) == 0) return {first, end, shift};
@@ -36,20 +36,20 @@ inline Octave octave_from(std::int32_t first, std::int32_t end, InverseZ inverse
     return {first, static_cast<std::int32_t>(std::min<std::int64_t>(end, first + room / absolute(step) + 1)), shift};
 }
 
-/// The texel of a pixel by a division, by Depth's arithmetic where nothing is clamped.
+/// The texel of a pixel by a division, in Depth's arithmetic without clamping.
 struct DividedTexel {
-    std::int64_t inverse_z_28, depth;  ///< the upper half of 1/z, and 2^60 / it
+    std::int64_t inverse_z_28, depth;  ///< the upper half of 1/z, and 2^60 / that
     std::int64_t u_46, v_46;
 };
 
-/// What the pixels of one column of a surface have in common whose 1/z is the same in all rows, as a wall's is in a
-/// level view.
+/// Values shared by the pixels of a column, for surfaces whose 1/z is the same in all rows, as on walls in a level
+/// view.
 struct ColumnTexel {
     std::int64_t depth;  ///< DividedTexel's
-    std::uint64_t u;     ///< column of texels, where u is the same in all rows, too
+    std::uint64_t u;     ///< column of texels, if u is also the same in all rows
 };
 
-/// 1/z, u/z and v/z over an octave, brought to 60 bits; modulo 2^64, as long as the values at its pixels fit.
+/// 1/z, u/z and v/z over an octave, shifted to 60 bits, modulo 2^64; the values at its pixels must fit.
 class OctaveRow {
   public:
     /// A quantity at the octave's first pixel, and its step.
@@ -92,8 +92,8 @@ class OctaveRow {
         return texels_[((v_46 >> (46 - stride_log2_)) & row_mask_) | ((u_46 >> 46) & u_mask_)];
     }
 
-    /// Whether u and v at a pixel are so far within their limits that rounding can't reach them. Both are within
-    /// 114,687 texels of 0 (fits_range).
+    /// Whether u and v at a pixel are within their limits in spite of rounding. Both are within 114,687 texels of 0
+    /// (fits_range).
     bool is_well_within(std::int32_t pixel, const TexelLimits& limits) const {
         constexpr std::int64_t kMargin_16 = 128;
         const std::int64_t z = inverse_z_.upper_half(pixel), least = (limits.least.raw + kMargin_16) * z;
@@ -105,15 +105,15 @@ class OctaveRow {
                is_between(v_over_z_.upper_half(pixel), limits.greatest_v);
     }
 
-    /// Pixels whose depths are known.
+    /// Draws pixels with known depths.
     void draw_at_depths(const ColumnTexel* columns, std::int32_t count, std::uint8_t* out) const {
         draw_pixels(
             0, count, out, [columns]() mutable { return columns++->depth; }, kPlain);
     }
 
-    /// Pixels whose columns of texels are known, too.
+    /// Draws pixels with known depths and columns of texels.
     void draw_columns(const ColumnTexel* columns, std::int32_t count, std::uint8_t* out) const {
-        const OctaveRow row = *this;  // a copy that no pixel written can change: it stays in registers
+        const OctaveRow row = *this;  // a copy, which pixel writes cannot alias, stays in registers
         std::uint64_t v_over_z = row.v_over_z_.first;
         const int to_row = 46 - row.stride_log2_;
         for (std::uint8_t* const end = out + count; out != end; ++out, ++columns, v_over_z += row.v_over_z_.step) {
@@ -122,8 +122,8 @@ class OctaveRow {
         }
     }
 
-    /// A division a pixel, and nothing else; where 1/z is constant one for all. colour(row, texel) is a pixel's.
-    /// Returns how many divisions that took.
+    /// Draws with one division a pixel, or one in all if 1/z is constant. colour(row, texel) gives a pixel's colour.
+    /// Returns the number of divisions.
     template <class Colour>
     std::int32_t draw_divided(std::int32_t first, std::int32_t end, std::uint8_t* out, Colour colour) const {
         if (is_constant()) {
@@ -144,7 +144,7 @@ class OctaveRow {
         return draw_divided(first, end, out, kPlain);
     }
 
-    /// Whether 1/z is the same in all columns, as that of a floor is in a level view.
+    /// Whether 1/z is the same in all columns, as on floors in a level view.
     bool is_constant() const { return inverse_z_.step == 0; }
 
     /// 2^60 / the upper half of 1/z.
@@ -162,7 +162,7 @@ class OctaveRow {
     void draw_pixels(std::int32_t first, std::int32_t end, std::uint8_t* out, NextDepth next_depth,
                      Colour colour) const {
         std::uint64_t u_over_z = u_over_z_.at(first), v_over_z = v_over_z_.at(first);
-        const OctaveRow row = *this;  // a copy that no pixel written can change: it stays in registers
+        const OctaveRow row = *this;  // a copy, which pixel writes cannot alias, stays in registers
         for (std::uint8_t* pixel = out + first; pixel != out + end; ++pixel) {
             const std::int64_t depth = next_depth();
             *pixel = colour(row, {0, depth, upper_half(u_over_z) * depth, upper_half(v_over_z) * depth});
@@ -177,7 +177,7 @@ class OctaveRow {
     int stride_log2_;
 };
 
-/// All columns of such a surface: one division a column serves all rows.
+/// All columns of a surface whose 1/z is the same in all rows: one division a column.
 class ColumnTexels {
   public:
     ColumnTexels(const TextureGradients& gradients, const SurfaceView& surface, const ScreenRectangle& columns)
@@ -192,12 +192,12 @@ class ColumnTexels {
             oblong::item(texels_, column - first_) = {depth, (u_46 >> 46) & surface.u_mask};
         }
     }
-    /// Those from a column on; meaningless where 1/z is clamped.
+    /// Those from `column` on; undefined where 1/z is clamped.
     const ColumnTexel* from(std::int32_t column) const { return texels_.data() + (column - first_); }
 
   private:
     std::int32_t first_;
-    std::array<ColumnTexel, kLargestMode_px> texels_;  ///< not set beyond the columns
+    std::array<ColumnTexel, kLargestMode_px> texels_;  ///< set in `columns` only
 };
 
 }  // namespace oblong

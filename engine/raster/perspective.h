@@ -27,14 +27,14 @@ struct Perspective {
     }
 };
 
-/// std::clamp by value: the compiler then keeps all of it in registers.
+/// std::clamp by value, so that the compiler keeps all in registers.
 template <class Number>
 constexpr Number clamp_value(Number value, Number least, Number greatest) {
     value = value < least ? least : value;
     return value > greatest ? greatest : value;
 }
 
-/// A texel clamped to limits of 32 bits, in steps.
+/// A texel clamped to limits of 32 bits, in raw steps.
 [[gnu::always_inline]] inline std::uint32_t texel_within(Texel texel, Texel least, Texel greatest) {
 #if defined(__i386__)
     const auto high = static_cast<std::int32_t>(texel.raw >> 32);
@@ -46,10 +46,10 @@ constexpr Number clamp_value(Number value, Number least, Number greatest) {
 #endif
 }
 
-/// value * 2^shift / 2^32, floored: the upper half of a number that fits 64 bits.
+/// value * 2^shift / 2^32, floored; value * 2^shift fits 64 bits.
 [[gnu::always_inline]] inline std::int64_t upper_half(std::int64_t value, int shift) {
 #if defined(__i386__)
-    // One instruction each: a compiler would ask whether the shift is 32 or more.
+    // One `shldl`; the compiler's code would test again whether the shift is 32 or more.
     const auto low = static_cast<std::uint32_t>(value);
     auto high = static_cast<std::int32_t>(value >> 32);
     if (shift >= 32) return static_cast<std::int32_t>(low << (shift & 31));
@@ -60,12 +60,11 @@ constexpr Number clamp_value(Number value, Number least, Number greatest) {
 #endif
 }
 
-/// 2^92 / normalised, for a number from 2^59 to 2^60: value * 2^shift. Exact: one 64-bit division, relative error below
-/// 2^-26.
+/// 2^92 / (value * 2^shift), whose divisor is from 2^59 to 2^60. One 64-bit division, relative error below 2^-26.
 struct DividedReciprocal {
     [[gnu::always_inline]] static std::int64_t of(std::int64_t value, int shift) {
 #if defined(__i386__)
-        // The divisor is 2^27 or more, below 2^28: the quotient's upper half is 1, but 2 for 2^27.
+        // The divisor is in [2^27, 2^28): the quotient's upper half is 1, but 2 for 2^27.
         const auto divisor = static_cast<std::uint32_t>(upper_half(value, shift));
         if (divisor == 1u << 27) return std::int64_t{1} << 33;
         const std::uint64_t rest = std::uint64_t{(1u << 28) - divisor} << 32;
@@ -77,7 +76,7 @@ struct DividedReciprocal {
     }
 };
 
-/// The same by any other method.
+/// The same by a table method.
 struct TabledReciprocal {
     ReciprocalMethod method;
 
@@ -86,17 +85,17 @@ struct TabledReciprocal {
     }
 };
 
-/// Whether 1/z, u/z and v/z may be so large or small that they have to be clamped before they are multiplied.
+/// Whether 1/z, u/z and v/z may have to be clamped before multiplication.
 enum class PerspectiveRange { MayOverflow, Fits };
 
-/// z as a reciprocal of 33 bits and a scale. Where the range is known to fit (fits_range), both kinds give the same.
+/// z as a reciprocal of 33 bits and a scale. If fits_range(), both ranges give the same values.
 template <class Reciprocal, PerspectiveRange Range>
 struct Depth {
     static constexpr bool kClamps = Range == PerspectiveRange::MayOverflow;
 
     std::int64_t mantissa = 0;   ///< 2^60 / (the leading 28 bits of 1/z), in (2^32, 2^33]
-    TexelOverZ greatest_over_z;  ///< u/z beyond which u would be more than 65,535 texels
-    int shift = 0;               ///< what brings 1/z to 60 bits
+    TexelOverZ greatest_over_z;  ///< for larger u/z, u would exceed 65,535 texels
+    int shift = 0;               ///< brings 1/z to 60 bits
 
     Depth() = default;
     [[gnu::always_inline]] Depth(InverseZ inverse_z, Reciprocal reciprocal) {
@@ -107,13 +106,13 @@ struct Depth {
         if constexpr (kClamps) greatest_over_z = TexelOverZ::from_raw(positive * 4 - 4);
     }
 
-    /// (u/z) * z; clamped to 0 to 65,535 texels where it may overflow.
+    /// (u/z) * z; clamped to 0 to 65,535 texels if it may overflow.
     [[gnu::always_inline]] Texel times(TexelOverZ over_z) const {
         using Scaled = Fixed<std::int64_t, 60>;
         if constexpr (kClamps) over_z = clamp_value(over_z, {}, greatest_over_z);
 #if defined(__i386__)
         if constexpr (!kClamps) {
-            // Of 32 bits: what is below 0 stays there, and all else needs no sign.
+            // Products of 32 bits: negative values stay negative, all others are unsigned.
             const std::int64_t upper = upper_half(over_z.raw, shift);
             const auto size = static_cast<std::uint32_t>(upper);
             if (upper < 0) return Texel::from_raw(-1);

@@ -7,8 +7,7 @@ namespace oblong {
 
 namespace {
 
-/// A linear quantity over a rectangle: its value at the first pixel, and what columns and rows add to that up to the
-/// last one.
+/// A linear quantity over a rectangle: its value at the first pixel, and its change over all columns and over all rows.
 struct Slopes {
     std::int64_t first, columns, rows;
 
@@ -23,14 +22,14 @@ Slopes slopes_over(const ScreenRectangle& rectangle, const LinearQuantity<Value>
             stepped(Value{}, quantity.per_row, rectangle.end_row - rectangle.first_row - 1).raw};
 }
 
-/// Whether |over_z| is below 7 times 1/z everywhere, both in steps of their formats.
+/// Whether |over_z| is below 7 times 1/z everywhere, both in raw steps.
 [[gnu::always_inline]] inline bool is_below_7_times(const Slopes& over_z, const Slopes& z) {
     return Slopes{7 * z.first - over_z.first, 7 * z.columns - over_z.columns, 7 * z.rows - over_z.rows}.least() > 0 &&
            Slopes{7 * z.first + over_z.first, 7 * z.columns + over_z.columns, 7 * z.rows + over_z.rows}.least() > 0;
 }
 
-/// Whether nothing of a quantity overflows below: over 4,096 columns and rows its steps add up to less than 2^57. A
-/// first value that is small is no wrapped one, as values inside the polygon, less than 2^57 away, fit their format.
+/// Whether sums over the rectangle cannot overflow: over 4,096 columns and rows the steps add up to less than 2^57. A
+/// small first value has not wrapped, as values inside the polygon, less than 2^57 away, fit their format.
 template <class Value>
 bool is_gentle(const LinearQuantity<Value>& quantity, const Slopes& slopes) {
     constexpr Value kSteepest = Value::from_raw(std::int64_t{1} << 44),

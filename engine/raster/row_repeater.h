@@ -10,8 +10,8 @@
 
 namespace oblong {
 
-/// Cuts rows of a surface whose 1/z and u are the same in all rows, as a wall's are in a level view. Between the same
-/// columns as in a row above, blocks have the same lengths, ends of the same depth, and the same u: v alone is another.
+/// Cuts rows of a surface whose 1/z and u are the same in all rows, as on walls in a level view. In a row with the same
+/// columns as one above, blocks have the same lengths, depths and u; only v differs.
 template <class Reciprocal>
 class RowRepeater {
   public:
@@ -19,14 +19,14 @@ class RowRepeater {
         return gradients.inverse_z.per_row == InverseZ{} && gradients.u_over_z.per_row == TexelOverZ{};
     }
 
-    /// For rows like one of these blocks, which must stay where they are: fewer than kMostEnds.
+    /// For rows with the columns of `above`. `blocks` are fewer than kMostEnds and must outlive this.
     [[gnu::always_inline]] RowRepeater(const Span& above, std::span<const TexelBlock> blocks,
                                        const BlockCutting& cutting, Reciprocal reciprocal)
         : above_(above), blocks_(blocks), gradients_(cutting.gradients), limits_(cutting.limits) {
         find_depths(reciprocal);
     }
 
-    /// Appends the blocks of such a row. Returns the list's new end.
+    /// Appends the blocks of a row. Returns the list's new end.
     [[gnu::always_inline]] TexelBlock* repeat(std::int32_t row, std::int32_t pitch, TexelBlock* out) const {
         const auto down = static_cast<std::uint32_t>((row - above_.y) * pitch);
         TexelOverZ v_over_z = gradients_.v_over_z.at(above_.first, row);
@@ -56,7 +56,7 @@ class RowRepeater {
         int shift;
     };
 
-    /// Where each block begins, and where the last one ends.
+    /// At the first pixel of each block and the last pixel of the row.
     void find_depths(Reciprocal reciprocal) {
         std::size_t count = 0;
         const auto add = [&](std::int32_t column) {

@@ -13,8 +13,7 @@ namespace oblong {
 
 namespace {
 
-/// Steps down an edge by a slope of 16.16, rounded to the nearest and added up row by row, as games of the time did:
-/// the error grows with the edge.
+/// Steps down an edge by a rounded slope of 16.16, as games of the time did: the error grows with the edge.
 class AccumulatingWalker {
   public:
     AccumulatingWalker(ScreenVertex top, ScreenVertex bottom, std::int32_t row) {
@@ -35,7 +34,7 @@ class AccumulatingWalker {
     Column slope_, column_;
 };
 
-/// An edge as it is walked: down, on one side of its polygon.
+/// An edge directed downward, on one side of its polygon.
 struct SideEdge {
     bool is_right;
     ScreenVertex top, bottom;
@@ -51,7 +50,7 @@ ScreenVertex within_limits(ScreenVertex v) {
     return {std::clamp(v.x, -kLargestScreen, kLargestScreen), std::clamp(v.y, -kLargestScreen, kLargestScreen)};
 }
 
-/// Whether ScreenWalker takes it.
+/// Whether ScreenWalker is exact for it.
 bool is_on_screen(ScreenVertex v) {
     constexpr auto kLargest = Screen::from_int(kLargestMode_px);
     return v.x >= Screen{} && v.y >= Screen{} && v.x <= kLargest && v.y <= kLargest;
@@ -74,8 +73,8 @@ void walk_edges(std::span<const ScreenVertex> vertices, ScanlineExtents& rows, c
     }
 }
 
-/// Snapping and clipping can bend a chain of nearly collinear vertices back by a step. Such a polygon is widened to its
-/// outermost edges: its neighbours, which share them, may be overlapped by a sliver, but no gap can open.
+/// Snapping and clipping can make a chain of nearly collinear vertices turn back by a step. Such a polygon is widened
+/// to its outermost edges: it may overlap its neighbours by a sliver, but leaves no gap.
 template <class Walker>
 void scan_bent(std::span<const ScreenVertex> vertices, ScanlineExtents& rows) {
     std::fill(rows.left.begin() + rows.first, rows.left.begin() + rows.end, std::numeric_limits<std::int32_t>::max());
@@ -100,8 +99,8 @@ std::int32_t next_column(ScreenWalker& walker) {
     return column;
 }
 
-/// Four at a time. The last four may be some that are written already: a loop over those that are left would often be
-/// predicted wrong, which takes longer.
+/// Four at a time. The last may overlap those before: a loop over the remainder would often be mispredicted, which
+/// takes longer.
 template <>
 void write_columns(ScreenWalker walker, std::int32_t count, std::int32_t* columns) {
     if (count < 4) {
@@ -135,7 +134,7 @@ void scan_edges(std::span<const ScreenVertex> vertices, const PolygonShape& shap
 PolygonShape shape_of(std::span<const ScreenVertex> vertices, std::int32_t height_px, EdgeStepping stepping) {
     if (vertices.size() < 3) return {};
     ScreenVertex least = vertices.back(), greatest = least, from = least;
-    ScreenWide way_down;  // around the polygon
+    ScreenWide way_down;  // sum of all downward edges
     for (const ScreenVertex& to : vertices) {
         least = {std::min(least.x, to.x), std::min(least.y, to.y)};
         greatest = {std::max(greatest.x, to.x), std::max(greatest.y, to.y)};

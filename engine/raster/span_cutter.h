@@ -12,8 +12,8 @@
 
 namespace oblong {
 
-/// Cuts spans of one surface into blocks, left to right. Each block ends where the next begins, so a division serves
-/// twice. Its functions are force-inlined, so that its members stay in registers.
+/// Cuts spans of one surface into blocks, left to right. Each block ends where the next begins, so they share a
+/// division. Forced inlining keeps the members in registers.
 template <class Reciprocal, PerspectiveRange Range>
 class SpanCutter {
   public:
@@ -34,15 +34,15 @@ class SpanCutter {
     void set_end(TexelBlock* end) { out_ = end; }
     std::int64_t tries() const { return tries_; }
 
-    /// A block of 2^log2 pixels, all of them in the span.
+    /// Cuts a block of 2^log2 pixels, all in the span.
     [[gnu::always_inline]] void cut_power(int log2) {
         const TexelPosition from = texel_;
         advance(std::int32_t{1} << log2);
         append(1 << log2, from, steps_by_shift(from, texel_, log2));
     }
 
-    /// The last block, of the remaining pixels (1 or more). It ends at the span's last pixel: beyond may lie the end of
-    /// the surface, or the horizon of its plane.
+    /// Cuts the last block, of the remaining pixels (1 or more). It ends at the span's last pixel: beyond may be the
+    /// end of the surface, or the horizon of its plane.
     [[gnu::always_inline]] void cut_rest() {
         const std::int32_t steps = left_ - 1;
         if (steps == 0) return append(1, texel_, {});
@@ -51,8 +51,8 @@ class SpanCutter {
         append(steps + 1, from, steps_by_division(from, texel_, steps));
     }
 
-    /// A block of 2^log2 pixels, or the last one, if it keeps u and v within `bound_256` of the truth; else nothing. A
-    /// block of one or two pixels always does.
+    /// Cuts a block of 2^log2 pixels, or the last one, if it keeps the error of u and v within `bound_256`, which
+    /// blocks of one or two pixels always do. Returns whether it was cut.
     [[gnu::always_inline]] bool try_block(int log2, std::int32_t bound_256) {
         const std::int32_t size = std::int32_t{1} << log2, steps = std::min(size, left_ - 1);
         const auto start = std::tuple(here_, depth_, texel_);
@@ -67,9 +67,9 @@ class SpanCutter {
     }
 
   private:
-    /// Whether the texels between `from` and here lie within a bound of a straight line. With k the ratio of the two
-    /// ends' 1/z, the line is off by |du| (sqrt k - 1) / (sqrt k + 1) <= |du| (k - 1) / 4 at most; a step that is
-    /// floored loses less than 2^-16 texel a pixel.
+    /// Whether the texels between `from` and here are within a bound of a straight line. With k the ratio of the ends'
+    /// 1/z, the line's error is at most |du| (sqrt k - 1) / (sqrt k + 1) <= |du| (k - 1) / 4; a floored step loses less
+    /// than 2^-16 texel a pixel.
     bool is_straight(InverseZ from_z, TexelPosition from, std::int32_t steps, std::int32_t bound_256) const {
         const InverseZ least = std::min(from_z, here_.inverse_z);
         if (least < kLeastInverseZ) return false;
@@ -108,7 +108,7 @@ class SpanCutter {
     Perspective here_;
     Depth<Reciprocal, Range> depth_;
     TexelPosition texel_;
-    std::int64_t tries_ = 0;  ///< of try_block()
+    std::int64_t tries_ = 0;  ///< calls of try_block()
 };
 
 }  // namespace oblong

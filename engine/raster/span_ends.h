@@ -8,8 +8,8 @@
 
 namespace oblong {
 
-/// Texels at the ends of spans that are one block each. Where 1/z and u are the same in all rows, as a wall's are in a
-/// level view, they are those of the row above in the same column, but for v.
+/// Texels at the ends of spans of one block each. If 1/z and u are the same in all rows, as on walls in a level view,
+/// an end in the same column as in the row above differs in v only.
 template <class Reciprocal>
 class SpanEnds {
   public:
@@ -25,7 +25,7 @@ class SpanEnds {
             set(first_, span.first, span.y, depth_at(span.first, span.y));
         return {first_.u_16, v_16(first_, span.y)};
     }
-    /// After first(), of a span of two pixels at least.
+    /// Call after first(), for a span of at least two pixels.
     [[gnu::always_inline]] TexelPosition last(const Span& span) {
         const std::int32_t column = span.end - 1;
         if (is_of_one_depth_)

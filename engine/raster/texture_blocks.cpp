@@ -27,7 +27,7 @@ template <class Cutter>
     cutter.cut_rest();
 }
 
-/// Blocks as long as the bound allows where they begin. The search for that begins at the last block's size.
+/// Cuts blocks as long as the bound allows at their first pixel; the search starts at the last block's size.
 template <class Cutter>
 [[gnu::always_inline]] inline void cut_bounded(Cutter& cutter, const BlockThresholds& thresholds, std::int64_t& log2) {
     const auto& least = thresholds.least_inverse_z;
@@ -39,7 +39,7 @@ template <class Cutter>
     }
 }
 
-/// Tries a block twice as long as the last one, then halves it until it is within the bound.
+/// Tries a block twice as long as the last, then halves it until it is within the bound.
 template <class Cutter>
 [[gnu::always_inline]] inline void cut_bounded_texels(Cutter& cutter, std::int32_t bound_256) {
     int log2 = 3;
@@ -61,7 +61,7 @@ template <Texturing Way, class Cutter>
     if constexpr (Way == Texturing::Exact) cut_every(cutter, 0);
 }
 
-/// Returns the spans that are left.
+/// Returns the remaining spans.
 template <Texturing Way, PerspectiveRange Range, class Reciprocal>
 [[gnu::always_inline]] inline std::span<const Span> cut_spans(std::span<const Span> spans, std::int32_t pitch,
                                                               const BlockCutting& cutting, Reciprocal reciprocal,
@@ -80,7 +80,7 @@ template <Texturing Way, PerspectiveRange Range, class Reciprocal>
     return {span, end};
 }
 
-/// The first of the spans, as many as are in these columns, until their blocks, so many each, have filled the room.
+/// The leading spans with the same columns as `columns`, as many as have room for `blocks` blocks each.
 [[gnu::always_inline]] inline std::span<const Span> spans_in(const Span& columns, std::span<const Span> spans,
                                                              std::ptrdiff_t blocks, std::ptrdiff_t room) {
     std::size_t count = 0;
@@ -89,7 +89,7 @@ template <Texturing Way, PerspectiveRange Range, class Reciprocal>
     return spans.first(count);
 }
 
-/// The same for RowRepeater's surfaces. repeat(above, its blocks, spans, out) appends rows' blocks.
+/// cut_spans() for RowRepeater's surfaces. repeat(above, its blocks, spans, out) appends the blocks of rows.
 template <class Reciprocal, class Repeat>
 [[gnu::always_inline]] inline std::span<const Span> cut_repeating_rows(std::span<const Span> spans, std::int32_t pitch,
                                                                        const BlockCutting& cutting,
@@ -117,7 +117,7 @@ template <class Reciprocal, class Repeat>
     return spans;
 }
 
-/// Spans that are one block each.
+/// For spans that are one block each.
 template <class Reciprocal>
 [[gnu::always_inline]] inline std::span<const Span> cut_whole_spans(std::span<const Span> spans, std::int32_t pitch,
                                                                     const BlockCutting& cutting, Reciprocal reciprocal,
@@ -162,7 +162,7 @@ template <Texturing Way, class Reciprocal>
     return cut_spans<Way, Fits>(spans, pitch, cutting, reciprocal, blocks);
 }
 
-/// One function for all tables: asking for the method costs nothing beside finding a reciprocal.
+/// One function for all tables: choosing the method costs nothing compared with a reciprocal.
 template <Texturing Way>
 [[gnu::noinline]] std::span<const Span> cut_by_table(std::span<const Span> spans, std::int32_t pitch,
                                                      const BlockCutting& cutting, TabledReciprocal reciprocal,
@@ -179,14 +179,14 @@ std::span<const Span> append_blocks(std::span<const Span> spans, std::int32_t pi
         return cut_by_table<Way>(spans, pitch, cutting, TabledReciprocal{Method}, blocks);
 }
 
-/// The same code for processors with BMI2, whose shifts take their count from any register. The defaults alone: other
-/// settings are not worth the room.
+/// The same code for processors with BMI2, whose shifts take their count from any register. For the default settings
+/// only; others are not worth the code size.
 OBLONG_TARGET_BMI2 std::span<const Span> append_bounded_bmi2(std::span<const Span> spans, std::int32_t pitch,
                                                              const BlockCutting& cutting, BlockList& blocks) {
     return cut_in_range<Texturing::Bounded>(spans, pitch, cutting, DividedReciprocal{}, blocks);
 }
 
-/// The same for processors with AVX-512, but where cut_by_eights.h has nothing for a surface.
+/// The same for processors with AVX-512, with cut_by_eights.h where it applies.
 OBLONG_TARGET_BMI2 std::span<const Span> append_bounded_avx512(std::span<const Span> spans, std::int32_t pitch,
                                                                const BlockCutting& cutting, BlockList& blocks) {
     const bool repeats_rows = RowRepeater<DividedReciprocal>::serves(cutting.gradients);
@@ -226,7 +226,7 @@ BlockCutter cutter_by(Texturing texturing) {
 }  // namespace
 
 TexelLimits make_texel_limits(std::int32_t width, std::int32_t height, std::int32_t longest_px) {
-    // Flooring a step loses less than a unit of 2^-16 a pixel: from this inset no sample drifts below 0.
+    // A floored step loses less than 2^-16 texel a pixel: with this inset no sample drifts below 0.
     return {Texel::from_raw(longest_px), Texel::from_int(width) - Texel::ulp(), Texel::from_int(height) - Texel::ulp()};
 }
 
@@ -238,7 +238,7 @@ TexelPosition texel_at(const TextureGradients& gradients, const TexelLimits& lim
 
 namespace {
 
-/// Of spans that are one block each: how many ends are in the column of an end before (SpanEnds).
+/// For spans of one block each: how many ends are in the same column as the one before (SpanEnds).
 std::int64_t repeated_ends(std::span<const Span> spans) {
     std::int64_t count = 0;
     std::int32_t first = -1, end = -1;

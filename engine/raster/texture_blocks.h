@@ -14,8 +14,7 @@
 
 namespace oblong {
 
-/// The range of a surface's texture coordinates for samples: inset from its edges by the most that rounding adds up to
-/// in one block.
+/// The range of a surface's texture coordinates, inset from its edges by the largest rounding error of one block.
 struct TexelLimits {
     Texel least, greatest_u, greatest_v;
 };
@@ -23,19 +22,19 @@ struct TexelLimits {
 /// The limits of a surface of this size, 1 to 65,535 texels, for blocks of up to `longest_px` pixels.
 TexelLimits make_texel_limits(std::int32_t width, std::int32_t height, std::int32_t longest_px);
 
-/// Blocks waiting to be drawn: a batch of spans is first cut into blocks and then drawn, so that each loop keeps its
-/// values in registers.
+/// Blocks to be drawn: a batch of spans is first cut into blocks, then drawn, so that each loop keeps its values in
+/// registers.
 class BlockList {
   public:
     /// For spans of up to `longest_px` pixels.
     explicit BlockList(std::int32_t longest_px) : blocks_(as_size(longest_px) + kBatch + kWrittenAtOnce) {}
 
-    /// Blocks of a span that begin beyond this one might not fit.
+    /// If the end is beyond this, the blocks of another span might not fit.
     const TexelBlock* full() const { return blocks_.data() + kBatch; }
     std::span<const TexelBlock> waiting() const { return std::span(blocks_).first(used_); }
     void clear() { used_ = 0, more_divisions_ = 0; }
-    /// Divisions beyond those that divisions_of() finds by itself: for blocks that were tried and perhaps cut shorter
-    /// (BoundedTexels). Below 0: the ones that rows did without (RowRepeater).
+    /// Divisions in addition to those counted by divisions_of(): for blocks that were tried (BoundedTexels). Negative:
+    /// divisions saved by RowRepeater.
     std::int64_t more_divisions() const { return more_divisions_; }
     void add_divisions(std::int64_t count) { more_divisions_ += count; }
 
@@ -44,35 +43,34 @@ class BlockList {
 
   private:
     static constexpr std::size_t kBatch = 2048;
-    static constexpr std::size_t kWrittenAtOnce =
-        8;  ///< as many may be written beyond the list's end (cut_by_eights.h)
+    static constexpr std::size_t kWrittenAtOnce = 8;  ///< may be written beyond the list's end (cut_by_eights.h)
 
     std::vector<TexelBlock> blocks_;
     std::size_t used_ = 0;
     std::int64_t more_divisions_ = 0;
 };
 
-/// How the spans of one surface are cut into blocks.
+/// How to cut the spans of one surface.
 struct BlockCutting {
     TextureGradients gradients;
     TexelLimits limits;
     BlockThresholds thresholds;        ///< for Bounded
     std::int32_t texel_bound_256 = 0;  ///< for BoundedTexels: BlockRule's
-    bool fits_range = false;           ///< fits_range() of these spans: then nothing is clamped before it is multiplied
-    bool takes_whole_spans = false;    ///< Bounded, and every span is one block, by its thresholds, which are not set
+    bool fits_range = false;           ///< fits_range() of the spans: nothing is clamped before multiplication
+    bool takes_whole_spans = false;    ///< Bounded, and every span is one block; `thresholds` are not set
 };
 
-/// Appends the blocks of spans, left to right, as long as there is room for one in the worst case. Returns the spans
-/// that are left. `pitch` is the framebuffer's.
+/// Appends the blocks of spans, left to right, while there is room for a span's worst case. Returns the remaining
+/// spans. `pitch` is the framebuffer's.
 using BlockCutter = std::span<const Span> (*)(std::span<const Span> spans, std::int32_t pitch,
                                               const BlockCutting& cutting, BlockList& blocks);
 
 /// The cutter for these settings, chosen once a frame.
 BlockCutter block_cutter(const Accuracy& accuracy, Instructions instructions = best_instructions());
 
-/// How many divisions cutting these spans into these blocks took: one where a span begins, and one where each block
-/// ends, or was tried to; but none for a last block of one pixel, where 1/z is constant along rows, or where it is that
-/// of a row before.
+/// The number of divisions for cutting these spans into these blocks: one where a span begins, and one at each end of a
+/// block, tried ends included; none for a last block of one pixel, if 1/z is constant along rows, or if the row repeats
+/// one before.
 std::int64_t divisions_of(std::span<const Span> spans, const BlockCutting& cutting, const BlockList& blocks);
 
 /// The exact texel at the centre of a pixel.

@@ -19,7 +19,7 @@ bool can_cut_by_eights(const BlockCutting& cutting) {
 
 namespace {
 
-/// The texels of a surface, as texel_of() has them.
+/// texel_of() at eight pixels of a surface.
 struct EightTexels {
     EightValues inverse_z, u_over_z, v_over_z;
     Eight least, greatest_u, greatest_v;
@@ -43,20 +43,20 @@ struct EightTexels {
     }
 };
 
-/// steps_by_division() of u or v over up to 1,024 texels, by an entry of kStepReciprocal_36; steps_by_shift(), too, as
+/// steps_by_division() of u or v over up to 1,024 texels, from entries of kStepReciprocal_36; also steps_by_shift(), as
 /// 2^36 / 2^log2 is such an entry.
 [[OBLONG_INLINE_AVX512]] inline Eight floored_steps(Eight way, Eight reciprocals_36) {
     return signed_shift(way * reciprocals_36 + eight_of(1 << 26), 36);
 }
 
-/// Each third number of `a` and `b`, from the first, second or third on.
+/// Every third number of `a` and `b`, starting at `from`.
 [[OBLONG_INLINE_AVX512]] inline Eight each_third(__m512i a, __m512i b, int from) {
     const __m512i thirds = _mm512_setr_epi32(0, 3, 6, 9, 12, 15, 18, 21, 0, 0, 0, 0, 0, 0, 0, 0);
     const __m512i index = _mm512_add_epi32(thirds, _mm512_set1_epi32(from));
     return as_eight(_mm512_cvtepi32_epi64(_mm512_castsi512_si256(_mm512_permutex2var_epi32(a, index, b))));
 }
 
-/// Eight spans; or fewer, and zeros.
+/// Eight spans; if fewer, padded with zeros.
 struct EightSpans {
     Eight row, first, end;
 
@@ -70,8 +70,7 @@ struct EightSpans {
     }
 };
 
-/// Eight blocks as they are in a list, three words each: pixel and count, u and v, their steps. Of each pair the first
-/// is the lower half.
+/// Eight blocks, three words each: pixel and count, u and v, their steps. The first of each pair is the lower half.
 struct EightBlocks {
     Eight head, texel, step;
 
@@ -93,12 +92,12 @@ struct EightBlocks {
     }
 };
 
-/// Up to seven blocks of a row: where they begin, and where the next one begins or the row ends.
+/// Up to seven blocks of a row: their first pixels, and the first pixel of the next block or the row's last pixel.
 class RowPart {
   public:
     static constexpr std::size_t kMost = 7;
 
-    /// The first of these blocks, which are the row's from some column on.
+    /// Takes the first of `blocks`.
     [[OBLONG_INLINE_AVX512]] void set(std::span<const TexelBlock> blocks, const Span& row, std::int32_t pitch,
                                       const EightTexels& texels) {
         count_ = std::min(blocks.size(), kMost);
@@ -113,7 +112,8 @@ class RowPart {
         depths_ = texels.depths_at(columns, Eight{});
         v_over_z_ = texels.v_over_z.at(columns, Eight{});
     }
-    /// Appends the same blocks of another row, further down by so many pixels; v/z is greater than in row 0 by this.
+    /// Appends the same blocks for another row, `pixels` further on, where v/z is `more_v_over_z` greater than in row
+    /// 0.
     [[OBLONG_INLINE_AVX512]] TexelBlock* append(Eight pixels, Eight more_v_over_z, const EightTexels& texels,
                                                 TexelBlock* out) const {
         const Eight v = clamped(depths_.times(v_over_z_ + more_v_over_z), texels.least, texels.greatest_v);

@@ -18,7 +18,7 @@ constexpr TexelTraits traits_of(std::size_t index) {
     return {(index & 1) != 0, (index & 2) != 0, (index & 4) != 0, (index & 8) != 0};
 }
 
-/// The texel at u and v, moved by the warp and wrapped. Without masks sums must not overflow: they have 64 bits.
+/// The texel at u and v, warped and wrapped. Wrapping without masks needs sums that do not overflow: 64 bits.
 template <TexelTraits Traits>
 [[gnu::always_inline]] inline std::uint8_t texel_at(const EffectTexels& texels, std::uint32_t u_16,
                                                     std::uint32_t v_16) {
@@ -36,8 +36,7 @@ template <TexelTraits Traits>
         .texels[static_cast<std::uint32_t>(v >> 16) % height * width + static_cast<std::uint32_t>(u >> 16) % width];
 }
 
-/// What a pixel becomes. Around holes the old colour is chosen, not left: where texels change fast, a branch costs
-/// more.
+/// A pixel's new colour. In holes the old colour is written again: where texels change fast, a branch costs more.
 template <TexelTraits Traits>
 [[gnu::always_inline]] inline std::uint8_t seen_through(const EffectTexels& texels, std::uint8_t texel,
                                                         std::uint8_t below) {
@@ -53,7 +52,7 @@ template <TexelTraits Traits>
 
 template <TexelTraits Traits>
 void draw_effect_blocks(std::span<const TexelBlock> blocks, const EffectTexels& given, std::uint8_t* pixels) {
-    const EffectTexels texels = given;  // a copy that no pixel written can change: it stays in registers
+    const EffectTexels texels = given;  // a copy, which pixel writes cannot alias, stays in registers
     for (const TexelBlock& block : blocks) {
         std::uint32_t u_16 = block.u_16, v_16 = block.v_16;
         const auto u_step = static_cast<std::uint32_t>(block.u_step_16);

@@ -11,14 +11,14 @@ namespace oblong {
 /// The most that a warp moves texels.
 inline constexpr std::uint32_t kGreatestShift_texels = 16;
 
-/// How far texels of one mip level are moved along one axis by their place on the other: from 0 to twice the
-/// amplitude, texels, 16.16. Entry i is for the columns or rows i, i + 128, i + 256 ...
+/// The warp of one mip level: how far texels move along one axis, by their coordinate on the other: 0 to twice the
+/// amplitude, texels, 16.16. Entry i is for columns or rows i, i + 128, i + 256 ...
 struct WarpTable {
     static constexpr std::uint32_t kEntries = 128;
     std::array<std::uint32_t, kEntries> shift_16{};
 };
 
-/// How far texels of the column or row of this one are moved.
+/// How far the texels in the column or row of `texel_16` are moved.
 inline std::uint32_t shift_at(const WarpTable& warp, std::uint32_t texel_16) {
     return warp.shift_16[(texel_16 >> 16) % WarpTable::kEntries];
 }
@@ -34,31 +34,30 @@ using ColourRow = std::array<std::uint8_t, 256>;
 /// The texel that is a hole.
 inline constexpr std::uint8_t kHoleTexel = 255;
 
-/// A surface and what its kernel needs to draw it; the rest may be null.
+/// The arguments of an effect kernel; what its traits do not need may be null.
 struct EffectTexels {
     SurfaceView surface;
     const WarpTable* warp = nullptr;    ///< for surfaces that warp
-    const ColourRow* shades = nullptr;  ///< for those with holes or blended: what fog makes of texels, or identity
-    const BlendTable* blend = nullptr;  ///< for blended ones
+    const ColourRow* shades = nullptr;  ///< for holes and blending: maps texels to fogged ones, or identity
+    const BlendTable* blend = nullptr;  ///< for blending
 };
 
-/// What a surface needs in addition to plain texels.
+/// The effects of a surface.
 struct TexelTraits {
-    bool warps = false;               ///< u is moved by the warp of v, and v by that of u
-    bool has_holes = false;           ///< pixels where the texel is kHoleTexel stay
+    bool warps = false;               ///< u is moved by the warp at v, and v by that at u
+    bool has_holes = false;           ///< texels kHoleTexel leave the pixel unchanged
     bool blends = false;              ///< the pixel below shows through
-    bool is_wrapped_by_masks = true;  ///< false: of any size, wrapped by division, its stride its width
+    bool is_wrapped_by_masks = true;  ///< false: any size, wrapped by division, stride = width
 };
 
 using EffectKernel = void (*)(std::span<const TexelBlock> blocks, const EffectTexels& texels, std::uint8_t* pixels);
 
-/// The kernel of a surface with these traits, the fastest that the processor runs. What a surface does not need, its
-/// kernel does not ask about.
+/// The fastest kernel of the processor for these traits; it does no work for traits that are false.
 EffectKernel effect_kernel(TexelTraits traits, bool has_bmi2 = oblong::has_bmi2());
 
 inline constexpr TexelTraits kWarpsAlone{.warps = true};
 
-/// Of a surface that warps and does nothing else: u and v in one word, as draw_blocks_bmi2. Only where has_bmi2().
+/// For kWarpsAlone: u and v in one word, as in draw_blocks_bmi2. Only if has_bmi2().
 void draw_warped_blocks_bmi2(std::span<const TexelBlock> blocks, const EffectTexels& texels, std::uint8_t* pixels);
 
 }  // namespace oblong

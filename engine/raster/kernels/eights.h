@@ -6,11 +6,11 @@
 
 #include "engine/view/gradients.h"
 
-// Eight numbers of 64 bits at a time, for processors that have Instructions::Avx512. Without SSE2 the compiler was told
-// to use no vectors at all.
+// Vectors of eight 64-bit numbers, for processors with Instructions::Avx512. Not compiled without SSE2: then the
+// compiler was told to use no vectors.
 #if defined(__x86_64__) && defined(__SSE2__)
 #define OBLONG_EIGHTS 1
-// GCC 12 sees values that are not set in its own functions.
+// GCC 12 warns of uninitialised values in its own headers.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wuninitialized"
 #include <immintrin.h>
@@ -21,7 +21,7 @@
 
 namespace oblong {
 
-/// They wrap, and are shifted right as numbers without a sign.
+/// Unsigned: they wrap, and >> shifts in zeros.
 using Eight = std::uint64_t __attribute__((vector_size(64)));
 
 [[OBLONG_INLINE_AVX512]] inline __m512i as_m512i(Eight values) {
@@ -39,11 +39,10 @@ using Eight = std::uint64_t __attribute__((vector_size(64)));
 [[OBLONG_INLINE_AVX512]] inline void store_eight(Eight values, std::uint64_t* to) {
     _mm512_storeu_si512(to, as_m512i(values));
 }
-/// With another value at a place.
+/// `values` with `value` at `place`.
 [[OBLONG_INLINE_AVX512]] inline Eight with(Eight values, std::size_t place, std::int64_t value) {
     return as_eight(_mm512_mask_set1_epi64(as_m512i(values), static_cast<__mmask8>(1u << place), value));
 }
-/// Entries of a table.
 [[OBLONG_INLINE_AVX512]] inline Eight gathered(const std::int64_t* table, Eight index) {
     return as_eight(_mm512_i64gather_epi64(as_m512i(index), table, sizeof *table));
 }
@@ -55,7 +54,7 @@ using Eight = std::uint64_t __attribute__((vector_size(64)));
 [[OBLONG_INLINE_AVX512]] inline Eight lower_half(Eight values) {
     return values & eight_of(0xffffffff);
 }
-/// Shifted right with their signs.
+/// Arithmetic shift right.
 [[OBLONG_INLINE_AVX512]] inline Eight signed_shift(Eight values, unsigned bits) {
     return as_eight(_mm512_srai_epi64(as_m512i(values), bits));
 }
@@ -70,13 +69,13 @@ using Eight = std::uint64_t __attribute__((vector_size(64)));
     return as_eight(_mm512_min_epi64(_mm512_max_epi64(as_m512i(values), as_m512i(least)), as_m512i(greatest)));
 }
 
-/// Tangents of 2^62 / d, one in the middle of each eighth of [2^31, 2^32): below it, by a 1,024th of it at most.
+/// Tangents of 2^62 / d in the middle of each eighth of [2^31, 2^32): below the curve by at most 1/1,024.
 struct ReciprocalTangents {
     std::array<std::uint64_t, 8> at_zero{}, fall_32{};
 
     constexpr ReciprocalTangents() {
         for (std::uint64_t i = 0; i < 8; ++i) {
-            const std::uint64_t middle = 17 + 2 * i;  // where 2^31 is 16
+            const std::uint64_t middle = 17 + 2 * i;  // in units of 2^27: 2^31 is 16
             at_zero[i] = (std::uint64_t{1} << 36) / middle - 1;
             fall_32[i] = (std::uint64_t{1} << 40) / (middle * middle) + 1;
         }
@@ -84,9 +83,9 @@ struct ReciprocalTangents {
 };
 inline constexpr ReciprocalTangents kReciprocalTangents;
 
-/// 2^60 / divisor as DividedReciprocal has it, rounded down, for divisors from 2^27 up to 2^28. Newton's method, from
-/// below: a step squares the part that is missing, so that after two it is what steps are rounded down by, a few units
-/// of 31 bits. The rest of the division then shows how much of the quotient is missing, or all but one.
+/// DividedReciprocal's 2^60 / divisor, rounded down, for divisors from 2^27 up to 2^28. Newton's method from below:
+/// each step squares the relative error, so after two only their rounding remains, a few units of 31 bits. The
+/// remainder of the division then gives the missing part of the quotient, or all but one of it.
 [[OBLONG_INLINE_AVX512]] inline Eight reciprocals_60(Eight divisor) {
     const Eight d = divisor << 4, eighth = (d >> 28) & eight_of(7);
     const Eight fall_32 = chosen(load_eight(kReciprocalTangents.fall_32.data()), eighth, Eight{});
@@ -96,7 +95,7 @@ inline constexpr ReciprocalTangents kReciprocalTangents;
         const Eight missing = eight_of(std::int64_t{1} << 62) - half_product(d, inverse);
         inverse += half_product(missing >> 32, inverse) >> 30;
     }
-    const Eight rest = Eight{} - (half_product(d, inverse) << 2);  // of 2^64
+    const Eight rest = Eight{} - (half_product(d, inverse) << 2);  // 2^64 - d * 4 inverse
     const Eight more = half_product(rest >> 8, inverse) >> 54;
     const Eight quotient = (inverse << 2) + more;
     const __mmask8 is_one_missing = _mm512_cmpge_epu64_mask(as_m512i(rest - half_product(d, more)), as_m512i(d));
@@ -104,7 +103,7 @@ inline constexpr ReciprocalTangents kReciprocalTangents;
         _mm512_mask_add_epi64(as_m512i(quotient), is_one_missing, as_m512i(quotient), as_m512i(eight_of(1))));
 }
 
-/// Depth where nothing has to be clamped.
+/// Eight Depths that need no clamping.
 struct EightDepths {
     Eight mantissa, shift;
 
@@ -117,7 +116,7 @@ struct EightDepths {
     }
 };
 
-/// A linear quantity's values.
+/// Evaluates a linear quantity at eight pixels.
 struct EightValues {
     Eight origin, per_column, per_row;
 

@@ -13,7 +13,7 @@ namespace {
 using Four = std::uint32_t __attribute__((vector_size(16)));
 using TwoPairs = std::uint64_t __attribute__((vector_size(16)));
 
-/// Where texels lie in a surface.
+/// Offsets of texels in a surface.
 struct FourOffsets {
     Four u_mask, row_mask;
     int row_shift;
@@ -26,12 +26,12 @@ struct FourOffsets {
     Four at(Four u, Four v) const { return ((v >> row_shift) & row_mask) | ((u >> 16) & u_mask); }
 };
 
-/// 0, 1, 2 and 3 steps: SSE2 can't multiply.
+/// 0, 1, 2 and 3 steps, without a multiplication, which SSE2 lacks.
 Four steps_to_each(Four step) {
     return (step & Four{0, ~0u, 0, ~0u}) + ((step << 1) & Four{0, 0, ~0u, ~0u});
 }
 
-/// Two offsets leave the vector at a time; which half is which depends on the order of bytes.
+/// Extracts two offsets at a time; the order of the halves depends on the byte order.
 void draw_four(Four offsets, const std::uint8_t* texels, std::uint8_t* out) {
     constexpr int kFirst = std::endian::native == std::endian::little ? 0 : 32, kSecond = 32 - kFirst;
     const auto pairs = reinterpret_cast<TwoPairs>(offsets);
@@ -41,7 +41,7 @@ void draw_four(Four offsets, const std::uint8_t* texels, std::uint8_t* out) {
     out[3] = texels[static_cast<std::uint32_t>(pairs[1] >> kSecond)];
 }
 
-/// A block of four pixels at least.
+/// Draws a block of at least four pixels.
 void draw_by_fours(const TexelBlock& block, const FourOffsets& offsets, const std::uint8_t* texels, std::uint8_t* out) {
     Four all;  // u, v and their steps
     std::memcpy(&all, &block.u_16, sizeof all);
@@ -73,13 +73,13 @@ void draw_blocks_by_fours(std::span<const TexelBlock> blocks, const SurfaceView&
 
 namespace {
 
-/// From pixel to pixel of a block that stays within its surface.
+/// The steps of a block that stays within its surface.
 struct TexelWalk {
     std::uint32_t u_fraction, v_fraction;  ///< of the steps, 0.32: sums carry into whole texels
-    std::int32_t texels[2];                ///< whole steps in the surface: where v carries, and where it does not
+    std::int32_t texels[2];                ///< whole steps as offsets in the surface: with a carry of v, and without
 };
 
-/// Draws pixel `Pixel` of `out`, and goes on to the next: six instructions, three of them for what carries.
+/// Draws pixel `Pixel` of `out` and steps to the next, in six instructions, three of them for the carries.
 template <int Pixel>
 [[gnu::always_inline]] inline void draw_next(const std::uint8_t*& texel, std::uint32_t& u, std::uint32_t& v,
                                              const TexelWalk& walk, std::uint8_t* out) {

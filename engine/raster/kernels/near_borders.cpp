@@ -8,7 +8,7 @@ namespace oblong {
 
 namespace {
 
-/// Ahead by the error, what was near a whole texel has a fraction below twice of it.
+/// Moved up by the error, a coordinate near a whole texel has a fraction below twice the error.
 bool is_near_whole(std::uint32_t texel_16, std::uint32_t error_16) {
     return ((texel_16 + error_16) & 0xffff) < 2 * error_16;
 }
@@ -30,7 +30,7 @@ std::uint64_t pixels_near_borders_plain(const TexelBlock& block, std::uint32_t e
 
 namespace {
 
-/// The fractions of u or v at eight pixels in a row. They wrap by themselves.
+/// The fractions of u or v at eight consecutive pixels; 16-bit lanes wrap as needed.
 struct EightFractions {
     __m128i now, step_8;
 
@@ -50,7 +50,7 @@ std::uint64_t pixels_near_borders(const TexelBlock& block, std::uint32_t error_1
     EightFractions u(block.u_16 + error_16, block.u_step_16), v(block.v_16 + error_16, block.v_step_16);
     std::uint64_t far = 0;
     for (std::int32_t i = 0; i < block.count; i += 8) {
-        // What a fraction is below the limit, and 0 if it is not.
+        // limit - fraction, saturating at 0.
         const __m128i below = _mm_or_si128(_mm_subs_epu16(limit, u.now), _mm_subs_epu16(limit, v.now));
         const __m128i is_far = _mm_cmpeq_epi16(below, _mm_setzero_si128());
         far |= std::uint64_t{static_cast<unsigned>(_mm_movemask_epi8(_mm_packs_epi16(is_far, is_far))) & 0xff} << i;

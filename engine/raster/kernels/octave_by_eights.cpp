@@ -10,7 +10,7 @@ namespace oblong {
 
 namespace {
 
-/// A quantity's upper halves at eight pixels in a row.
+/// A quantity's upper halves at eight consecutive pixels.
 class EightUpperHalves {
   public:
     [[OBLONG_INLINE_AVX512]] explicit EightUpperHalves(const OctaveRow::Scaled& quantity)
@@ -24,7 +24,7 @@ class EightUpperHalves {
     Eight step_, first_;
 };
 
-/// Where the texels of eight pixels are in their surface.
+/// The offsets of eight pixels' texels in the surface.
 class EightOffsets {
   public:
     [[OBLONG_INLINE_AVX512]] explicit EightOffsets(const OctaveRow& row)
@@ -47,7 +47,6 @@ class EightOffsets {
     int to_row_;
 };
 
-/// Two offsets leave the vector at a time.
 [[OBLONG_INLINE_AVX512]] inline void fetch_two(std::int64_t offsets, const std::uint8_t* texels, std::uint8_t* out) {
     out[0] = texels[static_cast<std::uint32_t>(offsets)];
     out[1] = texels[static_cast<std::uint64_t>(offsets) >> 32];
@@ -61,14 +60,14 @@ class EightOffsets {
     fetch_two(_mm256_extract_epi64(halves, 3), texels, out + 6);
 }
 
-/// The first and second words of eight columns.
+/// The first or second words of eight columns.
 [[OBLONG_INLINE_AVX512]] inline Eight each_second(const ColumnTexel* columns, bool is_second) {
     const auto* const words = reinterpret_cast<const std::uint64_t*>(columns);
     const Eight places = Eight{0, 2, 4, 6, 8, 10, 12, 14} + eight_of(is_second);
     return chosen(load_eight(words), places, load_eight(words + 8));
 }
 
-/// One eight after the other; the last may be pixels that are drawn already.
+/// Draws eight pixels at a time; the last eight may overlap those before.
 template <class DrawEight>
 [[OBLONG_INLINE_AVX512]] inline void draw_all(std::int32_t count, const DrawEight& draw_eight) {
     for (std::int32_t pixel = 0; pixel < count - 8; pixel += 8) draw_eight.from(pixel);

@@ -6,12 +6,12 @@
 
 namespace oblong {
 
-// Pixels of an octave by eights: the same bytes as OctaveRow's functions of these names draw. Only for processors that
-// have Instructions::Avx512, and for eight pixels or more.
+// Draw the same bytes as OctaveRow's functions of these names, eight pixels at a time. Only for processors with
+// Instructions::Avx512, and for at least eight pixels.
 
 inline constexpr std::int32_t kFewestByEights = 8;
 
-/// From the octave's first pixel on.
+/// `count` pixels from the octave's first.
 std::int32_t draw_divided_by_eights(const OctaveRow& row, std::int32_t count, std::uint8_t* out);
 void draw_at_depths_by_eights(const OctaveRow& row, const ColumnTexel* columns, std::int32_t count, std::uint8_t* out);
 void draw_columns_by_eights(const OctaveRow& row, const ColumnTexel* columns, std::int32_t count, std::uint8_t* out);

@@ -10,7 +10,7 @@ void draw_blocks_packed(std::span<const TexelBlock> blocks, const SurfaceView& s
 #if defined(__x86_64__)
 
 bool has_bmi2() {
-    // AMD's first Zens make a `pext` of many steps, which take longer than shifts and masks.
+    // On AMD's Zen 1 and 2 `pext` is microcoded and slower than shifts and masks.
     return __builtin_cpu_supports("bmi2") && !__builtin_cpu_is("znver1") && !__builtin_cpu_is("znver2");
 }
 

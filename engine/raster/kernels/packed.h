@@ -14,10 +14,9 @@ template <class Fetch>
     out[3] = fetch(vu + 3 * step);
 }
 
-/// The loop that the packed kernels share. v lies in the upper and u in the lower half of one word; since neither
-/// leaves [0, 65,535] texels on the way, no carry crosses. `fetch` turns the word into a texel. The last four pixels
-/// may be some that are drawn already, and so may the last of fewer than four: a loop over what is left of a block is
-/// often predicted wrong, which takes longer.
+/// The loop of the packed kernels. v is in the upper and u in the lower half of one word; since both stay in [0,
+/// 65,535] texels, no carry crosses. `fetch` maps the word to a texel. The last pixels may overlap those before: a loop
+/// over the remainder would often be mispredicted, which takes longer.
 template <class Fetch>
 [[gnu::always_inline]] inline void draw_packed_block(const TexelBlock& block, std::uint8_t* pixels, Fetch fetch) {
     const std::uint64_t first = std::uint64_t{block.v_16} << 32 | block.u_16;
@@ -42,7 +41,7 @@ template <class Fetch>
     draw_four(first + (count - 4) * step, step, last, fetch);
 }
 
-/// The texel's offset is put together by shifts and masks.
+/// Computes the texel's offset with shifts and masks.
 struct PackedFetch {
     std::uint64_t u_mask, row_mask;
     int row_shift;
@@ -61,14 +60,14 @@ struct PackedFetch {
 
 #if defined(__x86_64__)
 
-/// The bits of a mask, side by side: by one instruction, without asking the compiler for BMI2 anywhere else.
+/// One `pext`, without enabling BMI2 for the compiler elsewhere.
 [[gnu::always_inline]] inline std::uint64_t extracted(std::uint64_t from, std::uint64_t mask) {
     std::uint64_t bits;
     asm("pext %2, %1, %0" : "=r"(bits) : "r"(from), "r"(mask));
     return bits;
 }
 
-/// The texel's offset is taken from the word.
+/// Extracts the texel's offset from the word with `pext`.
 struct Bmi2Fetch {
     std::uint64_t offset_mask;
     const std::uint8_t* texels;

@@ -10,7 +10,7 @@ namespace oblong {
 
 namespace {
 
-/// How far v is moved, where it lies in the word.
+/// The shifts of v, in the upper half of the word.
 struct UpperShifts {
     std::array<std::uint64_t, WarpTable::kEntries> shift_48;
 
@@ -19,20 +19,20 @@ struct UpperShifts {
     }
 };
 
-/// Texels of a surface that warps, by a word of v and u: each half is moved by an addition.
+/// Fetches texels of a warping surface; each half of the word of v and u is moved by an addition.
 struct WarpedFetch {
     const std::uint32_t* u_shifts;
     const std::uint64_t* v_shifts;
     Bmi2Fetch fetch;
 
-    /// Two `pext` a texel: with a third, or one alone, it takes longer.
+    /// Two `pext` a texel are faster than one or three.
     [[gnu::always_inline]] std::uint8_t operator()(std::uint64_t vu) const {
         constexpr std::uint64_t kEntryOfU = std::uint64_t{WarpTable::kEntries - 1} << 16;
         return fetch(vu + u_shifts[(vu >> 48) % WarpTable::kEntries] + v_shifts[extracted(vu, kEntryOfU)]);
     }
 };
 
-/// Whether u, moved, leaves its half of the word nowhere in a block. Of v, what leaves the word is masked anyway.
+/// Whether the moved u stays in its half of the word over a block. An overflow of v is masked anyway.
 bool stays_in_half(const TexelBlock& block) {
     constexpr std::uint32_t kEnd = 0u - (kGreatestShift_texels << 16);
     return block.u_16 < kEnd &&
