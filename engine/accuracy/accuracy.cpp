@@ -6,7 +6,7 @@ namespace oblong {
 
 namespace {
 
-/// Whole pixels, short tables and sums instead of divisions.
+/// Whole pixels, short tables, and additions instead of divisions.
 Accuracy of_1991() {
     Accuracy accuracy;
     accuracy.texturing = Texturing::Affine;

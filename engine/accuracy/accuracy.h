@@ -10,35 +10,36 @@
 
 namespace oblong {
 
-/// How texture coordinates are found along a span, from the coarsest. All but Exact step evenly between divisions.
+/// How texture coordinates are computed along a span, from the coarsest. All but Exact interpolate linearly between
+/// divisions.
 enum class Texturing {
-    Affine,         ///< a division at the first and the last pixel of the span
+    Affine,         ///< a division at the span's first and last pixel
     Every32,        ///< a division every 32 pixels
-    Every16,        ///< every 16 (Quake's)
+    Every16,        ///< every 16 (Quake)
     Every8,         ///< every 8
-    Bounded,        ///< the longest blocks whose error on the screen stays under Accuracy::pixel_bound_256
-    BoundedTexels,  ///< the longest whose error on the texture stays under Accuracy::texel_bound_256
+    Bounded,        ///< the longest blocks with an error on the screen below Accuracy::pixel_bound_256
+    BoundedTexels,  ///< the longest blocks with an error on the texture below Accuracy::texel_bound_256
     Exact           ///< a division a pixel
 };
 
-/// How the columns of an edge are found row by row.
+/// How an edge steps from row to row.
 enum class EdgeStepping {
-    Accumulated,  ///< a slope of 16.16, added row by row: its rounding adds up
-    Exact         ///< a quotient and a remainder, as Bresenham's
+    Accumulated,  ///< adds a slope of 16.16: its rounding error accumulates
+    Exact         ///< quotient and remainder, as Bresenham
 };
 
-/// Which light a texel gets from the samples around it, 16 texels apart.
+/// How a texel's light is computed from samples 16 texels apart.
 enum class LightSampling { Nearest, Interpolated };
 
-/// Where a mip level is chosen.
+/// How often a mip level is chosen.
 enum class MipSelection {
     None,  ///< level 0 everywhere
-    Face,  ///< by the nearest corner in view (Quake's)
+    Face,  ///< by the nearest corner in view (Quake)
     Span   ///< by the nearest pixel of each span
 };
 
-/// The dials: each is an approximation whose error and cost can be measured (engine/accuracy/dials.h lists them). The
-/// values here are the defaults.
+/// The dials: each is an approximation whose error and cost can be measured (list: engine/accuracy/dials.h), with its
+/// default.
 struct Accuracy {
     Texturing texturing = Texturing::Bounded;
     std::int32_t pixel_bound_256 = 96;                      ///< 1/256 pixel, 1 to 4,096
@@ -60,7 +61,7 @@ struct Accuracy {
     bool operator==(const Accuracy&) const = default;
 };
 
-/// The named presets (--accuracy): what games of that year could afford, and two that none could.
+/// The presets (--accuracy): what games of a year could afford, and two that no game could.
 enum class Preset { Year1991, Year1994, Year1996, Bounded, Exact };
 inline constexpr std::array kPresets = {Preset::Year1991, Preset::Year1994, Preset::Year1996, Preset::Bounded,
                                         Preset::Exact};
@@ -69,7 +70,6 @@ inline constexpr std::array kPresets = {Preset::Year1991, Preset::Year1994, Pres
 Accuracy accuracy_of(Preset preset);
 /// "1991", "1994", "1996", "bounded", "exact".
 std::string_view name_of(Preset preset);
-/// The preset of that name, if there is one.
 std::optional<Preset> preset_named(std::string_view name);
 
 }  // namespace oblong

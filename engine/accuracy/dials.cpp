@@ -21,7 +21,6 @@ constexpr void set_field(Accuracy& accuracy, std::int32_t value) {
     field = static_cast<std::remove_reference_t<decltype(field)>>(value);
 }
 
-/// A setting by the value of its enumeration.
 template <class Value>
 constexpr DialSetting named(std::string_view name, Value value) {
     return {name, static_cast<std::int32_t>(value)};
@@ -121,7 +120,7 @@ constexpr std::array kDials{
                                 "engine/raster/texture_blocks.cpp", true, kReciprocals),
 };
 
-/// A number of 2^-fraction_bits in decimal, exactly, without trailing zeros.
+/// value * 2^-fraction_bits in decimal, exact, without trailing zeros.
 std::string decimal(std::int32_t value, int fraction_bits) {
     const std::int32_t whole = std::abs(value) >> fraction_bits;
     std::int32_t rest = std::abs(value) & ((1 << fraction_bits) - 1);

@@ -5,7 +5,7 @@
 
 namespace oblong {
 
-/// CRC-32 as zlib's and PNG's (ISO 3309): of bytes that follow those whose sum is `before`.
+/// CRC-32 as in zlib and PNG (ISO 3309). `before` is the sum of the bytes before these.
 constexpr std::uint32_t crc32(std::span<const std::uint8_t> bytes, std::uint32_t before = 0) {
     std::uint32_t crc = ~before;
     for (const std::uint8_t byte : bytes) {

@@ -5,8 +5,8 @@
 
 namespace oblong {
 
-/// FNV-1a of 64 bits (Fowler, Noll and Vo) of bytes that come one after the other: the same on every machine. Bytes
-/// that differ in one place have different hashes; it is no defence against forgery.
+/// 64-bit FNV-1a (Fowler, Noll and Vo), the same on every machine. Inputs that differ in one byte have different
+/// hashes; it does not protect against forgery.
 class Fnv1a {
   public:
     constexpr void add(std::uint8_t byte) { value_ = (value_ ^ byte) * 1'099'511'628'211u; }

@@ -15,9 +15,9 @@ inline std::string printable(std::string text) {
     return text;
 }
 
-/// Invalid input. `where` names the place in it ("lump planes, offset 1234"), the message says what is wrong and what
-/// was expected. The caller that opened the file adds its name: programs print
-/// `PROGRAM: FILE: WHERE: what is wrong, what was expected` and exit with 1.
+/// Invalid input. `where` names the place in the input ("lump planes, offset 1234"), the message says what is wrong and
+/// what was expected. The caller that opened the file adds its name: programs print `PROGRAM: FILE: WHERE: what is
+/// wrong, what was expected` and exit with 1.
 class InputError : public std::runtime_error {
   public:
     InputError(std::string where_in_input, std::string what_is_wrong)

@@ -11,24 +11,24 @@
 
 namespace oblong {
 
-/// Appends an integer, lowest byte first, whatever the machine's own byte order.
+/// Appends an integer, lowest byte first, on any machine.
 template <class Int>
 void append_little_endian(std::vector<std::uint8_t>& bytes, Int number) {
     for (std::size_t byte = 0; byte < sizeof(Int); ++byte)
         bytes.push_back(static_cast<std::uint8_t>(static_cast<std::uint64_t>(number) >> (8 * byte)));
 }
 
-/// Throws InputError at an offset of a file unless what is there is right.
+/// Throws InputError naming the offset unless `is_right`.
 inline void expect_at(std::size_t offset, bool is_right, const std::string& what_is_wrong) {
     if (!is_right) throw InputError("offset " + std::to_string(offset), what_is_wrong);
 }
 
-/// The same without making a text of what is right.
+/// The same, without making a string if nothing is wrong.
 inline void expect_at(std::size_t offset, bool is_right, const char* what_is_wrong) {
     if (!is_right) expect_at(offset, false, std::string(what_is_wrong));
 }
 
-/// Reads such integers one after the other. What is not there is an InputError at its offset.
+/// Reads such integers in sequence. Throws InputError at the end of the bytes.
 class LittleEndianReader {
   public:
     explicit LittleEndianReader(std::span<const std::uint8_t> bytes, std::size_t start = 0)

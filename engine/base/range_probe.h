@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cstddef>
 
-/// Checks the arithmetic for overflow: the largest intermediate values, each named where note_range is called. The
-/// build with OBLONG_RECORD_RANGES (tests/ranges) records the range of each, to show how many bits are left; in every
-/// other build note_range does nothing.
+/// Checks the arithmetic for overflow: note_range names the largest intermediate values. The build with
+/// OBLONG_RECORD_RANGES (tests/ranges) records their ranges, to show how many bits are left; in other builds note_range
+/// does nothing.
 namespace oblong {
 
 /// A string as a template argument.
@@ -28,8 +28,8 @@ namespace oblong {
 
 struct SeenRange;
 
-/// All quantities of a program, recorded or not. The records are the engine's only global variable, and exist in the
-/// recording build only: passing a recorder through every signature would change the code that is measured.
+/// All quantities of a program, recorded or not. This is the engine's only global variable, and exists in the recording
+/// build only: passing a recorder through every signature would change the measured code.
 inline std::vector<const SeenRange*>& recorded_ranges() {
     static std::vector<const SeenRange*> ranges;
     return ranges;

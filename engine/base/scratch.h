@@ -6,11 +6,11 @@
 
 namespace oblong {
 
-/// Memory for as many items as are asked for, kept and never initialised again.
+/// A buffer that grows on demand and keeps its contents.
 template <class Item>
 class Scratch {
   public:
-    /// The first `count` items, with whatever they hold. Valid until more are asked for.
+    /// The first `count` items, with old contents. Valid until a larger count is taken.
     std::span<Item> take(std::size_t count) {
         if (count > items_.size()) items_.resize(count);
         return std::span(items_).first(count);

@@ -10,20 +10,20 @@
 
 namespace oblong {
 
-/// A count, a distance or an index of 0 and up as a size; builds with assertions check it.
+/// A count, distance or index >= 0 as a size; builds with assertions check it.
 constexpr std::size_t as_size(auto count) {
     if constexpr (std::is_signed_v<decltype(count)>) assert(count >= 0);
     return static_cast<std::size_t>(count);
 }
 
-/// An element of a list by an index of any integer or enumeration type, 0 and up; builds with assertions check it.
+/// An element by an index >= 0 of any integer or enumeration type; builds with assertions check it.
 constexpr decltype(auto) item(auto& items, auto index) {
     const std::size_t position = as_size(index);
     if constexpr (requires { items.size(); }) assert(position < items.size());
     return items[position];
 }
 
-/// The index of a record in a table of Records; or none.
+/// The index of a record in a Table, or none.
 template <class Record>
 class Index {
   public:

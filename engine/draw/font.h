@@ -11,7 +11,7 @@ inline constexpr int kGlyphWidth_px = 5, kGlyphHeight_px = 8, kGlyphAdvance_px =
 inline constexpr char kFirstGlyph = ' ';
 inline constexpr int kGlyphCount = 95;  ///< ' ' to '~'
 
-/// Eight rows, top to bottom, the last for what hangs below the line; the leftmost of five pixels is bit 4.
+/// Eight rows, top to bottom, the last for descenders; bit 4 is the leftmost of five pixels.
 using Glyph = std::array<std::uint8_t, kGlyphHeight_px>;
 
 /// Whether a glyph's pixel is set; `column` from the left.
@@ -19,7 +19,7 @@ constexpr bool is_drawn(const Glyph& glyph, int row, int column) {
     return (item(glyph, row) >> (kGlyphWidth_px - 1 - column) & 1) != 0;
 }
 
-/// The picture of a character of ASCII; a question mark for any other.
+/// The glyph of an ASCII character; a question mark for others.
 const Glyph& glyph_of(char character);
 
 }  // namespace oblong

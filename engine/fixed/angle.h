@@ -6,11 +6,11 @@
 
 namespace oblong {
 
-/// Degrees, in public interfaces only: field of view, angles on a command line. 16.48.
+/// Degrees, 16.48; in public interfaces only: field of view, angles on a command line.
 using Degrees = Fixed<std::int64_t, 48>;
 
-/// An angle in binary degrees: 65,536 to the turn, so that it wraps by itself; never negative, so that shifting it to
-/// index a table is safe. Degrees are for public interfaces only (degrees_to_angle, fixed/trig.h).
+/// An angle in binary degrees, 65,536 to the turn: arithmetic wraps at a turn. Unsigned, so that it can be shifted to
+/// index a table.
 struct Angle {
     std::uint16_t bam = 0;
 

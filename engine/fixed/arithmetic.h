@@ -7,8 +7,8 @@
 #include "engine/fixed/fixed.h"
 #include "engine/fixed/wide.h"
 
-// Total, saturating arithmetic: every input has a result. It is exact, then rounded once by the named rule; what the
-// format cannot hold becomes its lowest or highest value.
+// Saturating arithmetic, defined for every input: the exact result is rounded once by the named rule, and clamped to
+// the format's range.
 
 namespace oblong {
 
@@ -27,19 +27,18 @@ constexpr std::int64_t saturating_sum(std::int64_t a, std::int64_t b) {
     return a + b;
 }
 
-/// The same of numbers.
 template <int Frac>
 constexpr Fixed<std::int64_t, Frac> saturating_sum(Fixed<std::int64_t, Frac> a, Fixed<std::int64_t, Frac> b) {
     return Fixed<std::int64_t, Frac>::from_raw(saturating_sum(a.raw, b.raw));
 }
 
-/// |value| in steps, for the lowest number too.
+/// |value| in steps, also of the lowest number.
 template <class Int, int Frac>
 constexpr std::uint64_t magnitude(Fixed<Int, Frac> value) {
     return detail::magnitude(value.raw);
 }
 
-/// `value` in another format; saturates where that one is too narrow.
+/// `value` in another format; saturates.
 template <class To, class Int, int Frac>
 constexpr To saturating_convert(Fixed<Int, Frac> value, Rounding rounding = Rounding::NearestHalfUp) {
     constexpr int kMoreBits = To::kFractionBits - Frac;
@@ -48,7 +47,7 @@ constexpr To saturating_convert(Fixed<Int, Frac> value, Rounding rounding = Roun
     return saturated_to<To>(mul_shift(value.raw, 1, std::max(-kMoreBits, 0), rounding));
 }
 
-/// The product in the factors' own format; saturates.
+/// The product in the factors' format; saturates.
 template <class Int, int Frac>
 constexpr Fixed<Int, Frac> multiply(Fixed<Int, Frac> a, Fixed<Int, Frac> b,
                                     Rounding rounding = Rounding::NearestHalfUp) {
@@ -68,20 +67,20 @@ constexpr To divide(Fixed<A, FracA> a, Fixed<B, FracB> b, Rounding rounding = Ro
     return saturated_to<To>(mul_div(a.raw, std::int64_t{1} << kShift, b.raw, rounding));
 }
 
-/// a b in the format To, through 128 bits and rounded once; saturates.
+/// a b in the format To, from 128 bits, rounded once; saturates.
 template <class To, class A, int FracA, class B, int FracB>
 constexpr To product(Fixed<A, FracA> a, Fixed<B, FracB> b, Rounding rounding = Rounding::NearestHalfUp) {
     return saturated_to<To>(mul_shift(a.raw, b.raw, FracA + FracB - To::kFractionBits, rounding));
 }
 
-/// a b / c, through 128 bits and rounded once; saturates as divide() does. `c` has room for the bits that To drops.
+/// a b / c, from 128 bits, rounded once; saturates as divide() does. `c` has room for the bits that To drops.
 template <class To, class A, int FracA, class B, int FracB, class C, int FracC>
 constexpr To product_over(Fixed<A, FracA> a, Fixed<B, FracB> b, Fixed<C, FracC> c) {
     constexpr int kDropped = FracA + FracB - FracC - To::kFractionBits;
     return saturated_to<To>(mul_div(a.raw, b.raw, std::int64_t{c.raw} * (std::int64_t{1} << kDropped)));
 }
 
-/// a / b rounded to the nearest, by one 64-bit division. `b` is above 0; both have room for the bits that To drops.
+/// a / b rounded to nearest, with one 64-bit division. b > 0; `a` and `b` have room for the bits that To drops.
 template <class To, int FracA, int FracB>
 constexpr To bounded_quotient(Fixed<std::int64_t, FracA> a, Fixed<std::int64_t, FracB> b) {
     constexpr int kDropped = FracA - FracB - To::kFractionBits;
@@ -89,14 +88,14 @@ constexpr To bounded_quotient(Fixed<std::int64_t, FracA> a, Fixed<std::int64_t, 
     return To::from_raw(floored_division(floor_shift(numerator, kDropped), b.raw).quotient);
 }
 
-/// a / b, rounded toward zero by one division: the quotient's fraction bits are those that `a` has more. It must fit.
+/// a / b rounded toward zero, with one division. It must fit.
 template <class To, class A, int FracA, class B, int FracB>
 constexpr To truncated_quotient(Fixed<A, FracA> a, Fixed<B, FracB> b) {
     static_assert(To::kFractionBits == FracA - FracB);
     return To::from_raw(static_cast<typename To::Raw>(a.raw / b.raw));
 }
 
-/// 1 / value; saturates, 1 / 0 gives the highest number. The engine's exact answer to reciprocal.h.
+/// 1 / value; saturates, 1 / 0 gives the highest number. The exact counterpart of reciprocal.h.
 template <class To, class Int, int Frac>
 constexpr To reciprocal(Fixed<Int, Frac> value, Rounding rounding = Rounding::NearestHalfUp) {
     static_assert(To::kFractionBits <= 62 && Frac <= 62);
@@ -105,18 +104,18 @@ constexpr To reciprocal(Fixed<Int, Frac> value, Rounding rounding = Rounding::Ne
     return saturated_to<To>(raw);
 }
 
-/// from + (to - from) part / whole, rounded once; saturates. `part` and `whole` are of one format.
+/// from + (to - from) part / whole, rounded once; saturates. `part` and `whole` have the same format.
 template <class Int, int Frac, class Part>
 constexpr Fixed<Int, Frac> between(Fixed<Int, Frac> from, Fixed<Int, Frac> to, Part part, Part whole) {
     const std::int64_t way = mul_div(std::int64_t{to.raw} - from.raw, part.raw, whole.raw);
     return saturated_to<Fixed<Int, Frac>>(saturating_sum(from.raw, way));
 }
 
-/// The position of the highest set bit: the floor of the logarithm to base 2. `value` is not 0.
+/// floor(log2(value)), the position of the highest set bit. `value` is not 0.
 constexpr int log2_floor(std::uint64_t value) {
     return 63 - std::countl_zero(value);
 }
-/// The same of a number's steps; it is above 0.
+/// The same for a number's steps; value > 0.
 template <class Int, int Frac>
 constexpr int log2_floor(Fixed<Int, Frac> value) {
     return log2_floor(static_cast<std::uint64_t>(value.raw));

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <type_traits>
 
-// Divisions whose numbers are mostly shorter than their 64 bits. A processor of 32 bits divides 64 bits by 32 in one
-// instruction, to a quotient of 32; a compiler calls a function for it, since C++ has no such division.
+// Divisions of numbers that are mostly shorter than 64 bits. i386 divides 64 bits by 32 bits to a 32-bit quotient in
+// one instruction; C++ has no such division, and compilers call a function.
 
 namespace oblong {
 
@@ -12,7 +12,7 @@ struct ShortDivision {
     std::uint32_t quotient = 0, remainder = 0;
 };
 
-/// n / d where the quotient has 32 bits: n / 2^32 < d.
+/// n / d with a quotient of 32 bits: n / 2^32 < d.
 constexpr ShortDivision divide_to_32(std::uint64_t n, std::uint32_t d) {
 #if defined(__i386__)
     if (!std::is_constant_evaluated()) {
@@ -31,7 +31,7 @@ struct Division {
     std::uint64_t quotient = 0, remainder = 0;
 };
 
-/// n / d, d above 0.
+/// n / d, d > 0.
 constexpr Division divide(std::uint64_t n, std::uint64_t d) {
 #if defined(__i386__)
     if (const auto short_d = static_cast<std::uint32_t>(d); short_d == d) {
@@ -50,10 +50,10 @@ struct FlooredDivision {
     std::int64_t quotient = 0, remainder = 0;
 };
 
-/// n / d toward minus infinity, d above 0.
+/// n / d rounded toward minus infinity, d > 0.
 constexpr FlooredDivision floored_division(std::int64_t n, std::int64_t d) {
 #if defined(__i386__)
-    // What is below 0 by its complement: floor(n / d) = ~floor(~n / d).
+    // For n < 0: floor(n / d) = ~floor(~n / d).
     const std::int64_t sign = n >> 63;
     const Division size = divide(static_cast<std::uint64_t>(n ^ sign), static_cast<std::uint64_t>(d));
     const auto rest = static_cast<std::int64_t>(size.remainder);

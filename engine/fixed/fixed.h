@@ -7,20 +7,20 @@
 
 namespace oblong {
 
-/// How a value that falls between two steps of a format is rounded.
+/// How a value between two steps of a format is rounded.
 enum class Rounding {
-    Floor,         ///< toward minus infinity: what an arithmetic shift does
-    NearestHalfUp  ///< to the nearest step, a tie toward plus infinity
+    Floor,         ///< toward minus infinity, as by an arithmetic shift
+    NearestHalfUp  ///< to nearest, ties toward plus infinity
 };
 
-/// `value >> bits` toward minus infinity for every sign, `bits` 0 to 63. The only place in engine/ that shifts
-/// negatives.
+/// `value >> bits`, rounded toward minus infinity, `bits` 0 to 63. The only place in engine/ that shifts negative
+/// numbers.
 template <class Int>
 constexpr Int floor_shift(Int value, int bits) {
     return static_cast<Int>(value >> bits);  // C++20: two's complement, arithmetic
 }
 
-/// `value` divided by 2^bits and rounded. `bits` 0 to 62; for NearestHalfUp |value| must leave room for half a step.
+/// value / 2^bits, rounded. `bits` 0 to 62; for NearestHalfUp, value plus half a step must not overflow.
 template <class Int>
 constexpr Int rounded_shift(Int value, int bits, Rounding rounding) {
     if (bits == 0) return value;
@@ -28,8 +28,8 @@ constexpr Int rounded_shift(Int value, int bits, Rounding rounding) {
     return floor_shift(value, bits);
 }
 
-/// A number of Int's width with `Frac` fraction bits: value = raw / 2^Frac. The format is in the type; nothing converts
-/// silently. Sums keep the format (the caller's formats leave head-room: engine/fixed/README.md), products widen.
+/// A fixed-point number with `Frac` fraction bits: value = raw / 2^Frac. There are no implicit conversions. Sums keep
+/// the format (the formats leave head-room: engine/fixed/README.md), products widen.
 template <class Int, int Frac>
 struct Fixed {
     static_assert(std::is_integral_v<Int> && std::is_signed_v<Int>, "a signed integer holds the value");
@@ -53,17 +53,16 @@ struct Fixed {
     constexpr Fixed operator*(Int times) const { return Fixed{static_cast<Int>(raw * times)}; }
     /// Rounded toward zero.
     constexpr Fixed operator/(Int by) const { return Fixed{static_cast<Int>(raw / by)}; }
-    /// How many times the other goes into this, rounded toward zero.
+    /// The quotient as an integer, rounded toward zero.
     constexpr Int operator/(Fixed other) const { return static_cast<Int>(raw / other.raw); }
     constexpr Fixed& operator+=(Fixed other) { return *this = *this + other; }
     constexpr Fixed& operator-=(Fixed other) { return *this = *this - other; }
     constexpr auto operator<=>(const Fixed&) const = default;
-    /// The steps modulo the width: for shifts that may lose high bits, and for hashes.
+    /// `raw` as unsigned, for hashes and for shifts that may lose high bits.
     constexpr auto bits() const { return static_cast<std::make_unsigned_t<Int>>(raw); }
 };
 
-/// `value` in another format, rounded by name where fraction bits are lost. The result must fit: saturating_convert
-/// checks.
+/// `value` in another format, rounded if fraction bits are lost. The result must fit (saturating_convert clamps).
 template <class To, class Int, int Frac>
 constexpr To convert(Fixed<Int, Frac> value, Rounding rounding = Rounding::NearestHalfUp) {
     using Wide = std::conditional_t<(sizeof(Int) > sizeof(typename To::Raw)), Int, typename To::Raw>;
@@ -74,7 +73,7 @@ constexpr To convert(Fixed<Int, Frac> value, Rounding rounding = Rounding::Neare
         return To::from_raw(static_cast<typename To::Raw>(rounded_shift(wide, Frac - To::kFractionBits, rounding)));
 }
 
-/// `value` in the same type with fewer fraction bits, up to the type's own: rounded to the nearest.
+/// `value` rounded to nearest with at most `fraction_bits` (up to Frac) fraction bits, in the same type.
 template <class Int, int Frac>
 constexpr Fixed<Int, Frac> rounded_to(Fixed<Int, Frac> value, int fraction_bits) {
     const int dropped = Frac - fraction_bits;
@@ -82,25 +81,25 @@ constexpr Fixed<Int, Frac> rounded_to(Fixed<Int, Frac> value, int fraction_bits)
         static_cast<Int>(rounded_shift(value.raw, dropped, Rounding::NearestHalfUp) * (Int{1} << dropped)));
 }
 
-/// |value|; not for the format's lowest number.
+/// |value|; not of the format's lowest number.
 template <class Int, int Frac>
 constexpr Fixed<Int, Frac> absolute(Fixed<Int, Frac> value) {
     return value < Fixed<Int, Frac>{} ? -value : value;
 }
 
-/// Whether |value| is below `most`, which is above 0.
+/// |value| < most; most > 0.
 template <class Int, int Frac>
 constexpr bool is_within(Fixed<Int, Frac> value, Fixed<Int, Frac> most) {
     return value < most && value > -most;
 }
 
-/// The largest integer not above `value`.
+/// floor(value).
 template <class Int, int Frac>
 constexpr Int floor_of(Fixed<Int, Frac> value) {
     return floor_shift(value.raw, Frac);
 }
 
-/// The same in steps of 2^-Bits: the plain integer for arithmetic of its own, which must have room for them.
+/// floor(value * 2^Bits); it must fit Int.
 template <int Bits, class Int, int Frac>
 constexpr Int floor_of(Fixed<Int, Frac> value) {
     if constexpr (Bits >= Frac) return static_cast<Int>(value.raw * (Int{1} << (Bits - Frac)));
@@ -113,7 +112,7 @@ constexpr Fixed<Int, Frac> floor_shift(Fixed<Int, Frac> value, int bits) {
     return Fixed<Int, Frac>::from_raw(floor_shift(value.raw, bits));
 }
 
-/// value + step * count, modulo 2^64: intermediate sums may overflow the format, as long as the last one does not.
+/// value + step * count modulo 2^64: intermediate sums may overflow if the final one fits.
 template <int Frac>
 constexpr Fixed<std::int64_t, Frac> stepped(Fixed<std::int64_t, Frac> value, Fixed<std::int64_t, Frac> step,
                                             std::int64_t count) {
@@ -122,30 +121,30 @@ constexpr Fixed<std::int64_t, Frac> stepped(Fixed<std::int64_t, Frac> value, Fix
                                   static_cast<std::uint64_t>(step.raw) * static_cast<std::uint64_t>(count)));
 }
 
-/// a - b in 64 bits: never overflows for 32-bit formats.
+/// a - b in 64 bits; never overflows.
 template <class Int, int Frac>
 constexpr Fixed<std::int64_t, Frac> widening_difference(Fixed<Int, Frac> a, Fixed<Int, Frac> b) {
     static_assert(sizeof(Int) <= 4, "the difference must fit 64 bits");
     return Fixed<std::int64_t, Frac>::from_raw(std::int64_t{a.raw} - b.raw);
 }
 
-/// The exact product, in 64 bits: fraction bits add up. Both factors have 32 bits or fewer.
+/// The exact product, in 64 bits; fraction bits add up.
 template <class A, int FracA, class B, int FracB>
 constexpr auto widening_product(Fixed<A, FracA> a, Fixed<B, FracB> b) {
     static_assert(sizeof(A) <= 4 && sizeof(B) <= 4, "the product must fit 64 bits");
     return Fixed<std::int64_t, FracA + FracB>::from_raw(std::int64_t{a.raw} * b.raw);
 }
 
-/// The same for wider factors, whose values are known to be small enough for 64 bits (tests/ranges).
+/// The same for wider factors, whose product is known to fit 64 bits (tests/ranges).
 template <class A, int FracA, class B, int FracB>
 constexpr auto bounded_product(Fixed<A, FracA> a, Fixed<B, FracB> b) {
     return Fixed<std::int64_t, FracA + FracB>::from_raw(std::int64_t{a.raw} * b.raw);
 }
 
-// The engine's formats; what each must hold is in the table in engine/fixed/README.md.
+// The engine's formats; engine/fixed/README.md lists the range that each must hold.
 using World = Fixed<std::int32_t, 12>;          ///< world coordinates: 20.12, +-524,288 units by 1/4,096
 using Unit = Fixed<std::int32_t, 30>;           ///< components of unit vectors and rotations: 2.30, [-2, 2)
-using Sine60 = Fixed<std::int64_t, 60>;         ///< Unit times Unit; sines before the rounding of their product: 4.60
+using Sine60 = Fixed<std::int64_t, 60>;         ///< Unit times Unit; sines before their products are rounded: 4.60
 using View = Fixed<std::int64_t, 16>;           ///< view positions: 48.16
 using PlaneDistance = Fixed<std::int64_t, 42>;  ///< World times Unit: 22.42
 using TexelAxis = Fixed<std::int32_t, 23>;      ///< components of texture axes, texels per world unit: 9.23

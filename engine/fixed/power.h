@@ -19,7 +19,7 @@ constexpr std::uint64_t floor_of_root(std::uint64_t value) {
     return root;
 }
 
-/// 2^-(1/2), 2^-(1/4), 2^-(1/8) and so on, each the root of the one before; 32 fraction bits.
+/// 2^-(1/2), 2^-(1/4), 2^-(1/8) ..., each the square root of the previous one; 32 fraction bits.
 inline constexpr auto kRootsOfHalf_32 = [] {
     std::array<std::uint32_t, kLogarithmBits> roots{};
     std::uint64_t root = std::uint64_t{1} << 31;
@@ -27,7 +27,7 @@ inline constexpr auto kRootsOfHalf_32 = [] {
     return roots;
 }();
 
-/// -log2 of a fraction above 0: squaring a number doubles its logarithm, whose bits overflow one by one.
+/// -log2 of a fraction above 0: each squaring doubles the logarithm and shifts out one of its bits.
 constexpr std::uint64_t negative_logarithm_22(std::uint32_t base_30) {
     const int shift = std::countl_zero(base_30);
     std::uint32_t mantissa_31 = base_30 << shift, fraction = 0;
@@ -55,8 +55,8 @@ constexpr std::uint32_t power_of_half_30(std::uint64_t exponent_22) {
 
 }  // namespace detail
 
-/// A fraction to the power of numerator / denominator, both with 30 fraction bits, within 2^-20 for exponents up to 3.
-/// `base_30` is 0 to 2^30, the exponent's parts 1 to 2^20. 0 to any power is 0.
+/// base ^ (numerator / denominator); base and result have 30 fraction bits; error at most 2^-20 for exponents up to 3.
+/// `base_30` is 0 to 2^30, numerator and denominator 1 to 2^20. 0 to any power is 0.
 constexpr std::uint32_t power_30(std::uint32_t base_30, std::uint32_t numerator, std::uint32_t denominator) {
     if (base_30 == 0) return 0;
     return detail::power_of_half_30(detail::negative_logarithm_22(base_30) * numerator / denominator);

@@ -5,8 +5,7 @@
 
 namespace oblong {
 
-/// An exact small fraction, such as the shape of a display (4:3) or of a pixel (5:6). The denominator is positive;
-/// lowest terms come from reduced().
+/// An exact small fraction, such as the aspect ratio of a display (4:3) or a pixel (5:6). The denominator is positive.
 struct Ratio {
     std::int64_t numerator = 0, denominator = 1;
 

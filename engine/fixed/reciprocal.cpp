@@ -13,9 +13,9 @@ constexpr std::uint64_t nearest_quotient(std::uint64_t n, std::uint64_t d) {
     return (n + d / 2) / d;
 }
 
-/// The reciprocal of the middle of each of 2^Bits equal parts of the mantissas: the least relative error. One step of
-/// Newton's squares it, and since a part begins with a smaller error than the last one ended with, the step's result
-/// could rise there: by 2^-31 of itself from 1,024 parts, where the next mantissa's is as much lower.
+/// The reciprocals of the middles of 2^Bits equal parts of the mantissas, which minimise the relative error. A Newton
+/// step squares the error. As a part begins with a smaller error than the one before ended with, the step's result
+/// could rise there: with 1,024 parts by a relative 2^-31, which the next mantissa's decrease makes up for.
 template <int Bits>
 constexpr auto reciprocals_of_middles() {
     std::array<std::uint32_t, std::size_t{1} << Bits> table{};
@@ -28,20 +28,20 @@ constexpr auto reciprocals_of_middles() {
 constexpr auto kMiddles256 = reciprocals_of_middles<8>();
 constexpr auto kMiddles1024 = reciprocals_of_middles<10>();
 
-/// Newton's r + r (1 - m r) with `more_bits` (0 to 10) below the 31 of the result, which is floored.
+/// A Newton step r + r (1 - m r), floored, with `more_bits` (0 to 10) in addition to 31.
 std::uint64_t newton_step(std::uint32_t mantissa, std::uint64_t r, int more_bits) {
     const auto error_62 = static_cast<std::int64_t>(kUnity62 - mantissa * r);
-    // The tables are right within 2^-9, so that the error has 54 bits; 40 fraction bits of it are enough.
+    // The table's error is below 2^-9, so this has 54 bits; 40 fraction bits are enough.
     const std::int64_t correction = static_cast<std::int64_t>(r) * floor_shift(error_62, 22);
     return (r << more_bits) + static_cast<std::uint64_t>(floor_shift(correction, 40 - more_bits));
 }
 
-/// The first step keeps 10 bits more than the result has, so that the second is within 1/8 of a step before it is
-/// rounded, and can not rise where the true quotient falls by 1/4 of a step or more.
+/// The first step keeps 10 more bits than the result, so that the second is within 1/8 of a step before rounding, and
+/// cannot rise where the true quotient falls by at least 1/4 of a step.
 std::uint32_t two_newton_steps(std::uint32_t mantissa, std::uint32_t seed) {
     constexpr int kMoreBits = 10;
     const std::uint64_t r = newton_step(mantissa, seed, kMoreBits);
-    // 2^72 - m r modulo 2^64: the error is below 2^55, so that its low 64 bits are all of it.
+    // 2^72 - m r modulo 2^64; it is below 2^55, so the low 64 bits are enough.
     const auto error_72 = static_cast<std::int64_t>(0 - mantissa * r);
     const std::int64_t correction = static_cast<std::int64_t>(r >> kMoreBits) * floor_shift(error_72, 24);
     const auto sharpened = static_cast<std::int64_t>(r) + floor_shift(correction, 72 - 24 - kMoreBits);

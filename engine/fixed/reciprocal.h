@@ -5,13 +5,13 @@
 
 namespace oblong {
 
-/// Methods for 1 / n, from the coarsest. Errors are relative, worst over all mantissas. No result but Table256Newton's
-/// rises as n grows; that one does where one entry ends and the next begins, by 2^-25 of itself.
+/// Methods for 1 / n, from the coarsest, with their largest relative error over all mantissas. Results fall
+/// monotonically as n grows, except Table256Newton's, which rises by a relative 2^-25 from one entry to the next.
 enum class ReciprocalMethod {
-    Table256,           ///< a table of 256 entries: 2^-9
-    Table256Newton,     ///< 256 entries and a step of Newton's: 2^-18
-    Table1024Newton,    ///< 1,024 entries and a step of Newton's: 2^-21
-    Table256TwoNewton,  ///< 256 entries and two steps: 1 step of 2^-31
+    Table256,           ///< 256 entries: 2^-9
+    Table256Newton,     ///< 256 entries and a Newton step: 2^-18
+    Table1024Newton,    ///< 1,024 entries and a Newton step: 2^-21
+    Table256TwoNewton,  ///< 256 entries and two Newton steps: 1 step of 2^-31
     Exact               ///< a division: half a step of 2^-31
 };
 

@@ -14,7 +14,7 @@ struct Root {
     std::uint64_t root = 0, remainder = 0;
 };
 
-/// Roots of 64 * 256, 65 * 256, ... 255 * 256: at most one below that of a number with this high byte.
+/// Roots of 64 * 256, 65 * 256, ... 255 * 256, at most one below those of all numbers with the same high byte.
 constexpr auto kRootsOfHighByte = [] {
     std::array<std::uint8_t, 192> table{};
     std::uint32_t root = 128;
@@ -25,20 +25,20 @@ constexpr auto kRootsOfHighByte = [] {
     return table;
 }();
 
-/// 2^30 / sqrt(m) in the middle of each 256th of m from 1/4 to 1: right within 2^-8 of itself.
+/// 2^30 / sqrt(m) in the middle of each 256th of m from 1/4 to 1; relative error at most 2^-8.
 constexpr auto kReciprocalRootsOfMiddles = [] {
     std::array<std::uint32_t, 192> table{};
-    std::uint64_t root = std::uint64_t{1} << 31;  // the table falls: each search goes on from the last
+    std::uint64_t root = std::uint64_t{1} << 31;  // entries fall: each search continues from the last
     for (std::size_t i = 0; i < 192; ++i) {
         const std::uint64_t middle_9 = 2 * (i + 64) + 1;
-        // root^2 m <= 2^60, on 16 bits of the root.
+        // root^2 m <= 2^60, with 16 bits of the root.
         while ((root >> 15) * (root >> 15) * middle_9 > std::uint64_t{1} << 39) root -= std::uint64_t{1} << 15;
         table[i] = static_cast<std::uint32_t>(root);
     }
     return table;
 }();
 
-/// Newton's r (3 - m r^2) / 2, m with 32 fraction bits and r with 30.
+/// A Newton step r (3 - m r^2) / 2; m has 32 fraction bits, r 30.
 std::uint64_t newton_step(std::uint64_t m_32, std::uint64_t r_30) {
     const std::uint64_t square_30 = r_30 * r_30 >> 30;
     return r_30 * ((std::uint64_t{3} << 30) - (m_32 * square_30 >> 32)) >> 31;
@@ -51,9 +51,9 @@ Root root_of_16_bits(std::uint32_t value) {
     return {root, value - root * root};
 }
 
-/// The root of high * 4^bits + next * 2^bits + last from the root of `high`, whose highest or second bit is set: the
-/// next digits of the root are the remainder over twice the root, as in long division, and are at most one too great.
-/// The remainder of a root of 64 bits has 65, and is not kept whole.
+/// The root of high * 4^bits + next * 2^bits + last from the root of `high`, whose highest or second bit is set: as in
+/// long division, the next digits are the remainder over twice the root, at most one too great. The remainder of a
+/// 64-bit root has 65 bits and is truncated.
 Root refine(Root high, std::uint64_t next, std::uint64_t last, int bits) {
     const std::uint64_t half_numerator = (high.remainder << (bits - 1)) + (next >> 1);
     std::uint64_t digits = half_numerator / high.root;
@@ -90,7 +90,7 @@ std::uint32_t integer_root(std::uint64_t value) {
 
 ReciprocalRoot reciprocal_root(std::uint64_t value) {
     const int even_shift = std::countl_zero(value) & ~1;
-    const std::uint64_t m_32 = (value << even_shift) >> 32;  // a quarter or more
+    const std::uint64_t m_32 = (value << even_shift) >> 32;  // at least 1/4
     const std::uint64_t seed = item(kReciprocalRootsOfMiddles, (m_32 >> 24) - 64);
     const std::uint64_t root = newton_step(m_32, newton_step(m_32, seed));
     return {static_cast<std::uint32_t>(root), 32 - even_shift / 2};

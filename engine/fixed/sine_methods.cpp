@@ -38,7 +38,7 @@ constexpr auto kTurnSines = [] {
     return table;
 }();
 
-/// Entry `index` (any whole number) of the table of 256.
+/// Entry `index` modulo 256.
 std::int32_t entry(int index) {
     return kTurnSines[as_size(index) % kTurnEntries];
 }
@@ -76,11 +76,11 @@ constexpr auto kArctangents = [] {
     return table;
 }();
 
-/// The product of cos(arctan 2^-i) over all i, 2.30: what the rotations lengthen a vector by, taken off beforehand.
-/// From 16 rotations on it is the same number.
+/// The product of cos(arctan 2^-i) over all i, 2.30: compensates the rotations' lengthening of the vector. Equal for
+/// all counts of 16 rotations or more.
 constexpr std::int32_t kShortened = 652032874;
 
-/// Volder's CORDIC: turns (1, 0) by the angle, as a sum of arctangents of powers of two with signs.
+/// Volder's CORDIC: rotates (1, 0) by the angle, a sum of signed arctangents of powers of two.
 std::int32_t cordic_sine(Angle angle, int rotations) {
     std::int32_t x = kShortened, y = 0;
     std::int32_t rest = (angle.bam & 0x3fff) << 16;

@@ -4,15 +4,15 @@
 
 #include "engine/fixed/wide.h"
 
-// Taylor series in integers, from which all tables of sines are made. Sines have 62 fraction bits here, and
-// binary angles are counted in halves, so that the middle between two of them has a number.
+// Taylor series in integers, the source of all sine tables. Sines have 62 fraction bits, and angles are in half binary
+// degrees, so that the middle between two binary angles is an integer.
 
 namespace oblong::detail {
 
 inline constexpr std::int64_t kOne62 = std::int64_t{1} << 62;
 inline constexpr int kQuarterHalves = 1 << 15;
 
-// pi / 65536, half a binary degree in radians, times 2^76; pi / 180 times 2^68; both to the nearest.
+// pi / 65536 (half a binary degree in radians) times 2^76; pi / 180 times 2^68; both rounded to nearest.
 inline constexpr std::int64_t kRadiansPerHalf76 = 3622009729038561421;
 inline constexpr std::int64_t kRadiansPerDegree68 = 5151302725743731799;
 
@@ -26,7 +26,7 @@ constexpr std::int64_t alternating_series_62(std::int64_t first, std::int64_t x_
     return sum;
 }
 
-/// 0 <= radians <= pi / 4; within 2^-58, as is the cosine.
+/// 0 <= radians <= pi / 4; sine and cosine are within 2^-58.
 constexpr std::int64_t sine_series_62(std::int64_t radians_62) {
     return alternating_series_62(radians_62, mul_shift(radians_62, radians_62, 62), 2);
 }
@@ -40,7 +40,7 @@ constexpr std::int64_t radians_of_halves_62(int halves) {
     return mul_shift(halves, kRadiansPerHalf76, 14);
 }
 
-/// The sine of 0 to a quarter turn.
+/// 0 <= halves <= kQuarterHalves.
 constexpr std::int64_t quarter_sine_series_62(int halves) {
     if (halves <= kQuarterHalves / 2) return sine_series_62(radians_of_halves_62(halves));
     return cosine_series_62(radians_of_halves_62(kQuarterHalves - halves));

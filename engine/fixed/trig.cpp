@@ -46,7 +46,7 @@ std::int64_t quarter_sine_62(int halves) {
            mul_shift(kCoarseSines[kCoarseSteps - coarse], fine.sine, 62);
 }
 
-/// The sine of any angle is that of one in the first quarter, mirrored. Rounds magnitudes, so that sin(-a) = -sin(a).
+/// Mirrors the angle into the first quarter. Rounds the magnitude, so that sin(-a) = -sin(a).
 std::int64_t rounded_sine(int halves, int fraction_bits) {
     const int in_half_turn = halves & (2 * kQuarterHalves - 1);
     const int in_quarter = std::min(in_half_turn, 2 * kQuarterHalves - in_half_turn);
@@ -69,8 +69,8 @@ bool is_tangent_at_least(std::uint64_t small, std::uint64_t big, int halves) {
     return compare_products(small, cosine62, big, sine62) >= 0;
 }
 
-/// The binary angle nearest to arctan(small / big), 0 <= small <= big: by halving the eighth of a turn. It is the
-/// largest whose lower limit, half a binary degree below it, is not above small / big.
+/// The binary angle nearest to arctan(small / big), 0 <= small <= big, by bisection of an eighth of a turn: the largest
+/// angle that is at most half a binary degree above arctan(small / big).
 int octant_arctangent(std::uint64_t small, std::uint64_t big) {
     int at_least = 0, above = kQuarterTurn.bam / 2 + 1;
     while (above - at_least > 1) {
@@ -106,7 +106,7 @@ SineCosine60 sine_cosine(Degrees angle) {
 
     const std::int64_t radians = mul_shift(folded.raw, kRadiansPerDegree68, Degrees::kFractionBits + 68 - 62);
     SineCosine60 result{sine60_of_62(sine_series_62(radians)), sine60_of_62(cosine_series_62(radians))};
-    if (folded == Degrees::from_int(45)) result.cosine = result.sine;  // one number: a tangent of exactly 1
+    if (folded == Degrees::from_int(45)) result.cosine = result.sine;  // equal, so that the tangent is exactly 1
     if (is_steep) std::swap(result.sine, result.cosine);
     if (is_obtuse) result.cosine = -result.cosine;
     return result;

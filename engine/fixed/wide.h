@@ -8,15 +8,15 @@
 #include "engine/fixed/divide.h"
 #include "engine/fixed/fixed.h"
 
-// 64-bit arithmetic whose intermediate results have 128 bits. Everything here is exact, rounded once by a named rule,
-// and saturates with the right sign where the result does not fit. `portable` needs no 128-bit type and is always
-// compiled; where the compiler has one, the functions below use it and equal `portable` for every input.
+// 64-bit arithmetic with intermediate results of 128 bits: exact, rounded once by a named rule, and saturating with the
+// right sign. `portable` needs no 128-bit type and is always compiled; if the compiler has one, the functions below use
+// it, with the same results for every input.
 
 namespace oblong {
 
 namespace detail {
 
-/// |value|, also for the lowest one.
+/// |value|, also for the lowest value.
 constexpr std::uint64_t magnitude(std::int64_t value) {
     const auto bits = static_cast<std::uint64_t>(value);
     return value < 0 ? 0 - bits : bits;
@@ -29,7 +29,7 @@ constexpr std::int64_t saturated(bool is_negative, std::uint64_t size) {
     return size >= kEnd ? std::numeric_limits<std::int64_t>::max() : static_cast<std::int64_t>(size);
 }
 
-/// Whether a truncated magnitude must be increased by 1; `against_half` compares the dropped fraction with 1/2.
+/// Whether a truncated magnitude has to be increased by 1; `against_half` compares the dropped fraction with 1/2.
 constexpr bool rounds_away(bool is_negative, bool is_exact, std::strong_ordering against_half, Rounding rounding) {
     if (rounding == Rounding::Floor) return is_negative && !is_exact;
     return against_half > 0 || (against_half == 0 && !is_negative);
@@ -50,7 +50,7 @@ struct Uint128 {
     constexpr auto operator<=>(const Uint128&) const = default;
 };
 
-/// The exact product, from four products of halves.
+/// The exact product.
 constexpr Uint128 multiply(std::uint64_t a, std::uint64_t b) {
     constexpr std::uint64_t kHalf = 0xffffffff;
     const std::uint64_t low = (a & kHalf) * (b & kHalf);
@@ -65,9 +65,8 @@ constexpr Uint128 add(Uint128 a, Uint128 b) {
     return {a.high + b.high + (low < a.low ? 1 : 0), low};
 }
 
-/// A digit, to base 2^32, of a quotient: of (n, next) by d, whose highest bit is set; n is below d. `n` becomes what is
-/// left. Guessed from the digits at the top, which is 2 too much at most (Knuth, The Art of Computer Programming 4.3.1
-/// D).
+/// A base-2^32 digit of the quotient of (n, next) by d, whose highest bit is set; n < d. `n` becomes the remainder. The
+/// estimate from the leading digits is at most 2 too large (Knuth, The Art of Computer Programming 4.3.1 D).
 constexpr std::uint32_t next_digit(std::uint64_t& n, std::uint32_t next, std::uint64_t d) {
     const auto top = static_cast<std::uint32_t>(d >> 32), rest = static_cast<std::uint32_t>(d);
     std::uint32_t digit = ~std::uint32_t{0};
@@ -82,7 +81,7 @@ constexpr std::uint32_t next_digit(std::uint64_t& n, std::uint32_t next, std::ui
     return digit;
 }
 
-/// n / d where n.high < d, so that the quotient fits.
+/// n / d; n.high < d, so that the quotient fits.
 constexpr Division divide(Uint128 n, std::uint64_t d) {
     if (n.high == 0) return oblong::divide(n.low, d);
     const int shift = std::countl_zero(d);
@@ -112,7 +111,7 @@ constexpr Uint128 shift_right(Uint128 value, int shift) {
     return {value.high >> shift, (value.high << (64 - shift)) | (value.low >> shift)};
 }
 
-/// a * b / 2^shift, `a` of 32 bits, `shift` 33 to 94: its quotient by 2^32, floored, says all.
+/// a * b / 2^shift, `shift` 33 to 94, from the product's floored quotient by 2^32.
 constexpr std::int64_t short_mul_shift(std::int32_t a, std::int64_t b, int shift, Rounding rounding) {
     const auto low_b = static_cast<std::uint32_t>(b);
     const std::uint64_t low = std::uint64_t{static_cast<std::uint32_t>(a)} * low_b;
@@ -120,7 +119,7 @@ constexpr std::int64_t short_mul_shift(std::int32_t a, std::int64_t b, int shift
     return rounded_shift(high + static_cast<std::uint32_t>(low >> 32), shift - 32, rounding);
 }
 
-/// The same, `shift` 1 to 32: its quotient by 2^32, floored, and the bits below that; saturates.
+/// The same for `shift` 1 to 32, which needs the bits below as well; saturates.
 constexpr std::int64_t short_mul_shift_by_less(std::int32_t a, std::int64_t b, int shift, Rounding rounding) {
     const auto low_b = static_cast<std::uint32_t>(b);
     std::uint64_t low = std::uint64_t{static_cast<std::uint32_t>(a)} * low_b;
@@ -136,7 +135,7 @@ constexpr std::int64_t short_mul_shift_by_less(std::int32_t a, std::int64_t b, i
            (static_cast<std::uint32_t>(low) >> (shift - 1) >> 1);
 }
 
-/// a * b / 2^shift: the product in two's complement and half a step, floored.
+/// a * b / 2^shift: the product in two's complement, plus half a step, floored.
 constexpr std::int64_t long_mul_shift(std::int64_t a, std::int64_t b, int shift, Rounding rounding) {
     const auto bits_a = static_cast<std::uint64_t>(a), bits_b = static_cast<std::uint64_t>(b);
     Uint128 product = multiply(bits_a, bits_b);
@@ -160,7 +159,7 @@ constexpr std::int64_t long_mul_shift(std::int64_t a, std::int64_t b, int shift,
     return long_mul_shift(a, b, shift, rounding);
 }
 
-/// a * b against c * d, exactly.
+/// Compares a * b with c * d exactly.
 constexpr std::strong_ordering compare_products(std::uint64_t a, std::uint64_t b, std::uint64_t c, std::uint64_t d) {
     return multiply(a, b) <=> multiply(c, d);
 }
@@ -180,7 +179,7 @@ constexpr std::int64_t saturated(Int128 value) {
     return value < 0 ? std::numeric_limits<std::int64_t>::min() : std::numeric_limits<std::int64_t>::max();
 }
 
-/// n / d rounded, d above 0.
+/// n / d rounded, d > 0.
 template <class Int>
 constexpr Int divide(Int n, Int d, Rounding rounding) {
     Int quotient = n / d;
@@ -209,7 +208,7 @@ constexpr std::int64_t mul_shift(std::int64_t a, std::int64_t b, int shift, Roun
     return saturated(rounded_shift(Int128{a} * b, shift, rounding));
 }
 
-/// a * b against c * d, exactly.
+/// Compares a * b with c * d exactly.
 constexpr std::strong_ordering compare_products(std::uint64_t a, std::uint64_t b, std::uint64_t c, std::uint64_t d) {
     return Uint128{a} * b <=> Uint128{c} * d;
 }
@@ -221,20 +220,20 @@ namespace chosen_wide = native;
 namespace chosen_wide = portable;
 #endif
 
-/// a * b / c of the exact 128-bit product, rounded once. Saturates where the quotient does not fit; division by zero
-/// gives the lowest or highest value, by the product's sign, and 0 / 0 gives 0.
+/// a * b / c from the exact 128-bit product, rounded once; saturates. Division by zero gives the lowest or highest
+/// value, by the product's sign, and 0 / 0 gives 0.
 constexpr std::int64_t mul_div(std::int64_t a, std::int64_t b, std::int64_t c,
                                Rounding rounding = Rounding::NearestHalfUp) {
     return chosen_wide::mul_div(a, b, c, rounding);
 }
 
-/// a * b / 2^shift of the exact 128-bit product, rounded once; saturates. `shift` 0 to 126.
+/// a * b / 2^shift from the exact 128-bit product, rounded once; saturates. `shift` 0 to 126.
 [[gnu::always_inline]] constexpr std::int64_t mul_shift(std::int64_t a, std::int64_t b, int shift,
                                                         Rounding rounding = Rounding::NearestHalfUp) {
     return chosen_wide::mul_shift(a, b, shift, rounding);
 }
 
-/// a * b against c * d, exactly: a fraction a / d against c / b without dividing.
+/// Compares a * b with c * d exactly: the fraction a / d with c / b without dividing.
 constexpr std::strong_ordering compare_products(std::uint64_t a, std::uint64_t b, std::uint64_t c, std::uint64_t d) {
     return chosen_wide::compare_products(a, b, c, d);
 }

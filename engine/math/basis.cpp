@@ -15,7 +15,7 @@ Vec3<Unit> direction_between(const Vec3<World>& from, const Vec3<World>& to) {
     return normalised(widening_difference(to, from));
 }
 
-/// The engine's own keep 60 bits until the products are rounded.
+/// SineMethod::NearestStep keeps 60 bits until the products are rounded.
 SineCosine60 sine_cosine_by(SineMethod method, Angle angle) {
     if (method == SineMethod::NearestStep) return sine_cosine(angle);
     return {convert<Sine60>(sine(angle, method)), convert<Sine60>(cosine(angle, method))};

@@ -9,23 +9,23 @@
 
 namespace oblong {
 
-/// The axes of a view, in the world's coordinates: three unit vectors at right angles.
+/// The axes of a view in world coordinates, an orthonormal basis.
 struct Basis {
     Vec3<Unit> right, up, forward;
     constexpr bool operator==(const Basis&) const = default;
 };
 
-/// The view's axes in the engine's world (x east, y north, z up, right-handed): yaw counter-clockwise from +x seen from
-/// above, then pitch, positive looking down, then roll, positive leaning right. At 0, 0, 0: forward = +x, right = -y,
-/// up = +z. Each component is within 0.51 steps of 2^-30 of the true rotation by these binary angles; other methods
-/// than NearestStep add the errors of their sines.
+/// The view's axes in the world (x east, y north, z up, right-handed): yaw counter-clockwise from +x seen from above,
+/// then pitch, positive looking down, then roll, positive leaning right. At 0, 0, 0: forward = +x, right = -y, up = +z.
+/// Each component is within 0.51 steps of 2^-30 of the exact rotation by these binary angles; methods other than
+/// NearestStep add the errors of their sines.
 Basis view_basis(Angle yaw, Angle pitch, Angle roll, SineMethod method = SineMethod::NearestStep);
 
 /// The axes rounded to fewer fraction bits, 6 to 30.
 Basis rounded_to(const Basis& basis, std::int32_t fraction_bits);
 
-/// A coordinate along an axis, rounded once. The difference has 33 bits, and by Cauchy's inequality the sum stays
-/// below sqrt(3) 2^62 + 2^25: no world position overflows.
+/// A coordinate along an axis, rounded once. No world position overflows: the difference has 33 bits, and by Cauchy's
+/// inequality the sum is below sqrt(3) 2^62 + 2^25.
 template <class Int>
 constexpr View view_coordinate(const Vec3<Fixed<Int, 12>>& from_eye, const Vec3<Unit>& axis) {
     const PlaneDistance along = dot(from_eye, axis);
@@ -35,7 +35,7 @@ constexpr View view_coordinate(const Vec3<Fixed<Int, 12>>& from_eye, const Vec3<
     return coordinate;
 }
 
-/// A world point as seen from `world_eye`: x right, y up, z forward.
+/// World to viewspace: x right, y up, z forward from `world_eye`.
 constexpr Vec3<View> to_view(const Vec3<World>& world_point, const Vec3<World>& world_eye, const Basis& basis) {
     const auto in_view = [&basis](const auto& from_eye) {
         return Vec3<View>{view_coordinate(from_eye, basis.right), view_coordinate(from_eye, basis.up),
@@ -53,9 +53,9 @@ constexpr Vec3<View> to_view(const Vec3<World>& world_point, const Vec3<World>& 
 
 enum class Handedness { Right, Left };
 
-/// The axes of a view from `world_eye` to `world_target` whose up is as near to `up_hint` as possible (course notes).
-/// `handedness` is the world's. Always orthonormal: where eye and target are equal, forward is perpendicular to the
-/// hint; where the view is along the hint, or the hint is zero, up is some vector perpendicular to forward.
+/// The axes of a view from `world_eye` to `world_target` with up as near to `up_hint` as possible (course notes).
+/// `handedness` is the world's. Always orthonormal: if eye and target are equal, forward is perpendicular to the hint;
+/// if the view is along the hint, or the hint is zero, up is some vector perpendicular to forward.
 Basis look_at(const Vec3<World>& world_eye, const Vec3<World>& world_target, const Vec3<Unit>& up_hint,
               Handedness handedness = Handedness::Right);
 

@@ -12,7 +12,7 @@ namespace oblong {
 
 namespace {
 
-/// How much smaller than the largest entry a pivot may be before it counts as a rounded 0, in bits.
+/// A pivot that is smaller than the largest entry by more bits than this counts as a rounded 0.
 constexpr int kSingularBits = 50;
 
 /// The augmented matrix: the matrix and, right of it, the identity, which row operations turn into the inverse.
@@ -63,7 +63,7 @@ int largest_magnitude(const Matrix<N>& matrix) {
     return largest == 0 ? 0 : log2_floor(largest) + 1 - Entry::kFractionBits;
 }
 
-/// The right half, in entries; none where one does not fit.
+/// The right half as a matrix; none if an entry does not fit.
 template <std::size_t N>
 std::optional<Matrix<static_cast<int>(N)>> right_half(const Elimination<N>& done) {
     Matrix<static_cast<int>(N)> result;

@@ -11,8 +11,8 @@
 
 namespace oblong {
 
-/// An entry of a matrix: 32.32 in 64 bits. A matrix of a scene holds distances of thousands of units next to inverses
-/// of scales and of viewplane distances, thousandths of a unit: 16.16 would leave either three digits.
+/// An entry of a matrix: 32.32. Matrices hold distances of thousands of units next to inverses of scales and viewplane
+/// distances, thousandths of a unit: 16.16 would leave three digits for either.
 using Entry = Fixed<std::int64_t, 32>;
 
 /// A homogeneous vector: the point (x / w, y / w, z / w), or for w = 0 a direction.
@@ -39,7 +39,7 @@ struct Matrix {
         return result;
     }
 
-    /// One row times a column: each product is rounded to the nearest, the sum saturates.
+    /// One row times a column: each product is rounded to nearest, the sum saturates.
     constexpr Entry row_times(std::size_t row, const std::array<Entry, N>& column) const {
         std::int64_t sum = 0;
         for (std::size_t i = 0; i < N; ++i) sum = saturating_sum(sum, multiply(rows[row][i], column[i]).raw);
@@ -72,22 +72,22 @@ constexpr Vec4 operator*(const Matrix4& m, const Vec4& v) {
     return {m.row_times(0, column), m.row_times(1, column), m.row_times(2, column), m.row_times(3, column)};
 }
 
-/// The inverse, each entry within one step of the true one for matrices whose condition is below 2^20. None where the
-/// matrix is singular: where rows depend on each other within 2^-50 of the largest entry, or an entry of the inverse
-/// does not fit.
+/// The inverse; if the condition number is below 2^20, each entry is within one step of the exact one. None if the
+/// matrix is singular (rows linearly dependent within 2^-50 of the largest entry) or an entry of the inverse does not
+/// fit.
 std::optional<Matrix3> inverse(const Matrix3& matrix);
 std::optional<Matrix4> inverse(const Matrix4& matrix);
 
-/// Moves points, and leaves directions (w = 0) alone.
+/// Moves points, and leaves directions (w = 0) unchanged.
 Matrix4 translation(const Vec3<Entry>& by);
 /// Scales along the axes.
 Matrix4 scaling(const Vec3<Entry>& by);
 
-/// World to view: the rows are the axes, with -axis . eye at their end (Princeton, course notes).
+/// World to viewspace: the rows are the axes, followed by -axis . eye (Princeton, course notes).
 Matrix4 view_matrix(const Basis& basis, const Vec3<World>& world_eye);
 
-/// The matrix for the normals of a model whose points are transformed by `model_to_world`: the transpose of the
-/// inverse. `model_to_world` itself would do for rotation and uniform scale only. None for a singular matrix.
+/// The matrix for normals of a model whose points are transformed by `model_to_world`: its inverse transpose, as
+/// scaling may be non-uniform. None for a singular matrix.
 std::optional<Matrix3> normal_matrix(const Matrix3& model_to_world);
 
 }  // namespace oblong

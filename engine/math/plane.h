@@ -14,7 +14,7 @@ struct Plane {
     PlaneDistance distance;
 };
 
-/// How far a point is in front of the plane, exact; negative behind it (Abrash: a dot product with the normal).
+/// The exact distance of a point in front of the plane; negative behind it (Abrash: a dot product with the normal).
 constexpr PlaneDistance distance_to_plane(const Vec3<World>& world_point, const Plane& plane) {
     return dot(world_point, plane.normal) - plane.distance;
 }
@@ -22,11 +22,11 @@ constexpr PlaneDistance distance_to_plane(const Vec3<World>& world_point, const 
 /// A distance along a ray, units: 40.24.
 using RayDistance = Fixed<std::int64_t, 24>;
 
-/// How far from its origin a ray meets a plane, within 2^-24 of the quotient; below 0 behind the origin. None for a ray
-/// parallel to the plane. `direction` has length 1. Saturates.
+/// The distance at which a ray meets a plane, within 2^-24 of the quotient; negative behind the origin. None if the ray
+/// is parallel to the plane. `direction` has length 1. Saturates.
 std::optional<RayDistance> intersect_ray(const Vec3<World>& world_origin, const Vec3<Unit>& direction,
                                          const Plane& plane);
-/// The point of a ray at a distance, rounded once; saturates.
+/// The point on a ray at a distance, rounded once; saturates.
 Vec3<World> point_on_ray(const Vec3<World>& world_origin, const Vec3<Unit>& direction, RayDistance distance);
 
 }  // namespace oblong

@@ -8,14 +8,14 @@
 
 namespace oblong {
 
-/// mantissa * 2^exponent, for numbers without a common scale: inside an elimination, far off the screen. The mantissa
-/// of all but 0 has 62 bits; products and quotients have a relative error of at most 2^-60, differences one of at most
+/// mantissa * 2^exponent, for numbers without a common scale: in an elimination, far off the screen. Except for 0, the
+/// mantissa has 62 bits. Products and quotients have a relative error of at most 2^-60, differences an error of at most
 /// 2^-60 of the larger operand.
 struct SoftFloat {
     std::int64_t mantissa = 0;
     int exponent = 0;
 
-    /// The number with a mantissa of 62 bits.
+    /// Normalises to a mantissa of 62 bits.
     static constexpr SoftFloat from(std::int64_t mantissa, int exponent) {
         if (mantissa == 0) return {};
         const int shift = std::countl_zero(detail::magnitude(mantissa)) - 2;
@@ -29,7 +29,7 @@ struct SoftFloat {
     }
 
     constexpr bool is_zero() const { return mantissa == 0; }
-    /// 2^magnitude() is above the number's absolute value and not above twice of it; not for 0.
+    /// |number| < 2^magnitude() <= 2 |number|; not for 0.
     constexpr int magnitude() const { return exponent + 62; }
 };
 
@@ -61,7 +61,7 @@ constexpr SoftFloat operator+(const SoftFloat& a, const SoftFloat& b) {
     return a - -b;
 }
 
-/// The number with `fraction_bits`, rounded to the nearest; none where that has more than 62 bits.
+/// The number with `fraction_bits`, rounded to nearest; none if it has more than 62 bits.
 constexpr std::optional<std::int64_t> fixed_of(const SoftFloat& value, int fraction_bits) {
     const int shift = value.exponent + fraction_bits;
     if (value.is_zero() || shift < -62) return 0;
@@ -69,7 +69,7 @@ constexpr std::optional<std::int64_t> fixed_of(const SoftFloat& value, int fract
     return rounded_shift(value.mantissa, -shift, Rounding::NearestHalfUp);
 }
 
-/// The number in a format, rounded to the nearest; none where it has more than 62 bits.
+/// The same in a format.
 template <class To>
 constexpr std::optional<To> fixed_of(const SoftFloat& value) {
     const std::optional<std::int64_t> raw = fixed_of(value, To::kFractionBits);

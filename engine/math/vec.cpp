@@ -21,8 +21,8 @@ std::uint64_t length_of(const std::array<std::int64_t, N>& vector) {
     return integer_root(sum);
 }
 
-/// The vector times a power of two, so that the largest component has 61 bits: short ones gain the digits that their
-/// length needs, and a sum of four squares fits 128 bits.
+/// Scales a vector by a power of two so that the largest component has 61 bits: short vectors gain precision, and a sum
+/// of four squares fits 128 bits.
 template <std::size_t N>
 std::array<std::int64_t, N> scaled_to_61_bits(std::array<std::int64_t, N> vector, std::uint64_t largest) {
     const int shift = std::countl_zero(largest) - 3;
@@ -63,7 +63,7 @@ Vec3<Unit> perpendicular_to(const Vec3<Unit>& direction) {
     if (direction == Vec3<Unit>{}) return {Unit::from_int(1), {}, {}};
     const std::int64_t x = std::abs(std::int64_t{direction.x.raw}), y = std::abs(std::int64_t{direction.y.raw}),
                        z = std::abs(std::int64_t{direction.z.raw});
-    // The axis that the direction is farthest from makes the longest cross product.
+    // The axis farthest from the direction gives the longest cross product.
     Vec3<Unit> axis;
     (z <= x && z <= y ? axis.z : x <= y ? axis.x : axis.y) = Unit::from_int(1);
     return normalised(cross(direction, axis));

@@ -9,7 +9,7 @@
 
 namespace oblong {
 
-/// Three numbers of one format: a point or a direction. The variable's name says which space it is in.
+/// A point or a direction. The variable's name says in which space.
 template <class T>
 struct Vec3 {
     T x{}, y{}, z{};
@@ -20,7 +20,7 @@ struct Vec3 {
     constexpr bool operator==(const Vec3&) const = default;
 };
 
-/// Each component in another format, rounded by name; it must fit.
+/// Converts each component to another format; it must fit.
 template <class To, class Int, int Frac>
 constexpr Vec3<To> convert(const Vec3<Fixed<Int, Frac>>& v, Rounding rounding = Rounding::NearestHalfUp) {
     return {convert<To>(v.x, rounding), convert<To>(v.y, rounding), convert<To>(v.z, rounding)};
@@ -32,7 +32,7 @@ constexpr Vec3<To> saturating_convert(const Vec3<Fixed<Int, Frac>>& v) {
     return {saturating_convert<To>(v.x), saturating_convert<To>(v.y), saturating_convert<To>(v.z)};
 }
 
-/// Each component in fewer fraction bits.
+/// Rounds each component to fewer fraction bits.
 template <class T>
 constexpr Vec3<T> rounded_to(const Vec3<T>& v, int fraction_bits) {
     return {rounded_to(v.x, fraction_bits), rounded_to(v.y, fraction_bits), rounded_to(v.z, fraction_bits)};
@@ -52,17 +52,17 @@ constexpr auto between(const Vec3<Fixed<Int, Frac>>& from, const Vec3<Fixed<Int,
                                   between(from.z, to.z, part, whole)};
 }
 
-/// The exact dot product, in 64 bits (Muratori: |a| |b| cos of the angle between them, as long as the axes are at right
-/// angles and of equal length). Units with units give 4.60, world positions with units PlaneDistance. The true value
-/// must fit: by Cauchy's inequality it does for any world position and a unit vector, and for world positions within
-/// +-2^17 units of each other; then intermediate sums fit too.
+/// The exact dot product, in 64 bits (Muratori: |a| |b| cos of the angle between them, if the axes are at right angles
+/// and of equal length). Unit times Unit gives 4.60, World times Unit PlaneDistance. The result must fit: by Cauchy's
+/// inequality it does for any world position and a unit vector, and for world positions within +-2^17 units of each
+/// other; then intermediate sums fit too.
 template <class A, int FracA, class B, int FracB>
 constexpr auto dot(const Vec3<Fixed<A, FracA>>& a, const Vec3<Fixed<B, FracB>>& b) {
     return bounded_product(a.x, b.x) + bounded_product(a.y, b.y) + bounded_product(a.z, b.z);
 }
 
-/// The exact cross product: at right angles to both; its length is |a| |b| sin of the angle from a to b. The formula
-/// gives x cross y = z in right-handed and in left-handed axes alike. The same bounds as dot().
+/// The exact cross product: at right angles to both, of length |a| |b| sin of the angle between them. x cross y = z in
+/// both right-handed and left-handed axes. The same bounds as for dot().
 template <class A, int FracA, class B, int FracB>
 constexpr auto cross(const Vec3<Fixed<A, FracA>>& a, const Vec3<Fixed<B, FracB>>& b) {
     using Product = Fixed<std::int64_t, FracA + FracB>;
@@ -71,7 +71,6 @@ constexpr auto cross(const Vec3<Fixed<A, FracA>>& a, const Vec3<Fixed<B, FracB>>
                          widening_product(a.x, b.y) - widening_product(a.y, b.x)};
 }
 
-/// The vector's raw numbers.
 template <class Int, int Frac>
 constexpr std::array<std::int64_t, 3> raw_of(const Vec3<Fixed<Int, Frac>>& v) {
     return {v.x.raw, v.y.raw, v.z.raw};
@@ -80,8 +79,8 @@ constexpr std::array<std::int64_t, 3> raw_of(const Vec3<Fixed<Int, Frac>>& v) {
 /// The length of a vector of any format, floored, in steps of that format.
 std::uint64_t length_of_raw(const std::array<std::int64_t, 3>& vector);
 
-/// A vector of this direction and length 1, each component within 0.51 steps of 2^-30. Only the direction counts, so
-/// that raw numbers of any common format do. The zero vector has no direction and stays zero.
+/// The vector normalised to length 1, each component within 0.51 steps of 2^-30. The raw numbers may have any common
+/// format. The zero vector stays zero.
 std::array<Unit, 3> normalised_raw(const std::array<std::int64_t, 3>& vector);
 std::array<Unit, 4> normalised_raw(const std::array<std::int64_t, 4>& vector);
 
@@ -91,7 +90,7 @@ Vec3<Unit> normalised(const Vec3<Fixed<Int, Frac>>& vector) {
     return {unit[0], unit[1], unit[2]};
 }
 
-/// The length in the vector's own format, floored.
+/// The length in the vector's format, floored.
 template <class Int, int Frac>
 Fixed<std::int64_t, Frac> length(const Vec3<Fixed<Int, Frac>>& vector) {
     static_assert(sizeof(Int) <= 4, "a length of 64-bit numbers may need 65 bits");

@@ -5,7 +5,7 @@
 
 namespace oblong {
 
-/// An exact sum of products, below 2^127: determinants of integers lose nothing before their last rounding.
+/// An exact sum of products, below 2^127: determinants of integers are rounded only once.
 class WideSum {
   public:
     constexpr void add_product(std::int64_t a, std::int64_t b) {
@@ -13,13 +13,13 @@ class WideSum {
         sum_ = portable::add(sum_, (a < 0) != (b < 0) ? negated(size) : size);
     }
 
-    /// For Fixed numbers: the sum then has the fraction bits of both.
+    /// For Fixed numbers; the sum has the fraction bits of both.
     template <class A, int FracA, class B, int FracB>
     constexpr void add_product(Fixed<A, FracA> a, Fixed<B, FracB> b) {
         add_product(a.raw, b.raw);
     }
 
-    /// The sum times 2^exponent, its bits below the leading 62 dropped.
+    /// The sum times 2^exponent, truncated to the leading 62 bits.
     constexpr SoftFloat scaled(int exponent) const {
         const bool is_negative = sum_.high >> 63 != 0;
         const portable::Uint128 size = is_negative ? negated(sum_) : sum_;
