@@ -10,7 +10,7 @@ namespace oblong {
 
 namespace {
 
-/// How much more a difference of hue or colourfulness counts than one of lightness (their squares are compared).
+/// The weight of a squared difference of hue or chroma, relative to one of lightness.
 constexpr std::int32_t kHueWeight = 8;
 
 struct Candidate {
@@ -19,7 +19,7 @@ struct Candidate {
     std::uint8_t index;
 };
 
-/// The channels of a colour in some light, with 8 fraction bits.
+/// The channels of a colour in a light, with 8 fraction bits.
 FineRgb lit(Rgb8 colour, ShadeLight light) {
     const auto channel = [=](std::int32_t full) { return std::min(full * 256 * light.parts / light.whole, 255 * 256); };
     return {channel(colour.red), channel(colour.green), channel(colour.blue)};
@@ -44,7 +44,7 @@ std::int32_t difference(const Oklab& a, const Oklab& b) {
     return lightness * lightness + kHueWeight * (green_red * green_red + blue_yellow * blue_yellow);
 }
 
-/// Finds which of some colours is nearest to any.
+/// Finds the nearest of the candidates to any colour.
 class NearestColour {
   public:
     explicit NearestColour(const std::vector<Candidate>& sorted) : sorted_(sorted) {
@@ -53,8 +53,8 @@ class NearestColour {
                          [](const Entry& a, const Entry& b) { return a.seen.lightness_14 < b.seen.lightness_14; });
     }
 
-    /// The position of the nearest one from `first` to `last`; of equals, the first. Outward from the target's own
-    /// lightness, until that alone differs more than the nearest colour does: the sooner, the nearer `guess` is.
+    /// The position of the nearest one from `first` to `last`; of equals, the first. Searches outward from the target's
+    /// lightness until the lightness alone differs more than the nearest colour does; a near `guess` shortens this.
     std::size_t find(std::size_t first, std::size_t last, const Oklab& target, std::size_t guess) const {
         Best best{first, last, target, guess, difference(sorted_[guess].seen, target)};
         const auto middle = std::partition_point(by_lightness_.begin(), by_lightness_.end(), [&](const Entry& e) {
@@ -95,8 +95,8 @@ class NearestColour {
     std::vector<Entry> by_lightness_;
 };
 
-/// From the colour itself outwards each shade may only take colours as dark as the shade before, or as bright, so that
-/// luminance never rises with the shade.
+/// From the colour itself outward, each darker shade takes only colours at most as bright as the previous one, and each
+/// brighter shade only colours at least as bright, so that luminance never rises with the shade.
 void shade_colour(const std::vector<Candidate>& sorted, const NearestColour& nearest, std::size_t position,
                   Colormap& map) {
     const Candidate& own = sorted[position];

@@ -10,7 +10,7 @@ namespace oblong {
 
 namespace {
 
-/// Eight numbers in a row, the first of which goes on by steps.
+/// Eight numbers of an arithmetic sequence.
 struct Eight {
     __m128i first, second;
 
@@ -31,7 +31,7 @@ void look_up_four(std::int64_t places, const std::uint8_t* colours, std::uint8_t
     out[3] = colours[four >> 48];
 }
 
-/// Texels in these shades: their places in the colormap have 16 bits each.
+/// Writes eight texels in these shades; their indices in the colormap have 16 bits.
 [[gnu::always_inline]] inline void light_eight(const Eight& shades_24, const std::uint8_t* texels,
                                                const std::uint8_t* colours, std::uint8_t* out) {
     const __m128i shades = _mm_packs_epi32(_mm_srli_epi32(shades_24.first, 24), _mm_srli_epi32(shades_24.second, 24));
@@ -41,7 +41,7 @@ void look_up_four(std::int64_t places, const std::uint8_t* colours, std::uint8_t
     look_up_four(_mm_cvtsi128_si64(_mm_unpackhi_epi64(places, places)), colours, out + 4);
 }
 
-/// From row to row each column's shade goes on by a step of its own, which steps from column to column, too.
+/// Each column's shade changes linearly from row to row; its step changes linearly from column to column.
 template <int Mip>
 void light_cell(const std::int32_t* upper_16, const std::int32_t* lower_16, const std::uint8_t* texels,
                 const LitCells& cells, const std::uint8_t* colours, std::uint8_t* out) {

@@ -32,7 +32,7 @@ void compute_corner_shades(const LightmapView& light, std::int32_t brightness_10
     const std::span<std::int32_t> corners(corner_shades, as_size(light.columns * light.rows));
     if (light.is_fullbright) return std::fill(corners.begin(), corners.end(), shade_of(kFull_8));
     add_light(light, corners);
-    if (brightness_100 == 100) {  // it takes no division
+    if (brightness_100 == 100) {  // avoids the division
         for (std::int32_t& corner : corners) corner = shade_of(std::clamp(corner, 0, kBrightest_8));
         return;
     }
@@ -44,7 +44,7 @@ std::int32_t wrap(std::int32_t value, std::int32_t size) {
     return rest < 0 ? rest + size : rest;
 }
 
-/// Calls step(0), step(1) and so on: a loop written out, as a texel takes little more than a loop's own work.
+/// Calls step(0), step(1) and so on: an unrolled loop, as a texel takes little more work than the loop itself.
 template <int Count>
 void repeat(auto step) {
     [&]<int... Number>(std::integer_sequence<int, Number...>) {
@@ -53,7 +53,7 @@ void repeat(auto step) {
     (std::make_integer_sequence<int, Count>());
 }
 
-/// Ordered dithering (Bayer 1973): in how many of 16 texels a fraction must be rounded up before it is in this one.
+/// Ordered dithering (Bayer 1973): a fraction is rounded up in this texel if it is in more than this many of 16.
 constexpr std::array<std::uint8_t, 16> kThresholds{0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
 
 template <LightSampling Sampling, bool Dithers, int Mip>
@@ -65,7 +65,7 @@ class SurfaceBuilder {
           colormap_(colormap),
           threshold_24_(static_cast<std::uint32_t>(Colormap::kShades / quality.shades) << 20) {}
 
-    /// A surface without extent in one direction (a texture axis perpendicular to the face): one colour.
+    /// For a surface without extent in one direction (a texture axis perpendicular to the face): one colour.
     void build_line(std::int32_t shade_16, std::int32_t bytes, std::uint8_t* out) const {
         const std::uint8_t texel = texels_at(wrap(texture_.min_v, texture_.height))[first_u_];
         std::fill_n(out, bytes, item(colormap_.shades, shade_16 >> 16)[texel]);
@@ -77,7 +77,7 @@ class SurfaceBuilder {
         for (std::int32_t y = 0; y < lit_size(light.rows, Mip); y += kCell) {
             build_cells(y, corner_shades, light.columns, texels_at(v), stride, out + y * stride);
             corner_shades += light.columns;
-            v += kCell;  // the texture is whole cells high, and the surface begins with one
+            v += kCell;  // the texture's height is whole cells, and the surface begins with one
             if (v == texture_.height) v = 0;
         }
     }
@@ -88,7 +88,7 @@ class SurfaceBuilder {
 
     const std::uint8_t* texels_at(std::int32_t v) const { return texture_.texels + v * texture_.width; }
 
-    /// A row of cells from y on, below these corners.
+    /// Builds a row of cells from y on, below these corners.
     void build_cells(std::int32_t y, const std::int32_t* upper_16, std::int32_t columns, const std::uint8_t* texels,
                      std::int32_t stride, std::uint8_t* out) const {
         const std::int32_t width = texture_.width;
@@ -98,18 +98,18 @@ class SurfaceBuilder {
         std::int32_t u = first_u_;
         for (std::int32_t column = 1; column < columns; ++column, ++upper_16, out += kCell) {
             build_cell(y, upper_16, upper_16 + columns, texels + u, stride, out);
-            u += kCell;  // the texture is whole cells wide, too
+            u += kCell;  // the texture's width is whole cells, too
             if (u == width) u = 0;
         }
     }
 
-    /// Down its left and right side the shade goes on by steps: with 20 fraction bits nothing is lost.
+    /// Steps the shade down the left and right side; with 20 fraction bits this is exact.
     void build_cell(std::int32_t y, const std::int32_t* upper_16, const std::int32_t* lower_16,
                     const std::uint8_t* texels, std::int32_t stride, std::uint8_t* out) const {
         std::int32_t left_20 = upper_16[0] * 16, right_20 = upper_16[1] * 16;
         const std::int32_t left_step_20 = kInterpolates ? (lower_16[0] - upper_16[0]) * (1 << Mip) : 0,
                            right_step_20 = kInterpolates ? (lower_16[1] - upper_16[1]) * (1 << Mip) : 0;
-        const std::int32_t width = texture_.width;  // as bytes that are written might be in it, the compiler thinks
+        const std::int32_t width = texture_.width;  // a copy, which byte writes cannot alias
         for (int row = 0; row < kCell; ++row, texels += width, out += stride) {
             if (!kInterpolates && 2 * row == kCell) left_20 = lower_16[0] * 16, right_20 = lower_16[1] * 16;
             build_cell_row(left_20, right_20, y + row, texels, out);
@@ -124,8 +124,8 @@ class SurfaceBuilder {
         return std::min(shade_24 + up, (std::uint32_t{Colormap::kShades} << 24) - 1);
     }
 
-    /// A row of one cell, between the shades at its ends. With 24 fraction bits a texel's shade is exact and still
-    /// fits: rounded, it could step past the last one.
+    /// Builds a row of one cell between the shades at its ends. With 24 fraction bits a texel's shade is exact and
+    /// fits; if rounded, it could exceed the last shade.
     void build_cell_row(std::int32_t left_20, std::int32_t right_20, std::int32_t y, const std::uint8_t* texels,
                         std::uint8_t* out) const {
         const auto* const shades = colormap_.shades.data();

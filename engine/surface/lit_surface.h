@@ -8,8 +8,8 @@
 
 namespace oblong {
 
-/// Texels ready to be drawn: rows `1 << stride_log2` bytes apart. Coordinates wrap at the masks, which are powers of
-/// two minus one: whole textures repeat, and lit surfaces, never sampled beyond their size, are not affected.
+/// Texels to draw; rows are `1 << stride_log2` bytes apart. Coordinates wrap at the masks, powers of two minus one:
+/// textures repeat; lit surfaces are never sampled beyond their size.
 struct SurfaceView {
     const std::uint8_t* texels = nullptr;
     std::int32_t width = 0, height = 0;
@@ -17,53 +17,54 @@ struct SurfaceView {
     std::uint32_t u_mask = 0, v_mask = 0;
 };
 
-/// A face's light: samples every 16 texels of mip level 0, `columns` x `rows` of them for each style in use.
+/// A face's lightmap: `columns` x `rows` samples for each style in use, one every 16 texels of mip level 0.
 struct LightmapView {
-    const std::uint8_t* samples = nullptr;  ///< of one style after the other; unused without styles
+    const std::uint8_t* samples = nullptr;  ///< style after style; unused without styles
     std::int32_t columns = 0, rows = 0;
     std::int32_t style_count = 0;
     std::array<std::uint16_t, 4> style_scale_256{};  ///< brightness of each style, 256: as stored
     const std::int32_t* added_8 = nullptr;           ///< light added to each sample, 8 fraction bits; null: none
-    bool is_fullbright = false;  ///< the level has no light: unlit colours; else, without a style: darkest
+    bool is_fullbright =
+        false;  ///< the level has no lightmaps: unlit colours. Otherwise a face without styles is black
 };
 
-/// One mip level of a texture and where a face's surface begins in it: numbers of texels that are multiples of 16 at
-/// mip level 0, and so of a cell between light samples at each.
+/// One mip level of a texture, and where a face's surface begins in it. All sizes and positions are multiples of 16 at
+/// mip level 0, and of a cell between light samples at each mip level.
 struct TextureView {
     const std::uint8_t* texels = nullptr;
     std::int32_t width = 0, height = 0;  ///< of this mip level
     std::int32_t min_u = 0, min_v = 0;   ///< of the surface, in this mip level's texels; any sign
 };
 
-/// The lightmap value at which a texture shows its own colours: the middle of the range, as in Quake. Twice this value
+/// The lightmap value that shows a texture's colours unchanged, the middle of the range, as in Quake. Twice this value
 /// is twice as bright, and the brightest.
 inline constexpr std::int32_t kFullLight = 128;
 
-/// The shade of a light value with 8 fraction bits, from 0 to twice kFullLight, itself with 16: what light_of_shade()
-/// says in reverse.
+/// The shade, with 16 fraction bits, of a light value with 8 fraction bits, 0 to twice kFullLight; the inverse of
+/// light_of_shade().
 std::int32_t shade_of(std::int32_t light_8);
 
-/// A light value, with 8 fraction bits, times hundredths; at most the brightest that a shade shows.
+/// light_8 * brightness_100 / 100, clamped to the range of shades.
 std::int32_t brightened(std::int32_t light_8, std::int32_t brightness_100);
 
-/// The dials of light, and how bright it is.
+/// The dials of light, and its brightness.
 struct LightQuality {
     LightSampling sampling = LightSampling::Interpolated;
     std::int32_t shades = Colormap::kShades;  ///< 16, 32 or 64, from the brightest to the darkest
     bool dithers = false;
-    std::int32_t brightness_100 = 100;  ///< hundredths of the light as stored
+    std::int32_t brightness_100 = 100;  ///< percent of the stored light
     bool operator==(const LightQuality&) const = default;
 };
 
-/// Texels a lit surface takes in one row or column at a mip level: 16 >> mip for each cell between two light samples.
+/// The texels in a row or column of a lit surface: 16 >> mip for each cell between two light samples.
 constexpr std::int32_t lit_size(std::int32_t samples, int mip) {
     return (samples - 1) * (16 >> mip);
 }
 
-/// Writes texture times light to `out`: shades are interpolated across each cell between four samples, or taken from
-/// the nearest one, and looked up in the colormap (Abrash, Black Book, ch. 68). A dithered shade is rounded up in as
-/// many of 4x4 texels as its fraction asks for; others are rounded down. For fewer shades than 64, `colormap` is
-/// with_shades() of them. `out` has lit_size(rows) rows of `stride` bytes, at least one; a surface without extent in a
+/// Writes texture times light to `out`: shades are interpolated in each cell between four samples, or taken from the
+/// nearest one, and looked up in the colormap (Abrash, Black Book, ch. 68). They are rounded down, or with dithering
+/// rounded up in as many of 4x4 texels as their fraction says. For fewer than 64 shades, `colormap` is from
+/// with_shades(). `out` has lit_size(rows) rows of `stride` bytes, at least one; a surface without extent in a
 /// direction is one colour. `corner_shades` is scratch of columns * rows entries.
 void build_lit_surface(const TextureView& texture, const LightmapView& light, const Colormap& colormap,
                        const LightQuality& quality, int mip, std::int32_t stride, std::int32_t* corner_shades,

@@ -10,7 +10,7 @@ namespace oblong {
 
 namespace {
 
-/// A row of one of Ottosson's matrices, in millionths; products of it are rounded down.
+/// A row of one of Ottosson's matrices, in millionths.
 struct Row {
     std::int32_t first, second, third;
     constexpr std::int64_t times(std::int32_t x, std::int32_t y, std::int32_t z) const {
@@ -23,7 +23,7 @@ constexpr Row kLongCone{412'221, 536'333, 51'446}, kMiddleCone{211'903, 680'700,
 constexpr Row kLightness{210'454, 793'618, -4'072}, kGreenRed{1'977'998, -2'428'592, 450'594},
     kBlueYellow{25'904, 782'772, -808'676};
 
-/// The light of the 256 values of a channel of sRGB (IEC 61966-2-1), 30 fraction bits; and once more of the last.
+/// Linear light of an sRGB channel's 256 values (IEC 61966-2-1), 30 fraction bits; the last value is repeated.
 constexpr auto kLinear_30 = [] {
     std::array<std::int32_t, 257> table{};
     for (std::int64_t channel = 0; channel < 256; ++channel) {

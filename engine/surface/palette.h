@@ -11,19 +11,18 @@ struct Rgb8 {
     constexpr bool operator==(const Rgb8&) const = default;
 };
 
-/// A channel as a VGA's converter (DAC) keeps it, in 6 bits.
+/// A channel in the 6 bits of a VGA DAC.
 constexpr std::uint8_t narrow_dac6(std::uint8_t channel) {
     return static_cast<std::uint8_t>(channel >> 2);
 }
-/// What the 6 bits of a VGA's channel show: 0 is 0, and 63 is 255.
+/// The channel shown for 6 bits: 0 is 0, 63 is 255.
 constexpr std::uint8_t widen_dac6(std::uint8_t six_bits) {
     return static_cast<std::uint8_t>(six_bits << 2 | six_bits >> 4);
 }
 
-/// The last 32 colours of a palette glow: light does not change them.
+/// Colours from here on are fullbright: light does not change them.
 inline constexpr int kFirstFullbright = 224;
 
-/// The 256 colours of a picture.
 struct Palette {
     std::array<Rgb8, 256> colours{};
 };
@@ -31,19 +30,19 @@ struct Palette {
 /// A palette from 768 bytes of red, green, blue triples (Quake's palette.lmp). Throws InputError for any other size.
 Palette read_palette(std::span<const std::uint8_t> bytes);
 
-/// Luminance of a colour times 1,000, by the weights of the standard for television (ITU-R BT.601).
+/// Luminance of a colour times 1,000 (weights of ITU-R BT.601).
 constexpr std::int32_t luminance_1000(Rgb8 colour) {
     return 299 * colour.red + 587 * colour.green + 114 * colour.blue;
 }
 
-/// A range of palette indices, `end` not included.
+/// Palette indices [begin, end).
 struct ColourRange {
     int begin = 0, end = 256;
 };
 inline constexpr ColourRange kOrdinaryColours{0, kFirstFullbright};
 
-/// The index in `range` whose colour is nearest (squares of the differences of red, green and blue added up); the
-/// lowest of several.
+/// The index in `range` of the nearest colour (least sum of squared differences of red, green and blue); the lowest of
+/// several.
 std::uint8_t nearest_colour(const Palette& palette, Rgb8 colour, ColourRange range = {});
 
 }  // namespace oblong

@@ -6,8 +6,7 @@ namespace oblong {
 
 namespace {
 
-/// For how many frames surfaces are kept if possible, and in any case. Most of the last frame's will be asked for
-/// again.
+/// How many frames surfaces are kept if possible, and always. Most surfaces of the last frame are used again.
 constexpr std::uint32_t kFramesKept = 2, kFramesHeld = 1;
 
 }  // namespace
@@ -27,7 +26,7 @@ SurfaceCache::Found SurfaceCache::get(std::size_t slot, std::size_t bytes, const
             block.frame = frame_;
             return {block.texels, is_valid};
         }
-        forget(block);  // but its texels stay to the end of the frame
+        forget(block);  // its texels stay to the end of the frame
     }
     const BlockIndex index = allocate(static_cast<std::uint32_t>(bytes));
     Block& block = blocks_[index];
@@ -62,12 +61,12 @@ SurfaceCache::BlockIndex SurfaceCache::allocate(std::uint32_t bytes) {
     return first;
 }
 
-/// The first of the blocks nearest to the rover that are one behind the other, may make room, and have this many bytes
-/// together. None: there are none.
+/// The first of the consecutive blocks, nearest to the rover, that may be evicted and have this many bytes together; or
+/// kNone.
 SurfaceCache::BlockIndex SurfaceCache::find_room(std::uint32_t bytes, std::uint32_t frames_kept) const {
     BlockIndex first = rover_;
     std::uint32_t room = 0;
-    std::size_t left = 2 * (blocks_.size() - spare_.size());  // twice round: they may begin before the rover
+    std::size_t left = 2 * (blocks_.size() - spare_.size());  // two rounds, as they may begin before the rover
     for (BlockIndex index = rover_; left > 0; --left) {
         const Block& block = blocks_[index];
         index = block.next;
@@ -79,7 +78,7 @@ SurfaceCache::BlockIndex SurfaceCache::find_room(std::uint32_t bytes, std::uint3
     return kNone;
 }
 
-/// Joins a block with those behind it until it has this many bytes. What is over becomes a block of its own.
+/// Joins a block with those behind it until it has this many bytes. The rest becomes a separate block.
 void SurfaceCache::gather(BlockIndex first, std::uint32_t bytes) {
     evict(blocks_[first]);
     Block whole = blocks_[first];
@@ -110,7 +109,7 @@ void SurfaceCache::forget(Block& block) {
     used_bytes_ -= block.bytes;
 }
 
-/// Adds a piece with room for this many bytes, and sends the rover there.
+/// Adds a piece with room for this many bytes, and moves the rover there.
 void SurfaceCache::grow(std::uint32_t bytes) {
     const std::uint32_t piece_bytes = std::max(bytes, piece_bytes_);
     pieces_.emplace_back(new std::uint8_t[piece_bytes]);

@@ -6,56 +6,55 @@
 
 namespace oblong {
 
-/// What the texels of a surface were made of, beside what never changes.
+/// The changing inputs of a surface's texels.
 struct SurfaceKey {
     std::uint64_t light = 0;          ///< the brightness of the face's styles, packed
-    std::int32_t texture = 0;         ///< that an animated one shows; -1: the face's own
-    std::uint32_t moving_lights = 0;  ///< a number of those that touch it, where they are; 0: none
+    std::int32_t texture = 0;         ///< the frame of an animated texture; -1: the face's own texture
+    std::uint32_t moving_lights = 0;  ///< LightTouch::version; 0: none
     bool operator==(const SurfaceKey&) const = default;
 };
 
-/// Lit surfaces, kept while they are valid and there is room. One slot for each face and mip level; the texels lie in
-/// an arena that is used as a ring, as Quake's: a rover goes round, and a new surface takes the place of what it meets,
-/// the oldest. It passes by what this frame or the last one asked for, so texels got in a frame stay where they are,
-/// unchanged, until the next start_frame(). A frame that needs more than the arena makes it grow, for good. Caching
-/// never changes a picture: a rebuilt surface is the same.
+/// A cache of lit surfaces, with one slot for each face and mip level. The texels are in an arena used as a ring, as in
+/// Quake: a new surface replaces the oldest ones, at the rover. Surfaces used in this frame or the last are skipped, so
+/// texels returned in a frame stay unchanged until the next start_frame(). If a frame needs more than the arena, it
+/// grows permanently. Caching never changes a picture: a rebuilt surface is the same.
 class SurfaceCache {
   public:
-    /// The arena grows by pieces of this size (or of a larger surface's); both numbers below 2^32.
+    /// The arena grows by pieces of this size (or of a larger surface's size). Both arguments are below 2^32.
     SurfaceCache(std::size_t slot_count, std::size_t piece_bytes);
 
     struct Found {
         std::uint8_t* texels;
-        bool is_valid;  ///< false: the caller must write them
+        bool is_valid;  ///< false: the caller has to write them
     };
 
-    /// From here on, texels got before may be overwritten.
+    /// Texels returned earlier may be overwritten from now on.
     void start_frame() { ++frame_; }
-    /// The texels of a slot, `bytes` of them (at least one, for a slot always as many), made of what `key` says.
+    /// The `bytes` texels of a slot (at least one, constant for a slot) for the inputs in `key`.
     Found get(std::size_t slot, std::size_t bytes, const SurfaceKey& key);
-    /// Forgets all surfaces, those of this frame too.
+    /// Drops all surfaces, including those of this frame.
     void clear();
 
     std::size_t used_bytes() const { return used_bytes_; }  ///< of arena_bytes()
     std::size_t arena_bytes() const { return arena_bytes_; }
-    /// What it takes, used or not.
+    /// Memory of the cache, used or not.
     std::size_t bytes() const;
-    /// How many surfaces have made room for others.
+    /// How many surfaces were evicted for others.
     std::int64_t evicted_surfaces() const { return evicted_surfaces_; }
 
   private:
     using BlockIndex = std::uint32_t;
     static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
-    /// Consecutive bytes of the arena, used by a surface or free. Each piece ends with a block without bytes, which is
-    /// never freed: so blocks of two pieces are never joined.
+    /// Consecutive bytes of the arena, used by a surface or free. Each piece ends with a block of 0 bytes, which is
+    /// never freed, so blocks of two pieces are never joined.
     struct Block {
         SurfaceKey key;
         std::uint8_t* texels = nullptr;
         std::uint32_t bytes = 0;
-        std::uint32_t slot = kNone;  ///< of its surface; none: it is free
-        std::uint32_t frame = 0;     ///< that asked for it last
-        BlockIndex next = 0;         ///< the one behind it in memory; the last one's: the first of the next piece
+        std::uint32_t slot = kNone;  ///< of its surface; kNone: free
+        std::uint32_t frame = 0;     ///< that used it last
+        BlockIndex next = 0;         ///< next in memory; after the last of a piece, the first of the next piece
     };
 
     BlockIndex allocate(std::uint32_t bytes);
@@ -69,9 +68,9 @@ class SurfaceCache {
 
     std::vector<BlockIndex> block_of_slot_;
     std::vector<Block> blocks_;
-    std::vector<BlockIndex> spare_;                        ///< entries of blocks_ that are no blocks now
-    std::vector<std::unique_ptr<std::uint8_t[]>> pieces_;  ///< not cleared: surfaces are written before they are read
-    BlockIndex rover_ = 0, last_ = kNone;                  ///< the last block of the last piece
+    std::vector<BlockIndex> spare_;                        ///< unused entries of blocks_
+    std::vector<std::unique_ptr<std::uint8_t[]>> pieces_;  ///< uninitialised: surfaces are written before they are read
+    BlockIndex rover_ = 0, last_ = kNone;                  ///< `last_`: the last block of the last piece
     std::uint32_t frame_;
     std::uint32_t piece_bytes_;
     std::size_t arena_bytes_ = 0, used_bytes_ = 0;

@@ -17,7 +17,7 @@ bool is_outside(const ClipVertex& vertex, const ClipPlane& plane, std::uint8_t b
     return plane.distance(vertex.position) < kOn;
 }
 
-/// A rounded position may be a step across the plane from its decided side; it then counts as on the plane.
+/// Rounding may put a position a step beyond the plane, on the other side than decided; it then counts as on the plane.
 ClipVertex crossing_of(const ClipVertex& inside, const ClipVertex& outside, const ClipPlane& plane,
                        std::uint8_t border) {
     const ClipDistance distance = plane.distance(inside.position);
@@ -25,7 +25,7 @@ ClipVertex crossing_of(const ClipVertex& inside, const ClipVertex& outside, cons
     ClipVertex crossing;
     crossing.position =
         distance <= kOn ? inside.position : cross_plane(inside.position, distance, outside.position, beyond);
-    // Both ends on a border: so is every point between.
+    // If both ends are on a border, so is every point between.
     crossing.borders = static_cast<std::uint8_t>((inside.borders & outside.borders) | border);
     crossing.outcode = inside.outcode & outside.outcode;
     crossing.undecided =

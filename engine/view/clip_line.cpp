@@ -11,7 +11,7 @@ namespace {
 
 constexpr ClipDistance kOnVolumePlane{};
 
-/// A part of a line's length: `part` / `whole`, the latter above 0.
+/// part / whole of a line's length; whole > 0.
 struct LinePart {
     ClipDistance part, whole;
 
@@ -40,7 +40,7 @@ ViewVolume make_view_volume(const Frustum& frustum, View front, View back) {
     return volume;
 }
 
-/// With d0 and d1 its ends' distances from a plane, the line crosses it at t = d0 / (d0 - d1).
+/// With the ends at distances d0 and d1 from a plane, the line crosses it at t = d0 / (d0 - d1).
 std::optional<ViewLine> clip_line(const ViewVolume& volume, const ViewLine& line) {
     constexpr ClipDistance kWhole = ClipDistance::ulp();
     LinePart enters{{}, kWhole}, leaves{kWhole, kWhole};

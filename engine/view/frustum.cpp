@@ -4,12 +4,12 @@ namespace oblong {
 
 namespace {
 
-/// The slopes of a pair of side planes: across * |x| <= along * z. Both below 1, the larger above 1/2.
+/// The slopes of a pair of side planes: across * |x| <= along * z. Both are below 1, the larger is above 1/2.
 struct SideSlope {
     ClipNormal across, along;
 };
 
-/// For a side `distance_1` half pixels from the optical centre; below 0 where the centre is outside of it.
+/// For a side `distance_1` half pixels from the optical centre; negative if the centre is outside.
 SideSlope make_slope(Multiplier multiplier, std::int32_t distance_1) {
     const std::int64_t across = multiplier.raw, along = std::int64_t{distance_1} * (std::int64_t{1} << 31);
     int shift = 0;
@@ -19,7 +19,7 @@ SideSlope make_slope(Multiplier multiplier, std::int32_t distance_1) {
             ClipNormal::from_raw(rounded_shift(along, shift, Rounding::NearestHalfUp))};
 }
 
-/// A side plane in world space: its normal is a linear combination of two of the camera's axes.
+/// A side plane in the world: its normal is a linear combination of two of the camera's axes.
 CullPlane make_cull_plane(const Vec3<Unit>& across_axis, ClipNormal across, const Vec3<Unit>& forward, ClipNormal along,
                           View parallel_depth) {
     using Component = CullPlane::Component;

@@ -9,18 +9,18 @@
 
 namespace oblong {
 
-/// Which sides of the view a point is outside of, a bit each (Cohen and Sutherland). There is no near plane: the side
-/// planes meet in the eye, and everything inside them is in front of it. A near plane would cut a hole into a wall that
-/// the eye touches (hard case V12). kOutBehind is no clip plane; it serves to reject polygons wholly behind the eye.
+/// The sides of the view that a point is outside of, one bit each (Cohen and Sutherland). There is no near plane: the
+/// side planes meet in the eye, and everything inside them is in front of it. A near plane would cut a hole into a wall
+/// that the eye touches (hard case V12). kOutBehind is not a clip plane; it rejects polygons wholly behind the eye.
 enum Outcode : std::uint8_t { kOutLeft = 1, kOutRight = 2, kOutBottom = 4, kOutTop = 8, kOutBehind = 16 };
 inline constexpr int kClipPlaneCount = 4;
 
-/// A component of a clip plane's normal, which need not be of length 1: from -1 to 1, so that 35-bit positions give
-/// 62-bit distances.
+/// A component of a clip plane's normal, from -1 to 1, so that 35-bit positions give 62-bit distances. The normal's
+/// length is not 1.
 using ClipNormal = Fixed<std::int64_t, 25>;
 using ClipDistance = Fixed<std::int64_t, 41>;
 
-/// normal . p - offset >= 0 is inside; p in viewspace.
+/// Inside: normal . p - offset >= 0, p in viewspace.
 struct ClipPlane {
     Vec3<ClipNormal> normal;
     ClipDistance offset;
@@ -32,12 +32,12 @@ struct ClipPlane {
     }
 };
 
-/// A distance from a cull plane, times the length of its normal.
+/// A distance from a cull plane times the length of its normal.
 using CullDistance = Fixed<std::int64_t, 32>;
 
-/// A side plane in the world, for culling boxes: normal . (p - eye) is below `outside` for points that are surely
-/// outside, and at least `inside` for those that are surely inside. Conservative by one unit, and so by the error of
-/// the normal: up to 2^-21 in each component. In a perspective view the plane goes through the eye.
+/// A side plane in the world, for culling boxes. If normal . (p - eye) is below `outside`, p is certainly outside; if
+/// it is at least `inside`, certainly inside. The margin of one unit covers the error of the normal, up to 2^-21 in
+/// each component. In a perspective view the plane goes through the eye.
 struct CullPlane {
     using Component = Fixed<std::int64_t, 20>;
     Vec3<Component> normal;
@@ -49,12 +49,11 @@ struct Frustum {
     std::array<CullPlane, 4> cull_planes;                ///< left, right, bottom, top
 };
 
-/// The planes of the view frustum; with a `parallel_depth` above 0 (ViewContext) that is a box. A point on a plane is
-/// inside.
+/// The planes of the view frustum, which is a box if parallel_depth > 0 (ViewContext). A point on a plane is inside.
 Frustum make_frustum(const Basis& axes, const Projection& projection, View parallel_depth = {});
 
-/// Moves the cull planes to the borders of a part of the screen, a pixel outward; the clip planes stay. For views of
-/// which no more than that is drawn.
+/// Moves the cull planes to the borders of a part of the screen, one pixel outward, for views of which only this part
+/// is drawn. The clip planes stay.
 void narrow_cull_planes(const Basis& axes, const Projection& projection, View parallel_depth,
                         const ScreenRectangle& part, Frustum& frustum);
 

@@ -6,7 +6,7 @@
 
 namespace oblong {
 
-/// A quantity that is linear on the screen: its value at the centre of pixel (0, 0) and its steps per pixel.
+/// A quantity that is linear on the screen: its value at the centre of pixel (0, 0), and its steps per pixel.
 /// Intermediate sums may wrap; values inside the polygon fit.
 template <class Value>
 struct LinearQuantity {
@@ -15,21 +15,22 @@ struct LinearQuantity {
     Value at(std::int32_t column, std::int32_t row) const {
         return stepped(stepped(origin, per_column, column), per_row, row);
     }
-    /// The same of a column and a row of the screen: without a sign, the product with 64 bits is two of 32, not three.
+    /// The same for column, row >= 0: with unsigned factors, i386 needs two 32-bit products for one of 64 bits, not
+    /// three.
     Value at_shown(std::int32_t column, std::int32_t row) const {
         return stepped(stepped(origin, per_column, static_cast<std::uint32_t>(column)), per_row,
                        static_cast<std::uint32_t>(row));
     }
 };
 
-/// The screen gradients of a textured plane (z in world units, u and v in texels of the mip level in use). Errors:
+/// The screen gradients of a textured plane (z in world units, u and v in texels of the mip level). Errors:
 /// engine/fixed/README.md.
 struct TextureGradients {
     LinearQuantity<InverseZ> inverse_z;
     LinearQuantity<TexelOverZ> u_over_z, v_over_z;
 };
 
-/// The same in fewer fraction bits, as narrower accumulators would hold them.
+/// Rounds to fewer fraction bits, as in narrower accumulators.
 template <class Value>
 LinearQuantity<Value> rounded_to(const LinearQuantity<Value>& quantity, int fraction_bits) {
     return {rounded_to(quantity.origin, fraction_bits), rounded_to(quantity.per_column, fraction_bits),

@@ -9,8 +9,8 @@
 namespace oblong {
 namespace {
 
-constexpr std::int32_t kLargestWindowSide_px = 65'535;  // beyond any device; keeps the products below in 64 bits
-constexpr std::int64_t kLargestUpscaledSide_px = 8192;  // a texture that every renderer has room for
+constexpr std::int32_t kLargestWindowSide_px = 65'535;  // larger than any device; keeps the products below in 64 bits
+constexpr std::int64_t kLargestUpscaledSide_px = 8192;  // a texture size that every renderer supports
 
 struct Size {
     std::int64_t width, height;
@@ -20,14 +20,14 @@ std::int64_t rounded_quotient(std::int64_t numerator, std::int64_t denominator) 
     return (2 * numerator + denominator) / (2 * denominator);
 }
 
-// Width to height of one pixel as shown.
+// Width to height of a shown pixel.
 Ratio pixel_shape(WindowSize window, const ScreenMode& mode, ShownAs shown_as) {
     if (shown_as == ShownAs::SquarePixels) return {1, 1};
     if (shown_as == ShownAs::OnDisplay) return mode.pixel();
     return Ratio{std::int64_t{window.width_px} * mode.height_px, std::int64_t{window.height_px} * mode.width_px};
 }
 
-// The largest size of shape width:height within the window, rounded to whole pixels.
+// The largest size of this shape (width to height) within the window, rounded to whole pixels.
 Size largest_fit(WindowSize window, Ratio shape) {
     const std::int64_t width = window.width_px, height = window.height_px;
     if (width * shape.denominator <= height * shape.numerator)
@@ -50,7 +50,7 @@ Size whole_pixels(Size fit, WindowSize window, const ScreenMode& mode, Ratio pix
     return {columns * mode.width_px, rows * mode.height_px};
 }
 
-// columns:rows against the pixel's shape: +25 is 2.5 % too wide.
+// The error of columns:rows as the shape of a pixel: +25 is 2.5 % too wide.
 std::int32_t shape_error_permille(std::int64_t columns, std::int64_t rows, Ratio pixel) {
     const std::int64_t is = columns * pixel.denominator, should_be = rows * pixel.numerator;
     const std::int64_t error = rounded_quotient(1000 * std::abs(is - should_be), should_be);

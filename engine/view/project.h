@@ -11,7 +11,7 @@
 namespace oblong {
 
 /// The screen position of a point in viewspace, pixels, 56.8, rounded once to the nearest 1/256. On the screen the
-/// error is at most 1/512 + 64 * 2^-17 pixel. z is above 0, or 0 or less by rounding for a clipped corner next to the
+/// error is at most 1/512 + 64 * 2^-17 pixel. z > 0, but may be rounded to 0 or less for a clipped corner next to the
 /// eye.
 struct ScreenPosition {
     ScreenWide x, y;
@@ -23,7 +23,7 @@ inline ScreenPosition project(const Vec3<View>& p, const Projection& projection)
             projection.y.centre + project_axis(projection.y, -p.y, z)};
 }
 
-/// Sub-pixel precision: how many fraction bits a screen vertex keeps.
+/// Rounds screen vertices to a number of fraction bits.
 struct SubpixelGrid {
     std::int64_t half_step = 0, mask = -1;
 
@@ -36,8 +36,8 @@ struct SubpixelGrid {
     }
 };
 
-/// A clipped point as a screen vertex: snapped to the grid and kept within [0, width] x [0, height], from which
-/// rounding alone could carry it (hard case C7).
+/// A clipped point as a screen vertex, snapped to the grid and clamped to [0, width] x [0, height], which only rounding
+/// can exceed (hard case C7).
 inline ScreenVertex to_screen_vertex(const ScreenPosition& position, const Projection& projection,
                                      const SubpixelGrid& grid) {
     const auto within = [&grid](ScreenWide along, std::int32_t size_px) {
@@ -47,7 +47,7 @@ inline ScreenVertex to_screen_vertex(const ScreenPosition& position, const Proje
     return {within(position.x, projection.width_px), within(position.y, projection.height_px)};
 }
 
-/// The same for a corner that clipping put on `borders` of the view: it lies exactly on those of the screen.
+/// Puts a corner that was clipped to `borders` of the view exactly on those of the screen.
 inline ScreenVertex to_screen_border(ScreenVertex vertex, std::uint8_t borders, const Projection& projection) {
     if (borders == 0) return vertex;
     if (borders & kOutLeft) vertex.x = Screen{};

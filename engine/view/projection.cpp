@@ -8,7 +8,7 @@ namespace oblong {
 
 namespace {
 
-/// Larger multipliers, those of fields of view below a thousandth of a degree, are clamped to this.
+/// The limit of multipliers, reached by fields of view below a thousandth of a degree.
 constexpr Multiplier kLargestMultiplier = Multiplier::from_raw(std::int64_t{1} << 62);
 
 using HalfPixels = Fixed<std::int64_t, 1>;

@@ -13,56 +13,55 @@
 
 namespace oblong {
 
-/// A multiplier with fewer bits: pixels, 48.16.
+/// A multiplier with fewer fraction bits, pixels: 48.16.
 using CoarseMultiplier = Fixed<std::int64_t, 16>;
 
 /// One axis of the projection: screen = centre + multiplier * view / view_z.
 struct ProjectionAxis {
-    Multiplier multiplier;    ///< pixels; precomputed once for a mode and a field of view
+    Multiplier multiplier;    ///< pixels; computed once for a mode and a field of view
     CoarseMultiplier coarse;  ///< the same for points near the screen
-    View fast_limit;          ///< |view| below this: view * coarse fits 62 bits
+    View fast_limit;          ///< if |view| is below this, view * coarse fits 62 bits
     ScreenWide centre;        ///< the optical centre, pixels
 };
 
-/// The two precomputed multipliers of Muratori's projection: aspect and field of view enter here and nowhere
-/// else.
+/// The two multipliers of Muratori's projection. Aspect and field of view are used here and nowhere else.
 struct Projection {
-    ProjectionAxis x, y;  ///< y's multiplier is positive: project() turns it, since rows grow downward
+    ProjectionAxis x, y;  ///< y's multiplier is positive; project() negates y, as rows grow downward
     std::int32_t width_px = 0, height_px = 0;
 };
 
-/// The part of the view plane that the screen shows, in any common unit: half its width and its distance from the
-/// eye, whose ratio is tan(field of view / 2). With a `half_height` the window is shown whole, whatever its shape: on a
-/// screen of another shape there is more around it, and never another scale across than down.
+/// The part of the view plane that the screen shows, in any unit: half its width and its distance from the eye, whose
+/// ratio is tan(field of view / 2). With a `half_height` the whole window is shown: on a screen of another shape more
+/// is visible around it, and the scale stays equal in both directions.
 struct ViewWindow {
     View half_width, distance;
-    View half_height = {};  ///< 0: as the display's shape gives it
+    View half_height = {};  ///< 0: from the display's shape
     constexpr bool operator==(const ViewWindow&) const = default;
 };
 
-/// Half the width of what a screen of this shape shows of the world around a window, in the window's unit.
+/// Half the width shown on a screen of the mode's shape, in the window's unit.
 View shown_half_width(const ViewWindow& window, const ScreenMode& mode);
 
-/// d = (width / 2) * distance / half_width, or less where the height asks for it; for y see below. Parts above 0.
+/// x: d = (width / 2) * distance / shown_half_width(); y: see below. The window's members are above 0.
 Projection make_projection(const ScreenMode& mode, const ViewWindow& window, bool correct_aspect = true);
 
-/// The window of a field of view across the whole width, above 0 and below 180 degrees.
+/// The window of a horizontal field of view, above 0 and below 180 degrees.
 ViewWindow window_of(Degrees field_of_view);
 
-/// d = (width / 2) / tan(fov / 2); x: d, y: d * display * height / width. Without `correct_aspect` y takes x's
-/// multiplier, as if pixels were square. `field_of_view` is above 0 and below 180 degrees; the multipliers are right to
-/// 2^-32 pixel for fields of view from 1 to 179 degrees.
+/// d = (width / 2) / tan(fov / 2); x: d, y: d * display * height / width. Without `correct_aspect` y uses x's
+/// multiplier, as if pixels were square. `field_of_view` is above 0 and below 180 degrees; from 1 to 179 degrees the
+/// multipliers are accurate to 2^-32 pixel.
 Projection make_projection(const ScreenMode& mode, Degrees field_of_view, bool correct_aspect = true);
 
-/// Whether frames can be drawn with it: multipliers below half a pixel have reciprocals that do not fit the format used
-/// for gradients. At 179 degrees on 4:3 that takes 115x86 pixels, at 90 degrees any mode of 4:3 will do.
+/// Whether frames can be drawn: reciprocals of multipliers below half a pixel do not fit the gradients' format. On 4:3,
+/// 179 degrees need 115x86 pixels, 90 degrees work in any mode.
 bool is_drawable(const Projection& projection);
 
-/// project_axis() where a 64-bit product would overflow.
+/// project_axis() if a 64-bit product would overflow.
 ScreenWide project_axis_wide(const ProjectionAxis& axis, View view, View z);
 
 #if defined(__i386__)
-/// project_axis() of numbers of 32 bits: one product and one division, where others take function calls.
+/// project_axis() of 32-bit numbers, by one multiplication and one division instruction instead of function calls.
 inline std::optional<ScreenWide> project_axis_in_32_bits(const ProjectionAxis& axis, View view, View z) {
     const auto short_view = static_cast<std::int32_t>(view.raw), short_z = static_cast<std::int32_t>(z.raw);
     if (short_view != view.raw || short_z != z.raw || axis.coarse.raw >= 1 << 29) return std::nullopt;
@@ -70,7 +69,7 @@ inline std::optional<ScreenWide> project_axis_in_32_bits(const ProjectionAxis& a
     const std::uint32_t size = (static_cast<std::uint32_t>(short_view) ^ sign) - sign;
     if ((size + 63) / 64 > depth) return std::nullopt;
     const std::uint64_t numerator = std::uint64_t{size} * static_cast<std::uint32_t>(axis.coarse.raw);
-    // Halves of steps, a half of one more toward plus infinity: that of 2.5 is 3, that of -2.5 is -2.
+    // Counts half steps, then rounds ties toward plus infinity: 2.5 to 3, -2.5 to -2.
     const ShortDivision halves = divide_to_32(numerator >> 7, depth);
     if (sign == 0) return ScreenWide::from_raw(static_cast<std::int32_t>((halves.quotient + 1) / 2));
     const bool is_exact = (halves.remainder | (numerator & 127)) == 0;
@@ -78,10 +77,10 @@ inline std::optional<ScreenWide> project_axis_in_32_bits(const ProjectionAxis& a
 }
 #endif
 
-/// multiplier * view / z, rounded to the nearest 1/256 pixel. z above 0. Near the screen (|view| <= 64 z) the
-/// multiplier has 16 fraction bits, so that a 64-bit product fits; the error is at most 64 * 2^-17 pixel. Beyond, the
-/// exact quotient, but never nearer to the centre than the other method's result where they meet. So the result depends
-/// on view / z alone and is monotonic in it.
+/// multiplier * view / z, rounded to the nearest 1/256 pixel; z > 0. Near the screen (|view| <= 64 z) the multiplier
+/// has 16 fraction bits, so that the product fits 64 bits; the error is at most 64 * 2^-17 pixel. Beyond, it is the
+/// exact quotient, but not nearer to the centre than the first method's result at 64 z. So the result depends on view /
+/// z only and is monotonic in it.
 inline ScreenWide project_axis(const ProjectionAxis& axis, View view, View z) {
 #if defined(__i386__)
     if (const auto near = project_axis_in_32_bits(axis, view, z)) return *near;
@@ -93,12 +92,12 @@ inline ScreenWide project_axis(const ProjectionAxis& axis, View view, View z) {
     return bounded_quotient<ScreenWide>(numerator, z);
 }
 
-/// Eye, orientation, horizontal field of view. Yaw counter-clockwise from +x seen from above, pitch positive looking
-/// down, roll positive leaning right (Quake's).
+/// Yaw is counter-clockwise from +x seen from above, pitch positive looking down, roll positive leaning right (as in
+/// Quake).
 struct Camera {
     Vec3<World> eye;
     Angle yaw, pitch, roll;
-    Degrees field_of_view = Degrees::from_int(90);  ///< across the whole width; 1 to 179
+    Degrees field_of_view = Degrees::from_int(90);  ///< horizontal; 1 to 179
 };
 
 }  // namespace oblong

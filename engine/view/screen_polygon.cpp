@@ -6,7 +6,7 @@ namespace oblong {
 
 namespace {
 
-/// A corner's place on the screen, found once; it is inside the view.
+/// A corner's screen vertex, computed on first use. The corner is inside the view.
 ScreenVertex project_once(ClipVertex& corner, const ViewContext& view) {
     if (!corner.is_projected) {
         const ScreenVertex inside =
@@ -17,7 +17,7 @@ ScreenVertex project_once(ClipVertex& corner, const ViewContext& view) {
     return corner.screen;
 }
 
-/// Which sides of the view corners are outside of: any of them, all of them.
+/// The union and the intersection of corners' outcodes.
 struct OutcodeUnion {
     unsigned any = 0, all = 0xff;
 
@@ -27,7 +27,7 @@ struct OutcodeUnion {
     }
 };
 
-/// Clips the polygon that polygon.clipper was started with, and projects what is left. False if that is nothing.
+/// Clips and projects the polygon in polygon.clipper. False if it is outside the view.
 bool clip_and_project(const OutcodeUnion& outcodes, const ViewContext& view, ScreenPolygon& polygon) {
     if (outcodes.all != 0) return false;
     if (outcodes.any != 0) polygon.clipper.clip(view.frustum, outcodes.any);

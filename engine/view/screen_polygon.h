@@ -9,19 +9,19 @@
 
 namespace oblong {
 
-/// A polygon while it is transformed, clipped and projected, with the scratch for it.
+/// A transformed, clipped and projected polygon, with scratch.
 struct ScreenPolygon {
     std::span<const ScreenVertex> screen;
     View nearest_z, farthest_z;  ///< of the part in view
-    bool is_clipped = false;     ///< not all of its corners are those of the vertex cache
+    bool is_clipped = false;     ///< some of its corners are not from the vertex cache
 
     PolygonClipper clipper;
-    Scratch<ClipVertex> own;          ///< corners of polygons that are not of the vertex cache
-    Scratch<ScreenVertex> projected;  ///< where `screen` is
+    Scratch<ClipVertex> own;          ///< corners that are not from the vertex cache
+    Scratch<ScreenVertex> projected;  ///< the storage of `screen`
 };
 
-/// The polygon of a face of the level, from its vertices' indices, clockwise seen from its front: transform, clip,
-/// project. False if nothing of it is in view.
+/// Transforms, clips and projects a face of the level, given its vertices' indices, clockwise seen from its front.
+/// False if it is outside the view.
 bool project_face(std::span<const VertexIndex> corner_indices, const ViewContext& view, VertexCache& vertices,
                   ScreenPolygon& polygon);
 

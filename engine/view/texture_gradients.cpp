@@ -9,7 +9,7 @@ namespace oblong {
 
 namespace {
 
-/// The slope of a linear quantity over X and Y (per screen position over multiplier), and its value straight ahead.
+/// The slope of a linear quantity over X and Y (screen position / multiplier), and its value straight ahead.
 template <class Value>
 struct ViewSlope {
     Value x, y, ahead;
@@ -27,7 +27,7 @@ auto rotate_to_view(const Vec3<Fixed<std::int32_t, Frac>>& world, const Basis& a
 
 template <class Value>
 LinearQuantity<Value> anchor_at_centre(const ViewSlope<Value>& slope, const InverseProjection& projection) {
-    // Half-pixel steps from the optical centre to the centre of pixel (0, 0), whose own centre is one half-pixel in.
+    // Half pixels from the optical centre to the centre of pixel (0, 0), which is at half a pixel.
     const auto halves = [](Value step, std::int32_t centre_1) {
         return product<Value>(step, Fixed<std::int32_t, 1>::from_raw(1 - centre_1), Rounding::Floor);
     };
@@ -35,7 +35,7 @@ LinearQuantity<Value> anchor_at_centre(const ViewSlope<Value>& slope, const Inve
     return {stepped(at_first_column, halves(slope.y, projection.centre_y_1), 1), slope.x, slope.y};
 }
 
-/// 1 / D as a number of 63 bits and a scale.
+/// 1 / D as a 63-bit number and a scale.
 struct DistanceReciprocal {
     std::int64_t mantissa;  ///< 2^(62 + log2) / D, in (2^61, 2^62]
     int log2;
@@ -66,8 +66,8 @@ LinearQuantity<TexelOverZ> texel_quantity(const Vec3<TexelAxis>& world_axis, Tex
     return anchor_at_centre(slope, projection);
 }
 
-/// sec a is the root of 1 and the squares of both tangents; such a root is at most the greatest of the three and half
-/// of the others.
+/// sec a is the root of the sum of 1 and both tangents' squares, which is at most the largest of the three plus half of
+/// the others.
 WidthAtOne least_pixel_width(const InverseProjection& inverse, Unit shear_x, Unit shear_y) {
     const auto tangent = [](InverseMultiplier step, std::int32_t halves, Unit shear) {
         return product<WidthAtOne>(step, Fixed<std::int32_t, 1>::from_raw(halves)) +
@@ -88,12 +88,11 @@ struct ParallelPlane {
     const Basis& rays;
 };
 
-/// u/z or v/z where 1/z is constant: along the surface, not along the texture's axis, whose part along the rays is
-/// taken off in the plane's own slope.
+/// u/z or v/z with constant 1/z. The part of the texture's axis along the rays is replaced by the plane's slope.
 LinearQuantity<TexelOverZ> parallel_quantity(const Vec3<TexelAxis>& axis, Texel eye_texel, int mip,
                                              const ParallelPlane& plane, const InverseProjection& projection) {
     using Slope = Fixed<std::int64_t, 32>;  // texels per unit of distance from the plane
-    // Edge-on, or turned round by rounding to the screen: for such a sliver any steep view of the plane will do.
+    // For planes edge-on or turned round by rounding to the screen: for such slivers any small value will do.
     constexpr auto kLeastFacing = Sine60::from_raw(std::int64_t{1} << 40);
     const Basis& rays = plane.rays;
     const Sine60 facing = std::max(-dot(plane.normal, rays.forward), kLeastFacing);

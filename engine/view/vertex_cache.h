@@ -10,12 +10,12 @@ namespace oblong {
 
 using VertexIndex = Index<struct Vertex>;  ///< of the level's vertices
 
-/// A vertex of the level as one frame sees it.
+/// A vertex of the level in one frame's view.
 struct CachedVertex : ClipVertex {
-    std::uint32_t frame = 0;  ///< the frame that this was computed in
+    std::uint32_t frame = 0;  ///< in which this was computed
 };
 
-/// The level's vertices in viewspace and on the screen, each computed once a frame, when a face first needs it.
+/// The level's vertices in viewspace and on the screen, each computed once a frame, on first use.
 class VertexCache {
   public:
     /// `world_vertices` must outlive it.
@@ -24,13 +24,13 @@ class VertexCache {
 
     void start_frame() { ++frame_; }
 
-    /// The memory that it takes.
+    /// Memory used.
     std::size_t bytes() const { return vertices_.size() * sizeof(CachedVertex); }
 
     struct Counts {
         std::int64_t transformed = 0, projected = 0;
     };
-    /// What it computed in this frame, by a look at all vertices: for counting frames only.
+    /// The vertices computed in this frame. Slow, reads all vertices; for counted frames only.
     Counts count() const {
         Counts counts;
         for (const CachedVertex& vertex : vertices_) {

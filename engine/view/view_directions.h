@@ -12,8 +12,7 @@ namespace oblong {
 /// A component of a direction of view: 34.30.
 using DirectionPart = Fixed<std::int64_t, 30>;
 
-/// The directions through the centres of pixels in the world's axes, as long as it takes to go one unit deep: linear on
-/// the screen.
+/// The directions through pixel centres in world axes, scaled to a depth of one unit: linear on the screen.
 struct ViewDirections {
     LinearQuantity<DirectionPart> x, y, z;
 };

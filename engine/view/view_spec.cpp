@@ -13,7 +13,7 @@ Vec3<Unit> sheared(const Vec3<Unit>& v, Unit step, const Vec3<Unit>& along) {
     return v + Vec3<Unit>{part(along.x), part(along.y), part(along.z)};
 }
 
-/// Against the rays, 2^14 units long.
+/// Opposite to the rays, 2^14 units long.
 Vec3<World> toward_viewer(const Vec3<Unit>& ray) {
     const auto part = [](Unit component) { return World::from_raw(-floor_of<26>(component)); };
     return {part(ray.x), part(ray.y), part(ray.z)};
@@ -34,8 +34,8 @@ std::optional<std::string> problem_of_window(const ViewSpec& spec, const ScreenM
     return std::nullopt;
 }
 
-/// The depth that all points of a parallel view get: a power of two, so that 1/z is exact in any format, and no less
-/// than half the width, as in views of at most 90 degrees.
+/// The depth of all points in a parallel view: a power of two, so that 1/z is exact in any format, and at least half
+/// the width, as in views of at most 90 degrees.
 View depth_of(View half_width) {
     return View::from_raw(static_cast<std::int64_t>(std::bit_ceil(half_width.bits())));
 }
@@ -49,7 +49,7 @@ std::optional<std::string> problem_of(const ViewSpec& spec, const ScreenMode& mo
         return "a view whose middle is more than 45 degrees from straight ahead, expected less";
     if ((spec.shear_x != Unit{} || spec.shear_y != Unit{}) && is_far(spec.eye))
         return "a sheared view from beyond 262,144 units, expected an eye nearer to the world's origin";
-    // Of a parallel view the depth may be greater, but not less (depth_of).
+    // A parallel view's depth is at least this (depth_of).
     const ViewWindow window = spec.is_parallel ? ViewWindow{View::from_int(1), View::from_int(1)} : spec.window;
     if (!is_drawable(make_projection(mode, window)))
         return "a view so wide that a unit at depth 1 is less than half a pixel, expected a narrower one or a larger "

@@ -9,7 +9,7 @@ namespace {
 
 constexpr Vec3<Unit> kWorldUp{{}, {}, Unit::from_int(1)};
 
-/// The axes that look along a direction, z up, turned about z. Parts below 2^29.
+/// The axes of a view along (x, y, z), z up, turned about z. Components are below 2^29.
 Basis axes_along(std::int32_t x, std::int32_t y, std::int32_t z, Angle turn) {
     const auto turned = [](std::int32_t by_cosine, Unit cosine, std::int32_t by_sine, Unit sine) {
         return product<World>(World::from_raw(by_cosine), cosine) + product<World>(World::from_raw(by_sine), sine);
@@ -22,7 +22,7 @@ ViewCut cut_along(const Vec3<Unit>& normal, const Vec3<World>& from, World dista
     return {normal, dot(from, normal) + convert<PlaneDistance>(distance)};
 }
 
-/// How far p is from the reference point along an axis, rounded to a step of View.
+/// The coordinate of p along an axis from the reference point, rounded to View.
 View along(const Vec3<Unit>& axis, const Vec3<World>& p, const Vec3<World>& reference_point) {
     return view_coordinate(widening_difference(p, reference_point), axis);
 }
@@ -31,7 +31,7 @@ View middle_of(World low, World high) {
     return convert<View>(floor_shift(convert<View>(low) + convert<View>(high), 1));
 }
 
-/// The axes of a window's plane, looking from the centre of projection toward it.
+/// The axes of a view from the centre of projection toward the window's plane.
 Basis axes_of(const WindowView& window) {
     const Vec3<Unit> normal = normalised(window.normal), up = normalised(window.up);
     if (normal == Vec3<Unit>{}) throw InputError("VPN", "is zero, expected a direction");
@@ -71,7 +71,7 @@ ViewSpec look_at_view(const Vec3<World>& eye, const Vec3<World>& target, Degrees
 
 Camera dolly_zoomed(const Camera& camera, World distance, Degrees field_of_view) {
     const ViewWindow before = window_of(camera.field_of_view), after = window_of(field_of_view);
-    // tan before / tan after of the distance; each part of both windows is at most 1.
+    // distance * tan before / tan after; the windows' members are at most 1.
     const auto wide = product<Sine60>(Sine60::from_raw(before.half_width.raw), Sine60::from_raw(after.distance.raw));
     const auto narrow = product<Sine60>(Sine60::from_raw(after.half_width.raw), Sine60::from_raw(before.distance.raw));
     const auto back =
@@ -106,7 +106,7 @@ Basis side_axes(ViewSide side) {
 Basis axonometric_axes(Axonometry kind, Angle turn) {
     constexpr std::int32_t kUnit = 100'000'000;
     if (kind == Axonometry::Isometric) return axes_along(kUnit, kUnit, -kUnit, turn);
-    // Along (sqrt 7, 1, -1): x is shortened to sqrt 2 / 3, y and z to twice that.
+    // Along (sqrt 7, 1, -1): x is foreshortened to sqrt 2 / 3, y and z to twice that.
     if (kind == Axonometry::Dimetric) return axes_along(264'575'131, kUnit, -kUnit, turn);
     return axes_along(5 * kUnit, 4 * kUnit, -3 * kUnit, turn);
 }
