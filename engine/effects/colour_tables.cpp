@@ -10,18 +10,18 @@ namespace oblong {
 
 namespace {
 
-/// A share of all: 0 to 2^16.
+/// A share of a mixture: 0 to 2^16.
 using Share16 = std::int32_t;
 constexpr Share16 kAll = 65536;
 
-/// Squared difference, each channel weighted as in luminance_1000.
+/// Squared difference, channels weighted as in luminance_1000.
 constexpr std::int32_t kGreenWeight = 587;
 std::int32_t difference(Rgb8 a, Rgb8 b) {
     const std::int32_t red = a.red - b.red, green = a.green - b.green, blue = a.blue - b.blue;
     return 299 * red * red + kGreenWeight * green * green + 114 * blue * blue;
 }
 
-/// Finds which of the first `count` colours of a palette is nearest to any colour; of equals, the first.
+/// Finds the nearest of the first `count` colours of a palette to any colour; of equals, the first.
 class NearestColours {
   public:
     NearestColours(const Palette& palette, int count) : palette_(palette) {
@@ -30,8 +30,8 @@ class NearestColours {
                          [](const Entry& a, const Entry& b) { return a.colour.green < b.colour.green; });
     }
 
-    /// Outward from the colour's own green, until green alone differs more than the nearest one does: the sooner, the
-    /// nearer `guess` is, one of the colours.
+    /// Searches outward from the colour's green until green alone differs more than the nearest colour does. A near
+    /// `guess`, one of the colours, shortens this.
     std::uint8_t find(Rgb8 colour, std::uint8_t guess) const {
         Best best{difference(item(palette_.colours, guess), colour), guess};
         const auto middle = std::partition_point(by_green_.begin(), by_green_.end(),
@@ -80,7 +80,7 @@ class Mixer {
   public:
     explicit Mixer(const Palette& palette) : ordinary_(palette, kFirstFullbright), all_(palette, 256) {}
 
-    /// Fullbright only if one of the two is; then `guess` may be, too.
+    /// The result and `guess` may be fullbright only if one of the two colours is.
     std::uint8_t find(Rgb8 front, Rgb8 behind, Share16 share, bool is_fullbright, std::uint8_t guess) const {
         return (is_fullbright ? all_ : ordinary_).find(mixture(front, behind, share), guess);
     }
@@ -103,7 +103,7 @@ Share16 fog_share(std::int32_t share_256, int level) {
     return std::clamp(share_256, 0, 256) * 256 * level / (FogTable::kLevels - 1);
 }
 
-/// The colours seen through this share of fog; those of less of it are near.
+/// The colours seen through this share of fog; `near` are those through slightly less.
 ColourRow fog_level(const Palette& palette, const Mixer& mixer, Rgb8 fog, Share16 share, const ColourRow& near) {
     ColourRow row;
     for (int colour = 0; colour < 256; ++colour)

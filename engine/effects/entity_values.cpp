@@ -8,7 +8,7 @@ namespace oblong {
 
 namespace {
 
-/// With two digits of the fraction, if it has one.
+/// With two decimals unless it is whole.
 std::string decimal(World value) {
     const bool is_negative = value < World{};
     const std::int64_t hundredths = (std::int64_t{floor_of<12>(absolute(value))} * 100 + 2048) / 4096;

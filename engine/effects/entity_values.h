@@ -10,21 +10,21 @@
 
 namespace oblong {
 
-/// The least and the greatest number that a key may have.
+/// The range of a key's value.
 struct NumberRange {
     World least, most;
 };
 
-/// Colours of the palette, from one to another.
+/// A range of palette indices.
 struct ColourRamp {
     std::uint8_t first = 0, last = 0;
 };
 
-/// The keys of an entity as checked numbers. Absent ones are what entity_classes() says; so are bad ones, which add a
-/// warning that names entity and key.
+/// The keys of an entity as checked numbers. Missing and invalid values become the defaults of entity_classes();
+/// invalid ones add a warning that names entity and key.
 class EntityValues {
   public:
-    /// `index` is the entity's in the level's list. The arguments must outlive it.
+    /// `index` is the entity's index in the level. The arguments must outlive this.
     EntityValues(const Entity& entity, std::size_t index, std::vector<std::string>& warnings)
         : entity_(entity), index_(index), warnings_(warnings) {}
 
@@ -33,11 +33,11 @@ class EntityValues {
     std::int32_t whole_number(const std::string& key, std::int32_t least, std::int32_t most) const;
     /// "period": seconds, from 0.05 to 3,600, in milliseconds.
     std::int32_t period_ms() const;
-    /// Three numbers from `least` to `most`; the usual ones, or none, if the key is missing (no warning) or bad.
+    /// Three numbers from `least` to `most`; the default, or none, if the key is missing (no warning) or invalid.
     std::optional<Vec3<World>> vector(const std::string& key, World least, World most) const;
-    /// One colour, or the first and the last one of a ramp.
+    /// One colour, or the first and last of a ramp.
     ColourRamp colours(const std::string& key) const;
-    /// Where the entity is; none, with a warning, if that is missing or farther than 65,536 from the world's origin.
+    /// The entity's position; none, with a warning, if it is missing or a coordinate is beyond 65,536.
     std::optional<Vec3<World>> origin() const;
 
     void warn(const std::string& what) const;

@@ -28,7 +28,7 @@ InverseZ clamped(InverseZ inverse_z) {
     return std::clamp(inverse_z, InverseZ{}, kGreatestInverseZ);
 }
 
-/// How many columns from one of this 1/z and level on have the same level, or more than `most`. `step` is not 0.
+/// How many columns, from one with this 1/z and level on, have the same level; may exceed `most`. `step` is not 0.
 std::int64_t columns_of_level(InverseZ inverse_z, InverseZ step, std::int32_t level, const FogDepths& depths,
                               std::int64_t most) {
     const auto& greatest = depths.greatest_inverse_z;
@@ -41,7 +41,7 @@ std::int64_t columns_of_level(InverseZ inverse_z, InverseZ step, std::int32_t le
 }  // namespace
 
 std::int32_t FogDepths::level_at(InverseZ inverse_z) const {
-    // The last of those at or above it, by halves.
+    // The last entry not below it, by bisection.
     std::int32_t level = 0;
     for (std::int32_t half = FogTable::kLevels / 2; half > 0; half /= 2)
         if (inverse_z <= item(greatest_inverse_z, level + half)) level += half;

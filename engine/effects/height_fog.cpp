@@ -10,12 +10,12 @@ namespace oblong {
 namespace {
 
 constexpr std::int32_t kStep_px = 16;
-/// Rays that climb less than this have one density all along: that of their middle.
+/// Rays that climb less than this have a constant density, that of their middle.
 constexpr View kLevelClimb = View::from_raw(1 << 12);
 constexpr InverseZ kOne = InverseZ::from_int(1);
 constexpr View kHighestClimb = View::from_int(std::int64_t{1} << 24);
 
-/// The density at `depth` below the top, 0 to 1, and its integral from the top down.
+/// The density at `depth` below the top, 0 to 1; below: its integral from the top down.
 View density_at(View depth, View fade_depth) {
     if (depth <= View{}) return {};
     return depth >= fade_depth ? View::from_int(1) : divide<View>(depth, fade_depth);
@@ -26,7 +26,7 @@ View density_above(View depth, View fade_depth) {
     return product_over<View>(depth, depth, fade_depth * 2);
 }
 
-/// The length of a ray in fog, from the eye to a depth of z, as z in full fog.
+/// The depth in full fog that is equivalent to a ray from the eye to depth z.
 View length_in_fog(View z, View climb, const HeightFogView& view) {
     const View depth = view.top_above_eye, fade_depth = view.fade_depth;
     const View end_depth = depth - climb;
@@ -36,7 +36,7 @@ View length_in_fog(View z, View climb, const HeightFogView& view) {
     return product_over<View>(z, view.density_above_eye - density_above(end_depth, fade_depth), climb);
 }
 
-/// Levels of the pixels of one span.
+/// Finds the levels of a span's pixels.
 class LevelFinder {
   public:
     LevelFinder(const Span& span, const LinearQuantity<InverseZ>& inverse_z, const HeightFogView& view,
@@ -50,7 +50,7 @@ class LevelFinder {
         return depths_.level_at(reciprocal<InverseZ>(std::max(length, View{})));
     }
 
-    /// Appends pixels [first, end), given the levels of the first of them and of pixel `end`.
+    /// Appends pixels [first, end), given the levels of pixels `first` and `end`.
     void append(std::int32_t first, std::int32_t end, std::int32_t first_level, std::int32_t end_level) {
         if (first_level == end_level || end - first == 1)
             return append_fog_run({{row_, first, end}, first_level}, runs_);
@@ -75,8 +75,8 @@ HeightFogView make_height_fog_view(const HeightFog& fog, const Vec3<World>& eye,
     return {depth, fade_depth, density_above(depth, fade_depth), directions.z};
 }
 
-/// A place is above the top where z rise >= top_above_eye. By z that is linear on the screen. Here the top is a unit
-/// higher, more than rounding moves a place, and what is nearer than a unit counts as that far.
+/// A point is above the top if z rise >= top_above_eye; divided by z, this is linear on the screen. The top is taken a
+/// unit higher, which exceeds rounding errors, and depths below one unit count as one.
 bool is_clear(std::int32_t column, std::int32_t row, InverseZ inverse_z, const HeightFogView& view) {
     const std::int64_t height = floor_of(-view.top_above_eye) - 1;
     if (height < 0 || inverse_z < InverseZ{}) return false;

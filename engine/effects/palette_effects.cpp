@@ -11,7 +11,8 @@ namespace oblong {
 
 namespace {
 
-/// How many places up the colours of a cycle are. Whole rounds are left out first, for the product to fit at any time.
+/// By how many places a cycle's colours are rotated up. Whole rounds are removed first, so that the product fits at any
+/// time.
 std::int64_t cycle_shift(const PaletteCycle& cycle, std::int64_t time_ms) {
     constexpr std::int64_t kStep = std::int64_t{1000} << PaletteCycle::Rate::kFractionBits;
     const std::int64_t count = cycle.last - cycle.first + 1, round = count * kStep;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr View kNearestDot = View::from_int(16);
 
-/// Half the size of a particle in the world.
+/// Half the size of a particle, units.
 struct HalfSize {
     View across, up;
 };
@@ -29,7 +29,7 @@ HalfSize half_size_of(ParticleKind kind, bool is_streak) {
     return {quarters(4), quarters(4)};
 }
 
-/// One axis of the screen for points inside of the view: by one reciprocal of z for both axes, and 64-bit products. A
+/// One axis of the projection for points inside the view, with one reciprocal of z for both axes and 64-bit products. A
 /// position is within 1/16 pixel of the exact one.
 class DotAxis {
   public:
@@ -42,8 +42,8 @@ class DotAxis {
     bool is_outside(View position, View z, View half) const {
         return absolute(position) > floor_shift(z * slope_16_, 16) + half;
     }
-    /// The pixels of [position - half, position + half], at least one; on the screen, perhaps none. `inverse_32` is
-    /// 1/z.
+    /// The pixels of [position - half, position + half], at least one; then clipped to the screen, perhaps none.
+    /// `inverse_32` is 1/z.
     PixelRange range(View position, View half, std::int64_t inverse_32) const {
         const std::int64_t wide_px = floor_shift(2 * pixels_8(half, inverse_32) + 128, 8);
         const auto width_px = static_cast<std::int32_t>(std::clamp<std::int64_t>(wide_px, 1, most_px_));
@@ -92,7 +92,7 @@ class DotProjection {
     DotAxis x_, y_;
 };
 
-/// A block of pixels; from three pixels in each direction without its corners, so that it looks round.
+/// A block of pixels, without its corners if it is at least three pixels in each direction, so that it looks round.
 void draw_dot(const ParticleDot& dot, DepthBuffer& depth, Framebuffer out) {
     const std::int32_t width_px = dot.end_column - dot.first_column, height_px = dot.end_row - dot.first_row;
     const std::int32_t corner_px = std::min(width_px, height_px) < 3 ? 0 : (width_px + 3) / 6;

@@ -8,7 +8,7 @@ namespace oblong {
 
 namespace {
 
-/// Numbers by chance for a particle: 16 bits each.
+/// A particle's random numbers, 16 bits each.
 struct Chance {
     std::uint64_t bits;
 
@@ -23,7 +23,7 @@ struct Chance {
     std::int32_t share_16(int which) const { return static_cast<std::int32_t>(bits >> (16 * which) & 0xffff); }
     /// The same from -32,768 to 32,767.
     std::int32_t signed_15(int which) const { return share_16(which) - 32768; }
-    /// Where in the period it begins: mixed once more, so that it says nothing of the shares.
+    /// Where in the period it begins; mixed once more, so that it does not depend on the shares.
     std::uint32_t phase() const { return static_cast<std::uint32_t>((bits * 0x9e3779b97f4a7c15) >> 32); }
 };
 
@@ -32,24 +32,24 @@ World part_of(World size, std::int64_t share, int bits) {
     return World::from_raw(static_cast<std::int32_t>(floor_shift(floor_of<12>(size) * share, bits)));
 }
 
-/// A sine of a phase, times a size.
+/// size * sin(phase).
 World wave(World size, std::uint32_t phase) {
     const Unit height = sine(Angle{static_cast<std::uint16_t>(phase >> 16)}, SineMethod::Lerp256);
     return part_of(size, floor_of<30>(height), 30);
 }
 
-/// How far particles of a box swing along one of its axes.
+/// The amplitude of particles' swing along an axis of the box.
 World swing_in(World half_size, World most) {
     return std::min(half_size / 8, most);
 }
 
-/// A place by chance along an axis of the box, which leaves room for a swing.
+/// A random place along an axis of the box that leaves room for the swing.
 World place_along(World half_size, World swing, std::int32_t chance_15) {
     return part_of(half_size - swing, chance_15, 15);
 }
 
-/// The place of a drop from the middle of its box. It falls for 7/8 of the period. The splash hops toward the middle,
-/// so that it stays inside.
+/// A drop's position relative to the middle of its box. It falls for 7/8 of the period; then the splash hops toward the
+/// middle, so that it stays in the box.
 Vec3<World> rain_at(const Vec3<World>& half_size, const Chance& chance, std::uint32_t phase) {
     constexpr std::uint32_t kFall_16 = 7 * 8192;
     const World x = part_of(half_size.x, chance.signed_15(0), 15), y = part_of(half_size.y, chance.signed_15(1), 15);
@@ -75,8 +75,8 @@ Vec3<World> dust_at(const Vec3<World>& half_size, const Chance& chance, std::uin
     return {drift(half_size.x, 0, phase), drift(half_size.y, 1, phase + other), drift(half_size.z, 2, phase * 2)};
 }
 
-/// With s the age from 0 to 1: sideways it goes at constant speed, and its height is v s - (v + 1) s^2 halves of the
-/// box: -1 at the end, and v^2 / (4 v + 4) at the highest, that is at most 4/5 for v from 0 to 4.
+/// With the age s from 0 to 1, it moves sideways at constant speed, and its height is v s - (v + 1) s^2, in half
+/// heights of the box: -1 at the end, and at most v^2 / (4 v + 4), which is 4/5 or less for v from 0 to 4.
 Vec3<World> spark_at(const Vec3<World>& half_size, const Chance& chance, std::uint32_t phase) {
     const std::int64_t age_16 = phase >> 16;
     const auto sideways = [&](World half, int which) { return part_of(half, chance.signed_15(which) * age_16, 31); };

@@ -14,7 +14,7 @@ namespace {
 constexpr int kCorners = 16;
 constexpr World kLargestRadius = World::from_int(4096);
 
-/// The corners of a disc on a floor, clockwise seen from above: a circle seen straight from above, whatever the slope.
+/// The corners of a disc on a floor, clockwise seen from above. Its vertical projection is a circle for any slope.
 std::array<Vec3<World>, kCorners> corners_of_disc(const LevelPlane& plane, const Vec3<World>& middle, World radius) {
     std::array<Vec3<World>, kCorners> corners{};
     for (int i = 0; i < kCorners; ++i) {

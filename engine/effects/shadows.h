@@ -10,15 +10,15 @@
 
 namespace oblong {
 
-/// The farthest floor that a shadow falls on, below the middle of what throws it.
+/// The largest distance of the floor below the middle of what casts a shadow.
 inline constexpr World kFarthestShadow = World::from_int(128);
 
-/// A round shadow straight below something. It becomes smaller with the distance, and is a point at kFarthestShadow.
+/// A round shadow straight below something. It shrinks with the distance, to a point at kFarthestShadow.
 struct Shadow {
     Floor floor;
     World radius;  ///< on the floor; 0 to 4,096
 };
-/// `radius` is that of a shadow right below `middle`.
+/// `radius` is that of a shadow at distance 0.
 Shadow make_shadow(const Floor& floor, const Vec3<World>& middle, World radius);
 
 /// Scratch of the shadow pass.
@@ -29,13 +29,13 @@ struct ShadowScratch {
     explicit ShadowScratch(std::int32_t height_px) : rows(height_px) {}
 };
 
-/// Finds the pixels of a shadow, in scratch.rows: as a polygon of 16 corners, as if nothing hid it. False if nothing of
-/// it is in view. `share_8` scales its radius, 256: all of it.
+/// Scans a shadow, a polygon of 16 corners, into scratch.rows, hidden or not. False if it is out of view. `share_8`
+/// scales its radius; 256 is 1.
 bool scan_shadow(const Shadow& shadow, std::int32_t share_8, const Level& level, const ViewContext& view,
                  ShadowScratch& scratch);
 
-/// Replaces colours by `shade[colour]` where spans cover the scanned pixels: those of the faces on the floor's plane,
-/// so that no depth is needed.
+/// Replaces colours by `shade[colour]` where the spans overlap the scanned pixels. `spans` are of the faces on the
+/// floor's plane, so no depth is needed.
 void darken_spans(std::span<const Span> spans, const ScanlineExtents& rows, const std::uint8_t* shade, Framebuffer out);
 
 }  // namespace oblong

@@ -15,13 +15,13 @@ namespace oblong {
 namespace {
 
 constexpr int kLeastCellLog2 = 3, kGreatestCellLog2 = 6;
-/// Texels from the zenith to the horizon of a dome of a 128-texel sky: Quake's 6 * (128 / 2 - 1).
+/// Texels from the zenith to the horizon in a 128-texel sky: Quake's 6 * (128 / 2 - 1).
 constexpr std::int64_t kDomeRadius_texels = 378;
 
-/// Where the layers are at one time.
+/// The positions of the layers at one time.
 struct SkyScroll {
-    std::int64_t background_16;   ///< texels from the zenith, 16.16, along both axes
-    std::int32_t clouds_further;  ///< whole texels
+    std::int64_t background_16;   ///< texels, 16.16, along both axes
+    std::int32_t clouds_further;  ///< relative to the background, whole texels
 };
 
 SkyScroll scroll_at(std::int64_t time_ms, std::int32_t size) {
@@ -43,7 +43,7 @@ Direction direction_at(const ViewDirections& directions, std::int32_t column, st
     return {directions.x.at(column, row), directions.y.at(column, row), directions.z.at(column, row)};
 }
 
-/// The dome of one sky: from directions to texels.
+/// Maps directions to texels of a sky.
 class Dome {
   public:
     Dome(std::int32_t size, std::int64_t offset_16)
@@ -66,27 +66,27 @@ class Dome {
     std::int64_t radius_texels_, offset_16_;
 };
 
-/// The length of cells, columns within which texels are interpolated, row by row: the longest whose error stays under
-/// a texel of a 128-texel sky.
+/// The length of cells, in which texels are interpolated along a row: the longest whose error is below a texel of a
+/// 128-texel sky.
 ///
-/// A line over n pixels is off by n^2 / 8 times the greatest second derivative along the row. With all heights tripled
-/// the directions of a row are A + x B, x / multiplier being the column: a line at the distance p = |A x B| / |B| from
-/// the eye. Seen from there its directions turn by an angle whose tangent is x |B| / p, so that the second derivative
-/// of the dome is at most radius |B|^2 / p^2 = radius |B|^4 / |A x B|^2, per multiplier^2. High in the sky rows are
-/// far.
+/// Linear interpolation over n pixels has an error of n^2 / 8 times the largest second derivative along the row. With
+/// all heights tripled, the directions of a row are A + x B, where x is the column / multiplier: a line at the distance
+/// p = |A x B| / |B| from the eye. Its directions turn by an angle of tangent x |B| / p, so the dome's second
+/// derivative is at most radius |B|^2 / p^2 = radius |B|^4 / |A x B|^2, per multiplier^2. p is large for rows high in
+/// the sky.
 class CellLengths {
   public:
     CellLengths(const Basis& axes, const Projection& projection, const ViewDirections& directions)
         : directions_(directions), middle_column_(projection.width_px / 2) {
         along_15_ = {floor_of<15>(axes.right.x), floor_of<15>(axes.right.y), floor_of<15>(axes.right.z) * 3};
         const std::int64_t square_15 = squared_length_30(along_15_) >> 15;
-        // In modes of few pixels less than a sixteenth of one: then no cell is longer than the least.
+        // May be less than a sixteenth pixel in small modes; then all cells have the least length.
         const std::int64_t pixels_4 =
             std::clamp(floor_of<4>(projection.x.multiplier), std::int64_t{1}, std::int64_t{kLargestMode_px} << 4);
         for (int log2 = kLeastCellLog2 + 1; log2 <= kGreatestCellLog2; ++log2) {
             const std::int64_t bend_34 = (kDomeRadius_texels << 2 * log2) * (square_15 + 1) * (square_15 + 1) * 32;
             const std::int64_t least_30 = bend_34 / (pixels_4 * pixels_4);
-            item(least_squares_30_, log2) = least_30 + (least_30 >> 8) + 1;  // more than rounding makes up
+            item(least_squares_30_, log2) = least_30 + (least_30 >> 8) + 1;  // more than rounding errors
         }
     }
 
@@ -112,11 +112,11 @@ class CellLengths {
     const ViewDirections& directions_;
     std::int32_t middle_column_;
     Parts along_15_;
-    std::array<std::int64_t, kGreatestCellLog2 + 1> least_squares_30_{};  ///< of A x B, from where cells are so long
+    std::array<std::int64_t, kGreatestCellLog2 + 1> least_squares_30_{};  ///< least |A x B|^2 for cells of this length
 };
 
-/// Walks along a row from cell to cell. Cells begin at multiples of their length, wherever a span begins: what covers a
-/// part of the sky does not move the rest of it.
+/// Walks along a row from cell to cell. Cells begin at multiples of their length, not where spans begin, so that the
+/// sky does not change when something covers a part of it.
 class CellWalk {
   public:
     CellWalk(const Dome& dome, const ViewDirections& directions, int cell_log2, std::int32_t column, std::int32_t row)
@@ -128,7 +128,7 @@ class CellWalk {
           direction_(direction_at(directions, column, row)),
           to_(dome.at(direction_)) {}
 
-    /// The part of the next cell from its pixel `first` on.
+    /// The next cell's pixels from `first` on.
     TexelBlock next(std::uint32_t pixel, std::int32_t first, std::int32_t count) {
         const SkyPosition from = to_;
         direction_ = {direction_.x + per_cell_.x, direction_.y + per_cell_.y, direction_.z + per_cell_.z};
@@ -151,7 +151,7 @@ class CellWalk {
     SkyPosition to_;
 };
 
-/// The dome of a frame.
+/// Constant during a frame.
 struct DomeView {
     Dome dome;
     const ViewDirections& directions;
@@ -169,7 +169,7 @@ TexelBlock* append_cells(const Span& span, const DomeView& view, std::int32_t pi
     return blocks;
 }
 
-/// Cuts spans into blocks and hands these to `draw`, some hundred at a time. Returns how many there were.
+/// Cuts spans into blocks and passes them to `draw`, some hundred at a time. Returns the number of blocks.
 template <class Draw>
 std::int64_t draw_cells(std::span<const Span> spans, const DomeView& view, std::int32_t pitch, Draw draw) {
     constexpr std::int32_t kMostOfSpan = (kLargestMode_px >> kLeastCellLog2) + 1;
@@ -189,7 +189,7 @@ std::int64_t draw_cells(std::span<const Span> spans, const DomeView& view, std::
     return count;
 }
 
-/// Eight bytes of `front`, and of `back` where those are 0: adding 127 leaves the highest bit of a 0 clear.
+/// Eight bytes of `front`, or of `back` where `front` is 0: adding 127 leaves the highest bit clear only for 0.
 void overlay_8(const std::uint8_t* front, const std::uint8_t* back, std::uint8_t* out) {
     constexpr std::uint64_t kOnes = 0x0101010101010101;
     std::uint64_t above, below;
@@ -200,7 +200,7 @@ void overlay_8(const std::uint8_t* front, const std::uint8_t* back, std::uint8_t
     std::memcpy(out, &above, 8);
 }
 
-/// The same of any number of bytes; the last eight may overlap those before.
+/// The same for any number of bytes; the last eight may overlap those before.
 void overlay(const std::uint8_t* front, const std::uint8_t* back, std::int32_t count, std::uint8_t* out) {
     if (count < 8) {
         for (std::int32_t i = 0; i < count; ++i) out[i] = front[i] != 0 ? front[i] : back[i];
@@ -210,7 +210,7 @@ void overlay(const std::uint8_t* front, const std::uint8_t* back, std::int32_t c
     overlay_8(front + count - 8, back + count - 8, out + count - 8);
 }
 
-/// Both layers in one texture, the clouds moved against the background.
+/// Combines both layers in one texture, the clouds shifted against the background.
 void compose_layers(const SkyTexture& sky, std::int32_t clouds_further, std::uint8_t* out) {
     const std::int32_t until_edge = sky.size - clouds_further;
     for (std::int32_t v = 0; v < sky.size; ++v, out += sky.size) {
@@ -226,7 +226,7 @@ SurfaceView tile_of(std::span<const std::uint8_t> texels, std::int32_t size) {
     return {texels.data(), size, size, std::countr_zero(static_cast<std::uint32_t>(size)), mask, mask};
 }
 
-/// For skies of more texels than would be worth composing: looks both layers up at each pixel.
+/// For skies too large to compose: looks up both layers at each pixel.
 void draw_both_layers(std::span<const TexelBlock> blocks, const SkyTexture& sky, std::int32_t clouds_further,
                       std::uint8_t* pixels) {
     const auto mask = static_cast<std::uint32_t>(sky.size - 1), further = static_cast<std::uint32_t>(clouds_further);
@@ -238,12 +238,12 @@ void draw_both_layers(std::span<const TexelBlock> blocks, const SkyTexture& sky,
             const std::uint32_t u = (block.u_16 + static_cast<std::uint32_t>(block.u_step_16) * i) >> 16;
             const std::uint32_t v = (block.v_16 + static_cast<std::uint32_t>(block.v_step_16) * i) >> 16;
             const std::uint8_t cloud = *texel(u + further, v + further), behind = texel(u, v)[sky.size];
-            const auto is_hole = static_cast<std::uint8_t>(-static_cast<int>(cloud == 0));  // not by a branch
+            const auto is_hole = static_cast<std::uint8_t>(-static_cast<int>(cloud == 0));  // without a branch
             pixels[block.pixel + i] = static_cast<std::uint8_t>(cloud | (behind & is_hole));
         }
 }
 
-/// Composing a texel takes a ninth of the time that looking up both layers adds to a pixel.
+/// Composing a texel takes a ninth of the time that a lookup of both layers adds to a pixel.
 bool is_worth_composing(std::int64_t pixels, std::int32_t size) {
     return size <= 1024 && std::int64_t{size} * size <= 8 * pixels;
 }
@@ -266,7 +266,7 @@ std::int64_t draw_sky(std::span<const Span> spans, const SkyNow& sky, const Basi
                       Framebuffer out) {
     const std::int32_t size = sky.texture.size;
     const SkyScroll scroll = scroll_at(sky.time_ms, size);
-    // Three times round are more than the dome's radius: no coordinate is below 0.
+    // Three times the size exceeds the dome's radius, so that no coordinate is negative.
     const Dome dome(size, scroll.background_16 + std::int64_t{3 * 65536} * size);
     const ViewDirections directions = make_view_directions(axes, projection);
     const DomeView view{dome, directions, CellLengths(axes, projection, directions)};

@@ -14,7 +14,7 @@ namespace {
 constexpr View kNearestSprite = View::from_int(4);
 constexpr std::uint8_t kTransparent = 255;
 
-/// From one border of the sprite to the other, along one axis of the screen.
+/// The sprite's borders along one axis of the screen.
 struct SpriteExtent {
     ScreenWide first, end;
 
@@ -29,8 +29,8 @@ PixelRange pixels_of(const SpriteExtent& extent, std::int32_t size_px) {
     return {first_centre(extent.first), first_centre(extent.end)};
 }
 
-/// A quantity that goes from 0 to `whole` over an extent: at the centre of a pixel of it, and its step. Floored, so
-/// that no pixel of the extent has `whole`.
+/// A quantity that goes from 0 to `whole` over an extent: its value at a pixel's centre, and its step. Floored, so that
+/// it is below `whole` at all pixels.
 struct Steps {
     std::int64_t at_first, step;
 
@@ -42,7 +42,7 @@ struct Steps {
     }
 };
 
-/// The mip level whose texels are nearest to a pixel in size, and not smaller than half of one.
+/// The finest mip level whose texels are larger than half a pixel.
 int mip_level(const MipTexture& texture, const SpriteExtent& across, const SpriteExtent& down) {
     const auto texels_a_pixel_16 = [](std::int32_t texels, const SpriteExtent& extent) {
         return mul_div(std::int64_t{texels} << 16, 256, floor_of<8>(extent.size()));
@@ -56,7 +56,7 @@ View half_of(std::int32_t texels, World scale) {
     return floor_shift(convert<View>(scale) * texels, 1);
 }
 
-/// The sprite's vertical middle line in viewspace: x is the same all along, as roll is not followed.
+/// The sprite's vertical middle line in viewspace; x is constant, as roll is ignored.
 struct MiddleLine {
     Vec3<View> middle;
     View top_y, top_z, bottom_y, bottom_z;

@@ -15,7 +15,7 @@ World half_of(World size) {
     return size / 2;
 }
 
-/// A box around a place, 8 units larger than what stays in it: things are drawn around their places.
+/// A box around a place, enlarged by 8 units, as things are drawn around their places.
 LevelBox box_around(const Vec3<World>& middle, const Vec3<World>& half_size) {
     const std::array at{middle.x, middle.y, middle.z}, half{half_size.x, half_size.y, half_size.z};
     LevelBox box;
@@ -73,7 +73,7 @@ class ThingReader {
         emitter.kind = kind;
         emitter.half_size = {half_of(size->x), half_of(size->y), half_of(size->z)};
         emitter.middle = *origin;
-        // Quake's has no size: bubbles rise from where it is.
+        // Quake's air_bubbles has no size: bubbles rise from its origin.
         if (emitter.kind == ParticleKind::Bubbles && values.text("size").empty())
             emitter.middle.z += emitter.half_size.z;
         emitter.period_ms = values.period_ms();
@@ -96,7 +96,7 @@ class ThingReader {
         if (placed.shadow_radius > World{}) placed.floor = find_floor(level_, *origin, kFarthestShadow);
         LevelBox box = box_around(*origin, half_size_of(placed.sprite));
         if (placed.floor) {
-            const World radius = placed.shadow_radius;  // floors rise by no more than that
+            const World radius = placed.shadow_radius;  // the floor's slope is at most 1
             box = box_around_both(box, box_around(placed.floor->position, {radius, radius, radius}));
         }
         placed.place = place_box(level_, box);
@@ -121,7 +121,7 @@ class ThingReader {
                                     place_box(level_, box_around(*origin, {light, light, lantern.light_radius}))});
     }
 
-    /// Of `count` particles, those that the level's limit leaves.
+    /// `count`, reduced to the level's limit.
     std::int32_t particles_left(std::int32_t count, const EntityValues& values) {
         const std::int32_t left = std::min(count, kMostParticles - particle_count_);
         if (left < count)
@@ -149,7 +149,7 @@ class ThingReader {
         return values.number("scale", {World::from_raw(4096 / 16), World::from_int(16)});
     }
 
-    /// Sideways in any direction, as it turns.
+    /// The width counts in both horizontal directions, as the sprite turns.
     Vec3<World> half_size_of(const Sprite& sprite) const {
         const MipTexture& texture = level_.textures[sprite.texture];
         const auto half = [&](std::int32_t texels) {

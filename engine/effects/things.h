@@ -20,30 +20,30 @@ struct PlacedSprite {
     Sprite sprite;
     PlacedBox place;
     World shadow_radius;         ///< 0: no shadow
-    std::optional<Floor> floor;  ///< where its shadow falls
+    std::optional<Floor> floor;  ///< of its shadow
 };
 
 struct PlacedLantern {
     Lantern lantern;
-    PlacedBox place;  ///< of its whole circle
-    PlacedBox lit;    ///< of what its light may reach
+    PlacedBox place;  ///< around its circle
+    PlacedBox lit;    ///< around the reach of its light
 };
 
-/// What a level's entities put into it in addition to its faces: misc_rain, misc_dust, misc_sparks, air_bubbles;
+/// The entities of a level that are drawn in addition to faces: misc_rain, misc_dust, misc_sparks, air_bubbles;
 /// misc_sprite; misc_lantern.
 struct Things {
     std::vector<PlacedEmitter> emitters;
     std::vector<PlacedSprite> sprites;
     std::vector<PlacedLantern> lanterns;
-    std::vector<std::string> warnings;  ///< what is wrong with them, and what is done about it
+    std::vector<std::string> warnings;  ///< errors in entities, and how they are handled
 
     bool is_empty() const { return emitters.empty() && sprites.empty() && lanterns.empty(); }
 };
 
-inline constexpr std::int32_t kMostParticles = 131'072;  ///< of a level: further ones are left out
+inline constexpr std::int32_t kMostParticles = 131'072;  ///< in a level; others are left out
 inline constexpr std::size_t kMostEmitters = 1'024, kMostSprites = 4'096, kMostLanterns = 64;
 
-/// Reads the things of a level. Never fails: bad values are replaced by defaults, and reported in `warnings`.
+/// Reads the things of a level. Never fails: invalid values are replaced by defaults and reported in `warnings`.
 Things read_things(const Level& level);
 
 }  // namespace oblong

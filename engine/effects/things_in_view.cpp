@@ -9,10 +9,10 @@ namespace oblong {
 
 namespace {
 
-/// Of an emitter's box: particles cost more than to look at its parts.
+/// How often an emitter's box is halved: particles cost more than tests of its parts.
 constexpr int kCuts = 4;
 
-/// Leaves out the dots from `first` on that are not in the part of the screen that is drawn.
+/// Removes the dots from `first` on that are outside the part of the screen that is drawn.
 void keep_dots_in(const ScreenRectangle& part, std::size_t first, std::vector<ParticleDot>& dots) {
     const auto is_outside = [&part](const ParticleDot& dot) {
         return !overlap({dot.first_column, dot.end_column, dot.first_row, dot.end_row}, part);
@@ -20,7 +20,7 @@ void keep_dots_in(const ScreenRectangle& part, std::size_t first, std::vector<Pa
     dots.erase(std::remove_if(dots.begin() + static_cast<std::ptrdiff_t>(first), dots.end(), is_outside), dots.end());
 }
 
-/// The two halves of a box, cut across where it is longest.
+/// The two halves of a box, divided along its longest axis.
 std::array<LevelBox, 2> halves_of(const LevelBox& box) {
     const auto size = [&box](std::size_t axis) { return box.maxs[axis] - box.mins[axis]; };
     const std::size_t across = size(0) >= size(1) ? 0 : 1, longest = size(across) >= size(2) ? across : 2;
@@ -29,7 +29,7 @@ std::array<LevelBox, 2> halves_of(const LevelBox& box) {
     return {low, high};
 }
 
-/// Whether something in a box may show: false if it, or each of so many halves of halves of it, is hidden.
+/// False if the box, or each part after halving it `cuts` times, is hidden.
 bool may_show_in_halves(const LevelBox& box, int cuts, const Sight& sight) {
     if (!sight.may_show(box)) return false;
     if (cuts == 0) return true;

@@ -23,13 +23,13 @@ struct EmitterInView {
     World lowest;  ///< z of their box
 };
 
-/// The things of a frame that may be seen. Kept from frame to frame, so that little is allocated.
+/// The things that may be visible in a frame. Kept from frame to frame to save allocations.
 struct ThingsInView {
     std::vector<ParticleDot> dots;
     std::vector<EmitterInView> emitters;  ///< those with dots
     std::vector<SpriteInView> sprites;
     std::vector<Shadow> shadows;
-    std::int64_t particles_computed = 0;  ///< of emitters that may be seen, in view or not
+    std::int64_t particles_computed = 0;  ///< of emitters that may be visible; includes particles out of view
 
     void clear() {
         dots.clear();
@@ -40,22 +40,22 @@ struct ThingsInView {
     }
 };
 
-/// Tells what faces hide.
+/// Tests what faces hide.
 class Cover {
   public:
     virtual ~Cover() = default;
-    /// Whether all of what stays in a box is surely hidden.
+    /// Whether everything in a box is certainly hidden.
     virtual bool hides(const LevelBox& box) = 0;
-    /// Whether each pixel of a rectangle shows a face that is nearer than this depth.
+    /// Whether at each pixel of a rectangle a face is nearer than this depth.
     virtual bool hides(const ScreenRectangle& pixels, InverseDepth nearest) = 0;
 };
 
-/// What a frame sees from where.
+/// The visibility tests of a frame.
 struct Sight {
-    const LeafSet& leaves;  ///< what is in none of them is not seen
+    const LeafSet& leaves;  ///< things in none of them are not visible
     const ViewContext& view;
-    const ScreenRectangle* part = nullptr;  ///< of the screen that is drawn; null: all of it
-    Cover* cover = nullptr;                 ///< null: none
+    const ScreenRectangle* part = nullptr;  ///< the part of the screen that is drawn; null: all
+    Cover* cover = nullptr;                 ///< or null
     BoxCuller culler{view.frustum, view.eye};
 
     bool may_show(const PlacedBox& place) const {
@@ -69,15 +69,15 @@ struct Sight {
     }
 };
 
-// Each adds those things that may be seen at a time of 0 and more, and wants depth where they are. Those whose place is
-// out of view, in no leaf of the visible set, or covered, are not computed at all.
+// Each adds the things that may be visible at time_ms >= 0, and requests depth for them. Things whose box is out of
+// view, in no leaf of the visible set, or hidden are not computed.
 
 void find_particles(const Things& things, std::int64_t time_ms, const Sight& sight, ThingsInView& in_view,
                     DepthBuffer& depth);
-/// Those of lanterns too.
+/// Including those of lanterns.
 void find_sprites(const Things& things, std::int64_t time_ms, const Level& level, const Sight& sight,
                   ThingsInView& in_view, DepthBuffer& depth);
-/// They need no depth.
+/// Shadows need no depth.
 void find_shadows(const Things& things, const Sight& sight, ThingsInView& in_view);
 
 }  // namespace oblong

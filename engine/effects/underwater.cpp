@@ -13,14 +13,14 @@ namespace {
 
 constexpr std::int32_t kCopied_px = 16;
 
-/// How far a wave of this angle moves along an axis, pixels: 0 to twice the amplitude.
+/// The shift of a wave at this angle, pixels: 0 to twice the amplitude.
 std::int32_t shift_at(Angle angle, std::int32_t amplitude_px) {
     using Pixels = Fixed<std::int64_t, 30>;
     const Pixels moved = convert<Pixels>(sine(angle)) * amplitude_px;
     return amplitude_px + static_cast<std::int32_t>(floor_of(moved + Pixels::from_raw(1 << 29)));
 }
 
-/// An axis of this many pixels, of which 320x200 has `usual_px`: 128 of those are a wave, and move by 3.
+/// An axis of this many pixels; 320x200 has `usual_px`, where a wave is 128 pixels long and its amplitude 3.
 WaveAxis make_axis(std::int32_t size_px, std::int32_t usual_px) {
     WaveAxis axis;
     axis.amplitude_px = std::max((size_px * 3 + usual_px / 2) / usual_px, 1);
@@ -32,7 +32,7 @@ WaveAxis make_axis(std::int32_t size_px, std::int32_t usual_px) {
     return axis;
 }
 
-/// How far the waves along an axis move each of its places along the other one, of this amplitude. They repeat.
+/// The shifts, along the other axis and with this amplitude, of the waves along an axis. They repeat.
 void find_shifts(Angle phase, const WaveAxis& axis, std::int32_t amplitude_px, std::vector<std::int32_t>& shifts) {
     shifts.clear();
     for (const WavePlace& place : axis.places) {
@@ -42,12 +42,14 @@ void find_shifts(Angle phase, const WaveAxis& axis, std::int32_t amplitude_px, s
 }
 
 void copy_picture(Framebuffer picture, std::vector<std::uint8_t>& out) {
-    out.resize(pixel_count(picture.width_px, picture.height_px) + kCopied_px);  // the last run may read further
+    out.resize(pixel_count(picture.width_px, picture.height_px) +
+               kCopied_px);  // the last run may read beyond the picture
     for (std::int32_t y = 0; y < picture.height_px; ++y)
         std::copy_n(picture.row(y), picture.width_px, out.data() + std::ptrdiff_t{y} * picture.width_px);
 }
 
-/// Where neighbouring pixels of a row come from neighbours: the waves along columns move in steps of a whole pixel.
+/// Finds the runs of a row's pixels that are copied from consecutive pixels: the waves along columns move in whole
+/// pixels.
 void find_runs(const WaveAxis& across, std::span<const std::int32_t> shifts, std::vector<WaveRun>& runs) {
     const auto size_px = static_cast<std::int32_t>(shifts.size());
     runs.clear();
@@ -59,8 +61,8 @@ void find_runs(const WaveAxis& across, std::span<const std::int32_t> shifts, std
     }
 }
 
-/// Copies sixteen pixels a run: what that writes too much, the next run overwrites. Only those near to the end of the
-/// row, after which others' pixels may lie, are copied as long as they are.
+/// Copies sixteen pixels a run; the next run overwrites the excess. Runs near the end of the row, beyond which may be
+/// pixels of others, are copied in their exact length.
 void copy_runs(const std::uint8_t* from, std::span<const WaveRun> runs, std::int32_t width_px, std::uint8_t* row) {
     std::size_t i = 0;
     for (; i < runs.size() && runs[i].first <= width_px - kCopied_px; ++i)
