@@ -13,12 +13,12 @@ template <class Record>
     fail_in_lump(lump, file.range(lump).offset + index.number() * size, what);
 }
 
-/// Counts every node's parents; a node whose parents have all been seen passes its depth on to its children. Nodes that
-/// never lose all their parents lie on a cycle or below one.
+/// Finds depths by topological sorting: a node whose parents have all been visited passes its depth to its children.
+/// Nodes that are never visited are on a cycle or below one.
 template <class TreeNode>
 class TreeCheck {
   public:
-    using Counts = Table<std::int32_t, TreeNode>;  ///< a number of each node
+    using Counts = Table<std::int32_t, TreeNode>;  ///< one number a node
 
     explicit TreeCheck(const Table<TreeNode>& nodes) : nodes_(nodes), parents_(nodes.size()), depths_(nodes.size(), 1) {
         for (const TreeNode& node : nodes)
@@ -63,7 +63,7 @@ void check_depths(const BspFile& file, Lump lump, const Table<TreeNode>& nodes) 
     }
 }
 
-/// The packed bytes of a row: a byte that is not 0 stands for itself, a 0 and a count for that many zeros.
+/// The packed size of a row in bytes. A byte that is not 0 is literal; a 0 is followed by a count of zeros.
 std::int64_t packed_row_size(LumpReader& in, std::int64_t start, std::int64_t row_size) {
     in.seek(start);
     std::int64_t packed = 0;
@@ -103,7 +103,7 @@ void check_visibility(const BspFile& file, const Level& level) {
     std::sort(starts.begin(), starts.end());
     starts.erase(std::unique(starts.begin(), starts.end()), starts.end());
 
-    // Rows do not overlap, but for files made to waste time.
+    // Rows overlap only in files made to waste time.
     std::int64_t work_left = in.size() * 64;
     for (const std::int32_t start : starts) {
         work_left -= packed_row_size(in, start, row_size);

@@ -4,8 +4,8 @@ namespace oblong {
 
 namespace {
 
-constexpr std::int32_t kAxisLimit = 255;        ///< texels a unit: TexelAxis holds 256, and has room to be rounded
-constexpr std::int32_t kOffsetLimit = 1 << 30;  ///< texels: with the axes' part (below 2^29) still within 32 bits
+constexpr std::int32_t kAxisLimit = 255;        ///< texels a unit: TexelAxis holds 256, so there is room for rounding
+constexpr std::int32_t kOffsetLimit = 1 << 30;  ///< texels: plus the axes' part (below 2^29) it fits 32 bits
 constexpr std::int64_t kTexInfoSize = 40;       ///< bytes
 
 TexelAxis read_axis_part(LumpReader& in) {
@@ -48,7 +48,7 @@ Face read_face(LumpReader& in, const BspFile& file) {
     return face;
 }
 
-/// One lightmap for each style before the first that is none.
+/// One lightmap for each style before the first kNoStyle.
 std::int64_t lightmaps_size(const Face& face) {
     std::int64_t maps = 0;
     for (const std::uint8_t style : face.styles) {
@@ -58,8 +58,8 @@ std::int64_t lightmaps_size(const Face& face) {
     return maps * (face.texel_extent_u / 16 + 1) * (face.texel_extent_v / 16 + 1);
 }
 
-/// Sky, liquids and all faces of a level without light have none, whatever their offset says. The extent of lit faces
-/// is limited even so, as frames cache their surfaces.
+/// Sky, liquids and all faces of a level without lighting get no lightmap, whatever their offset. The extent of lit
+/// faces is limited in any case, as frames cache their surfaces.
 void check_light(const LumpReader& in, const BspFile& file, Material material, Face& face) {
     if (material != Material::Lit || file.count(Lump::Lighting) == 0) face.light_offset = -1;
     if (material != Material::Lit) return;
@@ -90,7 +90,7 @@ Table<TexInfo> read_texinfos(const BspFile& file, const Level& level) {
 Table<Face> read_faces(const BspFile& file, const Level& level, const Table<FloatBits3, Vertex>& vertex_floats) {
     LumpReader axes(file, Lump::TexInfos);
     std::vector<FloatBits3> polygon;
-    // Faces do not share surfedges, but for files made to waste time.
+    // Faces share surfedges only in files made to waste time.
     std::int64_t work_left = std::int64_t{file.count(Lump::SurfEdges)} * 8;
     return read_records<Table<Face>>(file, Lump::Faces, [&](LumpReader& in) {
         Face face = read_face(in, file);

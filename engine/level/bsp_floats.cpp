@@ -12,11 +12,11 @@ namespace oblong {
 namespace {
 
 constexpr std::int32_t kBoxLimit = 1 << 20;
-constexpr int kLargestExponent = 14;  ///< with a mantissa of 24 bits below 2^38: room for six decimals
+constexpr int kLargestExponent = 14;  ///< with a mantissa of 24 bits below 2^38, so that six decimals fit
 constexpr int kDoubleBits = 53;       ///< of a mantissa
 constexpr int kFloatBits = 24;        ///< likewise
 constexpr int kLeastExponent = -149;  ///< floats are multiples of 2^-149
-constexpr int kSumBits = 61;          ///< of the greater term of a sum: room for a carry, 8 bits more than are kept
+constexpr int kSumBits = 61;          ///< of a sum's greater term: 8 bits more than are kept, and room for a carry
 constexpr int kCellShift = 4;         ///< a lightmap's cell is 16 texels
 
 /// mantissa * 2^exponent.
@@ -24,7 +24,7 @@ struct Number {
     std::int64_t mantissa = 0;
     int exponent = 0;
 };
-/// That of a float.
+/// The same for a float.
 struct FloatNumber {
     std::int32_t mantissa = 0;
     int exponent = 0;
@@ -39,7 +39,7 @@ bool is_finite(FloatBits value) {
     return exponent_field(value) != 0xff;
 }
 
-/// Of a finite float.
+/// `value` is finite.
 FloatNumber to_number(FloatBits value) {
     const int field = exponent_field(value);
     const auto fraction = static_cast<std::int32_t>(value.bits & 0x7fffff);
@@ -56,7 +56,7 @@ std::int64_t shift_left(std::int64_t value, int bits) {
     return value * (std::int64_t{1} << bits);
 }
 
-/// The largest whole number not above; it must fit.
+/// It must fit.
 std::int64_t floor_of(Number value) {
     if (value.exponent < 0) return floor_shift(value.mantissa, std::min(-value.exponent, 63));
     return shift_left(value.mantissa, value.exponent);
@@ -66,14 +66,14 @@ std::int64_t ceil_of(Number value) {
     return -floor_of({-value.mantissa, value.exponent});
 }
 
-/// The nearest whole number, a tie upward; it must fit. The mantissa has at most 60 bits.
+/// The nearest integer, ties up; it must fit. The mantissa has at most 60 bits.
 std::int64_t nearest_to(Number value) {
     if (value.exponent < 0)
         return rounded_shift(value.mantissa, std::min(-value.exponent, 62), Rounding::NearestHalfUp);
     return shift_left(value.mantissa, value.exponent);
 }
 
-/// |value|, or nothing for NaN and beyond 2^38 (no limit is larger).
+/// |value|; none for NaN and beyond 2^38, which exceeds all limits.
 std::optional<Number> magnitude_of(FloatBits value) {
     if (!is_finite(value)) return std::nullopt;
     const Number number = to_number(value);
@@ -95,7 +95,7 @@ Number product(FloatBits a, FloatBits b) {
     return {std::int64_t{x.mantissa} * y.mantissa, x.exponent + y.exponent};
 }
 
-/// Without its last `excess` bits: rounded to the nearest, a tie to even.
+/// Drops the last `excess` bits: rounds to nearest, ties to even.
 Number without_bits(Number value, int excess) {
     if (excess <= 0) return value;
     if (excess > 62) return {};
@@ -114,16 +114,16 @@ FloatNumber rounded_to_float(Number value) {
     return {static_cast<std::int32_t>(value.mantissa), value.exponent};
 }
 
-/// value / 2^bits rounded to odd: an odd number where bits are lost, so that a later rounding to fewer bits gives what
-/// it would give for the exact value.
+/// value / 2^bits rounded to odd: odd if bits are lost, so that a later rounding to fewer bits gives the same as for
+/// the exact value.
 std::int64_t shift_right_to_odd(std::int64_t value, int bits) {
     if (bits > 62) return value < 0 ? -1 : 1;
     const std::int64_t floor = floor_shift(value, bits);
     return shift_left(floor, bits) == value ? floor : floor | 1;
 }
 
-/// The sum of two doubles, rounded to a double as IEEE 754 has it. In integers, since there are processors that add
-/// with more bits and round twice. Of none that is 0.
+/// The sum of two doubles that are not 0, rounded as in IEEE 754. In integers, as some processors add with more bits
+/// and round twice.
 Number sum_of_two(Number a, Number b) {
     if (a.exponent + bit_width(a.mantissa) < b.exponent + bit_width(b.mantissa)) std::swap(a, b);
     const int room = kSumBits - bit_width(a.mantissa);
@@ -137,7 +137,7 @@ void add(const Number& term, Number& sum) {
     sum = sum.mantissa == 0 ? term : sum_of_two(sum, term);
 }
 
-/// A coordinate in cells of 16 texels, rounded both ways.
+/// A coordinate in cells of 16 texels, rounded down and up.
 struct CellRange {
     std::int32_t floor, ceil;
 };

@@ -10,39 +10,38 @@
 
 namespace oblong {
 
-/// A float of a level file, as its 32 bits. It is decoded by integers, not by the machine's floating point, so that
-/// every machine gets the same numbers.
+/// The 32 bits of a float in a level file. It is decoded with integers, so that every machine gets the same numbers.
 struct FloatBits {
     std::uint32_t bits = 0;
 };
 using FloatBits3 = std::array<FloatBits, 3>;
 
-/// value * 2^fraction_bits rounded to nearest, a tie upward; nothing unless |value| < limit (so for NaN and infinity).
-/// limit * 2^fraction_bits must be at most 2^62.
+/// value * 2^fraction_bits rounded to nearest, ties up; none unless |value| < limit (also for NaN and infinity). limit
+/// * 2^fraction_bits must be at most 2^62.
 std::optional<std::int64_t> to_fixed(FloatBits value, int fraction_bits, std::int32_t limit);
 
-/// The remainder of `value` after its first `fraction_bits` bits, in units of 2^-(fraction_bits + 30), rounded to
-/// nearest: from -2^29 to 2^29. The same range of values as to_fixed, which must have accepted it.
+/// The remainder of `value` after to_fixed(), in units of 2^-(fraction_bits + 30), rounded to nearest: from -2^29 to
+/// 2^29. to_fixed() must have accepted the value.
 std::int32_t rest_of_fixed(FloatBits value, int fraction_bits);
 
-/// The largest whole number not above `value`, or smallest not below; nothing unless |value| <= 2^20.
+/// Floor and ceiling; none unless |value| <= 2^20.
 std::optional<std::int32_t> floor_to_int(FloatBits value);
 std::optional<std::int32_t> ceil_to_int(FloatBits value);
 
 /// For messages: "1.500000", "nan", "inf", "2^127 or more".
 std::string describe(FloatBits value);
 
-/// Where a face lies along one axis of its texture, in texels: both multiples of 16.
+/// A face's range along one texture axis, in texels: both multiples of 16.
 struct TexelRange {
     std::int32_t min = 0, extent = 0;
 };
 
 /// The range of axis . p + offset over a polygon, rounded outward to multiples of 16, the size of a lightmap's cell.
-/// The sum is rounded term by term as a double is and then to a float, as by light compilers and engines, which keep
-/// each corner's coordinate in one (QuakeSpasm, gl_model.c, CalcSurfaceExtents; id's light, ltface.c, CalcFaceExtents,
-/// with 80 bits before): lightmaps have extent / 16 + 1 samples a side, so that all must round alike. Axes of real
-/// levels have parts like 6e-17 that reach beyond a border of 16 texels as doubles, and not as floats.
-/// The caller has checked that all floats are finite and that the result is far within 32 bits.
+/// The sum is rounded to double after each term and then to float, as in light compilers and engines (QuakeSpasm,
+/// gl_model.c, CalcSurfaceExtents; id's light, ltface.c, CalcFaceExtents, with 80 bits before): lightmaps have extent /
+/// 16 + 1 samples a side, so all must round alike. Axes of real levels have components like 6e-17, which exceed a
+/// border of 16 texels in doubles, but not in floats. The caller has checked that all floats are finite and that the
+/// result is far below 32 bits.
 TexelRange texel_range(std::span<const FloatBits3> polygon, const std::array<FloatBits, 4>& axis);
 
 }  // namespace oblong

@@ -30,12 +30,12 @@ inline constexpr std::array<const char*, kLumpCount> kLumpNames = {
     "entities", "planes",    "textures", "vertices",  "visibility", "nodes",     "texinfos", "faces",
     "lighting", "clipnodes", "leaves",   "markfaces", "edges",      "surfedges", "models"};
 
-/// The file starts with a version of 4 bytes and then, for each lump, its offset in the file and its size in bytes (two
+/// The file starts with a version of 4 bytes, then for each lump its offset in the file and its size in bytes (two
 /// signed 32-bit numbers). All numbers are little-endian.
 inline constexpr int kBspHeaderSize = 4 + kLumpCount * 8;
 
-/// What differs between the three formats: the widths of indices and of boxes. The fields of each record, in order
-/// (`index`: 16 bits unsigned, or 32 signed in the wide formats; `box`: 6 numbers, mins then maxs):
+/// The three formats differ in the widths of indices and boxes. The fields of each record, in order (`index`: 16 bits
+/// unsigned, or 32 signed in the wide formats; `box`: 6 numbers, mins then maxs):
 ///
 ///     plane     3 float normal, float distance, i32 type
 ///     vertex    3 float
@@ -49,9 +49,8 @@ inline constexpr int kBspHeaderSize = 4 + kLumpCount * 8;
 ///     surfedge  i32
 ///     model     float box, 3 float origin, 4 i32 head node, i32 visible leaves, i32 first_face, i32 face_count
 ///
-/// A child of 16 bits is an index if it is below the number of records, and else the value minus 65,536; so more than
-/// 32,767 clipnodes can be told from negative numbers. Node children: a negative c is leaf -1 - c; clipnode children: a
-/// negative number is a leaf's contents.
+/// A child of 16 bits is an index if it is below the number of records, otherwise the value minus 65,536; this allows
+/// more than 32,767 clipnodes. A negative child c of a node is leaf -1 - c; that of a clipnode is a leaf's contents.
 ///
 /// textures: i32 count, count i32 offsets from the lump's start (-1: none); at each: 16 bytes of name, u32 width,
 /// u32 height, 4 u32 offsets of the mip levels from the texture's start (0: the texels are elsewhere), and the texels.
@@ -59,11 +58,11 @@ struct BspFormat {
     std::uint32_t version = 0;
     const char* name = "";
     bool has_wide_indices = false;
-    bool has_float_boxes = false;              ///< of nodes and leaves; else of signed 16-bit numbers
-    std::array<int, kLumpCount> record_sizes;  ///< in bytes; 1 where a lump is not made of records
+    bool has_float_boxes = false;              ///< of nodes and leaves; otherwise signed 16-bit numbers
+    std::array<int, kLumpCount> record_sizes;  ///< in bytes; 1 if a lump has no records
 };
 
-/// The four letters of a version, as they stand in the file.
+/// A version from its four letters in the file.
 constexpr std::uint32_t version_from_letters(const char (&letters)[5]) {
     std::uint32_t version = 0;
     for (int i = 3; i >= 0; --i) version = version << 8 | static_cast<std::uint8_t>(letters[i]);

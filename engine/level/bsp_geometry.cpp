@@ -7,12 +7,12 @@ namespace oblong {
 
 namespace {
 
-constexpr std::int32_t kWorldLimit = 1 << 19;                ///< units: what World holds
-constexpr std::int32_t kDistanceLimit = 1 << 20;             ///< units: the corner of the world is at 0.87 of it
-constexpr std::int32_t kComponentLimit = 2;                  ///< what Unit holds
+constexpr std::int32_t kWorldLimit = 1 << 19;                ///< units: the limit of World
+constexpr std::int32_t kDistanceLimit = 1 << 20;             ///< units: the world's corner is at 0.87 of it
+constexpr std::int32_t kComponentLimit = 2;                  ///< the limit of Unit
 constexpr std::int64_t kUnitSquare = std::int64_t{1} << 30;  ///< 1 in the format of squared_length_30
 
-using NormalPart = std::pair<Unit, std::int32_t>;  ///< 2.30 and the rest in 2^-60
+using NormalPart = std::pair<Unit, std::int32_t>;  ///< 2.30, and the rest in units of 2^-60
 
 NormalPart read_normal_part(LumpReader& in) {
     const FloatBits value = in.read_float();
@@ -25,7 +25,7 @@ std::int64_t squared_length_30(const Vec3<Unit>& v) {
     return square(v.x) + square(v.y) + square(v.z);
 }
 
-/// plane_side() (level/side.h) has head-room for normals of about unit length only.
+/// plane_side() (level/side.h) has head-room only for normals of about length 1.
 void check_unit_length(const LumpReader& in, const Vec3<Unit>& normal) {
     const std::int64_t difference = squared_length_30(normal) - kUnitSquare;
     if (difference < -kUnitSquare / 16 || difference > kUnitSquare / 16)
@@ -54,7 +54,7 @@ LevelPlane read_plane(LumpReader& in) {
     constexpr int kBits = PlaneDistance::kFractionBits;
     plane.distance = PlaneDistance::from_raw(in.check_fixed(distance, kBits, kDistanceLimit, "distance"));
     plane.distance_rest_72 = rest_of_fixed(distance, kBits);
-    in.skip(4);  // the type: axis_of() goes by the normal
+    in.skip(4);  // the type; axis_of() uses the normal
     plane.axis = axis_of(plane);
     return plane;
 }

@@ -8,8 +8,9 @@ namespace {
 constexpr std::int32_t kNameSize = 16;
 constexpr std::int32_t kMissingSize = 64;                     ///< texels a side of the checkerboard
 constexpr std::uint8_t kMissingLight = 15, kMissingDark = 0;  ///< white and black in Quake's palette
-constexpr std::int32_t kMaxTextures = 8192;  ///< a missing one takes 4 bytes of the file and many of ours; Quake: 512
-constexpr std::uint32_t kMaxTextureSize = 1 << 14;  ///< texels a side: sizes multiply within 32 bits
+constexpr std::int32_t kMaxTextures =
+    8192;  ///< a missing one takes 4 bytes in the file, but many in memory; Quake: 512
+constexpr std::uint32_t kMaxTextureSize = 1 << 14;  ///< texels a side: products of sizes fit 32 bits
 
 std::string read_name(LumpReader& in) {
     const auto bytes = in.read_bytes(kNameSize);
@@ -21,7 +22,7 @@ std::string read_name(LumpReader& in) {
     return name;
 }
 
-/// Replaces a texture that the file does not hold: squares of an eighth of its size, at every mip level.
+/// Replaces a texture without texels: squares of an eighth of its size, at every mip level.
 MipTexture make_checkerboard(std::string name) {
     MipTexture texture{std::move(name), kMissingSize, kMissingSize, {}, true};
     std::int32_t size = kMissingSize;
@@ -42,7 +43,7 @@ std::int32_t read_size(LumpReader& in) {
     return static_cast<std::int32_t>(size);
 }
 
-/// `texels_left`: how many bytes textures may still take; textures do not overlap but in files made to waste memory.
+/// `texels_left`: how many bytes textures may still take; they overlap only in files made to waste memory.
 MipTexture read_texture(LumpReader& in, std::int64_t start, std::int64_t& texels_left) {
     in.seek(start);
     MipTexture texture;

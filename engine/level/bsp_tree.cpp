@@ -6,7 +6,7 @@ namespace oblong {
 
 namespace {
 
-constexpr std::int32_t kLowestContents = -16;  ///< compilers know more kinds than Quake's game does
+constexpr std::int32_t kLowestContents = -16;  ///< compilers have more kinds than Quake
 
 std::int32_t check_contents(const LumpReader& in, std::int32_t contents) {
     if (contents >= 0 || contents < kLowestContents)
@@ -24,7 +24,7 @@ ClipChild check_clip_child(const LumpReader& in, const BspFile& file, std::int32
     return ClipChild(check_contents(in, child));
 }
 
-/// A level without clipnodes says 0 where their first would be.
+/// A level without clipnodes has 0 as their root.
 ClipChild read_clip_root(LumpReader& in, const BspFile& file) {
     const std::int32_t root = in.read_i32();
     if (root == 0 && file.count(Lump::ClipNodes) == 0) return ClipChild(contents::kEmpty);
@@ -38,14 +38,14 @@ std::int32_t read_float_bound(LumpReader& in, bool is_maximum) {
     return *bound;
 }
 
-/// The faces of a node or a model, whose numbers are as wide as `read` reads them.
+/// The faces of a node or a model; `read` reads numbers of its width.
 template <class Read>
 IndexRange<Face> read_faces(const LumpReader& in, const BspFile& file, Read read) {
     const std::int32_t first = read(), count = read();
     return in.check_range<Face>(first, count, file.count(Lump::Faces), "faces");
 }
 
-/// Clamped to the world, so that the middle of a box fits World: no face lies outside of it.
+/// Clamps a box to the world, so that its middle fits World; no face is outside.
 LevelBox within_world(LevelBox box) {
     constexpr std::int32_t kFarthest = (1 << 19) - 1;
     for (auto* const corner : {&box.mins, &box.maxs})
@@ -81,8 +81,8 @@ Leaf read_leaf(LumpReader& in, const BspFile& file) {
     return leaf;
 }
 
-/// Compilers store a model's bounds one unit smaller on each side (id's qbsp, writebsp.c: "remove the padding"; so does
-/// ericw-tools), and engines spread them (Quake's model.c, Mod_LoadSubmodels): doors travel as far as they are long.
+/// Compilers store a model's bounds one unit smaller on each side (id's qbsp, writebsp.c: "remove the padding";
+/// ericw-tools), and engines spread them (Quake's model.c, Mod_LoadSubmodels): doors move by their size.
 LevelBox spread(LevelBox box) {
     for (std::int32_t& bound : box.mins) --bound;
     for (std::int32_t& bound : box.maxs) ++bound;
@@ -116,7 +116,7 @@ Table<FaceIndex, MarkFace> read_mark_faces(const BspFile& file) {
 }
 
 Table<Node> read_nodes(const BspFile& file) {
-    // Nodes do not share faces, nor leaves markfaces, but for files made to waste time.
+    // Nodes share faces, and leaves markfaces, only in files made to waste time.
     std::int64_t work_left = std::int64_t{file.count(Lump::Faces)} * 8;
     return read_records<Table<Node>>(file, Lump::Nodes, [&](LumpReader& in) {
         const Node node = read_node(in, file);

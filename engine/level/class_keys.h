@@ -8,8 +8,8 @@ namespace oblong::class_keys {
 
 using enum KeyKind;
 
-// The keys of entity_classes.cpp. They are those of Quake's game code, which id Software has published (QuakeC:
-// "QUAKED" comments), of its level compilers and their successors (ericw-tools), and Oblong's own.
+// The keys of entity_classes.cpp: those of Quake's published game code (QuakeC: "QUAKED" comments), of its level
+// compilers and their successors (ericw-tools), and Oblong's.
 
 inline constexpr std::string_view kNoEffect = "";
 
@@ -74,7 +74,7 @@ inline constexpr std::array kCounterFlags{KeyValue{"1", "does not say how many a
 inline constexpr std::array kPushFlags{KeyValue{"1", "once"}};
 inline constexpr std::array kExitFlags{KeyValue{"1", "no intermission (Quake)"}};
 
-// What every entity may have.
+// Keys of every entity.
 inline constexpr std::array kOfAll{
     EntityKey{"classname", Text, "", "its class"},
     numbers("origin", 3, 3, "", "its place: x y z"),
@@ -253,7 +253,7 @@ inline constexpr std::array<EntityKey, 4> emitter(std::string_view size, std::st
     return {numbers("size", 3, 3, size, "of its box"), with_usual(kCount, count),
             number("period", period, "seconds of a round"), with_usual(kColour, colours)};
 }
-// Colours are those of Quake's palette: greys, browns, fire from light to dark.
+// Colours are from Quake's palette: greys, browns, fire from light to dark.
 inline constexpr std::array kRain = emitter("256 256 256", "400", "0.7", "8 11");
 inline constexpr std::array kDust = emitter("256 256 128", "100", "20", "6 9");
 inline constexpr std::array kSparks = emitter("64 64 48", "40", "0.9", "111 104");
@@ -284,7 +284,7 @@ inline constexpr std::array kModel{
     EntityKey{"least_light", Whole, "0", "0 to 255: of what glows by itself"},
     EntityKey{"dither", Choice, "0", "dithered PNGs of an OBJ", kNoYes},
 };
-// Of Quake's game alone.
+// Used by Quake only.
 inline constexpr std::array kOfQuake{
     number("speed", "", kNoEffect),         number("height", "", kNoEffect),
     number("dmg", "", kNoEffect),           number("wait", "", kNoEffect),

@@ -32,7 +32,7 @@ class EntityParser {
     }
 
   private:
-    /// What follows an opening brace, up to the closing one.
+    /// From behind an opening brace up to the closing one.
     Entity parse_entity() {
         Entity entity;
         while (skip_space(), !at('}')) {
@@ -87,7 +87,7 @@ class EntityParser {
     std::size_t position_ = 0;
 };
 
-/// Consumes the digits that `text` starts with, at most `most` of them into the number.
+/// Consumes all digits at the start of `text`; the number uses at most `most` of them.
 std::int64_t take_digits(std::string_view& text, int most, int& taken) {
     std::int64_t number = 0;
     taken = 0;
@@ -119,7 +119,7 @@ std::optional<std::int64_t> parse_decimal(std::string_view text, int fraction_bi
     const bool is_negative = !text.empty() && text.front() == '-';
     if (is_negative || (!text.empty() && text.front() == '+')) text.remove_prefix(1);
 
-    constexpr int kMostDigits = 12;  // enough to see that a number is too large, too few to overflow
+    constexpr int kMostDigits = 12;  // enough to detect numbers that are too large, too few to overflow
     int whole_digits = 0, fraction_digits = 0;
     const std::int64_t whole = take_digits(text, kMostDigits, whole_digits);
     std::int64_t fraction = 0;

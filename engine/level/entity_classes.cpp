@@ -18,7 +18,7 @@ constexpr ClassBox kPlayerBox{{-16, -16, -24}, {16, 16, 32}}, kExitBox{{-32, -32
     kPickupBox{{-16, -16, -24}, {32, 32, 56}}, kMonsterBox{{-32, -32, -24}, {32, 32, 64}},
     kBossBox{{-128, -128, -24}, {128, 128, 256}}, kLastBossBox{{-160, -128, -24}, {160, 128, 256}};
 
-// After the game's own code (QuakeC: items.qc, misc.qc).
+// From Quake's game code (QuakeC: items.qc, misc.qc).
 constexpr std::array kTorch{ClassModel{"progs/flame.mdl"}}, kSmallFlame{ClassModel{"progs/flame2.mdl"}},
     kLargeFlame{ClassModel{.file = "progs/flame2.mdl", .frame = 1}};
 constexpr std::array kGreenArmour{ClassModel{"progs/armor.mdl"}},
@@ -75,7 +75,7 @@ constexpr EntityClass pickup(std::string_view name, std::span<const ClassModel> 
     return {name, Point, Pickup, kPickup, {kFires, kOfQuake}, kPickupBox, models, over_floor};
 }
 
-// The first that fits counts, so that families come after their members.
+// The first match is used, so families come after their members.
 constexpr auto kClasses = std::to_array<EntityClass>({
     {"worldspawn", WorldModel, Worldspawn, "the world", {kWorld}},
     {"info_player_start", Point, Start, "where the player comes in", {kTurned}, kPlayerBox},

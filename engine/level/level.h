@@ -39,68 +39,65 @@ using VertexIndex = Index<Vertex>;
 inline constexpr LeafIndex kSolidOutside{0};
 inline constexpr ModelIndex kWorldModel{0};
 
-/// What fills a leaf (Quake's numbers).
+/// The contents of a leaf (Quake's numbers).
 namespace contents {
 inline constexpr std::int32_t kEmpty = -1, kSolid = -2, kWater = -3, kSlime = -4, kLava = -5, kSky = -6;
 }
 
-/// normal . p = distance. The float normal and distance of the file, exact: `normal` (2.30) holds it to 2^-30, and
-/// `normal_rest` the rest in units of 2^-60; the same for the distance: 2^-42 and 2^-72. See plane_side()
-/// (level/side.h).
+/// normal . p = distance. The file's floats are stored exactly: `normal` to 2^-30 and the rest in `normal_rest_60` in
+/// units of 2^-60; the distance in units of 2^-42 and 2^-72. See plane_side() (level/side.h).
 struct LevelPlane {
     Vec3<Unit> normal;
     PlaneDistance distance;
     std::array<std::int32_t, 3> normal_rest_60{};
     std::int32_t distance_rest_72 = 0;
-    std::uint8_t axis = 3;  ///< 0, 1, 2: the normal is exactly +x, +y, +z; 3: any other
+    std::uint8_t axis = 3;  ///< 0, 1, 2: the normal is exactly +x, +y, +z; 3: other
 
     bool operator==(const LevelPlane&) const = default;
 };
 
-/// An axis-aligned box in whole world units, rounded outward. Those of nodes and leaves are within 524,287 either way.
+/// An axis-aligned box in whole world units, rounded outward; for nodes and leaves within +-524,287.
 struct LevelBox {
     std::array<std::int32_t, 3> mins{}, maxs{};
 
     bool operator==(const LevelBox&) const = default;
 };
 
-/// How a face is drawn. Only lit faces have a lightmap, and a limited extent.
+/// How a face is drawn. Only lit faces have a lightmap and a limited extent.
 enum class Material : std::uint8_t { Lit, Liquid, Sky };
 
-/// The material that a texture's name stands for.
 constexpr Material material_of_texture(std::string_view name) {
     return name.starts_with('*') ? Material::Liquid : name.starts_with("sky") ? Material::Sky : Material::Lit;
 }
 
-/// How a texture lies on faces: u = s . p + s_offset, v = t . p + t_offset, in texels of mip level 0.
+/// A texture mapping: u = s . p + s_offset, v = t . p + t_offset, in texels of mip level 0.
 struct TexInfo {
     Vec3<TexelAxis> s, t;
     Texel s_offset, t_offset;
     TextureIndex texture;
-    Material material = Material::Lit;  ///< by the texture's name, or the file's flag for faces without light: liquid
+    Material material = Material::Lit;  ///< by the texture's name; Liquid if the file flags faces as unlit
 
     bool operator==(const TexInfo&) const = default;
 };
 
-/// In place of a light style: there is none, nor any after it.
+/// Ends a list of light styles.
 inline constexpr std::uint8_t kNoStyle = 255;
 
-/// A convex polygon on a plane. Its vertices run clockwise seen from the side that it faces.
+/// A convex polygon on a plane, with clockwise vertices seen from its front.
 struct Face {
     PlaneIndex plane;
     bool is_back = false;  ///< faces the plane's back
     IndexRange<SurfEdge> edges;
     TexInfoIndex texinfo;
-    std::array<std::uint8_t, 4> styles{};  ///< light styles, perhaps kNoStyle
-    std::int32_t light_offset =
-        -1;  ///< into Level::lighting; -1: no lightmap (special faces; others are then full dark)
-    std::int32_t texel_min_u = 0, texel_min_v = 0;  ///< multiples of 16; rounded outward, as the light compilers do
+    std::array<std::uint8_t, 4> styles{};  ///< light styles, ended by kNoStyle
+    std::int32_t light_offset = -1;        ///< in Level::lighting; -1: no lightmap (special faces; others are black)
+    std::int32_t texel_min_u = 0, texel_min_v = 0;        ///< multiples of 16, rounded outward as in light compilers
     std::int32_t texel_extent_u = 0, texel_extent_v = 0;  ///< multiples of 16; a lightmap has extent / 16 + 1 samples
 
     bool operator==(const Face&) const = default;
 };
 
-/// What is on one side of a node: another node or a leaf.
+/// A child of a node: another node or a leaf.
 class NodeChild {
   public:
     constexpr NodeChild() = default;
@@ -113,29 +110,29 @@ class NodeChild {
     constexpr bool operator==(const NodeChild&) const = default;
 
   private:
-    std::int32_t number_ = 0;  ///< as in the file: a node's, or -1 minus a leaf's
+    std::int32_t number_ = 0;  ///< as in the file: of a node, or -1 minus that of a leaf
 };
 
-/// Cuts a part of the level in two. children[0] is the plane's front (normal . p > distance).
+/// children[0] is in front of the plane (normal . p > distance).
 struct Node {
     PlaneIndex plane;
     std::array<NodeChild, 2> children{};
     LevelBox box;
-    IndexRange<Face> faces;  ///< those on its plane
+    IndexRange<Face> faces;  ///< on its plane
 
     bool operator==(const Node&) const = default;
 };
 
 struct Leaf {
     std::int32_t contents = contents::kEmpty;
-    std::int32_t visibility_offset = -1;  ///< into Level::visibility, run-length packed; -1: everything is visible
+    std::int32_t visibility_offset = -1;  ///< in Level::visibility, run-length packed; -1: everything is visible
     LevelBox box;
-    IndexRange<MarkFace> mark_faces;  ///< the faces that border it
+    IndexRange<MarkFace> mark_faces;  ///< faces that border it
 
     bool operator==(const Leaf&) const = default;
 };
 
-/// What is on one side of a clipnode: another one, or contents.
+/// A child of a clipnode: another clipnode or contents.
 class ClipChild {
   public:
     constexpr ClipChild() = default;
@@ -151,7 +148,7 @@ class ClipChild {
     std::int32_t number_ = contents::kEmpty;  ///< as in the file: contents are negative
 };
 
-/// A node of the trees in which bodies are points (level/trace.h).
+/// A node of a tree in which a body is a point (level/trace.h).
 struct ClipNode {
     PlaneIndex plane;
     std::array<ClipChild, 2> children{};
@@ -161,7 +158,7 @@ struct ClipNode {
 
 /// A brush model: 0 is the world, the others are doors, lifts and the like.
 struct SubModel {
-    LevelBox box;  ///< of all its brushes: the file's is a unit smaller on each side
+    LevelBox box;  ///< of all its brushes; in the file it is a unit smaller on each side
     Vec3<World> origin;
     NodeChild root;
     std::array<ClipChild, 3> clip_roots{};
@@ -171,12 +168,12 @@ struct SubModel {
     bool operator==(const SubModel&) const = default;
 };
 
-/// A texture with four mip levels, each half the size of the one before; rows top to bottom, one palette index a texel.
+/// A texture with four mip levels, each half the size of the previous; rows top to bottom, one palette index a texel.
 struct MipTexture {
     std::string name;
     std::int32_t width = 0, height = 0;  ///< of mip level 0; multiples of 16
     std::array<std::vector<std::uint8_t>, 4> mips;
-    bool is_missing = false;  ///< the file has no texels for it: the reader made a checkerboard
+    bool is_missing = false;  ///< the file has no texels; the reader made a checkerboard
 
     bool operator==(const MipTexture&) const = default;
 };
@@ -190,12 +187,12 @@ struct Edge {
 /// An edge in the direction in which a face uses it.
 struct SurfEdge {
     EdgeIndex edge;
-    bool is_reversed = false;  ///< from `to` to `from`
+    bool is_reversed = false;  ///< goes from `to` to `from`
 
     bool operator==(const SurfEdge&) const = default;
 };
 
-/// One entity: the key/value pairs as written, in order.
+/// An entity's key/value pairs, in the file's order.
 struct Entity {
     std::vector<std::pair<std::string, std::string>> pairs;
 
@@ -205,8 +202,7 @@ struct Entity {
     bool operator==(const Entity&) const = default;
 };
 
-/// A level in the engine's units, checked: every index in it is in range, every tree ends, every number fits its
-/// format.
+/// A checked level in the engine's units: all indices are in range, trees have no cycles, numbers fit their formats.
 struct Level {
     std::vector<Entity> entities;
     Table<LevelPlane> planes;
@@ -223,15 +219,15 @@ struct Level {
     Table<Edge> edges;
     Table<SurfEdge> surf_edges;
     Table<SubModel> models;                   ///< at least one
-    TextureIndex sky = TextureIndex::none();  ///< the first of its textures that is a sky
+    TextureIndex sky = TextureIndex::none();  ///< the first sky texture
 
     const SubModel& world() const { return models.front(); }
-    /// The leaves that visible sets cover: the world's, without the solid outside.
+    /// The leaves in visible sets: the world's, without the solid outside.
     IndexRange<Leaf> visible_leaves() const { return {LeafIndex(1), world().visible_leaf_count}; }
     const MipTexture& texture_of(const Face& face) const { return textures[texinfos[face.texinfo].texture]; }
     std::span<const FaceIndex> faces_at(const Leaf& leaf) const { return mark_faces[leaf.mark_faces]; }
     std::span<const SurfEdge> edges_of(const Face& face) const { return surf_edges[face.edges]; }
-    /// The corner at which a face begins this edge.
+    /// The vertex at which a surfedge starts.
     VertexIndex start_of(SurfEdge step) const { return step.is_reversed ? edges[step.edge].to : edges[step.edge].from; }
 
     bool operator==(const Level&) const = default;

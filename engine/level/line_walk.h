@@ -7,9 +7,9 @@
 
 namespace oblong {
 
-/// Follows a line through a tree: visit(leaf, entered, place) for each leaf that it passes, in order, until one returns
-/// true. `place` is where the line enters the leaf, `entered` the node on whose plane that is; none in the first leaf.
-/// The ends are up to 2^18 units apart. Whether it was stopped.
+/// Calls visit(leaf, entered, place) for each leaf along a line, in order, until one returns true; returns whether one
+/// did. `place` is where the line enters the leaf, `entered` the node on whose plane that is, none for the first leaf.
+/// The ends are up to 2^18 units apart.
 template <class Visit>
 bool walk_line(const Level& level, NodeChild at, Vec3<World> from, const Vec3<World>& to,
                std::optional<NodeIndex> entered, const Visit& visit) {

@@ -24,7 +24,7 @@ void unpack_visible_set(const Level& level, LeafIndex leaf, std::span<std::uint8
     const std::int32_t start = level.leaves[leaf].visibility_offset;
     if (leaf == kSolidOutside || start == -1) return set_all(visible, level.world().visible_leaf_count);
 
-    // The reader has checked that the row ends inside the lump; a run of zeros may reach past the set's end.
+    // The reader has checked that the row ends inside the lump; a run of zeros may extend beyond the set's end.
     const std::uint8_t* packed = level.visibility.data() + start;
     for (std::size_t i = 0; i < visible.size();) {
         if (*packed != 0) {

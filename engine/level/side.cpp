@@ -13,8 +13,8 @@ World coordinate(const Vec3<World>& p, std::uint8_t axis) {
     return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
 }
 
-/// The part of normal . p - distance that plane_distance leaves out, in units of 2^-72: below 2^62, as each rest is
-/// at most 2^29 and each coordinate 2^31.
+/// The part of normal . p - distance that plane_distance() omits, in units of 2^-72: below 2^62, as each rest is at
+/// most 2^29 and each coordinate 2^31.
 std::int64_t distance_rest_72(const LevelPlane& plane, Vec3<World> p) {
     const auto [x, y, z] = raw_of(p);
     return x * plane.normal_rest_60[0] + y * plane.normal_rest_60[1] + z * plane.normal_rest_60[2] -
@@ -27,7 +27,8 @@ int plane_side(const LevelPlane& plane, Vec3<World> p) {
     if (plane.axis < 3 && plane.distance_rest_72 == 0)
         return sign_of(convert<PlaneDistance>(coordinate(p, plane.axis)) - plane.distance);
 
-    // The rest is below 2^62 in units of 2^-72, 2^32 in those of 2^-42: it only decides when the distance is smaller.
+    // The rest is below 2^62 in units of 2^-72, which is 2^32 in units of 2^-42; it matters only if the distance is
+    // smaller.
     const std::int64_t distance = plane_distance(plane, p).raw;
     constexpr std::int64_t kUndecided = std::int64_t{1} << 32;
     if (distance >= kUndecided || distance <= -kUndecided) return sign_of(distance);

@@ -7,22 +7,20 @@
 
 namespace oblong {
 
-/// normal . p - distance: within 2^-10 units of the exact value (2^-17 for
-/// points within 4,096 units of the origin), as the rests of LevelPlane are left out. Any p, any plane that the level
-/// reader accepts.
+/// normal . p - distance, without the rests of LevelPlane: within 2^-10 units of the exact value (2^-17 for points
+/// within 4,096 units of the origin). For any p and any plane that the level reader accepts.
 inline PlaneDistance plane_distance(const LevelPlane& plane, const Vec3<World>& p) {
-    // Below 0.9 * 2^62 (a point of length 0.87 * 2^32 by a normal of 1.03 * 2^30) plus 2^62.
+    // Below 0.9 * 2^62 (a point of length 0.87 * 2^32 times a normal of 1.03 * 2^30) plus 2^62.
     const PlaneDistance distance = dot(p, plane.normal) - plane.distance;
     note_range<"plane distance">(distance);
     return distance;
 }
 
-/// The exact side of a point, by all the bits that LevelPlane keeps of the file's floats: +1 in front (normal . p >
-/// distance), 0 on the plane, -1 behind.
+/// The exact side of a point, from all bits of LevelPlane: +1 in front (normal . p > distance), 0 on the plane, -1
+/// behind.
 int plane_side(const LevelPlane& plane, Vec3<World> p);
 
-/// The leaf of a model that holds a point: down the front child where plane_side is +1, else down the back one, so
-/// that a point on a plane belongs to its back. `p` is in the model's own coordinates.
+/// The leaf of a model that holds a point. A point on a plane belongs to its back. `p` is in the model's coordinates.
 LeafIndex find_leaf(const Level& level, const SubModel& model, Vec3<World> p);
 
 }  // namespace oblong

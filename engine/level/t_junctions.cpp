@@ -12,12 +12,12 @@ namespace oblong {
 
 namespace {
 
-/// How far from an edge's line a vertex still counts as on it: 8 steps of World, 1/512 unit. Compilers leave 2e-5.
+/// A vertex within this distance of an edge's line counts as on it: 8 steps of World, 1/512 unit. Compilers' error is
+/// 2e-5.
 constexpr std::int64_t kTolerance_12 = 8;
-/// Longer edges, 262,144 units along an axis, have no vertices inside: squares of their length would not fit.
+/// Longer edges, 262,144 units along an axis, are ignored: the square of their length would not fit.
 constexpr std::int64_t kLongest_12 = std::int64_t{1} << 30;
-/// Vertices and rows of cells tested in all, so that no hostile level takes too long; edges beyond that stay as they
-/// are.
+/// The limit of all tests of vertices and rows of cells, against hostile levels; further edges stay unchanged.
 constexpr std::int64_t kMostLooks = std::int64_t{1} << 28;
 
 using GridPoint = std::array<std::int32_t, 3>;  ///< units, 12 fraction bits
@@ -31,12 +31,12 @@ std::int64_t dot(const GridPoint& a, const GridPoint& b) {
     return std::int64_t{a[0]} * b[0] + std::int64_t{a[1]} * b[1] + std::int64_t{a[2]} * b[2];
 }
 
-/// to - from, not below 0.
+/// to - from >= 0.
 std::uint32_t way_up(std::int32_t from, std::int32_t to) {
     return static_cast<std::uint32_t>(to) - static_cast<std::uint32_t>(from);
 }
 
-/// The vertices that faces use, in the cells of a grid: cubes. An edge of a real level passes near eight of them.
+/// The vertices used by faces, in a grid of cubic cells. An edge of a real level passes near eight vertices.
 class VertexGrid {
   public:
     explicit VertexGrid(const Level& level) : level_(level) {
@@ -45,7 +45,8 @@ class VertexGrid {
         sort_into_cells();
     }
 
-    /// Calls look(vertex) for those within a box, and others near it. Returns how much it looked at.
+    /// Calls look(vertex) for the vertices in a box, and others near it. Returns the number of rows and vertices
+    /// visited.
     template <class Look>
     std::int64_t look_within(const GridPoint& low, const GridPoint& high, Look look) const {
         const Cell first = cell_of(low), last = cell_of(high);
@@ -62,7 +63,7 @@ class VertexGrid {
 
   private:
     using Cell = std::array<std::size_t, 3>;
-    static constexpr std::size_t kMostCells = 16;  ///< a vertex
+    static constexpr std::size_t kMostCells = 16;  ///< per vertex
 
     void find_used() {
         Table<std::uint8_t, Vertex> is_used(level_.vertices.size());
@@ -82,7 +83,7 @@ class VertexGrid {
                 high[axis] = std::max(high[axis], p[axis]);
             }
         }
-        do {  // from cells of 16 units on
+        do {  // starts with cells of 16 units
             ++shift_;
             for (std::size_t axis = 0; axis < 3; ++axis) counts_[axis] = (way_up(low_[axis], high[axis]) >> shift_) + 1;
         } while (cell_count() > kMostCells * vertices_.size());
@@ -91,13 +92,13 @@ class VertexGrid {
     void sort_into_cells() {
         starts_.resize(as_size(cell_count()) + 1);
         for (const VertexIndex vertex : vertices_) ++starts_[position_of(vertex)];
-        std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());  // the ends, until each cell is filled
+        std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());  // the cells' ends, until they are filled
         std::vector<VertexIndex> sorted(vertices_.size());
         for (const VertexIndex vertex : vertices_) item(sorted, --starts_[position_of(vertex)]) = vertex;
         vertices_ = std::move(sorted);
     }
 
-    /// The cell of a point, or the nearest one to it.
+    /// The cell of a point, or the nearest cell.
     Cell cell_of(const GridPoint& p) const {
         Cell cell{};
         for (std::size_t axis = 0; axis < 3; ++axis)
@@ -113,11 +114,11 @@ class VertexGrid {
     GridPoint low_{};
     int shift_ = 15;  ///< a cell's size is 2^shift_
     Cell counts_{1, 1, 1};
-    std::vector<std::uint32_t> starts_;  ///< of each cell's vertices, and the end of the last one's
+    std::vector<std::uint32_t> starts_;  ///< of each cell's vertices, and the last one's end
     std::vector<VertexIndex> vertices_;  ///< by cell
 };
 
-/// One edge, and which vertices lie inside it.
+/// Finds the vertices inside one edge.
 class EdgeLine {
   public:
     EdgeLine(const GridPoint& from, const GridPoint& to) : from_(from) {
@@ -137,7 +138,7 @@ class EdgeLine {
     const GridPoint& low() const { return low_; }
     const GridPoint& high() const { return high_; }
 
-    /// How far along the edge, as part of length_squared_; -1 if the vertex isn't inside it.
+    /// The position along the edge, as a part of length_squared_; -1 if the vertex is not inside it.
     std::int64_t part_of(const GridPoint& p) const {
         if (!is_in_box(p)) return -1;
         const GridPoint offset{p[0] - from_[0], p[1] - from_[1], p[2] - from_[2]};

@@ -8,9 +8,9 @@
 
 namespace oblong {
 
-/// The vertices that lie in the interior of each of a level's edges, from its `from` end to its `to` end: where a
-/// corner of one face meets the middle of another's edge. Rounded to the screen, the corner leaves the edge by part of
-/// a pixel and opens a crack (hard case E9); with the corner inserted into the edge, both faces share all their edges.
+/// The vertices inside each edge of a level, in order from `from` to `to`: there a corner of one face meets the middle
+/// of another face's edge. Rounding to the screen moves the corner off the edge and opens a crack (hard case E9); with
+/// the corner inserted into the edge, both faces share all their edges.
 class TJunctions {
   public:
     explicit TJunctions(const Level& level);

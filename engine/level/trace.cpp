@@ -10,12 +10,12 @@ namespace oblong {
 
 namespace {
 
-/// Distances with 40 fraction bits, not 42, so that the difference of two fits.
+/// Distances with 40 fraction bits instead of 42, so that the difference of two fits.
 using NarrowDistance = Fixed<std::int64_t, 40>;
 constexpr auto kKeptApart = NarrowDistance::from_raw(std::int64_t{1} << 35);  ///< 1/32 unit
 constexpr int kBackOffSteps = 10;
 
-/// A model's tree of nodes, in which a point moves.
+/// A model's tree of nodes, for a point.
 struct PointTree {
     const Level& level;
     NodeChild root;
@@ -24,7 +24,7 @@ struct PointTree {
     std::int32_t contents(NodeChild leaf) const { return level.leaves[leaf.leaf()].contents; }
 };
 
-/// A model's tree of clipnodes, in which a body moves.
+/// A model's tree of clipnodes, for a body.
 struct BodyTree {
     const Level& level;
     ClipChild root;
@@ -42,7 +42,7 @@ std::int32_t contents_at(const Tree& tree, Child at, Vec3<World> p) {
     return tree.contents(at);
 }
 
-/// ask(tree) for a model's tree of a hull.
+/// Calls ask(tree) with a model's tree for a hull.
 template <class Ask>
 auto ask_tree(const Level& level, const SubModel& model, Hull hull, Ask ask) {
     if (hull == Hull::Point) return ask(PointTree{level, model.root});
@@ -68,7 +68,8 @@ NarrowDistance distance_of(const LevelPlane& plane, Vec3<World> p) {
     return absolute(convert<NarrowDistance>(plane_distance(plane, p), Rounding::Floor));
 }
 
-/// Where on the line from a to b, which lie on different sides, the plane is 1/32 unit ahead; 0 if a is nearer to it.
+/// Where on the line from a to b, on different sides of the plane, the plane is 1/32 unit ahead; 0 if a is nearer to
+/// it.
 Part part_before(const LevelPlane& plane, Vec3<World> a, Vec3<World> b) {
     const NarrowDistance near = distance_of(plane, a), far = distance_of(plane, b);
     if (near <= kKeptApart) return {};
@@ -130,8 +131,8 @@ class HullTracer {
         result_.fraction = point.fraction;
     }
 
-    /// The point in front of the plane. If that is solid (the last 1/32 unit in front of other planes is never tested),
-    /// the first that is not, going back toward a in tenths of the distance; if there is none, the line's start.
+    /// The point in front of the plane. If it is solid (the last 1/32 unit in front of other planes is never tested),
+    /// the first free one toward a, in steps of a tenth of the distance; if there is none, the line's start.
     LinePoint last_free_point(const LinePoint& a, const LinePoint& b, Part part) const {
         const auto step = part.numerator / kBackOffSteps;
         for (int i = 0; i <= kBackOffSteps; ++i) {
@@ -158,11 +159,11 @@ TraceResult trace_hull(const Level& level, const SubModel& model, Hull hull, Vec
 
 namespace {
 
-/// A part of the vertical line that is still to be followed down the tree.
+/// A pending part of the vertical line.
 struct ColumnPart {
     NodeChild at;
     World high, low;
-    PlaneIndex entered;  ///< the plane that it begins on; none: at the line's start
+    PlaneIndex entered;  ///< the plane at its start; none: the line's start
 };
 
 World crossing(const LevelPlane& plane, const Vec3<World>& high, const Vec3<World>& low) {
