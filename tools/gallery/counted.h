@@ -8,7 +8,7 @@
 
 namespace oblong {
 
-/// What a computation did; a subtraction counts as an addition, signs, shifts and comparisons as nothing.
+/// The operations of a computation. A subtraction counts as an addition; signs, shifts and comparisons do not count.
 struct Operations {
     std::int64_t multiplications = 0, divisions = 0, additions = 0;
     bool operator==(const Operations&) const = default;
@@ -19,10 +19,10 @@ struct Operations {
     }
 };
 
-/// Where this thread's operations are counted, if they are.
+/// The counter of this thread's operations; null: not counted.
 inline thread_local Operations* counted_operations = nullptr;
 
-/// What a computation with Counted numbers does.
+/// The operations of a computation with Counted numbers.
 template <class Compute>
 Operations operations_of(const Compute& compute) {
     Operations operations;
@@ -32,7 +32,7 @@ Operations operations_of(const Compute& compute) {
     return operations;
 }
 
-/// A number that counts what is done with it.
+/// A number that counts its operations.
 template <class Value>
 class Counted {
   public:
@@ -56,26 +56,25 @@ class Counted {
 
 // The seeds' formulas for any number type, as corrected: y grows upward, rows downward.
 
-/// A place on the screen.
 template <class Number>
 struct SeedPixel {
     Number x, y;
 };
 
-/// Muratori's first projection, which takes pixels for square: d x / z + w / 2, and the same for y.
+/// Muratori's first projection, for square pixels: d x / z + w / 2, and the same for y.
 template <class Number>
 SeedPixel<Number> project_naively(const Vec3<Number>& p, Number d, const SeedPixel<Number>& centre) {
     return {d * p.x / p.z + centre.x, centre.y - d * p.y / p.z};
 }
 
-/// His second, as it is written: with d r h / w for y, worked out at each point. `r` is the display's shape.
+/// His second, as written: with d r h / w for y, computed for each point. `r` is the display's shape.
 template <class Number>
 SeedPixel<Number> project_by_formula(const Vec3<Number>& p, Number d, Number r, const SeedPixel<Number>& size,
                                      const SeedPixel<Number>& centre) {
     return {d * p.x / p.z + centre.x, centre.y - d * (r * size.y / size.x) * p.y / p.z};
 }
 
-/// His last: what is in parentheses is computed once for a mode.
+/// His last: the factor in parentheses is computed once for a mode.
 template <class Number>
 SeedPixel<Number> project_by_multipliers(const Vec3<Number>& p, const SeedPixel<Number>& multipliers,
                                          const SeedPixel<Number>& centre) {
@@ -87,13 +86,13 @@ Number dot_by_components(const Vec3<Number>& u, const Vec3<Number>& v) {
     return u.x * v.x + u.y * v.y + u.z * v.z;
 }
 
-/// Abrash's example 3 (c), without the sign: a light's share of the surface that it falls on.
+/// Abrash's example 3 (c), without the sign: a light on a surface.
 template <class Number>
 Number lit(const Vec3<Number>& normal, const Vec3<Number>& to_light, Number light) {
     return dot_by_components(normal, to_light) * light;
 }
 
-/// The dot product before his basis is known to be orthonormal: nine terms, each with the dot product of two axes.
+/// The dot product in a basis that need not be orthonormal: nine terms, each with the dot product of two axes.
 template <class Number, class Dots>
 Number dot_by_nine_terms(const Vec3<Number>& u, const Vec3<Number>& v, const Dots& axes) {
     return u.x * v.x * axes[0][0] + u.y * v.x * axes[1][0] + u.z * v.x * axes[2][0] +  //

@@ -41,7 +41,7 @@ std::vector<Row> chosen_rows(const std::vector<std::string>& ids) {
     return rows;
 }
 
-/// The values for each picture of a row: those that it starts with, and all others of its first parameter if that is a
+/// The values for each picture of a row: its start values, and all other values of its first parameter if that is a
 /// choice of names.
 std::vector<std::vector<std::int64_t>> values_of_pictures(const Row& row) {
     std::vector<std::vector<std::int64_t>> pictures{start_values(row)};
@@ -85,7 +85,7 @@ class PictureWriter {
     std::vector<std::uint8_t> pixels_;
 };
 
-/// Prints the figures that differ from what is expected; how many.
+/// Prints the figures that differ from the expected ones; returns their number.
 std::size_t report_wrong(const PageRow& shown) {
     std::size_t wrong = 0;
     for (const Figures& figures : shown.figures)

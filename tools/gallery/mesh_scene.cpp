@@ -93,7 +93,7 @@ std::optional<ExactHit> exact_hit(const PlacedMesh& placed, const RowInput& inpu
                                  corner(triangle.vertices[2])};
         const auto& [a, b, c] = corners;
         const double whole = area(b.column - a.column, b.row - a.row, c.column - a.column, c.row - a.row);
-        if (whole <= 0) continue;  // seen from its back
+        if (whole <= 0) continue;  // a back face
         const double of_b = area(column - a.column, row - a.row, c.column - a.column, c.row - a.row) / whole,
                      of_c = area(b.column - a.column, b.row - a.row, column - a.column, row - a.row) / whole;
         if (of_b < 0 || of_c < 0 || of_b + of_c > 1 || a.depth > nearest_depth) continue;

@@ -16,7 +16,7 @@ class MeshScene {
   public:
     MeshScene(const RowInput& input, Framebuffer canvas, int field_of_view = 60);
 
-    /// With another colormap than the gallery's, or into another canvas of the mode's size, if asked.
+    /// `colormap`: instead of the gallery's.
     MeshCounts draw(const PlacedMesh& placed, const MeshLight& light, const Colormap* colormap = nullptr);
     const ViewContext& view() const { return view_; }
 
@@ -28,28 +28,28 @@ class MeshScene {
     MeshScratch scratch_;
 };
 
-/// The palette's colour nearest to this one among those that light changes.
+/// The nearest of the palette's colours that light changes.
 std::uint8_t lit_colour(const GalleryAssets& assets, int red, int green, int blue);
 
-/// A colormap by which a pixel shows the number of its shade.
+/// A colormap that gives a pixel the number of its shade.
 Colormap shade_numbers();
 
 /// The shade of a lightmap value of any size, by Colormap's definition.
 double exact_shade(double light);
 
-/// What a corner of a mesh has, in doubles, and its place on the screen.
+/// A corner of a mesh in doubles, and its screen position.
 struct ExactCorner {
     double column = 0, row = 0, depth = 0;
     Vec position, normal;
 };
-/// The triangle that shows at a place of the screen, its corners' shares of that place on the screen, and its own
+/// The visible triangle at a screen position, the position's barycentric coordinates on the screen, and the face
 /// normal.
 struct ExactHit {
     std::array<ExactCorner, 3> corners;
     std::array<double, 3> shares;
     Vec normal;
 };
-/// By all triangles of the mesh, in doubles; the mesh is placed and scaled, but not turned.
+/// Tests all triangles of the mesh, in doubles; the mesh is placed and scaled, but not turned.
 std::optional<ExactHit> exact_hit(const PlacedMesh& placed, const RowInput& input, int field_of_view, double column,
                                   double row);
 
@@ -61,7 +61,7 @@ Skin plain_skin(std::uint8_t colour);
 /// A ball around the origin: `rings` from pole to pole, twice as many sectors around. The skin goes around once.
 Mesh ball_mesh(double radius, int rings, Skin skin);
 
-/// A cube around the origin, each side with the whole skin and normals of its own.
+/// A cube around the origin, each side with the whole skin and its own normals.
 Mesh cube_mesh(double half_size, Skin skin);
 
 }  // namespace oblong

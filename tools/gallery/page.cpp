@@ -58,8 +58,7 @@ std::string link_of(const Row& row) {
     return "<a href=\"#" + std::string(row.id) + "\">" + escaped(row.name) + "</a>\n";
 }
 
-/// A picture that a click shows in its section's full width: opened by itself, a browser would take its pixels for
-/// square.
+/// A picture that a click enlarges to its section's width: opened alone, a browser would show square pixels.
 std::string picture_html(const PagePicture& picture, const std::string& id, const ScreenMode& mode) {
     const std::string shape = std::to_string(mode.display.numerator) + " / " + std::to_string(mode.display.denominator);
     std::string html = "<figure id=\"" + id + "\"><a href=\"#" + id + "\"><img src=\"" + picture.file + "\" alt=\"" +

@@ -29,7 +29,7 @@ std::string parameter_text(const Row& row, std::span<const std::int64_t> values,
     return text;
 }
 
-/// The lines of a text up to an empty one, which are taken from it.
+/// Takes the lines of a text up to an empty one.
 std::vector<std::string_view> take_paragraph(std::string_view& text) {
     std::vector<std::string_view> lines;
     while (!text.empty()) {
@@ -41,7 +41,7 @@ std::vector<std::string_view> take_paragraph(std::string_view& text) {
     return lines;
 }
 
-/// The row whose id a paragraph begins with, taken from those without a text.
+/// Takes the row with the id at the start of a paragraph, and sets its texts.
 Row with_text(const std::vector<std::string_view>& lines, std::map<std::string_view, Row>& rows) {
     auto found = rows.extract(lines.front());
     if (!found || lines.size() < 5) throw std::logic_error("no row for the text of " + std::string(lines.front()));

@@ -20,8 +20,8 @@
 
 namespace oblong {
 
-/// A number that a row is about: what it should be, worked out from the seed or by an independent method, and what the
-/// engine computed for this picture.
+/// A number in a row: the expected value, computed from the seed or by an independent method, and the value found by
+/// the engine for this picture.
 struct Figure {
     std::string name, expected, found;
     bool agrees = false;
@@ -31,11 +31,11 @@ struct Figure {
 Figure number_figure(std::string name, double expected, double found, double tolerance, int decimals = 3);
 /// Two counts that are equal.
 Figure count_figure(std::string name, std::int64_t expected, std::int64_t found);
-/// A measurement that nothing is compared with: a time, a count of operations.
+/// A measurement without an expected value: a time, a count of operations.
 Figure measured(std::string name, std::string found);
 Figure measured(std::string name, std::int64_t found);
 
-/// A number of a row that keys change; with `choices`, one of these names (from 0).
+/// A number of a row that keys change; with `choices`, the index of a name.
 struct Parameter {
     std::string name;
     std::int64_t least = 0, most = 0, step = 1, start = 0;
@@ -43,7 +43,7 @@ struct Parameter {
 };
 Parameter choice_parameter(std::string name, std::vector<std::string> choices, std::int64_t start = 0);
 
-/// What rows draw with.
+/// The data that rows draw with.
 struct GalleryAssets {
     const Level& demo_level;
     const Colormap& colormap;  ///< with its palette
@@ -52,7 +52,7 @@ struct GalleryAssets {
     std::uint8_t colour(int red, int green, int blue) const;
 };
 
-/// Everything that a row's picture is a function of.
+/// The input of a row's picture, which depends on nothing else.
 struct RowInput {
     const GalleryAssets& assets;
     ScreenMode mode;
@@ -61,7 +61,7 @@ struct RowInput {
     std::int64_t time_ms = 0;
 
     double number(std::size_t parameter) const { return static_cast<double>(values[parameter]); }
-    /// Of a parameter in degrees.
+    /// The value of a parameter in degrees, in radians.
     double radians(std::size_t parameter) const { return number(parameter) * std::numbers::pi / 180; }
     Angle angle(std::size_t parameter) const { return degrees_to_angle(Degrees::from_int(values[parameter])); }
     std::uint8_t colour(int red, int green, int blue) const { return assets.colour(red, green, blue); }
@@ -70,7 +70,7 @@ struct RowInput {
 /// The first three are shown below the picture, all are in the index page.
 using Figures = std::vector<Figure>;
 
-/// One thing that the seeds name, with its scene. `draw` fills the whole canvas (of the mode's size); the gallery then
+/// A subject that the seeds name, with its scene. `draw` fills the whole canvas (of the mode's size); the gallery then
 /// writes the name over the top kHeader_px rows and figures over the lowest kFooter_px.
 struct Row {
     std::string_view id;  ///< of its files: "lines-bresenham"
@@ -91,12 +91,12 @@ std::string value_text(const Parameter& parameter, std::int64_t value);
 
 inline constexpr std::int32_t kHeader_px = 12, kFooter_px = 34;
 
-/// Draws a row with its name above and its figures below; of its parameters, the one numbered `chosen` is named.
+/// Draws a row with its name above and its figures below; shows the parameter `chosen`.
 Figures draw_row(const Row& row, const RowInput& input, std::size_t chosen, Framebuffer canvas);
 /// A figure in one line: "140  column of the far face's corner".
 std::string figure_text(const Figure& figure);
 
-// The engine's numbers from doubles and back: what rows draw is worked out in doubles.
+// Conversions between the engine's numbers and doubles, in which rows compute.
 
 /// A point or a direction in doubles.
 using reference::Vec;
@@ -119,7 +119,7 @@ void paint(Framebuffer canvas, const ColourAt& colour_at) {
         for (std::int32_t x = 0; x < canvas.width_px; ++x) canvas.row(y)[x] = colour_at(x, y);
 }
 
-/// At how many places two lists of one length differ.
+/// The number of different elements of two lists of equal length.
 template <class Element>
 std::int64_t count_differences(const std::vector<Element>& a, const std::vector<Element>& b) {
     return std::inner_product(a.begin(), a.end(), b.begin(), std::int64_t{0}, std::plus<>(), std::not_equal_to<>());
@@ -128,7 +128,7 @@ std::int64_t count_differences(const std::vector<Element>& a, const std::vector<
 /// All rows, in the order of the seeds, with their texts.
 std::vector<Row> gallery_rows();
 
-// The rows of each subject without their texts, a file each in tools/gallery/rows/.
+// The rows of each subject, without texts, from one file each in tools/gallery/rows/.
 std::vector<Row> aspect_rows();
 std::vector<Row> clipping_rows();
 std::vector<Row> culling_rows();

@@ -1,4 +1,4 @@
-# What rows say is in the program.
+# The rows' texts are compiled into the program.
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/rows.txt)
 file(READ ${CMAKE_CURRENT_LIST_DIR}/rows.txt ROW_TEXTS)
 file(CONFIGURE OUTPUT include/tools/gallery/row_texts.h @ONLY CONTENT [[

@@ -65,7 +65,7 @@ std::vector<ScreenVertex> Sketch::clipped(std::span<const Vec3<World>> corners) 
 void Sketch::line(const Vec3<World>& from, const Vec3<World>& to, std::uint8_t colour) {
     const std::vector<ScreenVertex> ends = clipped(std::array{from, to});
     if (ends.empty()) return;
-    // Crossings come twice, once for each way along the edge.
+    // Clipping returns crossings twice, once for each direction of the edge.
     const auto farthest = [&](const ScreenVertex& a, const ScreenVertex& b) {
         const auto way = [&](const ScreenVertex& v) {
             return std::abs(v.x.raw - ends.front().x.raw) + std::abs(v.y.raw - ends.front().y.raw);

@@ -19,14 +19,14 @@
 
 namespace oblong {
 
-/// Where a sketch is seen from.
+/// The view of a sketch.
 struct SketchEye {
     Vec3<World> eye, target;
     int field_of_view = 60;
 };
 
 /// Lines and polygons in space, by the engine's stages: view matrix, canonical volume, six planes, perspective divide,
-/// scan converter. Nothing is hidden: what is drawn last is in front.
+/// scan converter. Without hidden surfaces: later drawing is in front.
 class Sketch {
   public:
     /// The picture fills an area of the canvas, in the pixels' right shape.
@@ -43,7 +43,7 @@ class Sketch {
     void axes(const std::array<Vec3<World>, 3>& ends, const GalleryAssets& assets);
     /// A line of text beside a point.
     void label(const Vec3<World>& at, std::string_view text, std::uint8_t colour);
-    /// Where a point is in the area, pixels; none outside of the view.
+    /// A point's position in the area, in pixels; none outside of the view.
     std::optional<PlanePoint> place_of(const Vec3<World>& point) const;
 
   private:
@@ -55,17 +55,16 @@ class Sketch {
     Matrix4 world_to_volume_;
 };
 
-/// The canvas between the gallery's header and footer, its left part `width` of 320 wide; and what is right of it.
+/// The canvas between the gallery's header and footer, its left `width_of_320` / 320.
 Area scene_area(Framebuffer canvas, std::int32_t width_of_320 = 320);
 
-/// Lines of text from a place down to the gallery's footer; where there is no room for all, the last one says how many
-/// more there are.
+/// Lines of text down to the gallery's footer; if they do not fit, the last one says how many are left out.
 void draw_column(Framebuffer canvas, std::int32_t x, std::int32_t y, std::span<const std::string> lines,
                  TextColours colours);
 
-/// Where the engine shows a place: column and row, fractions included.
+/// The engine's column and row of a point, with fractions.
 PlanePoint shown(const Vec& place, const ViewContext& view);
-/// The columns between two places.
+/// The columns between two points.
 double across(const Vec& from, const Vec& to, const ViewContext& view);
 
 /// Lines and polygons of the world as the engine projects them in any view.
@@ -78,7 +77,7 @@ class WireScene {
     void fill_background();
     void line(const Vec& from, const Vec& to, std::uint8_t colour);
     void line(const PlanePoint& from, const PlanePoint& to, std::uint8_t colour);
-    /// A polygon seen from its front, clockwise: all of it, or nothing from behind. Whether it was drawn.
+    /// Draws a polygon if it is seen from its front, clockwise; returns whether it was drawn.
     bool polygon(std::span<const Vec> corners, std::uint8_t colour);
     void circle(const Vec& middle, const Vec& one, const Vec& other, std::uint8_t colour);
     void label(const Vec& place, std::string_view text);
@@ -112,10 +111,10 @@ Vec3<World> middle_of_demo_level();
 /// A camera in the demo level: whole world units, whole degrees (pitch positive looks down).
 Camera camera_at(std::int32_t x, std::int32_t y, std::int32_t z, int yaw, int pitch, int field_of_view = 90);
 
-/// A picture of another mode over the whole canvas, its pixels enlarged.
+/// Enlarges a picture of another mode to the whole canvas.
 void enlarge(std::span<const std::uint8_t> pixels, const ScreenMode& mode, Framebuffer canvas);
 
-/// The demo level as it stands at the input's time, drawn into canvases of the mode's size.
+/// The demo level at the input's time, drawn into canvases of the mode's size.
 struct DemoFrame {
     DemoFrame(const RowInput& input, const ScreenMode& mode);
     DemoFrame(const DemoFrame&) = delete;

@@ -15,8 +15,8 @@ namespace oblong {
 
 namespace {
 
-/// A cube of 2 units, a triangle on each half of a side: corners counted as bits (x, y, z), sides counter-clockwise
-/// from outside, and the triangles clockwise.
+/// A cube of 2 units, with two triangles a side: corners are numbered by bits (x, y, z); sides run counter-clockwise
+/// seen from outside, triangles clockwise.
 Mesh make_cube() {
     Mesh cube;
     MeshFrame frame;
@@ -73,7 +73,7 @@ std::string span_text(const ShownTriangle& triangle, Stage stage) {
     return ": " + std::to_string(pixels) + " pixels";
 }
 
-/// What a stage leaves of a triangle that faces the eye.
+/// The numbers after a stage of a triangle that faces the eye.
 void add_lines_of(const ShownTriangle& triangle, Stage stage, const MeshLight& light, std::vector<std::string>& lines) {
     const std::string number = std::to_string(triangle.number);
     if (stage == Stage::Lit)

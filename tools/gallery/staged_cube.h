@@ -8,13 +8,14 @@
 
 namespace oblong {
 
-/// Where the pipeline is stopped. Facing comes first, in object space, so that nothing else is done for a back face.
+/// The stage after which the pipeline stops. Facing is tested first, in object space, so that back faces cost nothing
+/// else.
 enum class Stage { Object, Facing, InWorld, Lit, InView, Clipped, Divided, Projected, Scanned, Spans, Pixels };
 inline const std::vector<std::string> kStageNames{"object space", "facing",  "world space", "lit",
                                                   "view space",   "clipped", "divided",     "on screen",
                                                   "scanned",      "spans",   "pixels"};
 
-/// A triangle on its way: its light, and what clipping and the scan converter made of it.
+/// A triangle in the pipeline: its light, and the results of clipping and scan conversion.
 struct ShownTriangle {
     std::uint32_t number = 0;
     Vec3<Unit> world_normal;
@@ -24,13 +25,13 @@ struct ShownTriangle {
     std::vector<Span> spans;
 };
 
-/// The cube's place: so far east of the eye, which is at the origin, and below it.
+/// The cube's position: the distances east of and above the eye, which is at the origin.
 inline constexpr double kCubeAhead = 4.6, kCubeBelow = -2.4;
-/// The canonical volume reaches from here to there.
+/// The depths of the canonical volume.
 inline constexpr double kVolumeNear = 0.25, kVolumeFar = 16;
 
-/// All that the stages leave of a cube, by the engine's own functions in their order. The row's values: a stage, the
-/// cube's yaw in degrees, and how far it stands to the left in quarters of a unit.
+/// The results of all stages for a cube, by the engine's own functions in order. The row's values: a stage, the cube's
+/// yaw in degrees, and its offset to the left in quarters of a unit.
 struct StagedCube {
     StagedCube(const RowInput& input, Framebuffer part);
     StagedCube(const StagedCube&) = delete;
@@ -38,7 +39,7 @@ struct StagedCube {
     bool faces_eye(std::uint32_t triangle) const;
     /// World to the canonical volume.
     Matrix4 to_volume() const;
-    /// The numbers that a stage leaves, below a line that names them.
+    /// The numbers after a stage, below a caption.
     std::vector<std::string> lines_of(Stage stage) const;
 
     Mesh mesh;

@@ -1,5 +1,5 @@
-// Seed 1 (Muratori): the shape of pixels, the field of view, the projection that knows both and what it costs; the dot
-// product out of seven requirements.
+// Seed 1 (Muratori): the shape of pixels, the field of view, the projection for both and its cost; the dot product
+// derived from seven requirements.
 
 #include <array>
 #include <cmath>
@@ -44,7 +44,7 @@ const NamedMode& mode_of(const RowInput& input, std::size_t parameter) {
     return item(kModes, input.values[parameter]);
 }
 
-/// The display's outline, and in it a disc of so few pixels that their shape is seen.
+/// The display's outline, with a disc of few pixels, which shows their shape.
 Figures draw_pixel_aspect(const RowInput& input, Framebuffer canvas) {
     const NamedMode& named = mode_of(input, 0);
     const double wide = number_of(named.mode.display), shape = number_of(named.mode.pixel());
@@ -101,12 +101,12 @@ Figures draw_field_of_view(const RowInput& input, Framebuffer canvas) {
                           number_of(here.x.multiplier) / mode.width_px, 1e-8, 6)};
 }
 
-/// The demo level's sphere, from far enough that perspective does not stretch it by a hundredth.
+/// The demo level's sphere, from a distance at which perspective stretches it by less than 1 %.
 Camera camera_before_sphere() {
     return camera_at(-112, 352 - 300, 128, 90, 0, 40);
 }
 
-/// What the seed's three projections do for a point: naive, by the formula at each point, by two multipliers.
+/// The operations of the seed's three projections for a point: naive, by the formula at each point, by two multipliers.
 struct ProjectionCosts {
     Operations naive, by_formula, by_multipliers;
 };
@@ -121,7 +121,8 @@ ProjectionCosts projection_costs() {
             })};
 }
 
-/// How far off the top row is with 1.33 for 4/3, in 320x200 at 90 degrees: what is three units up, four ahead.
+/// The error of the top row with 1.33 instead of 4/3, in 320x200 at 90 degrees, of the point three units up, four
+/// ahead.
 double error_of_rounded_aspect_px() {
     const auto top = [](Ratio display) {
         const Projection projection = make_projection({320, 200, display}, Degrees::from_int(90));
@@ -167,7 +168,7 @@ Figures draw_two_multipliers(const RowInput& input, Framebuffer canvas) {
 
 using Dots = std::array<std::array<double, 3>, 3>;
 
-/// The dot products of axes whose first two have this angle between them, by the engine.
+/// The engine's dot products of axes of which the first two enclose this angle.
 Dots dots_of_axes(std::int64_t degrees) {
     const Angle angle = degrees_to_angle(Degrees::from_int(degrees));
     constexpr Unit kOne = Unit::from_int(1);
@@ -178,7 +179,7 @@ Dots dots_of_axes(std::int64_t degrees) {
     return dots;
 }
 
-/// The nine terms as a table: a term that is gone is dim.
+/// The nine terms as a table; zero terms are dim.
 void draw_nine_terms(const Vec3<double>& u, const Vec3<double>& v, const Dots& dots, const GalleryAssets& assets,
                      Framebuffer canvas) {
     const std::array us{u.x, u.y, u.z}, vs{v.x, v.y, v.z};
@@ -195,14 +196,14 @@ void draw_nine_terms(const Vec3<double>& u, const Vec3<double>& v, const Dots& d
         }
 }
 
-/// The seven equations of the seed, each with both sides' numbers; what follows from them, and what it costs.
+/// The seed's seven equations, each with both sides' values; their consequence, and its cost.
 Figures draw_seven_steps(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
     fill(canvas, assets.colour(20, 24, 36));
     const Vec3<double> u{1, 2, 3}, v{4, -5, 6}, w{2, 1, -1};
     const Dots dots = dots_of_axes(input.values[0]);
     const auto product = [&](const Vec3<double>& a, const Vec3<double>& b) { return dot_by_nine_terms(a, b, dots); };
-    // The definition, without a dot product: the triangle of u, v and u - v, in axes at right angles.
+    // The definition, without a dot product: from the triangle of u, v and u - v, in perpendicular axes.
     const double angle = input.angle(0).bam * std::numbers::pi / 32768;
     const auto squared = [&](const Vec3<double>& a) {
         return std::pow(a.x + a.y * std::cos(angle), 2) + std::pow(a.y * std::sin(angle), 2) + a.z * a.z;

@@ -29,8 +29,8 @@ std::string sides_text(unsigned outcode) {
 
 enum class VolumeKind { Perspective, Parallel, Oblique };
 
-/// A view that is shown from outside: from the origin along +x. The parallel volumes are a box, and one that leans by
-/// kLean of its depth to the left and down (seed 4's parallel projection matrix, L cos a = L sin a = kLean).
+/// A view shown from outside: from the origin along +x. The parallel volumes are a box, and one sheared by kLean of its
+/// depth to the left and down (seed 4's parallel projection matrix, L cos a = L sin a = kLean).
 struct ShownView {
     static constexpr double kNear = 4, kFar = 14, kHalfWidth = 6, kLean = 0.25;
     VolumeKind kind;
@@ -43,7 +43,7 @@ struct ShownView {
     double lean() const { return kind == VolumeKind::Oblique ? kLean : 0; }
 };
 
-/// Viewspace to the canonical volume of a parallel view: what leans is set upright, then the box is moved and scaled.
+/// Viewspace to the canonical volume of a parallel view: a shear makes the volume upright, then it is moved and scaled.
 Matrix4 parallel_volume_matrix(double lean) {
     Matrix4 shear = Matrix4::identity();
     shear.rows[0][2] = shear.rows[1][2] = entry_of(lean);
@@ -78,19 +78,19 @@ std::array<Vec3<World>, 4> volume_end(const ShownView& shown, int z) {
             volume_corner(shown, 1, -1, z)};
 }
 
-/// A place on a triangle: shares of the ways to its second and its third corner.
+/// A point on a triangle: coordinates along the edges from its first to its second and third corner.
 struct TrianglePlace {
     double b = 0, c = 0;
 };
 
-/// a + along_b b + along_c c >= 0 is kept.
+/// The points with a + along_b b + along_c c >= 0.
 struct HalfPlane {
     double a = 0, along_b = 0, along_c = 0;
 
     double at(const TrianglePlace& p) const { return a + along_b * p.b + along_c * p.c; }
 };
 
-/// The triangle's own three sides, and the six planes of the view on it.
+/// The triangle's own three sides, and the view's six planes, as half planes on it.
 std::vector<HalfPlane> half_planes_of(const std::array<Vec3<World>, 3>& triangle, const ShownView& shown) {
     std::vector<HalfPlane> sides{{0, 1, 0}, {0, 0, 1}, {1, -1, -1}};
     const auto keep = [&](auto inside_at) {
@@ -108,9 +108,9 @@ std::vector<HalfPlane> half_planes_of(const std::array<Vec3<World>, 3>& triangle
     return sides;
 }
 
-/// The share of a triangle's area that is in the view, in closed form: nothing is clipped one side after the other.
-/// Each side's line is cut to what the others keep of it, which is an edge of what is left or nothing; the edges'
-/// cross products add up to twice its area (Green), the whole being 1/2.
+/// The share of a triangle's area in the view, in closed form, without clipping by one side after the other. Each
+/// side's line is cut by all other half planes: the rest is an edge of the visible part, or nothing. The edges' cross
+/// products add up to twice the area (Green); the whole is 1/2.
 double share_inside(const std::array<Vec3<World>, 3>& triangle, const ShownView& shown) {
     const std::vector<HalfPlane> sides = half_planes_of(triangle, shown);
     double doubled_area = 0;
@@ -138,7 +138,7 @@ double area_of(std::span<const Vec3<World>> corners) {
     return length(doubled) / 2;
 }
 
-/// The volume that all views become, with what is left of the polygon in it: x right, y up, depth away from the viewer.
+/// The canonical volume, with the clipped polygon in it: x right, y up, depth away from the viewer.
 void draw_canonical_volume(std::span<const Vec4> polygon, const RowInput& input, Framebuffer canvas) {
     const std::int32_t x = canvas.width_px * 206 / 320, y = kHeader_px + 5 * kLineHeight_px;
     const Area area{x, y, canvas.width_px - x, std::max(canvas.height_px - kFooter_px - y, 8)};
@@ -165,7 +165,7 @@ void draw_canonical_volume(std::span<const Vec4> polygon, const RowInput& input,
     sketch.label(far[2], "1 1 1", blue);
 }
 
-/// The volume in the world: its two ends, the edges between them, and the rays that its near corners are seen along.
+/// The volume in the world: its two ends, the edges between them, and the rays to its near corners.
 void draw_volume(const ShownView& shown, const GalleryAssets& assets, Sketch& sketch) {
     const std::uint8_t blue = assets.colour(90, 130, 220), grey = assets.colour(80, 88, 110);
     const auto near = volume_end(shown, 0), far = volume_end(shown, 1);
@@ -173,7 +173,7 @@ void draw_volume(const ShownView& shown, const GalleryAssets& assets, Sketch& sk
     sketch.outline(far, blue);
     for (std::size_t i = 0; i < 4; ++i) {
         sketch.line(near[i], far[i], blue);
-        // Back by 2/5 of the depth, to where x is 0: the eye, or where a ray has no beginning.
+        // Back by 2/5 of the depth, to x = 0: the eye, or a point on a parallel ray.
         const auto back = [&](auto part) { return number_of(part(near[i])) * 1.4 - number_of(part(far[i])) * 0.4; };
         sketch.line(world_point(back([](const auto& p) { return p.x; }), back([](const auto& p) { return p.y; }),
                                 back([](const auto& p) { return p.z; })),

@@ -33,13 +33,13 @@ std::vector<BallFace> make_ball(double x, double y, double z, double radius) {
         for (int column = 0; column < kAcross; ++column) {
             const std::array corners{at(column, row), at(column, row + 1), at(column + 1, row + 1),
                                      at(column + 1, row)};
-            // Of the diagonals: at the poles two corners are one.
+            // From the diagonals, since two corners coincide at the poles.
             faces.push_back({corners, normalised(cross(corners[3] - corners[1], corners[2] - corners[0]))});
         }
     return faces;
 }
 
-/// What decides whether a face is drawn.
+/// The rule for drawing a face.
 enum class CullRule { ObjectDot, ViewNormal, ScreenArea };
 
 /// Twice the area on the screen; the faces are all in front of the eye.

@@ -1,4 +1,4 @@
-// Three planks, each over the next: what no order of whole faces draws (seed 3: the painter's known failure).
+// Three planks, each over the next: no order of whole faces draws them (seed 3: the painter's known failure).
 
 #include <algorithm>
 #include <array>
@@ -33,8 +33,8 @@ struct Piece {
     std::vector<Vec3<World>> corners;
 };
 
-/// Along one side of a triangle and past both its corners, farther away at its end than at its start by `rise`, so
-/// that it is over the plank that ends there, and under the one that starts where it ends.
+/// A plank along one side of a triangle and beyond both its corners. Its end is farther away than its start by `rise`,
+/// so that it is over the plank that ends at its start, and under the one that starts at its end.
 Piece make_plank(int number, double rise) {
     constexpr double kRadius = 48, kOverhang = 0.3, kHalfWidth = 9;
     const auto corner = [](int i) {
@@ -51,7 +51,7 @@ Piece make_plank(int number, double rise) {
     Piece plank{number, {}, {end(-kOverhang, 1), end(1 + kOverhang, 1), end(1 + kOverhang, -1), end(-kOverhang, -1)}};
     const Vec3<World> edge = plank.corners[1] - plank.corners[0], other = plank.corners[2] - plank.corners[0];
     plank.plane.normal = normalised(cross(other, edge));
-    if (plank.plane.normal.y > Unit{}) {  // toward the eye, with the corners clockwise from there
+    if (plank.plane.normal.y > Unit{}) {  // make it face the eye, with the corners clockwise from there
         plank.plane.normal = -plank.plane.normal;
         std::reverse(plank.corners.begin(), plank.corners.end());
     }
@@ -69,8 +69,8 @@ ViewContext view_of_planks(const RowInput& input, std::int32_t subpixel_bits) {
     return make_view_context(first_person_view(camera), input.mode, precision);
 }
 
-/// The pieces nearest first: the first one's plane cuts the others, and what is on the eye's side of it comes before
-/// it (Fuchs, Kedem and Naylor 1980).
+/// The pieces front to back: the first one's plane cuts the others, and the parts on the eye's side of it come first
+/// (Fuchs, Kedem and Naylor 1980).
 std::vector<Piece> front_to_back(std::vector<Piece> pieces, const Vec3<World>& eye) {
     if (pieces.size() < 2) return pieces;
     const Piece root = pieces.front();
@@ -171,7 +171,7 @@ std::vector<int> nearest_planks(const ScannedFaces& scanned, std::span<const Pie
     return nearest;
 }
 
-/// A shade for each of the pieces that a plank is cut into.
+/// A shade for each piece of a plank.
 std::uint8_t colour_of(const Piece& piece, std::span<const Piece> before, const GalleryAssets& assets) {
     constexpr std::array<std::array<int, 3>, kPlanks> kColours{{{214, 150, 70}, {90, 130, 190}, {150, 110, 90}}};
     const auto& [red, green, blue] = item(kColours, piece.plank);

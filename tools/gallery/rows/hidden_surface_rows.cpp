@@ -1,4 +1,4 @@
-// Hidden surfaces: the same views by each method (seeds 3 and 4), what each of them works with, and where one fails.
+// Hidden surfaces: the same views by each method (seeds 3 and 4), their intermediate results, and where one fails.
 
 #include <algorithm>
 #include <array>
@@ -23,7 +23,7 @@ Camera camera_in_hall() {
     return camera_at(-780, 2320, 100, 0, 6);
 }
 
-/// A frame of the demo level by one method, with what it was worked out with.
+/// A frame of the demo level by one method, with its intermediate results.
 class MethodFrame {
   public:
     MethodFrame(const RowInput& input, HiddenSurfaces method, const ScreenMode& mode)
@@ -54,7 +54,7 @@ std::string per_pixel(std::int64_t count, std::size_t pixels) {
     return decimal_text(static_cast<double>(count) / static_cast<double>(pixels), "%.2f");
 }
 
-/// Copies a picture; pixels that differ from `right` become `warning` if it is set. How many differ.
+/// Copies a picture; pixels that differ from `right` become `warning` if it is set. Returns the number of differences.
 std::int64_t show_differences(std::span<const std::uint8_t> shown, std::span<const std::uint8_t> right,
                               std::optional<std::uint8_t> warning, Framebuffer canvas) {
     std::int64_t differences = 0;
@@ -67,8 +67,8 @@ std::int64_t show_differences(std::span<const std::uint8_t> shown, std::span<con
     return differences;
 }
 
-/// Whether a method is right for every scene with these settings: 1/z and corners that are rounded coarsely let the
-/// z-buffer's depths, and the rays' exact outlines, differ from what the span buffer shows.
+/// Whether a method is exact with these settings. With coarsely rounded 1/z and corners, the z-buffer's depths and the
+/// rays' exact outlines may differ from the span buffer's picture.
 bool is_exact(HiddenSurfaces method, const Accuracy& accuracy) {
     if (method == HiddenSurfaces::SpanBuffer || method == HiddenSurfaces::Painter) return true;
     const Accuracy finest = accuracy_of(Preset::Exact);
@@ -100,7 +100,7 @@ Figures draw_hidden_surface_methods(const RowInput& input, Framebuffer canvas) {
     return figures;
 }
 
-/// Colours of a count of 0, 1, 2 ... and more.
+/// Colours for counts 0, 1, 2, ...; the last one is for all higher counts.
 std::vector<std::uint8_t> heat_colours(const GalleryAssets& assets) {
     return {assets.colour(10, 12, 20),   assets.colour(24, 44, 96),   assets.colour(30, 90, 140),
             assets.colour(40, 140, 110), assets.colour(120, 170, 60), assets.colour(220, 190, 60),
@@ -141,7 +141,7 @@ Figures draw_overdraw(const RowInput& input, Framebuffer canvas) {
             measured("most at one pixel", *std::max_element(writes.begin(), writes.end()))};
 }
 
-/// Steps of 1/z to greys: equal steps of log z, near is bright.
+/// A grey for a depth: equal steps in log z, near is bright.
 std::uint8_t depth_colour(InverseZ inverse_z, std::span<const std::uint8_t> greys) {
     const double z =
         std::ldexp(1.0, InverseZ::kFractionBits) / static_cast<double>(std::max<std::int64_t>(inverse_z.raw, 1));
@@ -155,12 +155,12 @@ std::vector<std::uint8_t> depth_greys(const GalleryAssets& assets) {
     return greys;
 }
 
-/// A place of the picture whose depth is checked: on a wall.
+/// A pixel whose depth is checked; it shows a wall.
 struct Pixel {
     std::int32_t column, row;
 };
 
-/// z of what a pixel of a view shows, from the tree alone: where the line of sight leaves the open.
+/// z of the surface at a pixel, from the tree alone: where the line of sight enters solid space.
 double depth_by_tree(const Level& level, const Camera& camera, const ScreenMode& mode, Pixel pixel) {
     const Basis axes = view_basis(camera.yaw, camera.pitch, camera.roll);
     const ViewDirections directions = make_view_directions(axes, make_projection(mode, camera.field_of_view));

@@ -1,5 +1,5 @@
-// What can be asked of a frame: what is under the crosshair (seed 5's lines and planes), the log by kinds and the
-// memory (seed 2).
+// Queries on a frame: the surface under the crosshair (seed 5's lines and planes), the log by subject and the memory
+// (seed 2).
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ namespace oblong {
 
 namespace {
 
-/// How far along a ray it goes through a face, in double precision; below 0 where it does not.
+/// The distance along a ray to its intersection with a face, in double precision; below 0: none.
 double distance_in_double(const Level& level, const Face& face, const Vec& eye, const Vec& direction) {
     const LevelPlane& plane = level.planes[face.plane];
     const double sign = face.is_back ? -1 : 1;
@@ -113,7 +113,7 @@ double bytes_in(const std::string& memory_line) {
     return std::stod(memory_line.substr(first_digit_of(memory_line)));
 }
 
-/// The bytes of the line that begins with this text; there is one.
+/// The bytes in the line that begins with this text, which must exist.
 double bytes_of(std::string_view what, const LogLines& memory) {
     return bytes_in(
         *std::find_if(memory.begin(), memory.end(), [what](const auto& line) { return line.starts_with(what); }));
@@ -135,7 +135,7 @@ Figures draw_memory(const RowInput& input, Framebuffer canvas) {
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const double bytes = bytes_in(lines[i]);
         if (i + 1 < lines.size()) sum += bytes;  // the last is all rooms
-        // From half a kilobyte to 16 megabytes, by the logarithm: the bars stay comparable.
+        // A logarithmic scale from half a kilobyte to 16 megabytes.
         const double share = std::log2(std::max(bytes / 512, 1.0)) / 15;
         fill_area(canvas,
                   {bars_x, y, static_cast<std::int32_t>(share * (canvas.width_px - bars_x)), kGlyphHeight_px - 2},

@@ -1,4 +1,4 @@
-// Seed 2 (the lab): lines clipped in the view volume, before data is lost in projection.
+// Seed 2 (the lab): lines clipped in the view volume, before projection loses the depth.
 
 #include <algorithm>
 #include <array>
@@ -20,7 +20,7 @@ struct Segment {
     Vec from, to;
 };
 
-/// Lines here and there around the volume: fractions of the golden ratio's multiples, which are spread evenly.
+/// Lines around the volume, evenly spread by fractions of multiples of the golden ratio.
 std::vector<Segment> some_lines(std::int64_t count) {
     const auto spread = [](int number, double least, double most) {
         const double whole = number * 0.6180339887498949;
@@ -36,7 +36,7 @@ std::vector<Segment> some_lines(std::int64_t count) {
     return lines;
 }
 
-/// How much of a line is inside, by its middles of 20,000 parts.
+/// The share of a line that is inside, by the midpoints of 20,000 parts.
 double length_inside(const Segment& line, double slope_x, double slope_y) {
     constexpr int kParts = 20'000;
     int inside = 0;

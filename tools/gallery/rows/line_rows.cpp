@@ -46,7 +46,7 @@ constexpr std::array<NamedLine, 5> kLines{{{"flat", {1, 3}, {22, 8}},
                                            {"diagonal", {6, 0}, {17, 11}},
                                            {"upright", {12, 0}, {12, 11}}}};
 
-/// How far the centres of a picture's lit pixels are from a line.
+/// The distances of a picture's lit pixels from a line.
 struct LineError {
     double largest = 0, mean_square = 0;
     std::int64_t pixels = 0;
@@ -75,7 +75,7 @@ LineError error_of(LineMethod method, const NamedLine& line) {
     return error;
 }
 
-/// What is possible: on each row or column of the longer way, the nearest pixel.
+/// The least possible error: in each step along the major axis, the nearest pixel.
 LineError least_error(const NamedLine& line) {
     const double dx = line.to.column - line.from.column, dy = line.to.row - line.from.row;
     const int steps = static_cast<int>(std::max(std::abs(dx), std::abs(dy)));

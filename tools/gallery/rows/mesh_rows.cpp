@@ -1,4 +1,4 @@
-// Seeds 3 and 5: a model on its way through the pipeline, and among the surfaces of a level.
+// Seeds 3 and 5: a model in the pipeline, and among the surfaces of a level.
 
 #include <algorithm>
 #include <array>
@@ -22,9 +22,9 @@ MeshLight light_from_above() {
 constexpr double kHalfCube = 30;
 constexpr int kPitchDegrees = 25;
 
-/// How many of a turned cube's six sides the eye is in front of: `distance` before its middle.
+/// The number of sides of a turned cube that face the eye, which is `distance` from its middle.
 std::int64_t sides_in_front(double distance, double yaw, double pitch) {
-    // The x of its axes: ahead, left, up.
+    // The x components of its axes: ahead, left, up.
     const std::array towards{std::cos(pitch) * std::cos(yaw), -std::sin(yaw), std::sin(pitch) * std::cos(yaw)};
     return std::count_if(towards.begin(), towards.end(),
                          [distance](double x) { return distance * std::abs(x) > kHalfCube; });

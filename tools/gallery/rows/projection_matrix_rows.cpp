@@ -1,5 +1,5 @@
 // Projection as a matrix: homogeneous coordinates (seeds 2, 3 and 4), the course notes' matrix with its depth (3), and
-// a polygon of OpenGL on its way (4).
+// an OpenGL polygon in the pipeline (4).
 
 #include <algorithm>
 #include <array>
@@ -24,8 +24,8 @@ Matrix4 perspective(double distance) {
     return matrix;
 }
 
-/// Points and directions in four coordinates, from the side: ahead is right, up is up. By seed 4's convention z grows
-/// toward the viewer; with D above 0, as listed, its picture is behind the eye and stands on its head.
+/// Points and directions in four coordinates, in a side view: z to the right, y up. By seed 4's convention z grows
+/// toward the viewer; with D above 0, as listed, the picture plane is behind the eye and the picture is upside down.
 Figures draw_homogeneous(const RowInput& input, Framebuffer canvas) {
     const double sign = input.values[0] == 0 ? 1 : -1, distance = input.number(1) * (input.values[0] == 1 ? -1 : 1);
     Diagram diagram(input, canvas, {2.5, 1.1}, 8);
@@ -65,7 +65,7 @@ Figures draw_homogeneous(const RowInput& input, Framebuffer canvas) {
 /// The course notes' view: 90 degrees across a display of 4:3.
 constexpr double kAspect = 3.0 / 4;
 
-/// As listed: a = width / height, and a lambda that has the offset in it.
+/// As listed: a = width / height, and a lambda that includes the offset.
 Matrix4 listed_matrix(double nearest, double farthest) {
     const double f = 1 / kAspect;
     const double lambda = farthest / (farthest - nearest) - farthest * nearest / (farthest - nearest);
@@ -81,7 +81,7 @@ double depth_of(const Matrix4& matrix, double z) {
     return number_of(point_of(matrix * Vec4{Entry{}, Entry{}, entry_of(z)})->z);
 }
 
-/// Depth over z: the near plane's, the far plane's, and what is between.
+/// Depth as a function of z, from the near to the far plane.
 void draw_depths(const std::array<const Matrix4*, 2>& matrices, double nearest, double farthest, const RowInput& input,
                  Framebuffer canvas) {
     const std::int32_t left = canvas.width_px * 200 / 320;
@@ -126,7 +126,7 @@ Figures draw_projection_matrix(const RowInput& input, Framebuffer canvas) {
                   "f = 4/3, 1 / tan(fov / 2)", "lambda = " + decimal_text(number_of(shown.rows[2][2]), "%.6f")});
     draw_column(canvas, kTextMargin_px, kHeader_px + 6, lines, assets.text);
 
-    // What is 45 degrees to the right is the view's right edge, 90 degrees across.
+    // A point 45 degrees to the right is on the view's right edge, since the view is 90 degrees wide.
     const double edge = number_of(point_of(shown * Vec4{entry_of(2), Entry{}, entry_of(2)})->x);
     const double lambda = farthest / (farthest - nearest);
     const double harmonic = 2 * nearest * farthest / (nearest + farthest);
@@ -148,7 +148,7 @@ Vec3<World> from_gl(const Vec& p) {
     return world_point(p.x, -p.z, p.y);
 }
 
-/// Where a point is in a part of the picture, in doubles.
+/// A point's position in a part of the picture, in doubles.
 PlanePoint pixel_in_double(const Vec& p, const Vec& eye, const RowInput& input, const Area& area) {
     const Vec forward = normalised(kQuadTarget - eye), right = normalised(cross(forward, {0, 1, 0})),
               up = cross(right, forward), way = p - eye;

@@ -15,7 +15,7 @@ namespace oblong {
 
 namespace {
 
-/// How long a line is on the display, in columns.
+/// The length of a line on the display, in columns.
 double length_on_display(const Vec& from, const Vec& to, const ViewContext& view, const ScreenMode& mode) {
     const PlanePoint a = shown(from, view), b = shown(to, view);
     return std::hypot(b.x - a.x, (b.y - a.y) * number_of(mode.pixel().inverse()));
@@ -24,7 +24,7 @@ double length_on_display(const Vec& from, const Vec& to, const ViewContext& view
 constexpr Cube kCube{{-50, -50, -50}, 100};
 constexpr double kCubeWidth = 340;  ///< units across the screen
 
-/// The cube in the middle of what header and footer leave.
+/// The cube in the middle between header and footer.
 void draw_cube_scene(const RowInput& input, const ViewSpec& view, Framebuffer canvas) {
     const double unit_px = input.mode.width_px / kCubeWidth * number_of(input.mode.pixel());
     const double down = (kFooter_px - kHeader_px) / 2.0 / unit_px;
@@ -42,7 +42,7 @@ ViewContext context_of(const RowInput& input, const ViewSpec& view) {
 
 const Vec kX{50, -50, -50}, kY{-50, 50, -50}, kZ{-50, -50, 50};
 
-/// How long the cube's edges along x, y and z are in the picture, against factors of their true length.
+/// The lengths of the cube's edges along x, y and z in the picture; expected: factors of their true length.
 std::vector<Figure> edge_figures(const RowInput& input, const ViewSpec& view, const std::array<double, 3>& factors) {
     const ViewContext context = context_of(input, view);
     const double true_length = 100 * input.mode.width_px / kCubeWidth;
@@ -70,7 +70,7 @@ Figures draw_axonometric(const RowInput& input, Framebuffer canvas) {
     const ViewSpec view =
         orthographic_view({}, axonometric_axes(kind, turn), View::from_int(static_cast<std::int64_t>(kCubeWidth)));
     draw_cube_scene(input, view, canvas);
-    // An axis is shortened to the root of 1 less its squared part along the rays.
+    // An axis is shortened to sqrt(1 - c^2), with c its component along the rays.
     const double equal = std::sqrt(2 / 3.0), root2 = std::sqrt(2);
     const std::array<std::array<double, 3>, 3> factors{
         {{equal, equal, equal},
@@ -110,7 +110,7 @@ ViewSpec level_view(std::int64_t choice) {
     constexpr View kWidth = View::from_int(2300);
     if (choice < 3)
         return orthographic_view(middle_of_demo_level(), axonometric_axes(static_cast<Axonometry>(choice)), kWidth);
-    // From above, so that what is higher rises to the upper right.
+    // From above, with heights drawn to the upper right.
     return oblique_view(middle_of_demo_level(), side_axes(ViewSide::Top), kWidth,
                         Unit::from_raw(choice == 3 ? 1 << 30 : 1 << 29), Angle{0xa000});
 }
@@ -131,7 +131,7 @@ Figures draw_level_from_outside(const RowInput& input, Framebuffer canvas) {
             measured("faces that own pixels", counts.faces_drawn)};
 }
 
-/// A camera whose picture of the cube has so many vanishing points.
+/// A camera whose picture of the cube has this number of vanishing points.
 Camera camera_with_points(int points) {
     constexpr std::array<Vec, 3> kEyes{{{110, -310, 100}, {-160, -160, 15}, {-140, -140, 150}}};
     Camera camera;
@@ -142,7 +142,8 @@ Camera camera_with_points(int points) {
     return camera;
 }
 
-/// Where lines along an axis meet: the picture of a direction, x m / z; none for lines along the view plane.
+/// The vanishing point of an axis: the projection of its direction, x m / z; none for directions parallel to the view
+/// plane.
 std::optional<PlanePoint> vanishing_point(const Vec3<Unit>& axis, const ViewContext& view) {
     const auto part = [&](const Vec3<Unit>& of_view) { return number_of(dot(axis, of_view)); };
     const double z = part(view.axes.forward);
@@ -169,7 +170,7 @@ Figures draw_vanishing_points(const RowInput& input, Framebuffer canvas) {
         ++found;
         for (int corner = 0; corner < 8; ++corner)
             scene.line(shown(kCube.corner(corner), scene.view()), *point, colours[axis]);
-        // As the engine projects a place 2^18 units from the eye, ahead of it.
+        // Compared with the engine's projection of a point 2^18 units ahead of the eye.
         Vec far = vec_of(camera.eye);
         const double way = dot(axes[axis], scene.view().axes.forward) > Sine60{} ? 262144 : -262144;
         far[axis] += way;

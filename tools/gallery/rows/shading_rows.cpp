@@ -1,4 +1,4 @@
-// Seeds 3 and 5: shading, and light as dot products. What scaling does to normals.
+// Seeds 3 and 5: shading, and light as dot products. The effect of scaling on normals.
 
 #include <array>
 #include <cmath>
@@ -19,7 +19,7 @@ constexpr double kBallsDistance = 200;
 constexpr std::array kShadings{Shading::Flat, Shading::Gouraud, Shading::Phong};
 constexpr std::array kShadingNames{"flat", "Gouraud", "Phong"};
 
-/// Toward a light that goes around what it shines on, seen from the eye's side: 0 is right, 90 above.
+/// The direction to a light that circles an object on the eye's side: 0 is right, 90 above.
 Vec toward_light(double angle) {
     return normalised(Vec{-0.8, -std::cos(angle), std::sin(angle)});
 }
@@ -28,7 +28,7 @@ Vec3<Unit> unit_of(const Vec& direction) {
     return unit_vector(direction.x, direction.y, direction.z);
 }
 
-/// A place on the canvas's own view: right of and above its middle, units at the distance of the meshes.
+/// A marked pixel of the canvas.
 struct Mark {
     std::int32_t column = 0, row = 0;
 };
@@ -46,7 +46,7 @@ void draw_mark(Framebuffer canvas, Mark mark, std::uint8_t colour) {
     }
 }
 
-/// Where the balls of the row stand, and what part of one is marked.
+/// The positions of the row's balls.
 constexpr double kBallRadius = 27, kBallStep = 60, kBallHeight = 8;
 
 PlacedMesh shaded_ball(const Mesh& mesh, std::size_t kind) {
@@ -58,14 +58,15 @@ PlacedMesh shaded_ball(const Mesh& mesh, std::size_t kind) {
     return placed;
 }
 
-/// The light of Phong's reflection: ambient, diffuse and a highlight about the direction halfway to the eye.
+/// The light of Phong's reflection: ambient, diffuse and a highlight around the direction halfway between light and
+/// eye.
 double reflected(const Vec& normal, const Vec& toward, const Vec& eye, double highlight) {
     const Vec half = normalised(toward + eye);
     return 24 + 110 * std::max(dot(normal, toward), 0.0) +
            highlight * std::pow(std::max(dot(normal, half), 0.0), kShininess);
 }
 
-/// The shade that the mark should have, from the corners of the triangle that is there.
+/// The expected shade of the mark, from the corners of the triangle there.
 double expected_shade(std::size_t kind, const PlacedMesh& placed, const ExactHit& hit, const Vec& toward) {
     const Vec eye = normalised(vec_of(placed.position) * -1);
     if (kShadings[kind] == Shading::Flat) return exact_shade(reflected(hit.normal, toward, eye, 0));
@@ -112,7 +113,7 @@ Figures draw_shadings(const RowInput& input, Framebuffer canvas) {
 enum class Kind : std::uint8_t { Ambient, Directional, Point };
 constexpr double kLitRadius = 46;
 
-/// The light that a place of the ball should get.
+/// The expected light at a point of the ball.
 double expected_light(Kind kind, const Vec& normal, const Vec& position, const Vec& lamp) {
     if (kind == Kind::Ambient) return 90;
     const Vec way = kind == Kind::Point ? lamp - position : lamp;
@@ -169,8 +170,8 @@ double degrees_between(PlanePoint a, PlanePoint b) {
     return std::abs(std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y)) * 180 / std::numbers::pi;
 }
 
-/// A normal of a scaled surface in three ways: as a point, by the inverse transpose, and as the cross product of two of
-/// its edges after they were scaled.
+/// The normal of a scaled surface in three ways: transformed as a point, by the inverse transpose, and as the cross
+/// product of two scaled edges.
 struct ScaledNormals {
     PlanePoint as_point, as_normal, of_edges;
 };
@@ -184,8 +185,8 @@ ScaledNormals scaled_normals(const Matrix3& matrix, const Matrix3& normals, doub
             {number_of(edges.x), number_of(edges.y)}};
 }
 
-/// Seed 5 says that scaling leaves normals normals; its erratum A7 works out that it does not. The cross product of two
-/// edges, its other way to a normal, needs no rule.
+/// Seed 5 claims that scaling keeps normals normal; its erratum A7 shows that it does not. The cross product of two
+/// edges, its other way to a normal, is always right.
 Figures draw_normals(const RowInput& input, Framebuffer canvas) {
     const double scale = input.number(0) / 4;
     Diagram diagram(input, canvas, {0, 0}, 4.4);

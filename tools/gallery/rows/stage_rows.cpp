@@ -1,4 +1,4 @@
-// The pipeline, stopped after each stage: a cube by the functions that draw models, with the numbers that each leaves.
+// The pipeline, stopped after each stage: a cube by the functions that draw models, with the numbers after each stage.
 
 #include <algorithm>
 #include <array>
@@ -20,15 +20,15 @@ namespace {
 constexpr std::array<std::array<std::uint32_t, 2>, 12> kEdges{
     {{0, 1}, {2, 3}, {4, 5}, {6, 7}, {0, 2}, {1, 3}, {4, 6}, {5, 7}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
 
-/// The eye looks east, and down by half as much: forward is (kLevel, 0, -kDown), up is (kDown, 0, kLevel).
+/// The eye looks east, and down with slope 1/2: forward is (kLevel, 0, -kDown), up is (kDown, 0, kLevel).
 const double kLevel = 2 / std::sqrt(5.0), kDown = 1 / std::sqrt(5.0);
 
-/// A point of the world from how far right of the eye, above and ahead of it.
+/// The world point with these viewspace coordinates.
 Vec3<World> point_before_eye(double right, double up, double ahead) {
     return world_point(ahead * kLevel + up * kDown, -right, up * kLevel - ahead * kDown);
 }
 
-/// The triangles that face the eye, as their light has them or in plain colours: those behind from here come first.
+/// The triangles that face the eye, lit or in plain colours: from `from`, back ones first.
 void draw_sides(const StagedCube& cube, Stage stage, std::span<const Vec3<World>> places, const Vec3<World>& from,
                 const GalleryAssets& assets, Sketch& sketch) {
     for (const bool is_front : {false, true})
@@ -100,7 +100,7 @@ PixelPosition pixel_of(const ScreenVertex& vertex) {
     return {floor_of(vertex.x), floor_of(vertex.y)};
 }
 
-/// The cube as the eye sees it: outlines of what is left of its triangles, spans, pixels.
+/// The cube seen from the eye: outlines of the clipped triangles, spans, pixels.
 void draw_from_eye(const StagedCube& cube, Stage stage, const RowInput& input, Framebuffer part) {
     const GalleryAssets& assets = input.assets;
     if (stage == Stage::Pixels) {
@@ -116,7 +116,7 @@ void draw_from_eye(const StagedCube& cube, Stage stage, const RowInput& input, F
     const std::array<std::uint8_t, 2> colours{assets.colour(90, 130, 220), assets.colour(70, 105, 180)};
     for (const ShownTriangle& triangle : cube.triangles) {
         for (const Span& span : triangle.spans) {
-            if (stage == Stage::Spans && span.y % 2 == 0) continue;  // so that one is told from the next
+            if (stage == Stage::Spans && span.y % 2 == 0) continue;  // so that spans can be told apart
             if (stage == Stage::Spans)
                 fill_area(part, {span.first, span.y, span.end - span.first, 1}, item(colours, triangle.number % 2));
             if (stage != Stage::Scanned) continue;
@@ -136,8 +136,8 @@ void draw_from_eye(const StagedCube& cube, Stage stage, const RowInput& input, F
     }
 }
 
-/// The canonical volume from its front, -1 to 1 across and up, whatever the screen's shape: what is left of the
-/// triangles after the perspective divide.
+/// The canonical volume from its front, -1 to 1 across and up, whatever the screen's shape: the clipped triangles after
+/// the perspective divide.
 void draw_divided(const StagedCube& cube, const RowInput& input, Framebuffer canvas, const Area& area) {
     Diagram diagram(input, part_of(canvas, {0, 0, area.width, canvas.height_px}), {0, 0}, 2.5);
     const std::uint8_t grey = input.colour(80, 88, 110);
@@ -155,7 +155,8 @@ void draw_divided(const StagedCube& cube, const RowInput& input, Framebuffer can
         }
 }
 
-/// Of the vertices in the view: how far the viewport puts what was divided from where the next stage has them.
+/// The largest distance between the divided vertices after the viewport transform and the next stage's screen
+/// positions, of vertices in the view.
 double viewport_error_px(const StagedCube& cube, Framebuffer part) {
     double worst = 0;
     for (std::size_t i = 0; i < 8; ++i) {
@@ -177,7 +178,7 @@ std::array<double, 3> world_in_double(const RowInput& input, int vertex) {
             input.number(2) / 4 + x * std::sin(yaw) + y * std::cos(yaw), z + kCubeBelow};
 }
 
-/// The triangles that face an eye at the origin: two for each side beyond whose plane it lies.
+/// The triangles that face an eye at the origin: two for each side whose plane is between it and the cube.
 int facing_in_double(const RowInput& input) {
     const double yaw = input.radians(1);
     const double x = -kCubeAhead, y = -input.number(2) / 4;
@@ -185,7 +186,7 @@ int facing_in_double(const RowInput& input) {
     return 2 * ((std::abs(own_x) > 1) + (std::abs(own_y) > 1) + (std::abs(kCubeBelow) > 1));
 }
 
-/// The light of those triangles: 40 and 110 times the cosine between a side's normal and (-2, -1, 2), of length 3.
+/// The light of those triangles: 40 plus 110 times the cosine between a side's normal and (-2, -1, 2), of length 3.
 double light_in_double(const RowInput& input) {
     const double yaw = input.radians(1);
     const double x = -kCubeAhead, y = -input.number(2) / 4;

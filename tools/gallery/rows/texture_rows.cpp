@@ -20,7 +20,7 @@ Vec channels_of(Rgb8 colour) {
     return {static_cast<double>(colour.red), static_cast<double>(colour.green), static_cast<double>(colour.blue)};
 }
 
-/// A ball before a dusk, at a place from the top left corner, (0, 0), to the bottom right one, (wide, 1).
+/// A picture of a ball before an evening sky, from the top left corner, (0, 0), to the bottom right one, (wide, 1).
 Vec colour_at(double x, double y, double wide) {
     const double right = (x - wide / 2) / 0.34, down = (y - 0.52) / 0.34, square = right * right + down * down;
     const auto mixed = [](const Vec& from, const Vec& to, double part) { return from + (to - from) * part; };
@@ -47,7 +47,7 @@ PngImage make_picture(const Area& area, Ratio pixel, bool is_grey) {
     return image;
 }
 
-/// How far the means of blocks of 8x8 pixels are off, on average over blocks and channels.
+/// The error of the means of 8x8 blocks, averaged over blocks and channels.
 double block_error(const PngImage& image, const std::vector<std::uint8_t>& indices, const Palette& palette) {
     constexpr std::int32_t kBlock = 8;
     double sum = 0;

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kTextColumn_320 = 204;
 
-/// The course notes' cube: eight corners, from 1 on.
+/// The course notes' cube: eight corners, numbered from 1.
 constexpr std::array<std::array<int, 3>, 8> kCubeCorners{
     {{-1, -1, -1}, {-1, 1, -1}, {1, 1, -1}, {1, -1, -1}, {1, 1, 1}, {1, -1, 1}, {-1, 1, 1}, {-1, -1, 1}}};
 /// Its twelve triangles. The eighth is listed as {8, 5, 1}.
@@ -68,7 +68,7 @@ Area fill_scene(const RowInput& input, Framebuffer canvas, std::int32_t width_of
     return scene_area(canvas, width_of_320);
 }
 
-/// Scale, then turn, then move: after each step.
+/// Scaled, then turned, then moved: shown after each step.
 Figures draw_model_to_world(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
     const auto step = input.values[0];
@@ -145,7 +145,7 @@ Figures draw_rotations(const RowInput& input, Framebuffer canvas) {
                           number_of(by_quaternion.rows[0][0]), 1e-4, 6)};
 }
 
-/// How often each directed edge is used, and six times the signed volume.
+/// The number of directed edges used once, and six times the signed volume.
 struct CubeCheck {
     int matched_edges = 0;
     double volume = 0;
@@ -192,7 +192,8 @@ Figures draw_left_handed_cube(const RowInput& input, Framebuffer canvas) {
     for (const int number : seen)
         sketch.label(cube_corner(number), std::to_string(number), input.colour(235, 235, 225));
     const CubeCheck check = check_cube(faces);
-    // Two for each side beyond whose plane the eye is; as listed, one of them may be gone, or face elsewhere.
+    // Two for each side whose plane is between the eye and the cube; with the listed data, one may be missing or have
+    // another direction.
     const int facing = 2 * ((std::abs(number_of(eye.x)) > 1) + (std::abs(number_of(eye.y)) > 1) + 1);
     return {count_figure("edges used once in each direction, of 18", is_listed ? 16 : 18, check.matched_edges),
             number_figure("signed volume", is_listed ? 22.0 / 3 : 8, check.volume, 1e-9),

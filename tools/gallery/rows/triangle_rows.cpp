@@ -35,7 +35,7 @@ void draw_band(const std::vector<ColouredTriangle>& triangles, TriangleMethod me
     }
 }
 
-/// Band `index` of a canvas cut in `count`.
+/// Band `index` of a canvas split into `count` bands.
 ScreenRectangle band_of(Framebuffer canvas, int index, int count) {
     return {0, canvas.width_px, canvas.height_px * index / count, canvas.height_px * (index + 1) / count};
 }
@@ -48,7 +48,7 @@ void draw_by_threads(const std::vector<ColouredTriangle>& triangles, TriangleMet
     for (std::thread& thread : running) thread.join();
 }
 
-/// Large ones behind, small ones in front, some beyond the canvas, in either order of corners.
+/// Large ones behind, small ones in front, some beyond the canvas, with either order of corners.
 std::vector<ColouredTriangle> random_triangles(std::int64_t seed, const RowInput& input, Framebuffer canvas) {
     constexpr int kCount = 60;
     std::mt19937 random(static_cast<std::uint32_t>(seed));
@@ -100,7 +100,7 @@ Figures draw_triangle_methods(const RowInput& input, Framebuffer canvas) {
     return figures;
 }
 
-/// Two triangles with a common side on a grid whose pixel centres the corners hit, as the rule decides.
+/// Two triangles with a common side with corners on pixel centres, decided by the rule.
 Figures draw_top_left_rule(const RowInput& input, Framebuffer canvas) {
     constexpr std::int32_t kColumns = 16, kRows = 9;
     fill(canvas, input.colour(16, 18, 28));
@@ -149,7 +149,7 @@ Figures draw_top_left_rule(const RowInput& input, Framebuffer canvas) {
 struct NamedPlace {
     const char* name;
     PlanePoint at;
-    std::array<double, 3> weights;  ///< as the seed's formula gives them with signs
+    std::array<double, 3> weights;  ///< by the seed's formula, with signs
 };
 constexpr std::array<NamedPlace, 4> kPlaces{{{"(1, 1)", {1, 1}, {0.5, 0.25, 0.25}},
                                              {"(5, 5), outside", {5, 5}, {-1.5, 1.25, 1.25}},
@@ -162,7 +162,7 @@ double share_of(ScreenArea part, ScreenArea whole) {
 
 constexpr std::array<std::array<int, 4>, 4> kBayer{{{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}}};
 
-/// Red, green and blue at the corners, each by a linear quantity; the nearest colours of the palette, dithered.
+/// Red, green and blue at the corners, each as a linear quantity, dithered to the palette's nearest colours.
 void fill_with_gradient(const ScreenTriangle& triangle, const RowInput& input, Framebuffer canvas) {
     constexpr auto kMost = CornerQuantity::from_int(255);
     const std::array<LinearQuantity<CornerQuantity>, 3> channels{
@@ -224,7 +224,7 @@ struct Tile {
 };
 constexpr std::array<PlanePoint, 4> kTexels{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
 
-/// Both coordinates at a pixel: interpolated themselves, or over z and divided by 1/z.
+/// Both coordinates at a pixel: interpolated directly, or as u/z, v/z and divided by 1/z.
 class TileTexture {
   public:
     TileTexture(const Tile& tile, const std::array<int, 3>& corners, bool is_perspective) {
@@ -271,7 +271,7 @@ void draw_tile(const Tile& tile, bool is_perspective, const RowInput& input, Fra
     }
 }
 
-/// The texel half way up the left side of the screen, between depth 1 and `far`: v is 0 to 1 there.
+/// The texel half way up the left side of the screen, between depth 1 and `far`: v is 0 to 1 along it.
 double middle_of_side(double far_depth, bool is_perspective) {
     const Tile tile{{{{0.5, 64.5}, {40.5, 64.5}, {30.5, 0.5}, {0.5, 0.5}}}, far_depth};
     return TileTexture(tile, kHalves[0], is_perspective).at_pixel(0, 32).y;

@@ -84,7 +84,7 @@ Figures draw_dot_product(const RowInput& input, Framebuffer canvas) {
                           1.0 / 4096)};
 }
 
-/// Axes of length 1 in a plane, the second so many degrees from the first.
+/// Axes of length 1 in a plane, with `degrees` between them.
 Basis crooked_axes(std::int64_t degrees) {
     return {direction_at(0), direction_at(degrees), {{}, {}, Unit::from_int(1)}};
 }
@@ -120,7 +120,7 @@ Figures draw_orthonormal(const RowInput& input, Framebuffer canvas) {
             count_figure("|i + j|^2 with i = (1 0), j = (1 1): not 2", 5, dot(r + s, r + s).raw)};
 }
 
-/// A ball lit from the side: each pixel's normal times the direction of the light.
+/// A ball lit from the side: each pixel's normal times the light's direction.
 void draw_lit_ball(const RowInput& input, Diagram& diagram, PlanePoint centre, double radius,
                    const Vec3<Unit>& to_light, Framebuffer canvas) {
     const auto px = [&](PlanePoint at) { return diagram.on_canvas(at); };
@@ -164,7 +164,7 @@ Figures draw_lighting(const RowInput& input, Framebuffer canvas) {
             {"counted: four multiplications, two additions", "4 * 0 / 2 +", cost.text(), cost == Operations{4, 0, 2}}};
 }
 
-/// Where a point of space is on the diagram: x right, y up, z toward the viewer's left and down.
+/// The position of a point on the diagram: x right, y up, z to the lower left.
 PlanePoint seen(const Vec3<Unit>& v) {
     return {number_of(v.x) - 0.5 * number_of(v.z), number_of(v.y) - 0.35 * number_of(v.z)};
 }

@@ -17,7 +17,7 @@ namespace oblong {
 
 namespace {
 
-/// What the lab's text compares: its own view, half the window, and a COP ten times as far.
+/// The views that the lab's text compares: its own, half the window, and a COP ten times as far.
 struct LabView {
     const char* name;
     double distance, size;  ///< of the COP before the plane; of the window
@@ -25,8 +25,8 @@ struct LabView {
 constexpr std::array<LabView, 3> kLabViews{
     {{"COP 2, window 1", 2, 1}, {"COP 2, window 1/2", 2, 0.5}, {"COP 20, window 1", 20, 1}}};
 
-/// The lab's cube and window: as its text has them with a COP `distance` before the plane, and a window of `size` moved
-/// by `moved`.
+/// The lab's cube and window: as in its text, with a COP `distance` before the plane, and a window of `size` moved by
+/// `moved`.
 WindowView lab_window(const LabView& lab, double moved) {
     WindowView window;
     window.reference_point = world_point({0.5, 0.5, -2});
@@ -40,7 +40,7 @@ WindowView lab_window(const LabView& lab, double moved) {
     return window;
 }
 
-/// How many times as large the cube's near face is as its far one, in the lab's 200x200 pixels.
+/// The ratio of the cube's near face to its far face, in the lab's 200x200 pixels.
 double near_over_far(const LabView& lab) {
     const ViewContext view = make_view_context(window_view(lab_window(lab, 0)), {200, 200, {1, 1}});
     return across({0, 0, 0}, {1, 0, 0}, view) / across({0, 0, 1}, {1, 0, 1}, view);
@@ -48,7 +48,7 @@ double near_over_far(const LabView& lab) {
 
 Figures draw_lab_cube(const RowInput& input, Framebuffer canvas) {
     const LabView& shows = item(kLabViews, static_cast<std::int32_t>(input.values[0]));
-    // The window's sides are places of the world: rounded to its 4096ths.
+    // The window's sides are world coordinates, rounded to 1/4096.
     const double distance = shows.distance, half = shows.size / 2,
                  moved = number_of(world_point(input.number(1) / 10 * shows.size, 0, 0).x);
     const ViewSpec spec = window_view(lab_window(shows, moved));
@@ -62,7 +62,7 @@ Figures draw_lab_cube(const RowInput& input, Framebuffer canvas) {
     for (std::size_t i = 0; i < 4; ++i) scene.line(window[i], window[(i + 1) % 4], input.assets.colour(120, 150, 90));
     draw_axes({0, 0, 0}, 1.3, input.assets, scene);
 
-    // In the lab's 200x200 pixels: u is VUP x VPN, so that x grows to the left.
+    // In the lab's 200x200 pixels: u is VUP x VPN, so x grows to the left.
     const ViewContext lab = make_view_context(spec, {200, 200, {1, 1}});
     const auto column = [&](double x, double depth) {
         return 100 + 200 / shows.size * ((0.5 - x) * distance / (distance + depth) - moved);
@@ -88,8 +88,8 @@ Figures draw_lab_cube(const RowInput& input, Framebuffer canvas) {
     return figures;
 }
 
-/// The highest place that a plan shows, and the highest if each pixel is taken where its face is lowest within what
-/// corners are rounded by: on a face as steep as a wall that is many units.
+/// The highest point that a plan shows, and the same with each pixel taken at the lowest point of its face within the
+/// rounding of corners: on a face almost as steep as a wall this is many units lower.
 struct PlanHeights {
     double highest = -1e9, lowest_possible = -1e9;
 };
@@ -141,7 +141,7 @@ Figures draw_front_plane(const RowInput& input, Framebuffer canvas) {
 
 constexpr double kSphereDistance = 300;
 
-/// Before the demo level's sphere: the field of view changes, and the eye moves against it or not.
+/// Before the demo level's sphere: the field of view changes, with or without the compensating move of the eye.
 Figures draw_dolly_zoom(const RowInput& input, Framebuffer canvas) {
     const bool moves = input.values[1] == 0;
     constexpr std::array<int, 4> kDegrees{20, 40, 60, 90};
@@ -237,7 +237,7 @@ Figures draw_view_matrix(const RowInput& input, Framebuffer canvas) {
     write_matrices(to_world, to_view_axes, input.assets, canvas);
 
     const double yaw = input.radians(0), pitch = input.radians(1);
-    // (160, -20, 90) from the eye is (100, 100, 20); forward and right by their angles.
+    // (160, -20, 90) from the eye is (100, 100, 20); forward and right from the angles.
     const double ahead = (100 * std::cos(yaw) + 100 * std::sin(yaw)) * std::cos(pitch) - 20 * std::sin(pitch),
                  right = 100 * std::sin(yaw) - 100 * std::cos(yaw);
     const Vec4 seen = to_view_axes * Vec4{entry_of(160), entry_of(-20), entry_of(90)};
