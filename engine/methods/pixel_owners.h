@@ -38,7 +38,7 @@ struct ScannedFaces {
     }
 };
 
-/// The work that finding out which face owns which pixel took.
+/// The work of determining the face of each pixel.
 struct HiddenSurfaceCounts {
     std::int64_t faces_scanned = 0;      ///< for rays: the faces tested by them
     std::int64_t pixels_tested = 0;      ///< depths compared

@@ -31,8 +31,8 @@ struct ListedLevel {
 };
 
 struct LevelList {
-    std::vector<ListedLevel> levels;    ///< the demo level, then those that stand alone, then those of pak files; each
-                                        ///< name once, the one that find_level() finds
+    std::vector<ListedLevel> levels;    ///< the demo level, then single files, then those of pak files; of each
+                                        ///< name only the one that find_level() finds
     std::vector<std::string> problems;  ///< the FileError texts of broken pak files
 };
 

@@ -130,7 +130,7 @@ class PageLayout {
         out_.count = items_.size();
     }
 
-    // How many items from `first` on fit; at least one.
+    // The number of items from `first` on that fit; at least one.
     std::size_t shown_from(std::size_t first) const {
         std::int32_t height = 0;
         std::size_t last = first;

@@ -53,7 +53,7 @@ std::string file_name_of(SaveSlot slot) {
     return std::string(item(kPrefixes, slot.kind)) + number_text(slot) + std::string(kExtension);
 }
 
-// The slot whose file, or the one before it, has this name; nothing for any other file.
+// The slot whose file or previous file has this name; nothing for any other file.
 std::optional<SaveSlot> slot_of(const std::string& file_name) {
     const std::string_view name(file_name);
     for (const SaveKind kind : {SaveKind::Walk, SaveKind::Quick, SaveKind::Numbered}) {

@@ -34,7 +34,7 @@ std::int32_t ticks_of(const Entity& entity, const char* key);
 /// True where one of the bits of "spawnflags" is set.
 bool has_flag(const Entity& entity, int flags);
 
-/// True for an entity that isn't in the level when one plays alone at Quake's normal skill (spawnflag 512).
+/// True for an entity that is absent in single-player games at Quake's normal skill (spawnflag 512).
 inline bool is_left_out(const Entity& entity) {
     return has_flag(entity, 512);
 }

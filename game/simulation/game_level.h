@@ -74,11 +74,10 @@ struct MoverTouch {
 struct Mover {
     MoverKind kind = MoverKind::Door;
     ModelIndex model;
-    std::size_t entity = 0;  ///< into Level::entities
-    std::vector<Leg> legs;   ///< one or more
-    World speed_per_tick;    ///< units; degrees for a door that turns, as its leg's length
-    std::int32_t turns =
-        0;  ///< a door: 1 counter-clockwise, -1 clockwise; it is solid while it is shut; 0: it does not
+    std::size_t entity = 0;         ///< into Level::entities
+    std::vector<Leg> legs;          ///< one or more
+    World speed_per_tick;           ///< units; degrees for a door that turns, as its leg's length
+    std::int32_t turns = 0;         ///< a door: 1 counter-clockwise, -1 clockwise (solid while shut); 0: no turning
     std::int32_t wait_ticks = 0;    ///< at the far end; kForever: it stays there
     bool turns_back = false;        ///< when the player is in its way; others wait for room
     bool starts_at_end = false;     ///< a lift that waits above until it is activated

@@ -19,7 +19,7 @@ constexpr World kNear = World::from_int(96);           // nearer than this, pann
 constexpr World kInReach = World::from_int(32);        // nearer than this, nothing can be in between
 constexpr std::int32_t kSurfaceRise = 32;  // a liquid is heard from above its surface, over the edge of its basin
 constexpr std::int32_t kBlockedGain_256 = 140,
-                       kBlockedWind_256 = 40;  // wind is no sound of one place: hardly heard inside
+                       kBlockedWind_256 = 40;  // wind has no single source: faint indoors
 constexpr std::int32_t kFaintest_256 = 3;      // the sum of both sides below which a sound gets no voice
 
 Position nearest_point(const Box& box, const Position& to) {

@@ -17,7 +17,7 @@ class SoundPlayer {
     /// FileError.
     SoundPlayer(SoundOutput& output, const std::vector<std::string>& folders);
 
-    /// The sounds that AudibleSound::own counts from now on. Each file is given to the output once.
+    /// Sets the sounds that AudibleSound::own is an index of. Each file is given to the output once.
     void take_own(const LevelSounds& own);
 
     /// Makes the voices those of `sounds`, `volume_256` from 0 to 256. One-shots are started once.

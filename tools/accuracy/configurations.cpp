@@ -25,7 +25,7 @@ bool is_about_blocks(const Dial& dial) {
 Configurations::DialRows rows_of(const Dial& dial, Configurations& all) {
     Accuracy base;
     Configurations::DialRows rows{&dial, measure_of(dial), "default", false, {}};
-    if (dial.name == "texel-bound") {  // has no effect on others
+    if (dial.name == "texel-bound") {  // has no effect with other settings of perspective
         base.texturing = Texturing::BoundedTexels;
         rows.base = "default with perspective=bounded-texels";
     }

@@ -9,29 +9,29 @@
 
 namespace oblong {
 
-/// What a dial's settings are measured by.
+/// How a dial's settings are measured.
 enum class Measure {
-    Displacement,  ///< how far texels are from their places on the screen
-    WrongPixels,   ///< how many pixels show another face
-    EdgePixels,    ///< how many pixels show another face than with exact edges
-    FreePixels,    ///< how many pixels no face covers
-    LightColour,   ///< how far the colours of texels are from those the light gives them
-    PixelColour    ///< how far pixels are from the mean colour of what they cover
+    Displacement,  ///< the distance of texels from their exact places on the screen
+    WrongPixels,   ///< the pixels that show a wrong face
+    EdgePixels,    ///< the pixels that show another face than with exact edges
+    FreePixels,    ///< the pixels that no face covers
+    LightColour,   ///< the distance of texels' colours from their exactly lit colours
+    PixelColour    ///< the distance of pixels from the mean colour of their area
 };
 
-/// Settings that are measured together: each a whole Accuracy.
+/// Settings that are measured together; each is a complete Accuracy.
 struct Configurations {
     struct Row {
         std::string name;       ///< of the setting, or the preset
         std::size_t index = 0;  ///< into `accuracies`
-        std::size_t alone = 0;  ///< the same with a division a pixel, where DialRows::is_below_bound; else `index`
+        std::size_t alone = 0;  ///< if DialRows::is_below_bound, the same with a division for each pixel; else `index`
     };
     struct DialRows {
         const Dial* dial = nullptr;
         Measure measure = Measure::Displacement;
-        std::string base;  ///< what the other dials stand at
-        /// What it adds to the displacement is below what the default's bound lets pass, which therefore hides it: its
-        /// own error shows around a division a pixel.
+        std::string base;  ///< the values of the other dials
+        /// Its displacement is below the default's error bound, which hides it: its own error is measured with a
+        /// division for each pixel.
         bool is_below_bound = false;
         std::vector<Row> rows;  ///< from the coarsest to the most exact
     };
@@ -40,18 +40,18 @@ struct Configurations {
     std::size_t default_index = 0;
     std::vector<DialRows> dials;
     std::vector<Row> presets;
-    std::vector<bool> is_timed;    ///< by accuracy: it runs other code than the default does
-    std::vector<bool> is_counted;  ///< by accuracy: its cost is asked for
+    std::vector<bool> is_timed;    ///< by accuracy: it runs other code than the default
+    std::vector<bool> is_counted;  ///< by accuracy: its cost is reported
 };
 
-/// Every setting of these dials around the default, the bound in texels around perspective=bounded-texels, and the
-/// presets.
+/// Every setting of these dials with the others at their defaults (for the bound in texels:
+/// perspective=bounded-texels), and the presets.
 Configurations make_configurations(std::span<const Dial> dials);
 
 inline constexpr std::size_t kMeasureCount = 6;
 
 Measure measure_of(const Dial& dial);
-/// What lit surfaces depend on.
+/// Whether both settings give the same lit surfaces.
 bool has_same_surfaces(const Accuracy& a, const Accuracy& b);
 
 }  // namespace oblong

@@ -49,7 +49,7 @@ constexpr std::array<MeasureEntry, kMeasureCount> kMeasures{{
 
 constexpr int kFirstHeat = 1;  // 0: no value
 
-/// Colours of rising brightness, as they are also told apart without seeing hues.
+/// Colours of rising brightness, so that they differ without hues, too.
 constexpr std::array<Rgb8, 6> kSteps{
     {{8, 8, 40}, {60, 20, 110}, {150, 40, 110}, {220, 80, 60}, {250, 160, 30}, {255, 250, 160}}};
 

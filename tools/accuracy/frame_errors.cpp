@@ -22,7 +22,7 @@ float light_error(const DrawnFrame& frame, const PixelRecord& pixel, std::uint8_
     return distance(frame.palette[shown], truth);
 }
 
-/// Whether some setting of the dials of a measure changes a pixel of the camera's frame.
+/// For each pixel of the camera's frame, whether any setting of a measure's dials changes it.
 std::vector<bool> changes_by(Measure measure, LevelFrames& frames, const Camera& camera) {
     frames.draw(camera, Accuracy{});
     const std::vector<std::uint8_t> usual(frames.pixels().begin(), frames.pixels().end());

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kMostUnlitRounds = 7;
 
-/// The times of one frame by one setting, a round each.
+/// The times of one frame with one setting, one for each round.
 using Rounds = std::vector<double>;
 
 double nanoseconds_of(LevelFrames& frames, const Camera& camera, const Accuracy& accuracy,
@@ -27,7 +27,7 @@ double warm_nanoseconds(LevelFrames& frames, const Camera& camera, const Accurac
     return nanoseconds_of(frames, camera, accuracy, effects);
 }
 
-/// The value below which a part of them lies.
+/// The quantile below which a fraction `part` lies.
 double quantile(Rounds times, double part) {
     const auto at = times.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(times.size() - 1) + 0.5);
     std::nth_element(times.begin(), at, times.end());
@@ -45,7 +45,7 @@ TimeSpread mean_of(std::span<const Rounds> frames) {
     return mean;
 }
 
-/// Times of every setting: a list of frames each, level after level.
+/// Times of every setting: for each a list of frames, by level.
 using TimesTable = std::vector<std::vector<Rounds>>;
 
 std::size_t frame_count(std::span<const LevelFrames> levels) {
@@ -69,7 +69,7 @@ std::vector<std::size_t> timed_settings(const Configurations& configurations) {
     return timed;
 }
 
-/// Settings whose surfaces are not those of the default, and the default.
+/// Settings with other surfaces than the default, and the default.
 std::vector<std::size_t> settings_with_own_surfaces(const Configurations& configurations) {
     std::vector<std::size_t> settings;
     const Accuracy& plain = configurations.accuracies[configurations.default_index];
@@ -86,7 +86,7 @@ void time_round(const Configurations& configurations, std::span<const std::size_
                 std::span<LevelFrames> levels, std::size_t round, TimesTable& times) {
     for_each_frame(levels, [&](LevelFrames& level, const Camera& camera, std::size_t frame) {
         for (std::size_t k = 0; k < settings.size(); ++k) {
-            const std::size_t i = settings[(k + round) % settings.size()];  // each goes first once
+            const std::size_t i = settings[(k + round) % settings.size()];  // rotates which one is first
             times[i][frame].push_back(warm_nanoseconds(level, camera, configurations.accuracies[i]));
         }
     });

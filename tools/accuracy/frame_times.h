@@ -14,27 +14,26 @@ namespace oblong {
 
 /// The times of one setting: medians over the rounds of each frame, then the mean over frames.
 struct SettingTimes {
-    TimeSpread frame;  ///< its surfaces lit already
-    std::optional<TimeSpread>
-        unlit;  ///< all surfaces built anew; for settings whose surfaces are others, and the default
+    TimeSpread frame;                 ///< with surfaces already lit
+    std::optional<TimeSpread> unlit;  ///< with all surfaces rebuilt; for settings with other surfaces, and the default
     std::optional<double> instructions;  ///< a frame
     std::vector<double> by_level;        ///< nanoseconds a frame, medians
 };
 
-/// What a frame's sky costs: the default's time with it and with one colour in its place.
+/// The cost of a frame's sky: the default's time with it and with one colour instead.
 struct SkyTimes {
-    std::size_t frames = 0;            ///< those in which sky is seen
+    std::size_t frames = 0;            ///< with sky in view
     double with_sky = 0, without = 0;  ///< nanoseconds, means of these frames' medians
 };
 
 struct FrameTimes {
-    std::vector<std::optional<SettingTimes>> settings;  ///< by accuracy; none where no other code runs
+    std::vector<std::optional<SettingTimes>> settings;  ///< by accuracy; none for settings that run the default's code
     SkyTimes sky;
     int rounds = 0, unlit_rounds = 0;
 };
 
-/// Times frames of all timed settings in turn: in every round each frame is drawn once by each setting, just after an
-/// untimed drawing that warms the caches. Nothing is counted or recorded meanwhile.
+/// Times frames of all timed settings in turn: in every round each frame is drawn once by each setting, after an
+/// untimed drawing that warms the caches. Nothing is counted or recorded.
 FrameTimes time_frames(const Configurations& configurations, std::span<LevelFrames> levels, int rounds,
                        Progress& progress);
 

@@ -12,7 +12,7 @@ namespace {
 
 using map::Point;
 
-/// Where a picture is seen from: world units, degrees.
+/// A camera's position and angles: world units, degrees.
 struct Eye {
     Point position;
     double yaw = 0, pitch = 0, roll = 0;
@@ -22,7 +22,7 @@ struct HardScene {
     std::string name, about;
     SceneMap source;
     std::vector<Eye> eyes;
-    bool has_loose_edges = false;  ///< T-junctions are left in its file
+    bool has_loose_edges = false;  ///< its file keeps T-junctions
 };
 
 /// A lit room with a place to start in.
@@ -56,7 +56,7 @@ HardScene make_wall_1_to_1000() {
             {{{40, 4, 128}, -45.057}, {{40, 4, 120}, -45.057, 0, 30}, {{4056, 4, 128}, 225.057}}};
 }
 
-/// Blocks are long where depth changes little: there the rounding of their steps adds up.
+/// Blocks are long if the depth changes little, so that the rounding of their steps adds up.
 HardScene make_close_wall() {
     SceneMap room = make_room({1024, 512, 256});
     room.add(make_box({{560, 0, 0}, {900, 16, 256}}, "stone", 4));

@@ -11,8 +11,8 @@ std::string machine_name();
 /// The compiler that built this program.
 std::string compiler_name();
 
-/// Counts the instructions that this thread executes, where the machine has a counter and lets a program read it
-/// (Linux: perf_event_open). Many virtual machines have none.
+/// Counts the instructions that this thread executes, if the machine has a counter that programs may read (Linux:
+/// perf_event_open). Many virtual machines have none.
 class InstructionCounter {
   public:
     InstructionCounter();
@@ -21,7 +21,7 @@ class InstructionCounter {
 
     bool is_available() const { return file_ >= 0; }
     void start();
-    /// Since start(); none where they cannot be counted.
+    /// The instructions since start(); none if they cannot be counted.
     std::optional<std::int64_t> stop();
 
   private:

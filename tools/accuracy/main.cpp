@@ -63,7 +63,7 @@ struct Colours {
     }
 };
 
-/// The hard scenes, the demo level, and last the level named, which is read first: it may be at fault.
+/// The hard scenes, the demo level, and last the named level, which is read first, since it may be invalid.
 std::deque<MeasuredLevel> read_levels(const Options& options, const std::string& assets, const Palette& demo_palette) {
     std::deque<MeasuredLevel> levels;
     const std::size_t most = options.is_quick ? 4 : 1000;

@@ -16,7 +16,7 @@ MeasuredLevel make_measured_level(const std::string& name, const std::string& ab
     MeasuredLevel measured{name, about, read_bsp(file), {}, {}, std::move(cameras)};
     try {
         measured.exact = reference::read_level(file);
-    } catch (const std::runtime_error& error) {  // what the engine's reader lets pass
+    } catch (const std::runtime_error& error) {  // not refused by the engine's reader
         throw InputError("the reference's reading", error.what());
     }
     measured.models = models_at_rest(measured.level);

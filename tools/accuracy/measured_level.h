@@ -18,15 +18,15 @@ namespace oblong {
 /// A level as the engine and as the reference read it, and the cameras whose frames are measured.
 struct MeasuredLevel {
     std::string name;
-    std::string about;  ///< what is hard in it; empty for a level that a user named
+    std::string about;  ///< why it is hard; empty for a user's level
     Level level;
     reference::Level exact;
     std::vector<PlacedModel> models;
     std::vector<Camera> cameras;
 };
 
-/// From the bytes of a level file. Eyes are moved clear of planes first, as frames do it (engine/visibility/eye.h), so
-/// that both see from the same place. Throws InputError.
+/// From the bytes of a level file. Eyes are moved off planes first, as in frames (engine/visibility/eye.h), so that
+/// both see from the same place. Throws InputError.
 MeasuredLevel make_measured_level(const std::string& name, const std::string& about, std::span<const std::uint8_t> file,
                                   std::vector<Camera> cameras);
 
@@ -34,7 +34,7 @@ MeasuredLevel make_measured_level(const std::string& name, const std::string& ab
 inline constexpr ScreenMode kMeasuredMode;
 
 /// The frames of a level, with a workspace for each way of lighting surfaces, so that settings drawn in turn do not
-/// throw each other's surfaces away.
+/// evict each other's surfaces.
 class LevelFrames {
   public:
     /// `level` and `colormap` must outlive it.
@@ -46,9 +46,9 @@ class LevelFrames {
     void draw(const Camera& camera, const Accuracy& accuracy, EffectSet effects = kStillEffects);
     /// Makes the next frame of these settings build all its surfaces.
     void forget_surfaces(const Accuracy& accuracy);
-    /// Draws; what each pixel shows, until the next call.
+    /// Draws; returns the contents of each pixel, valid until the next call.
     const FrameRecord& record(const Camera& camera, const Accuracy& accuracy);
-    /// Draws; what the stages did.
+    /// Draws; returns the counts of the stages.
     FrameCounts count(const Camera& camera, const Accuracy& accuracy);
 
   private:

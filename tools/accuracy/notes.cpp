@@ -23,7 +23,7 @@ std::string percent_more(double more, double less) {
     return number_text(100 * (more / less - 1)) + " %";
 }
 
-/// What of the measurements explains that `exact`, the setting meant to be closer, is further off than `coarse`.
+/// Explains, from the measurements, why `exact`, meant to be closer, has a larger error than `coarse`.
 std::string reason_for(const Report& report, Measure measure, const Configurations::Row& coarse,
                        const Configurations::Row& exact) {
     const ErrorSummaries &a = report.results[coarse.alone].errors, &b = report.results[exact.alone].errors;

@@ -5,14 +5,14 @@
 
 namespace oblong {
 
-/// A line on standard error that says how far a program is; none where `is_shown` is false.
+/// A progress line on standard error; none if `is_shown` is false.
 class Progress {
   public:
     explicit Progress(bool is_shown) : is_shown_(is_shown) {}
     ~Progress();
     Progress(const Progress&) = delete;
 
-    /// A part of the work, of so many steps, that begins at `from` per cent of the whole and ends at `to`.
+    /// Begins a part of the work with `steps` steps, from `from` to `to` per cent of the whole.
     void begin(const std::string& what, std::size_t steps, int from, int to);
     void step();
 

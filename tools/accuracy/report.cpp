@@ -24,7 +24,7 @@ struct FrameJob {
     }
 };
 
-/// Everything that measuring reads, level by level and frame by frame.
+/// All input of the measurements, by level and frame.
 struct Preparation {
     std::vector<LevelFrames> levels;
     std::vector<reference::Palette> palettes;
@@ -78,7 +78,7 @@ CountedCost count_cost(const Accuracy& accuracy, std::span<const FrameJob> jobs)
     return cost;
 }
 
-/// The frame of each measure in which a setting is furthest off.
+/// For each measure, the frame with a setting's largest error.
 struct WorstFrames {
     std::array<std::size_t, kMeasureCount> job{};
     std::array<double, kMeasureCount> rms{};
@@ -116,7 +116,8 @@ HeatMap draw_heat_map(const Configurations::Row& row, const Accuracy& accuracy, 
                                heat_palette())};
 }
 
-/// Of a dial's setting with the largest error and of its most exact one, in the frame where the first is furthest off.
+/// Heat maps of a dial's setting with the largest error and of its most exact one, in the frame with the former's
+/// largest error.
 std::vector<HeatMap> draw_heat_maps(const Configurations::DialRows& dial, const Report& report,
                                     std::span<const FrameJob> jobs, std::span<const WorstFrames> worst) {
     const auto rms = [&](const Configurations::Row& row) {

@@ -14,13 +14,13 @@
 
 namespace oblong {
 
-/// How often a stage of a mean frame did its work.
+/// The number of a stage's events in a mean frame.
 struct StageEvents {
     std::string_view stage;
     std::int64_t events = 0;
 };
 
-/// What one setting's frames take by counting, means over the frames.
+/// The counted cost of one setting's frames, means over the frames.
 struct CountedCost {
     std::array<StageEvents, kStageCount> stages{};  ///< of a frame whose surfaces are lit already
     Operations operations;                          ///< of a frame whose surfaces are lit already
@@ -49,7 +49,7 @@ struct LevelSummary {
     double close_calls_per_mille = 0;
 };
 
-/// All that was measured, and how.
+/// All measurements, and how they were made.
 struct Report {
     Configurations configurations;
     std::vector<SettingResult> results;  ///< by accuracy
@@ -63,14 +63,14 @@ struct Report {
     double seconds = 0;
 };
 
-/// How much is measured.
+/// The extent of the measurements.
 struct Effort {
     int rounds = 31;
     int samples_per_axis = 4;
     bool is_quick = false;
 };
 
-/// Measures settings in the frames of these levels, all drawn with one palette each.
+/// A level to measure, with the palette and colormap that it is drawn with.
 struct MeasuredPlace {
     const MeasuredLevel& level;
     const Palette& palette;

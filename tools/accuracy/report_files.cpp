@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// To six significant digits.
+/// Rounded to six significant digits.
 double rounded(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.6g", value);
@@ -188,7 +188,7 @@ std::string report_json(const Report& report) {
         json["tiers"].push_back(setting_json(report, preset, Measure::Displacement, true));
     json["notes"] = notes_on_presets(report);
     json["run"] = run_json(report);
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";  // a file's name may be no UTF-8
+    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";  // a file's name may be invalid UTF-8
 }
 
 std::string report_page(std::string json) {

@@ -34,7 +34,7 @@ MapSide make_side(const std::vector<Point>& polygon, const Point& inside, const 
     return side;
 }
 
-/// A convex polygon of the plane z = 0 drawn out from `low` to `high`.
+/// A convex polygon of the plane z = 0 extruded from `low` to `high`.
 MapBrush extrude(const std::vector<std::array<double, 2>>& outline, double low, double high, const std::string& texture,
                  double units) {
     std::vector<Point> bottom, top;
@@ -59,7 +59,7 @@ struct Ring {
 };
 
 /// Every ring is the same polygon scaled, so that the edges above and below a facet are parallel and its four corners
-/// lie on one plane, exactly. Cosines of multiples of 15 degrees, times 56, and sines, times 64.
+/// are exactly coplanar. Cosines of multiples of 15 degrees, times 56, and sines, times 64.
 constexpr std::array<Ring, 13> kRings{{{56, 0},
                                        {54, 16.5},
                                        {48.5, 32},
@@ -84,7 +84,7 @@ Point ring_point(const Point& centre, const Ring& ring, std::size_t corner) {
 
 constexpr std::int32_t kSize = 64;
 
-/// 0 to 31, as if by chance.
+/// A pseudo-random number, 0 to 31.
 int grain(std::int32_t u, std::int32_t v) {
     auto bits = static_cast<std::uint32_t>(u * 7919 + v * 104729);
     bits = (bits ^ bits >> 13) * 1274126177u;
@@ -95,7 +95,7 @@ std::uint8_t channel(int value) {
     return static_cast<std::uint8_t>(value < 0 ? 0 : value > 255 ? 255 : value);
 }
 
-/// Blocks `block_width` by `block_height` texels in two shades in turn, a dark joint around each.
+/// Blocks `block_width` by `block_height` texels in two alternating shades, with dark joints.
 MipTexture make_texture(const std::string& name, std::int32_t block_width, std::int32_t block_height, Rgb8 light,
                         const Palette& palette) {
     std::vector<std::uint8_t> texels;

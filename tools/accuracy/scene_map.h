@@ -10,18 +10,18 @@
 
 namespace oblong {
 
-/// A convex solid of these polygons, whose first three corners count, with `inside` in its interior. Textures lie along
-/// the world's axes, `units` a texel.
+/// A convex solid with these polygons as sides, their planes from the first three corners, and `inside` in its
+/// interior. Textures are aligned with the world's axes, `units` a texel.
 map::MapBrush make_solid(const std::vector<std::vector<map::Point>>& polygons, const map::Point& inside,
                          const std::string& texture, double units = 1);
 map::MapBrush make_box(const map::Box& box, const std::string& texture, double units = 1);
-/// A triangle (x, y) drawn out from the floor, z = 0, up to `height`.
+/// A triangle (x, y) extruded from the floor, z = 0, up to `height`.
 map::MapBrush make_wedge(const std::array<std::array<double, 2>, 3>& triangle, double height,
                          const std::string& texture);
-/// A sphere of 24 by 12 facets, 112 units across, its facets of two textures in turn.
+/// A sphere of 24 by 12 facets, 112 units across, with two alternating textures.
 map::MapBrush make_sphere(const map::Point& centre, const std::string& even_texture, const std::string& odd_texture);
 
-/// The source of a small level: a closed room, and what is added.
+/// The source of a small level: a closed room, and added brushes.
 class SceneMap {
   public:
     /// Walls of stone, 16 units thick, tiles on floor and ceiling.
@@ -40,12 +40,12 @@ class SceneMap {
     std::vector<map::MapEntity> entities_;  // the first is the world
 };
 
-/// The bytes of a WAD with the hard scenes' textures, `stone` and `tiles`: grain and joints of high contrast, so that a
-/// texel out of place shows.
+/// The bytes of a WAD with the hard scenes' textures, `stone` and `tiles`: grain and joints of high contrast, so that
+/// misplaced texels are visible.
 std::string make_scene_wad(const Palette& palette);
 
-/// Takes from every face the corners that lie within its edges, which the compiler put where corners of other faces
-/// touch: the level as a compiler without that step writes it, with T-junctions for the engine to mend.
+/// Removes from every face the corners within its edges, which the compiler added where corners of other faces touch:
+/// the level then has T-junctions for the engine to mend, as from compilers without that step.
 void loosen_edges(map::BspFile& bsp);
 
 }  // namespace oblong

@@ -1,5 +1,5 @@
-# What projects apart from the whole one share, which compile the same sources for another machine: include() it after
-# project(). ROOT is this project's folder.
+# Shared by separate projects that compile the same sources for another machine: include() it after project(). ROOT is
+# this project's folder.
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)

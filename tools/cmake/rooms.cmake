@@ -1,6 +1,6 @@
-# oblong_room(NAME FOLDER DEPENDS ... [EXTRA_FOLDERS ...] [EXCEPT FILES]): one library per room, named oblong_NAME, of all the
-# .cpp files right in FOLDER and the extra ones, but for FILES.
-# A room of headers alone becomes an interface library, so that who depends on it need not know.
+# oblong_room(NAME FOLDER DEPENDS ... [EXTRA_FOLDERS ...] [EXCEPT FILES]): a library oblong_NAME for a room, of all .cpp
+# files directly in FOLDER and the extra folders, except FILES. A room of only headers becomes an interface library, so
+# that its dependents need not know.
 function(oblong_room NAME FOLDER)
     cmake_parse_arguments(ROOM "" "" "DEPENDS;EXTRA_FOLDERS;EXCEPT" ${ARGN})
     file(GLOB SOURCES CONFIGURE_DEPENDS ${FOLDER}/*.cpp)

@@ -1,7 +1,7 @@
-# What makes a build fast where no compiler cache remembers its files: a room is compiled as one file, and the standard
-# library's headers are precompiled; together they take two thirds off. A cache remembers small files better, and whole ones
-# alone, so with one each file is compiled by itself. It therefore includes what it uses, and its own names (in an anonymous
-# namespace) are no other's in its room. -D CMAKE_UNITY_BUILD=OFF suits who changes files without a cache.
+# A fast build without a compiler cache: each room is compiled as one file, and the standard library's headers are
+# precompiled, which together save two thirds of the time. A cache works only with whole files, and better with small
+# ones, so with a cache each file is compiled separately. Each file therefore includes what it uses, and its own names
+# (in an anonymous namespace) are unique in its room. -D CMAKE_UNITY_BUILD=OFF suits frequent changes without a cache.
 if(NOT CMAKE_CXX_COMPILER_LAUNCHER)
     if(NOT DEFINED CMAKE_UNITY_BUILD)
         set(CMAKE_UNITY_BUILD ON)
@@ -10,11 +10,11 @@ if(NOT CMAKE_CXX_COMPILER_LAUNCHER)
         set(CMAKE_UNITY_BUILD_BATCH_SIZE 0)
     endif()
 endif()
-# GCC keeps what it could free, up to 1 GB (it takes 700 MB at most): a tenth of the time.
+# GCC does not collect garbage below 1 GB (it needs 700 MB at most): a tenth of the time.
 if(NOT CMAKE_CXX_COMPILER_LAUNCHER AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
     add_compile_options("SHELL:--param ggc-min-heapsize=1000000")
 endif()
-# Programs and libraries have one set of them, if they are compiled alike.
+# Programs and libraries share one set, if they are compiled alike.
 if(NOT CMAKE_CXX_COMPILER_LAUNCHER AND NOT CMAKE_POSITION_INDEPENDENT_CODE)
     file(CONFIGURE OUTPUT standard_headers.cpp CONTENT "")
     add_library(oblong_standard_headers OBJECT ${CMAKE_CURRENT_BINARY_DIR}/standard_headers.cpp)
@@ -23,7 +23,7 @@ if(NOT CMAKE_CXX_COMPILER_LAUNCHER AND NOT CMAKE_POSITION_INDEPENDENT_CODE)
                               <limits> <map> <memory> <optional> <span> <string> <string_view> <vector>)
 endif()
 
-# optimise_less(TARGETS): what runs once, or a few times a frame. Takes a third off the time it takes to compile.
+# optimise_less(TARGETS): for code that runs once, or a few times a frame. Saves a third of its compile time.
 function(optimise_less)
     foreach(NAME ${ARGN})
         if(NOT CMAKE_CXX_COMPILER_LAUNCHER)

@@ -5,7 +5,7 @@
 #include "engine/math/vec.h"
 #include "tools/reference/vec.h"
 
-/// The engine's numbers in doubles, for what is compared with doubles.
+/// The engine's numbers as doubles, for comparisons.
 namespace oblong {
 
 inline double number_of(Ratio ratio) {

@@ -13,13 +13,13 @@ struct EventCost {
     int adds = 0, multiplications = 0, divisions = 0, lookups = 0, bytes_read = 0, bytes_written = 0;
 };
 
-/// Width of the operands that `bits`, the sign included, need.
+/// The width for operands of `bits` bits, with the sign.
 Width width_of(int bits) {
     return bits <= 16 ? Width::Bits16 : bits <= 32 ? Width::Bits32 : Width::Bits64;
 }
 
-/// The widths that the dials leave necessary. A world of +-32,768 units, a surface of 2,048 texels, and 1/z from z = 1
-/// unit on, nearer than which a player's eye does not come to a wall.
+/// The widths that the dials require, for a world of +-32,768 units, a surface of 2,048 texels, and 1/z from z = 1
+/// unit, nearer than which a player's eye does not come to a wall.
 struct Widths {
     Width matrix, view, screen, inverse_z, over_z;
 
@@ -48,8 +48,8 @@ StageOperations stage_of(std::string_view name, std::int64_t events, const Event
     return stage;
 }
 
-// Additions, multiplications and divisions are those that tests/operations counts in the code, means over the cameras
-// of the demo level where an event's work varies. Look-ups and bytes are read from the code, and are its data alone.
+// Additions, multiplications and divisions as tests/operations counts them in the code; means over the cameras of the
+// demo level if an event's work varies. Look-ups and bytes are read from the code, and cover only its data.
 
 /// visibility/front_to_back.cpp, box_culler.cpp, box_rectangle.cpp: the distance to the node's plane, its box against
 /// the sides of the view that its parent's crosses, above the leaves its rectangle on the screen and the rows there;
@@ -60,66 +60,67 @@ constexpr EventCost kNode{26000, 1742, 68, 0, 10000, 8600};
 constexpr EventCost kRotation{1800, 900, 0, 0, 4800, 2400};
 /// view/frustum.h, outcode_of(): four products, five comparisons and what joins them.
 constexpr EventCost kOutcode{1800, 400, 0, 0, 0, 100};
-/// view/screen_polygon.cpp: a face's corner looked up, its outcode joined to the others', its depth compared. An
-/// edge that is scanned pays for another one too, of the faces that turn out to be covered.
+/// view/screen_polygon.cpp: a face's corner looked up, its outcode joined to the others', its depth compared. A scanned
+/// edge also includes an edge of faces that turn out to be covered.
 constexpr EventCost kCorner{4069};
 /// view/projection.h, project_axis(), twice; view/project.h: rounding, snapping, keeping on the screen.
 constexpr EventCost kProjection{3300, 200, 200, 0, 2400, 800};
-/// Further projections, of a hundred corners of clipped faces: those corners that clipping made (others are projected
-/// already), and those at which the tree cut brush models.
+/// Further projections, of a hundred corners of clipped faces: corners made by clipping (others are already projected),
+/// and corners where the tree cuts brush models.
 constexpr std::int64_t kNewCorners_100 = 84;
 /// view/clip.cpp: distances of both ends of an edge to a plane, the place between them.
 constexpr EventCost kClippedCorner{6557, 943, 60, 0, 6400, 3200};
-/// raster/scan.cpp: the survey of a polygon, of those too that turn out to be covered; the constructors of both
-/// walkers, for the edges that reach a row (two thirds of them).
+/// raster/scan.cpp: the survey of a polygon, also of covered ones; the constructors of both walkers, for the edges that
+/// reach a row (two thirds of them).
 constexpr EventCost kExactEdge{4712, 169, 67, 0, 1600, 0}, kAccumulatedEdge{6082, 67, 67, 0, 1600, 0};
 /// raster/scan.cpp, next_row() and the column written, of exact edges in fours.
 constexpr EventCost kExactEdgeRow{400, 0, 0, 0, 0, 400}, kAccumulatedEdgeRow{800, 0, 0, 0, 0, 400};
-/// visibility/span_buffer.cpp, claim_row(): a row's hull; claim_listed(), claim_several(): what of it is left; a span
-/// and what frame/ does with it.
+/// visibility/span_buffer.cpp, claim_row(): a row's hull; claim_listed(), claim_several(): the rest of it; a span and
+/// its work in frame/.
 constexpr EventCost kClaimedRow{1000, 0, 0, 0, 1600, 400}, kSpan{3100, 117, 0, 0, 400, 1200};
 /// view/texture_gradients.cpp: three vectors rotated, the plane's distance, nine slopes, three anchors, those of 1/z
-/// for four of five faces, as others lie on the plane of the face before; scene/face_surface.cpp: the mip level, the
-/// size of the lit surface, its place in the cache.
+/// for four of five faces, since others are on the plane of the previous face; scene/face_surface.cpp: the mip level,
+/// the size of the lit surface, its place in the cache.
 constexpr EventCost kGradients{31142, 6017, 84, 0, 16000, 7200};
-/// raster/block_rule.cpp, block_threshold(): one of a surface, and all of those whose spans are not one block each.
+/// raster/block_rule.cpp, block_threshold(): one for each surface, and all for surfaces whose spans are not one block
+/// each.
 constexpr EventCost kThresholds{4669, 414, 0, 0, 4000, 4000};
-/// frame/surface_pass.cpp, a surface: the rectangle around its spans, whether all in it fits; and, before its blocks
-/// are as long as the bound allows, whether all of it is near enough for those.
+/// frame/surface_pass.cpp, for each surface: the rectangle around its spans and whether all of it fits; and, before
+/// blocks get the length that the bound allows, whether all of it is near enough.
 constexpr EventCost kSurfaceBlocks{16900, 1800}, kSurfaceBound{3570, 810};
 /// raster/texture_blocks.cpp, a span (nineteen of twenty are textured): 1/z, u/z and v/z at its first pixel, u and v.
 constexpr EventCost kSpanInverseZ{500, 190}, kSpanOverZ{1580, 662};
-/// raster/texture_blocks.cpp, advance(), a block: 1/z on; u/z and v/z on, and times z; its clamps and steps.
+/// raster/texture_blocks.cpp, advance(), a block: the next 1/z; the next u/z and v/z, times z; clamps and steps.
 constexpr EventCost kInverseZAdvance{500}, kOverZAdvance{1740, 187, 0, 0, 0, 2400};
-/// cut_rest(): three products by its length, and steps by a table of reciprocals, for a block of 2^k pixels too, which
-/// is not counted as a last one.
+/// cut_rest(): three products with its length, and steps from a table of reciprocals, also for a block of 2^k pixels,
+/// which does not count as a last one.
 constexpr EventCost kLastBlock{850, 710, 0, 142, 1136, 0};
-/// cut_bounded(): comparisons with thresholds, a block; products by its length, a block that does not end its span.
-/// Rows that repeat the blocks of another do without most. Where blocks have one length, those are the same for a span,
-/// if it has room for one.
+/// cut_bounded(): comparisons with thresholds, for each block; products with its length, for each block that does not
+/// end its span. Rows that repeat another row's blocks need few of these. If blocks have one length, the products are
+/// the same for a span that has room for one.
 constexpr EventCost kThresholdTest{538, 0, 0, 200, 1600, 0}, kLengthProducts{0, 30}, kOneLengthProducts{0, 139};
-/// cut_bounded_texels(): the tries, is_straight().
+/// cut_bounded_texels(): the attempts, is_straight().
 constexpr EventCost kStraightTest{5600, 959};
 /// Depth, reciprocal_of(): clamping, normalising, and the method.
 constexpr EventCost kDivision{300, 0, 100}, kTable{1460, 0, 0, 100, 400, 0}, kTableNewton{1760, 200, 0, 100, 400, 0},
     kTableTwoNewton{2560, 400, 0, 100, 400, 0};
 /// raster/exact_spans.cpp, octave_row.h, a pixel of the parts of spans that bounded texturing divides: three steps and
-/// shifts, two products; a division but in rows whose 1/z is that of others. The texel, the pixel.
+/// shifts, two products; a division, except in rows with the 1/z of others. The texel, the pixel.
 constexpr EventCost kExactOverZ{300, 200}, kExactInverseZ{300, 0, 38}, kExactTexel{900, 0, 0, 100, 100, 100};
-/// The same where all spans are divided: most pixels are drawn on a line between two that are.
+/// The same if all spans are divided: most pixels are interpolated between two divided ones.
 constexpr EventCost kLineInverseZ{574, 29, 23};
-/// The same, a span or such a part of one: where octaves end, whether one needs clamping.
+/// The same, for each span or part: the ends of octaves, whether one needs clamping.
 constexpr EventCost kDividedPart{7370, 1713, 39};
-/// The fewest pixels that such parts have in the mean.
+/// The least mean length of such parts in pixels.
 constexpr std::int64_t kDividedPart_px = 3;
 /// raster/kernels/plain.cpp: two steps, two shifts, two masks, three addresses, the loop; the texel; the pixel.
 constexpr EventCost kPixel{1300, 0, 0, 100, 100, 100};
 /// The same from a block: its six numbers read.
 constexpr EventCost kBlockRead{325, 0, 0, 0, 2400, 0};
 constexpr EventCost kFlatPixel{100, 0, 0, 0, 0, 100};
-/// effects/sky.cpp: one of the directions (products, a root without a division), the block to it, and how long those of
-/// its row are; a pixel of both layers that are not put into one; the sky of a frame. Layers are put into one for an
-/// eighth of a second: that is left out.
+/// effects/sky.cpp: one of the directions (products, a root without a division), the block to it, and the lengths of
+/// its row's blocks; a pixel of two layers that are not merged; the sky of a frame. Merging layers, once in an eighth
+/// of a second, is left out.
 constexpr EventCost kSkyDirection{5674, 2147}, kSkyPixel{1845, 200, 0, 200, 200, 100}, kSkyFrame{0, 0, 1300};
 /// surface/lit_surface.cpp, build_cell_row(): texel and colormap looked up; a step of the shade; a threshold. And of
 /// 512 texels: the shades at cells' corners, where in its texture a surface begins; how far thresholds are apart.
@@ -164,7 +165,7 @@ EventCost reciprocal_cost(ReciprocalMethod method) {
     return kDivision;
 }
 
-/// Whether spans are drawn by raster/exact_spans.h alone, without blocks.
+/// Whether spans are drawn only by raster/exact_spans.h, without blocks.
 bool divides_spans(const Accuracy& accuracy) {
     return accuracy.texturing == Texturing::Exact && accuracy.reciprocal == ReciprocalMethod::Exact;
 }

@@ -10,11 +10,11 @@
 
 namespace oblong {
 
-/// The integers that an operation is done in: the narrowest that hold its operands.
+/// The integer width of an operation: the narrowest that holds its operands.
 enum class Width { Bits16, Bits32, Bits64 };
 inline constexpr std::array<std::string_view, 3> kWidthNames{"16", "32", "64"};
 
-/// How many operations of each width.
+/// The number of operations of each width.
 struct ByWidth {
     std::array<std::int64_t, 3> counts{};
 
@@ -25,7 +25,7 @@ struct ByWidth {
     bool operator==(const ByWidth&) const = default;
 };
 
-/// Operations by kind and width. Addresses and loops are counted as the additions that they take; jumps are not.
+/// Operations by kind and width. Addresses and loops count as their additions; jumps do not count.
 struct Operations {
     ByWidth adds;                                    ///< additions, subtractions, comparisons, shifts and masks
     ByWidth multiplications;                         ///< of two factors of this width
@@ -37,7 +37,7 @@ struct Operations {
     bool operator==(const Operations&) const = default;
 };
 
-/// A stage of a frame and what it did.
+/// A stage of a frame and its operations.
 struct StageOperations {
     std::string_view stage;   ///< "vertices", "edges", "blocks", "pixels" ...
     std::int64_t events = 0;  ///< how often
@@ -46,13 +46,13 @@ struct StageOperations {
 
 inline constexpr std::size_t kStageCount = 13;
 
-/// The operations of a frame: how often each stage did its work, as its code counted (FrameCounts::stages), times the
-/// operations of doing it once, which are listed for each piece of code in operations.cpp. tests/operations holds them
-/// against the additions, multiplications and divisions of the compiled engine, counted block by block: no part of a
-/// frame of the demo level is more than 5 % off. On another level the means of a part may differ: on one of Quake's
-/// single parts by up to 80 %, all divisions by 8 %, all multiplications by 11 %, all additions by 3 %. Left out is
-/// what is done once a frame, or when the eye enters another leaf (1.4 % of the additions), and placed models'
-/// vertices. Dials that round to fewer bits make operations narrower. Whole numbers: the same on every machine.
+/// The operations of a frame: the number of each stage's events, as its code counts them (FrameCounts::stages), times
+/// the operations of one event, which operations.cpp lists for each piece of code. tests/operations compares them with
+/// the additions, multiplications and divisions of the compiled engine, counted block by block: no part of a frame of
+/// the demo level differs by more than 5 %. On another level the means of a part may differ: on one of Quake's single
+/// parts by up to 80 %, all divisions by 8 %, all multiplications by 11 %, all additions by 3 %. Work done once a
+/// frame, or when the eye enters another leaf (1.4 % of the additions), and placed models' vertices are left out. Dials
+/// that round to fewer bits make operations narrower. Integers: the same on every machine.
 std::array<StageOperations, kStageCount> operations_by_stage(const FrameCounts& counts, const Accuracy& accuracy);
 Operations sum_of(const std::array<StageOperations, kStageCount>& stages);
 

@@ -38,7 +38,8 @@ TexelError TexelErrorMeter::error_of(const PixelRecord& pixel, const reference::
     if (!(exact.inverse_z > 0)) return {};
     const double u = number_of(pixel.u), v = number_of(pixel.v);
     const auto place = plane.place_of(u, v);
-    if (!place && !plane.place_of(exact.u, exact.v)) return {};  // a texture on edge, as it were
+    if (!place && !plane.place_of(exact.u, exact.v))
+        return {};  // the texture's axes do not separate the plane's points
     const double distance = place ? length(place->x - centre.x, place->y - centre.y) : diagonal_px_;
     return {static_cast<float>(std::min(distance, diagonal_px_)), static_cast<float>(length(u - exact.u, v - exact.v))};
 }

@@ -16,8 +16,8 @@
 
 namespace oblong {
 
-/// Of errors, none negative: the root of the mean square, the 99th percentile (the least error that 99 % of them do not
-/// exceed) and the largest. All 0 if there are none.
+/// A summary of errors, none negative: the root mean square, the 99th percentile (the least error that 99 % of them do
+/// not exceed) and the largest. All 0 if there are none.
 struct ErrorSummary {
     std::int64_t count = 0;
     double rms = 0, p99 = 0, max = 0;
@@ -25,8 +25,8 @@ struct ErrorSummary {
 
 ErrorSummary summarize_errors(std::vector<float> errors);
 
-/// How far the texel that one pixel shows is from where it belongs. Both are negative where there is nothing to
-/// measure: sky, one colour, no face, or a plane that is not in front of the eye there.
+/// How far the texel shown at a pixel is from its exact place. Both are negative if there is nothing to measure: sky,
+/// one colour, no face, or a plane that is not in front of the eye there.
 struct TexelError {
     /// From the pixel's centre to the place on the screen where the texel belongs, pixels; at most the picture's
     /// diagonal, which also stands for a texel behind the eye.
@@ -62,7 +62,7 @@ class TexelErrorMeter {
 /// Of the pixels that were measured.
 ErrorSummary summarize_pixels(std::span<const TexelError> errors);
 
-/// What the reference renderer needs to see what the engine sees. `correct_aspect`: Settings::correct_aspect.
+/// The engine's view for the reference renderer. `correct_aspect`: Settings::correct_aspect.
 reference::View reference_view(const Camera& camera, const ScreenMode& mode, bool correct_aspect = true);
 std::vector<reference::PlacedModel> reference_models(std::span<const PlacedModel> models);
 

@@ -20,8 +20,8 @@ namespace {
 
 constexpr unsigned kFourSides = kOutLeft | kOutRight | kOutBottom | kOutTop;
 
-/// A polygon between two depths. All lengths are multiplied by one power of two, so that they fill the bits that clip
-/// planes allow: what is seen through an eye does not depend on the unit of length.
+/// A polygon between two depths. All lengths are scaled by one power of two to use all bits that clip planes allow: the
+/// view does not depend on the unit of length.
 struct ClipJob {
     std::vector<ClipVertex> polygon;
     View near, far;
@@ -29,8 +29,8 @@ struct ClipJob {
 
 using Corner = Vec3<Fixed<std::int32_t, 8>>;
 
-/// Whether the eye lies in the polygon's plane, where it sees nothing of it. Exact: a frame moves its eye clear of such
-/// planes before it clips, and clipping alone would leave a sliver. Six times the volume between eye and polygon.
+/// Whether the eye lies in the polygon's plane, from which it is invisible. Exact, by six times the volume between eye
+/// and polygon: a frame moves its eye off such planes before clipping, which alone would leave a sliver.
 bool is_edge_on(const std::vector<Corner>& corners) {
     WideSum volume;
     for (std::size_t i = 2; i < corners.size(); ++i) {
@@ -60,14 +60,14 @@ ClipJob make_job(const std::vector<Corner>& fine_corners, View near, View far) {
         job.polygon.push_back({{corner.x * scale, corner.y * scale, corner.z * scale}, 0});
     // Depths beyond the polygon clip nothing.
     const View beyond = largest + View::ulp();
-    // Before the eye, where the query's plane is not: the sides of the view meet there.
+    // Before the eye, even if the query's plane is not: the sides of the view meet at the eye.
     constexpr View kLeastNear = View::from_raw(4);
     job.near = std::max(std::min(near, beyond) * scale, kLeastNear);
     job.far = std::min(far, beyond) * scale;
     return job;
 }
 
-/// Clips to a plane at right angles to the view, whose bit in outcodes is none of the sides'.
+/// Clips to a plane perpendicular to the view, with its own bit in outcodes.
 void clip_to_depth(const ClipPlane& plane, std::uint8_t border, ClipScratch& scratch) {
     if (scratch.polygon.size() < 3) return;
     clip_to_plane(plane, border, scratch.polygon, scratch.other);
@@ -84,8 +84,8 @@ std::vector<ScreenVertex> to_screen(const std::vector<ClipVertex>& polygon, cons
     return screen;
 }
 
-/// How often a mode's sizes can be doubled: a mode that much finer shows the same picture, and slivers keep their area
-/// when corners are rounded to 1/256 of its pixels. Not where the field of view makes multipliers too large.
+/// How often a mode's sizes can be doubled: the finer mode shows the same picture, and slivers keep their area when
+/// corners are rounded to 1/256 of its pixels. Not where the field of view makes multipliers too large.
 int refinement_of(const ModeAndView& view) {
     constexpr std::int32_t kFinest_px = 1 << 16;
     constexpr Degrees kNarrow = floor_shift(Degrees::from_int(1), 6);

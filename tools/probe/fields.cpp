@@ -14,7 +14,7 @@ namespace {
 constexpr std::int64_t kLargestLength = 32767;
 constexpr std::int64_t kLargestSize_px = 32768, kLargestShape = 1 << 20;
 
-/// from_chars knows no plus sign.
+/// from_chars accepts no plus sign.
 std::string_view without_plus(std::string_view text) {
     return text.size() > 1 && text[0] == '+' && text[1] != '-' ? text.substr(1) : text;
 }
@@ -26,7 +26,7 @@ ParsedFixed parse_or_refuse(std::string_view text, int fraction_bits, std::int64
     return *parsed;
 }
 
-/// How far an exponent may move the point: further, and the number is 0 or too large, whatever its digits.
+/// The largest exponent: beyond it, any number is 0 or too large.
 constexpr int kLargestExponent = 99;
 /// Digits of a fraction that count; 10^18 fits 64 bits.
 constexpr std::size_t kFractionDigits = 18;

@@ -15,7 +15,7 @@
 
 namespace oblong {
 
-/// Thrown where a query can't be answered, for whatever reason: the answer is then the line `unsupported`.
+/// Thrown if a query cannot be answered: the answer is then the line `unsupported`.
 struct Unsupported {};
 
 /// A screen mode and the field of view across it.
@@ -25,15 +25,14 @@ struct ModeAndView {
     SoftFloat fine_field_of_view;  ///< degrees, with all its decimals
 };
 
-/// The fields of one query, read from left to right. Each reader throws Unsupported for a field that is missing or is
-/// not what it should be.
+/// The fields of one query, read from left to right. Each reader throws Unsupported for a missing or invalid field.
 class Fields {
   public:
     /// Fields are separated by single spaces.
     explicit Fields(std::string_view line);
 
     std::size_t left() const { return texts_.size() - next_; }
-    /// To be called when all fields have been read: throws where some are left.
+    /// Call it when all fields have been read: throws if some are left.
     void expect_end() const;
 
     std::string_view text();
@@ -53,8 +52,8 @@ class Fields {
     std::size_t next_ = 0;
 };
 
-/// The projection of a frame. Throws Unsupported for fields of view so narrow, below a thousandth of a degree, that its
-/// multipliers would not be right.
+/// The projection of a frame. Throws Unsupported for fields of view below a thousandth of a degree, for which the
+/// multipliers would be wrong.
 Projection frame_lens(const ModeAndView& view);
 
 /// A decimal number such as "-12.375" or "1e-05" in units of 2^-fraction_bits, found without floating point.
@@ -63,7 +62,7 @@ struct ParsedFixed {
     bool is_exact = false;  ///< the decimal number is a whole number of units
 };
 
-/// None for what is not a decimal number, and where |value| is 2^(62 - fraction_bits) or more. `fraction_bits` 0 to 48.
+/// None if the text is not a decimal number, or |value| is 2^(62 - fraction_bits) or more. `fraction_bits` 0 to 48.
 std::optional<ParsedFixed> parse_fixed(std::string_view text, int fraction_bits);
 
 /// The same with 62 significant bits, of up to 18 decimals; below 10^18.

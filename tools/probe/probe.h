@@ -11,10 +11,10 @@ namespace oblong {
 /// Answers queries about the engine's arithmetic, a line each: README.md.
 class Probe {
   public:
-    /// `accuracy`: the dials of the stages that it asks.
+    /// `accuracy`: the dials of the stages that it queries.
     explicit Probe(const Accuracy& accuracy = {}) : accuracy_(accuracy) {}
 
-    /// The answer's line, without its end; `unsupported` for whatever is not a query. Never throws on bad input.
+    /// The answer's line, without its end; `unsupported` for anything but a query. Never throws on bad input.
     std::string answer(std::string_view line);
 
   private:

@@ -16,7 +16,7 @@ namespace oblong {
 
 namespace {
 
-/// The projection of a frame, and the same with more bits for what no frame projects.
+/// The projection of a frame, and the same with more bits, for points that no frame projects.
 struct ProbeProjection {
     Projection frame;
     FarProjection far;

@@ -17,8 +17,8 @@ struct FarProjection {
     ScreenWide centre_x, centre_y;
 };
 
-/// Any field of view above 0 and below 180 degrees, with all the bits that it has: where d is a million pixels, those
-/// of Degrees would be too few. `mode` as for make_projection().
+/// Any field of view above 0 and below 180 degrees, with all its bits: for a d of a million pixels, those of Degrees
+/// are too few. `mode` as for make_projection().
 FarProjection make_far_projection(const ScreenMode& mode, const SoftFloat& field_of_view_degrees);
 
 /// A world point as seen from `world_eye`, within 2^-39 unit: to_view() with axes and products that are not rounded to
@@ -27,12 +27,13 @@ FarPoint to_far_view(const Vec3<World>& world_point, const Vec3<World>& world_ey
 /// The same point, converted exactly.
 FarPoint to_far_view(const Vec3<View>& view_point);
 
-/// Where a point lands whose z is above 0, however far off the screen: the formula of project(), with relative errors
-/// of 2^-57. A frame clips such points and never projects them. None where 56 bits cannot hold the position.
+/// The screen position of a point with z above 0, however far off the screen, by the formula of project(), with
+/// relative errors of 2^-57. A frame clips such points and never projects them. None where 56 bits cannot hold the
+/// position.
 std::optional<ScreenPosition> project_far(const FarPoint& point, const FarProjection& projection);
 
-/// Whether project() puts a point within 1/200 pixel: it is in view, where the frame's formats were made to serve, and
-/// not so near that a step of View is more than 1/1,024 pixel.
+/// Whether project() is exact to 1/200 pixel: the point is in view, for which the frame's formats are made, and not so
+/// near that a step of View is more than 1/1,024 pixel.
 bool is_exact_in_frame(const Vec3<View>& view_point, const Frustum& frustum, const Projection& projection);
 
 }  // namespace oblong

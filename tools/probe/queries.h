@@ -8,8 +8,8 @@
 
 namespace oblong {
 
-// One function a query: reads the fields after the query's name, calls the engine, returns the answer's line. Throws
-// Unsupported. The protocol is in README.md. Those that take `accuracy` have the stages of its dials.
+// One function for each query: reads the fields after the query's name, calls the engine, returns the answer's line.
+// Throws Unsupported. The protocol is in README.md. `accuracy`: the dials of the stages.
 
 std::string answer_project(Fields& fields);
 std::string answer_view(Fields& fields);

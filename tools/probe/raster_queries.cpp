@@ -48,8 +48,8 @@ void for_each_covered_row(const Triangle& triangle, EdgeStepping edges, Scanline
     }
 }
 
-/// How many triangles cover each pixel: kept as changes from column to column, so that a triangle costs two of them a
-/// row.
+/// The number of triangles that cover each pixel, stored as changes from column to column, so that a triangle costs two
+/// changes a row.
 class OverlapCounter {
   public:
     OverlapCounter() : changes_(as_size(kHeight_px * kPitch)) {}

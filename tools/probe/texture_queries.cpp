@@ -19,7 +19,7 @@ namespace oblong {
 
 namespace {
 
-/// A texture coordinate of the three corners, moved by whole texels to where surfaces begin: at 0.
+/// A texture coordinate of the three corners, moved by whole texels to start near 0, as surfaces do.
 struct RebasedTexels {
     Texel base;
     std::array<Texel, 3> moved;
@@ -63,8 +63,8 @@ TexspanQuery read_query(Fields& fields) {
 }
 
 /// The least_density() of a face that shows these texels (engine/scene/face_table.cpp), floored to 2^-15. With edges P
-/// and Q from one corner, along which u changes by p and q, u rises by |p Q - q P| / |P x Q| a unit; and the area in
-/// texels by that in units is as much of |P x Q| below, which cancels.
+/// and Q from one corner, along which u changes by p and q, u rises by |p Q - q P| / |P x Q| a unit; the ratio of the
+/// areas in texels and in units has the same denominator |P x Q|, which cancels.
 TexelDensity least_density(const std::array<TexturedCorner, 3>& corners) {
     const auto& [a, b, c] = corners;
     const auto to_b = b.position - a.position, to_c = c.position - a.position;
@@ -93,7 +93,7 @@ ViewContext view_of(const Projection& projection) {
     return view;
 }
 
-/// The triangle as a frame claims it: how near and how far its part in view is.
+/// The triangle as a frame claims it: the nearest and farthest z of its part in view.
 VisibleFace claimed_by_frame(const TexspanQuery& query, const Projection& projection) {
     std::vector<Vec3<World>> corners;
     VisibleFace claimed;
@@ -111,7 +111,8 @@ VisibleFace claimed_by_frame(const TexspanQuery& query, const Projection& projec
     return claimed;
 }
 
-/// What the row's pixels show: a frame's own drawing of them, recorded. Nothing is written: the surface has no texels.
+/// The contents of the row's pixels, recorded from a frame's own drawing. No pixels are written: the surface has no
+/// texels.
 class RowSampler {
   public:
     RowSampler(const TexspanQuery& query, const Accuracy& accuracy)
@@ -120,13 +121,13 @@ class RowSampler {
           projection_(frame_lens(query.view)),
           claimed_(claimed_by_frame(query, projection_)),
           density_(least_density(query.corners)) {
-        // Nothing is drawn with a projection that is not; its blocks are single pixels.
+        // A projection that is not drawable has blocks of single pixels.
         if (is_drawable(projection_)) pixel_width_ = make_inverse_projection(projection_).least_pixel_width;
         surface_.limits = make_texel_limits(65535, 65535, 0);
         surface_.origin_u = static_cast<std::int32_t>(floor_of(query.base_u));
         surface_.origin_v = static_cast<std::int32_t>(floor_of(query.base_v));
         surface_.kernel = [](std::span<const TexelBlock>, const SurfaceView&, std::uint8_t*) {};
-        surface_.is_wrapped_by_masks = false;  // so that pixels that are divided come to that kernel too
+        surface_.is_wrapped_by_masks = false;  // so that divided pixels also use that kernel
         record_.pixels.resize(as_size(query.span.end));
     }
 
@@ -136,7 +137,7 @@ class RowSampler {
         if (!exact) throw Unsupported{};
         const TextureGradients gradients = rounded_to(*exact, accuracy_.inverse_z_bits, accuracy_.over_z_bits);
         SpanScratch scratch(part.end - part.first);
-        // With a pitch of 0 every row is the one that is recorded.
+        // With a pitch of 0 every row is the recorded one.
         const Framebuffer out{nullptr, query_.view.mode.width_px, query_.view.mode.height_px, 0};
         const SpanTexturing texturing = make_span_texturing(accuracy_);
         TexturedFace face{claimed_, surface_, {}, {gradients, {}, {}}, {}};
@@ -166,9 +167,9 @@ class RowSampler {
 };
 
 std::string sample_span(const TexspanQuery& query, const Accuracy& accuracy) {
-    // Gradients lose half a step a pixel away from their anchor. Pixels that divide each for itself are sampled in
-    // short parts with an anchor each. Others need their neighbours: of rows wider than any frame's, a frame's width of
-    // them, and an affine span all.
+    // Gradients lose half a step a pixel away from their anchor. Pixels with their own divisions are sampled in short
+    // parts, each with an anchor. Others depend on their neighbours: rows wider than any frame are sampled in parts of
+    // a frame's width, affine spans as a whole.
     constexpr std::int32_t kShortPart_px = 512;
     const std::int32_t longest_px = accuracy.texturing == Texturing::Affine  ? query.view.mode.width_px
                                     : accuracy.texturing == Texturing::Exact ? kShortPart_px

@@ -25,7 +25,7 @@ double sample(const Level& level, const Face& face, int column, int row) {
     return std::min(sum / kFullLight, kBrightest);
 }
 
-/// A place between samples, kept on the face.
+/// A position between samples, clamped to the face.
 struct Cell {
     int from, to;
     double fraction;

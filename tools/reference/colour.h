@@ -19,9 +19,9 @@ using Palette = std::array<Rgb, 256>;
 /// From 768 bytes of red, green, blue; throws std::runtime_error for another size.
 Palette make_palette(std::span<const std::uint8_t> bytes);
 
-/// How bright a lit face is at a texel (not wrapped), 0 to 2: between four light samples, each the sum of the face's
-/// styles as they are stored, 128 being 1 and 256 or more 2. Faces without a lightmap are dark, or 1 if the level has
-/// no light at all.
+/// The light of a lit face at a texel (not wrapped), 0 to 2: interpolated between four light samples, each the sum of
+/// the face's styles as stored; 128 is 1, 256 or more is 2. Faces without a lightmap are dark, or 1 if the level has no
+/// light at all.
 double light_at(const Level& level, const Face& face, double u, double v);
 
 /// The texel's colour times the light, no channel above 255. Liquids, skies and the palette's last 32 colours are not
@@ -30,12 +30,12 @@ Rgb true_colour(const Level& level, const Face& face, double u, double v, const 
 
 struct ColourPixel {
     Rgb colour;
-    bool is_excluded = false;  ///< some of it is sky or a liquid, which move, or no face at all
-    bool is_border = false;    ///< it shows parts of several faces
+    bool is_excluded = false;  ///< a part is sky or liquid, which move, or no face
+    bool is_border = false;    ///< shows several faces
 };
 
-/// Colours without colormap, mip levels or rounding: the mean of samples_per_axis^2 rays a pixel, evenly spread, with 1
-/// the centre alone. Rows top to bottom.
+/// Colours without colormap, mip levels or rounding: the mean of samples_per_axis^2 rays a pixel, evenly spread; 1:
+/// only the centre. Rows top to bottom.
 std::vector<ColourPixel> draw_colours(const Level& level, std::span<const PlacedModel> models, const View& view,
                                       const Palette& palette, int samples_per_axis = 1);
 

@@ -8,8 +8,7 @@ namespace oblong::reference {
 
 namespace {
 
-/// Two faces whose 1/z differ by less than this part of it are equally near: the file's floats do not tell which is
-/// nearer.
+/// Two faces whose 1/z differ by less than this fraction are equally near: the file's floats do not decide.
 constexpr double kEqualDepth = 1e-6;
 /// Units in front of an eye on the wrong side of a face: more than corners are off their planes.
 constexpr double kClearlyBehind = 1;
@@ -22,7 +21,7 @@ struct Candidate {
     int first_row = 0, end_row = 0;
     double least_inverse_z = 0, most_inverse_z = 0;  ///< of its corners
 
-    /// Within the corners' range: a plane seen almost edge-on tells little.
+    /// Clamped to the corners' range: the depth of a plane seen almost edge-on is unreliable.
     double inverse_z(ScreenPoint at) const { return std::clamp(plane.inverse_z(at), least_inverse_z, most_inverse_z); }
 };
 
@@ -37,8 +36,8 @@ bool is_out_of_view(const std::vector<RayCorner>& corners, const View& view) {
            all([&](const RayCorner& c) { return c.y * 2 > c.z * height; });
 }
 
-/// Rows and depths of the corners; all rows, and any depth from the farthest corner on, if the eye's plane cuts the
-/// face.
+/// The rows and depths of the corners; if the eye's plane cuts the face, all rows, and all depths up to the farthest
+/// corner.
 void set_bounds(const std::vector<RayCorner>& corners, const View& view, Candidate& candidate) {
     double top = view.height_px, bottom = 0, nearest = std::numeric_limits<double>::infinity(), farthest = 0;
     for (const RayCorner& corner : corners) {
@@ -93,13 +92,13 @@ CandidateList make_candidates(const Level& level, std::span<const PlacedModel> m
     return list;
 }
 
-/// Which candidate each ray meets first.
+/// The candidate that each ray hits first.
 class DepthBuffer {
   public:
     struct Nearest {
         int candidate = -1;
         double inverse_z = 0;
-        bool is_shared = false;  ///< with another as near
+        bool is_shared = false;  ///< another one is equally near
     };
 
     DepthBuffer(const View& view, RayShift shift)
@@ -141,7 +140,7 @@ class DepthBuffer {
     int& winding_at(int column) { return windings_[static_cast<std::size_t>(column)]; }
 
     RayGrid grid_;
-    std::vector<int> windings_;  ///< of the row that is drawn
+    std::vector<int> windings_;  ///< of the current row
     std::vector<Nearest> nearest_;
 };
 

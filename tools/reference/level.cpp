@@ -12,7 +12,7 @@ namespace oblong::reference {
 
 namespace {
 
-// Lumps by their place in the header; what is not listed no picture needs.
+// Lumps by their index in the header, as far as pictures need them.
 enum Lump { kPlanes = 1, kTextures = 2, kVertices = 3, kTexInfos = 6, kFaces = 7, kLighting = 8, kEdges = 12 };
 enum MoreLumps { kSurfEdges = 13, kModels = 14 };
 
@@ -98,7 +98,7 @@ File open_file(std::span<const std::uint8_t> bytes) {
     return {bytes, is_wide};
 }
 
-/// Squares of an eighth of its 64 texels: what the engine draws for a texture that the file does not hold.
+/// Squares of an eighth of its 64 texels: the engine's replacement for a texture missing in the file.
 Texture make_checkerboard(std::string name) {
     Texture texture{std::move(name), 64, 64, {}};
     for (int row = 0; row < 64; ++row)
@@ -144,11 +144,11 @@ TexInfo read_texinfo(Reader& in, std::size_t texture_count) {
     return texinfo;
 }
 
-/// What faces are put together from.
+/// The parts of faces in the file.
 struct Parts {
     std::vector<Plane> planes;
     std::vector<std::array<int, 2>> edges;
-    std::vector<int> surf_edges;  ///< an edge, or the negative of one that is walked from its end
+    std::vector<int> surf_edges;  ///< an edge, or its negative if it runs from its end
 };
 
 Parts read_parts(const File& file, std::size_t vertex_count) {
@@ -202,8 +202,7 @@ Face read_face(Reader& in, const File& file, const Parts& parts, const Level& le
 }
 
 /// Texel coordinates of all corners, in cells of 16 texels: the first cell and one past the last. Rounded to floats
-/// first, as the light compilers do, which decides how many samples a file holds for a face that ends on a cell's
-/// border.
+/// first, as the light compilers do, which decides the number of samples for a face that ends on a cell's border.
 std::array<int, 2> cells_along(const Level& level, const Face& face, const Vec& axis, double offset) {
     double least = std::numeric_limits<double>::max(), most = -least;
     for (const int corner : face.corners) {

@@ -10,7 +10,7 @@
 
 namespace oblong::reference {
 
-/// How a texture lies on faces: u = dot(s, p) + s_offset, v = dot(t, p) + t_offset, texels of mip level 0.
+/// The mapping of a texture on faces: u = dot(s, p) + s_offset, v = dot(t, p) + t_offset, texels of mip level 0.
 struct TexInfo {
     Vec s, t;
     double s_offset = 0, t_offset = 0;
@@ -29,13 +29,13 @@ enum class Material { Lit, Liquid, Sky };
 
 /// A polygon, clockwise seen from its front.
 struct Face {
-    Plane plane;               ///< the file's, turned so that the face is seen from where normal . p > offset
+    Plane plane;               ///< the file's, oriented so that the face is visible where normal . p > offset
     std::vector<int> corners;  ///< into Level::vertices, with the vertices inside its edges (t_junctions.h)
     int texinfo = 0;
     Material material = Material::Lit;
-    std::array<std::uint8_t, 4> styles{};  ///< a lightmap for each before the first 255
+    std::array<std::uint8_t, 4> styles{};  ///< a lightmap for each, up to the first 255
     int light_offset = -1;                 ///< into Level::lighting; -1: no lightmap
-    int first_u = 0, first_v = 0;          ///< texels: where the first light sample is
+    int first_u = 0, first_v = 0;          ///< texels: of the first light sample
     int light_columns = 0, light_rows = 0;
 
     int style_count() const;
@@ -47,7 +47,7 @@ struct Model {
     int first_face = 0, face_count = 0;
 };
 
-/// What of a level a picture shows, in the units of the file. Floats are taken as they stand there.
+/// The visible part of a level, in the file's units and with its floats.
 struct Level {
     std::vector<Vec> vertices;
     std::vector<TexInfo> texinfos;
@@ -65,7 +65,7 @@ struct Level {
 };
 
 /// A level from the bytes of a file of BSP version 29, BSP2 or 2PSB. Throws std::runtime_error naming the lump for a
-/// file that ends too early or refers to what it does not hold.
+/// file that ends too early or has invalid references.
 Level read_level(std::span<const std::uint8_t> file);
 
 }  // namespace oblong::reference

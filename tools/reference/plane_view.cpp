@@ -7,7 +7,8 @@ namespace oblong::reference {
 
 namespace {
 
-/// Units. Nearer, or behind a face that only rounding makes visible: for such a sliver any steep view will do.
+/// The least distance of the eye from a plane, units. A nearer face, or one visible only by rounding, is a sliver for
+/// which any steep view will do.
 constexpr double kLeastDistance = 1e-6;
 /// Sine of the least angle, roughly, at which rows of a matrix count as independent.
 constexpr double kLeastSine = 1e-12;

@@ -17,32 +17,32 @@ struct Texel {
     double u = 0, v = 0, inverse_z = 0;
 };
 
-/// What the plane of a triangle shows at a place on the screen, by barycentric weights of the ray through it.
+/// The texel of a triangle's plane at a screen position, by barycentric weights of the ray through it.
 Texel texel_at(const std::array<TexturedCorner, 3>& corners, const Projection& projection, ScreenPoint at);
 
-/// Change of u and v (texels) from one column, one row to the next (pixels).
+/// The change of u and v (texels) per column and per row.
 struct TexelGradient {
     double u_per_column = 0, v_per_column = 0, u_per_row = 0, v_per_row = 0;
 };
 
-/// The plane of a face as a view shows it, without end: which texel at which place on the screen, and back.
+/// The unbounded plane of a face in a view: maps screen positions to texels, and back.
 ///
 /// Along the ray r = right X / mx - up Y / my + forward, X and Y pixels from the optical centre, the point at depth z
 /// is eye + z r. So u is linear in z dot(s, r); and as that point is on the plane, 1/z = -dot(normal, r) / distance of
 /// the eye, which is linear in X and Y.
 class PlaneView {
   public:
-    /// `offset`: how far the face's model has moved.
+    /// `offset`: the displacement of the face's model.
     PlaneView(const Level& level, const Face& face, const Vec& offset, const Camera& camera);
 
     double inverse_z(ScreenPoint at) const { return inverse_z_.at(from_centre(at)); }
-    /// The texel of the plane, at its own depth. Meaningless where inverse_z() is not above 0.
+    /// The texel of the plane, at its own depth. Requires inverse_z() above 0.
     Texel texel_at(ScreenPoint at) const { return texel_at(at, inverse_z(at)); }
     /// The texel of the point at another depth of the same ray.
     Texel texel_at(ScreenPoint at, double inverse_z) const;
     TexelGradient gradient_at(ScreenPoint at) const;
     /// The place on the screen at which the plane shows a texel; none if that is not in front of the eye, or if the
-    /// texture's axes do not tell the plane's points apart. Its distance to the centre of the pixel where a renderer
+    /// texture's axes do not separate the plane's points. Its distance to the centre of the pixel where a renderer
     /// shows this texel is that renderer's error there, in pixels.
     std::optional<ScreenPoint> place_of(double u, double v) const;
 

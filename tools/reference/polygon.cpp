@@ -8,12 +8,12 @@ namespace oblong::reference {
 
 namespace {
 
-/// Above 0 right of the edge as one walks it (y down), 0 on it.
+/// Above 0 to the right of the edge's direction (y down), 0 on it.
 std::int64_t edge_function(const GridPoint& from, const GridPoint& to, const GridPoint& p) {
     return (to.x - from.x) * (p.y - from.y) - (to.y - from.y) * (p.x - from.x);
 }
 
-/// Of an edge of a triangle that runs clockwise.
+/// For an edge of a clockwise triangle.
 bool is_top_or_left(const GridPoint& from, const GridPoint& to) {
     const bool is_top = from.y == to.y && to.x > from.x;
     const bool is_left = to.y < from.y;
@@ -127,7 +127,7 @@ std::vector<int> EdgeMender::mended(const std::vector<int>& corners) const {
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const int from = corners[i], to = corners[(i + 1) % corners.size()];
         result.push_back(from);
-        // From the same end for both faces of an edge, so that both find the same.
+        // From the same end for both faces of an edge, so that both get the same vertices.
         std::vector<int> between = inside(std::min(from, to), std::max(from, to));
         if (from > to) std::reverse(between.begin(), between.end());
         result.insert(result.end(), between.begin(), between.end());

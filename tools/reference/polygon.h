@@ -18,13 +18,13 @@ struct Plane {
 
 std::vector<Vec> clip(const std::vector<Vec>& polygon, const Plane& plane);
 
-/// What is left of a convex polygon in viewspace between two depths and the four sides of the view.
+/// The part of a convex polygon in viewspace between two depths and the four sides of the view.
 std::vector<Vec> clip_to_view(std::vector<Vec> polygon, double near, double far, const Projection& projection);
 
 /// The area of a polygon on the screen, square pixels.
 double area(const std::vector<ScreenPoint>& polygon);
 
-/// The same of what is left after clipping.
+/// The same after clipping.
 double visible_area(const std::vector<Vec>& polygon, double near, double far, const Projection& projection);
 
 /// A corner in 1/256 pixel; |coordinates| up to 2^28.
@@ -49,13 +49,13 @@ struct CoverageMap {
 
 void add_triangle(const std::array<GridPoint, 3>& corners, CoverageMap& map);
 
-/// Where two maps differ, as text: + in both, | missing, - too much, . in none. Empty where they are equal; around the
+/// The difference of two maps as text: + in both, | missing, - extra, . in neither. Empty if they are equal; around the
 /// first difference, 60 columns by 20 rows.
 std::string picture_of_difference(const CoverageMap& expected, const CoverageMap& found);
 
-/// A polygon's corners with the vertices that lie inside its edges, less than 1/512 unit from them, put between. Where
-/// that is done to all faces, neighbours meet in the same points: a corner of one in the middle of another's edge,
-/// which as a float is never exactly on it, leaves no crack.
+/// Inserts into a polygon's edges the vertices that are within 1/512 unit of them. If this is done for all faces,
+/// neighbours meet in the same points: a corner in the middle of another face's edge, which as a float is never exactly
+/// on it, leaves no crack.
 class EdgeMender {
   public:
     EdgeMender(const std::vector<Vec>& vertices, const std::vector<int>& used);
@@ -67,7 +67,7 @@ class EdgeMender {
     std::vector<int> inside(int from, int to) const;
 
     const std::vector<Vec>& vertices_;
-    std::vector<int> by_x_;  ///< the used ones, in the order of x
+    std::vector<int> by_x_;  ///< the used ones, sorted by x
 };
 
 }  // namespace oblong::reference

@@ -25,7 +25,7 @@ int clamped(Wide column, int width_px) {
     return static_cast<int>(std::clamp<Wide>(column, 0, width_px));
 }
 
-/// The sign of x a + y b + z c. The left factors have up to 111 bits: their halves are multiplied apart.
+/// The sign of x a + y b + z c. The left factors have up to 111 bits: so their halves are multiplied separately.
 int sign_of_sum(Wide x, Wide y, Wide z, const RayCorner& c) {
     constexpr int kLowBits = 48;
     const auto high = [](Wide value) { return value >> kLowBits; };

@@ -8,13 +8,12 @@
 
 #include "tools/reference/view.h"
 
-/// Which rays from the eye a polygon covers, in whole numbers: rasterisation in homogeneous coordinates (Olano and
-/// Greer, "Triangle Scan Conversion using 2D Homogeneous Coordinates", 1997).
+/// Which rays from the eye a polygon covers, in integers: rasterisation in homogeneous coordinates (Olano and Greer,
+/// "Triangle Scan Conversion using 2D Homogeneous Coordinates", 1997).
 ///
-/// A ray r is inside a triangle of corners a, b, c if it is a positive combination of them, which it is where
-/// det(a, b, r), det(b, c, r) and det(c, a, r) all have the sign of det(a, b, c). Behind the eye there is nothing to
-/// combine, so nothing has to be clipped. A determinant is linear in the column, so that a row's rays inside are an
-/// interval.
+/// A ray r is inside a triangle of corners a, b, c if it is a positive combination of them: if det(a, b, r), det(b, c,
+/// r) and det(c, a, r) all have the sign of det(a, b, c). This also holds with corners behind the eye, so nothing is
+/// clipped. A determinant is linear in the column, so that a row's rays inside are an interval.
 namespace oblong::reference {
 
 __extension__ using Wide = __int128;
@@ -30,7 +29,7 @@ struct RayCorner {
 /// Rounded to the nearest. Throws std::range_error from 2^35 on.
 RayCorner make_ray_corner(const Vec& world_point, const Camera& camera);
 
-/// A step of all rays beside the centres of their pixels: right, down; 1/4096 pixel.
+/// An offset of all rays from the centres of their pixels: right, down; 1/4096 pixel.
 struct RayShift {
     int x = 0, y = 0;
 };
@@ -49,13 +48,13 @@ struct Interval {
     int first = 0, end = 0;
 };
 
-/// A triangle with the eye: the rays that it covers.
+/// The rays that a triangle covers.
 class RayTriangle {
   public:
     /// None if the eye is in its plane: then it covers no ray.
     static std::optional<RayTriangle> make(const RayCorner& a, const RayCorner& b, const RayCorner& c);
 
-    /// 1 where the corners run clockwise as seen, -1 counter-clockwise.
+    /// 1 if the corners run clockwise in the view, -1 if counter-clockwise.
     int winding() const { return winding_; }
     /// A ray exactly on an edge counts if the triangle is to its right; on one along a row, if it is below.
     Interval inside(const RayGrid& grid, int row) const;
@@ -73,8 +72,8 @@ class RayTriangle {
     int winding_ = 1;
 };
 
-/// A polygon's triangles, all from its first corner. Summed over those that cover a ray, their windings are the
-/// polygon's: 1 where its front covers the ray, whether or not it is quite convex.
+/// A polygon's triangles, all from its first corner. The windings of those that cover a ray add up to the polygon's: 1
+/// where its front covers the ray, even if it is not quite convex.
 std::vector<RayTriangle> make_ray_fan(std::span<const RayCorner> corners);
 
 }  // namespace oblong::reference

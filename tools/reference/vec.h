@@ -4,11 +4,11 @@
 #include <concepts>
 #include <cstddef>
 
-/// Everything in this folder is written from the formulas alone, in doubles, and includes nothing of the engine: tests
-/// compare the engine with it.
+/// Everything in this folder is written from the formulas, in doubles, without the engine's code: tests compare the
+/// engine with it.
 namespace oblong::reference {
 
-/// A point or a direction in doubles: the one of all tools and tests that compare with doubles.
+/// A point or a direction in doubles: used by all tools and tests that compare with doubles.
 struct Vec {
     double x = 0, y = 0, z = 0;
 

@@ -31,9 +31,9 @@ Axes make_axes(double yaw, double pitch, double roll);
 
 Vec to_view(const Vec& world_point, const Vec& world_eye, const Axes& axes);
 
-/// Where a picture is seen from. The world is Quake's: x east, y north, z up.
+/// The view of a picture. The world is Quake's: x east, y north, z up.
 struct View {
-    Vec eye;                              ///< in the open; on the plane of a face it does not see that face
+    Vec eye;                              ///< not in solid; a face is invisible from its own plane
     double yaw = 0, pitch = 0, roll = 0;  ///< 1/65536 turn: counter-clockwise from +x seen from above; looking down;
                                           ///< leaning right
     double field_of_view = 90;            ///< degrees across the width
@@ -42,7 +42,7 @@ struct View {
     bool correct_aspect = true;  ///< false: drawn as if pixels were square
 };
 
-/// What follows from a view: axes in the world, and the projection's two multipliers.
+/// Values derived from a view: axes in the world, and the projection's two multipliers.
 struct Camera {
     Vec eye;
     Axes axes;  ///< right, up, forward

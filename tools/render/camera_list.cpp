@@ -39,7 +39,7 @@ std::string place(std::size_t line) {
     return "line " + std::to_string(line);
 }
 
-/// Which kColumns entry each column of the file is.
+/// The kColumns entry of each column of the file.
 std::vector<std::size_t> parse_header(const std::string& line) {
     if (trimmed(line).empty()) throw InputError(place(1), "is empty, expected the columns' names: x,y,z,yaw,pitch");
     std::vector<std::size_t> columns;

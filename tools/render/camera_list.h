@@ -15,7 +15,7 @@ namespace oblong {
 /// order (world units within +-32,768, degrees, pitch positive looking down). Throws InputError that names the line.
 std::vector<Camera> parse_cameras(std::span<const std::uint8_t> bytes, Degrees field_of_view);
 
-/// The view of a camera; in most views the camera's position is what they show the middle of.
+/// The view of a camera; most views are centred on the camera's position.
 using ViewOfCamera = std::function<ViewSpec(const Camera&)>;
 
 /// The names and keys of views for --help and messages.
@@ -24,7 +24,7 @@ extern const char* const kViewSyntax;
 /// "NAME" or "NAME:KEY=VALUE,...". Throws UsageError that says which name, key or value is wrong.
 ViewOfCamera parse_view(const std::string& text);
 
-/// What `view` makes of a camera. Throws InputError with `where` if it cannot be drawn in the mode.
+/// The view of a camera. Throws InputError with `where` if it cannot be drawn in the mode.
 ViewSpec checked_view(const ViewOfCamera& view, const Camera& camera, const ScreenMode& mode, const std::string& where);
 
 }  // namespace oblong

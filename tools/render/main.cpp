@@ -43,7 +43,7 @@ std::string hidden_surface_names() {
     return names;
 }
 
-/// Those that this processor runs.
+/// The kernels that this processor supports.
 std::string kernel_names() {
     std::string names;
     for (const NamedKernel& kernel : block_kernels()) names += (names.empty() ? "" : ", ") + std::string(kernel.name);
@@ -155,7 +155,7 @@ void report(const ReportHead& head, const std::vector<FrameReport>& frames, cons
     if (!json_path.empty()) write_file(json_path, json);
 }
 
-/// What the option makes of each camera.
+/// The view of each camera by the option.
 std::vector<ViewSpec> views_of(std::span<const Camera> cameras, const std::string& option, const ScreenMode& mode,
                                SineMethod sine) {
     const ViewOfCamera view_of = parse_view(option);

@@ -17,7 +17,7 @@ namespace oblong {
 
 namespace {
 
-/// Draws one view's frames into a canvas of its own.
+/// Draws one view's frames into its own canvas.
 class ViewRenderer {
   public:
     ViewRenderer(const RenderJob& job, FrameWorkspace& work)
@@ -52,7 +52,7 @@ class ViewRenderer {
                    {pixels_.data(), job_.mode.width_px, job_.mode.height_px, job_.mode.width_px});
     }
 
-    /// With what the frames before this one left in the caches.
+    /// With the caches as left by earlier frames.
     double time_first(const ViewSpec& view) {
         times_.clear();
         times_.time(work_, [&] { draw(view); });
@@ -65,7 +65,7 @@ class ViewRenderer {
         if (job_.time_step_ms != 0) draw(view);  // the picture of the scene's own time
     }
 
-    /// Counts a rendering, and the texels that have been lit since `lit_before`, which the first one took.
+    /// Counts a rendering, and the texels lit since `lit_before`, by the first rendering.
     FrameCounts count(const ViewSpec& view, std::int64_t lit_before, FrameReport& report) {
         FrameCounts counts;
         work_.observers.counts = &counts;
@@ -142,7 +142,7 @@ double in_degrees(Degrees angle) {
     return number_of(angle);
 }
 
-/// The dials that were turned on top of the preset.
+/// The dials that differ from the preset.
 Json dials_json(const Accuracy& accuracy, Preset preset) {
     Json json = Json::object();
     for (const Dial& dial : all_dials())
@@ -151,7 +151,7 @@ Json dials_json(const Accuracy& accuracy, Preset preset) {
     return json;
 }
 
-/// The bound in pixels; no number where the preset has no bound.
+/// The bound in pixels; null if the setting has none.
 Json texel_error_json(const Accuracy& accuracy) {
     if (accuracy.texturing != Texturing::Bounded) return nullptr;
     return accuracy.pixel_bound_256 / 256.0;
@@ -230,7 +230,7 @@ std::string report_json(const ReportHead& head, const std::vector<FrameReport>& 
                 {"microseconds", {{"median", rounded(times.median)}, {"p99", rounded(times.p99)}}},
                 {"frames", Json::array()}};
     for (std::size_t i = 0; i < frames.size(); ++i) report["frames"].push_back(frame_json(i, frames[i]));
-    return report.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";  // a file's name may be no UTF-8
+    return report.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";  // a file's name may be invalid UTF-8
 }
 
 }  // namespace oblong

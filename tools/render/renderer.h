@@ -18,10 +18,10 @@ namespace oblong {
 struct FrameReport {
     std::uint32_t crc32 = 0;
     TimeSpread frame_ns;  ///< of the timed renderings, drawing only
-    double first_ns = 0;  ///< of the first rendering, which lights what no frame before showed
+    double first_ns = 0;  ///< of the first rendering, which lights surfaces that no earlier frame showed
     std::int64_t pixels_once = 0, pixels_twice = 0, pixels_never = 0;
     std::vector<NamedCount> counts;
-    std::vector<PlanLine> passes, effects;  ///< what makes up the frame, of the same renderings; the plan's effects
+    std::vector<PlanLine> passes, effects;  ///< the parts of the frame, in the same renderings; the plan's effects
 };
 
 /// The median and the 99th percentile of some times (at least one).
@@ -30,20 +30,20 @@ struct TimeSummary {
 };
 TimeSummary summarize_times(std::vector<double> times);
 
-/// What to render, and how often.
+/// A rendering job.
 struct RenderJob {
     Scene scene;
     ScreenMode mode;
     Settings settings;
     std::span<const ViewSpec> views;
-    int repeat = 1;                 ///< timed renderings of each frame
-    std::int64_t time_step_ms = 0;  ///< from each of those to the next: what moves is then lit and drawn anew
+    int repeat = 1;                                        ///< timed renderings of each frame
+    std::int64_t time_step_ms = 0;                         ///< between these: moving parts are lit and drawn anew
     const LevelModels* level_models = nullptr;             ///< drawn instead of the scene's; outlive the job
     const HiddenSurfaceMethod* hidden_surfaces = nullptr;  ///< the workspace's claimer
 };
 
-/// Renders every view and calls on_picture(index, pixels) with each picture. Counts are taken in a rendering of their
-/// own, never in a timed one.
+/// Renders every view and calls on_picture(index, pixels) with each picture. Counts are taken in a separate rendering,
+/// never in a timed one.
 std::vector<FrameReport> render_views(
     const RenderJob& job, FrameWorkspace& work,
     const std::function<void(std::size_t, std::span<const std::uint8_t>)>& on_picture);
@@ -62,7 +62,7 @@ struct ReportHead {
 
 TimeSummary summarize_times(const std::vector<FrameReport>& frames);
 
-/// The plan of each frame for reading: what `oblong-render --plan` prints.
+/// The plan of each frame as text: what `oblong-render --plan` prints.
 std::string plan_text(const std::vector<FrameReport>& frames);
 
 /// The JSON that `oblong-render --json` writes.

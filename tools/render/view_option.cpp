@@ -28,7 +28,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
     return parts;
 }
 
-/// The keys and values behind a view's name. Every key must be asked for: one that is not is unknown.
+/// The keys and values after a view's name. A key that is never taken is reported as unknown.
 class ViewKeys {
   public:
     explicit ViewKeys(const std::string& text) {
@@ -52,7 +52,7 @@ class ViewKeys {
         const std::optional<std::string> text = take(key);
         return text ? std::optional(units_of(key, *text)) : std::nullopt;
     }
-    /// Numbers with slashes between.
+    /// Numbers separated by slashes.
     template <std::size_t Count>
     std::array<World, Count> take_list(const std::string& key, const std::string& otherwise) {
         const std::string text = take(key, otherwise);

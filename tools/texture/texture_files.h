@@ -11,9 +11,9 @@
 
 namespace oblong {
 
-/// How the colours of a picture become a palette's.
+/// How the colours of a picture are converted to a palette.
 struct PngColours {
-    bool may_glow = false;  ///< the last 32 of the palette may be taken
+    bool may_glow = false;  ///< the palette's last 32 colours may be used
     Dither dither = Dither::None;
 };
 
@@ -23,26 +23,25 @@ Dither parse_dither(const std::string& text);
 /// All these throw FileError.
 
 /// A picture (PNG, TGA, JPEG, BMP) as a texture named after the file. Its sizes must be multiples of 16, 4096 at most.
-/// An indexed PNG whose palette is this very one (or the beginning of it) keeps its indices; any other takes its
-/// colours by `colours`. Transparent pixels become holes in a texture whose name begins with '{'; in any other they are
-/// an error.
+/// An indexed PNG with this palette (or its beginning) keeps its indices; any other is converted by `colours`.
+/// Transparent pixels become holes in a texture whose name begins with '{'; in any other they are an error.
 MipTexture read_png_texture(const std::string& path, const Palette& palette, PngColours colours = {});
 
-/// The bytes of a WAD of pictures: those whose texture names `glowing` lists take colours that glow. Two pictures of
-/// one name, whatever the case of its letters, are an error.
+/// The bytes of a WAD of pictures: those named in `glowing` may use glowing colours. Two pictures with the same name,
+/// ignoring case, are an error.
 std::vector<std::uint8_t> packed_textures(const std::vector<std::string>& picture_paths,
                                           const std::vector<std::string>& glowing, const Palette& palette,
                                           Dither dither = Dither::None);
 
-/// `pack`: writes such a WAD. Throws UsageError where `glowing` names none of them.
+/// `pack`: writes such a WAD. Throws UsageError if a name in `glowing` is not among them.
 void pack_textures(const std::vector<std::string>& picture_paths, const std::vector<std::string>& glowing,
                    const std::string& wad_path, const Palette& palette, Dither dither = Dither::None);
 
-/// `unpack`: the textures of a WAD or a BSP as indexed PNGs into a folder, which is made.
+/// `unpack`: the textures of a WAD or a BSP as indexed PNGs into a folder, which is created.
 void unpack_textures(const std::string& archive_path, const std::string& folder, const Palette& palette);
 
-/// "any/folder/#water.png" -> "*water": the file's name without folder and ending, a leading '#' standing for the '*'
-/// of liquids, which file systems dislike. Throws InputError unless 1 to 15 characters are left.
+/// "any/folder/#water.png" -> "*water": the file's name without folder and ending, a leading '#' stands for the '*' of
+/// liquids, which is unsafe in file names. Throws InputError unless 1 to 15 characters are left.
 std::string texture_name_of_file(const std::string& path);
 
 /// "*water" -> "#water.png". Slashes, which a name in a broken file may hold, become '_'.
@@ -55,9 +54,9 @@ inline constexpr std::int32_t kRampCellWidth_px = 8, kRampCellHeight_px = 4;
 std::vector<std::uint8_t> make_ramp_sheet(const Palette& palette);
 
 /// A texture with its four mip levels. A texel of level n is the palette colour nearest to the mean of the 2^n x 2^n
-/// texels of level 0 under it: a glowing colour if half of them or more glow, and else an ordinary one, so that
-/// nothing starts to glow with distance. Where the texture has holes, such a texel is one if half of those under it
-/// are, and else the mean of the others. `texels` are width * height; both sizes are multiples of 16.
+/// texels of level 0 under it: a glowing colour if half of them or more glow, and else an ordinary one, so that nothing
+/// starts to glow with distance. In a texture with holes, a texel is a hole if half of those under it are, else the
+/// mean of the others. `texels` are width * height; both sizes are multiples of 16.
 MipTexture make_mip_texture(const std::string& name, std::int32_t width, std::int32_t height,
                             std::vector<std::uint8_t> texels, const Palette& palette);
 
