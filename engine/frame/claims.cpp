@@ -13,7 +13,7 @@ namespace oblong {
 
 namespace {
 
-/// The corners of a face of the world, those at T-junctions only if the settings mend them.
+/// The corners of a face of the world, with those at T-junctions if the settings mend them.
 std::span<const VertexIndex> corners_of(FaceIndex index, const FrameContext& frame, CornerScratch& scratch) {
     if (frame.accuracy().mends_t_junctions) return frame.cache.faces.corners_of(index);
     const Level& level = frame.scene.level;
@@ -22,8 +22,8 @@ std::span<const VertexIndex> corners_of(FaceIndex index, const FrameContext& fra
     return scratch.own;
 }
 
-/// Whether the part of a projected face that is within the frame's limits is in view; projects that part alone. Faces
-/// in the plane of a limit are left out: so is a mirror from its own picture.
+/// Projects only the part of a projected face that is within the frame's limits. False if it is out of view. Faces in
+/// the plane of a limit are left out, so a mirror is not in its own picture.
 bool keep_within_limits(const VisibleFace& face, const FrameContext& frame, ClaimScratch& scratch) {
     std::vector<Vec3<World>>& corners = scratch.corners.world;
     world_corners(face, frame, scratch.corners);
@@ -40,8 +40,8 @@ bool keep_within_limits(const VisibleFace& face, const FrameContext& frame, Clai
     return !is_cut || project_polygon(corners, frame.view, scratch.polygon);
 }
 
-/// Transforms, clips and projects the corners. False if nothing of the face is in view. `nears_limits`: it may not be
-/// well within the frame's.
+/// Transforms, clips and projects the corners. False if the face is out of view. `nears_limits`: it may reach the
+/// frame's limits.
 bool project(const VisibleFace& face, bool nears_limits, const FrameContext& frame, ClaimScratch& scratch) {
     if (frame.observers.counts) ++frame.observers.counts->faces_visited;
     const bool is_in_view = face.fragment ? project_polygon(frame.cache.brush_models.corners_of(*face.fragment),
@@ -51,7 +51,7 @@ bool project(const VisibleFace& face, bool nears_limits, const FrameContext& fra
     return is_in_view && (!nears_limits || keep_within_limits(face, frame, scratch));
 }
 
-/// Scans the projected face, but for rows at its top and its bottom that have nothing free. False if none are left.
+/// Scans the projected face, except rows at its top and bottom without free pixels. False if no row is left.
 bool scan(const FrameContext& frame, ClaimScratch& scratch) {
     const std::span<const ScreenVertex> corners = scratch.polygon.screen;
     const PolygonShape shape = shape_of(corners, frame.out.height_px, frame.accuracy().edges);
@@ -61,7 +61,7 @@ bool scan(const FrameContext& frame, ClaimScratch& scratch) {
     return true;
 }
 
-/// 1/z of a face, perhaps that of the face before it.
+/// 1/z of a face; reused from the previous face if both are on the same side of a plane.
 PlaneInverseZ inverse_z_after(const VisibleFace& visible, const FrameContext& frame, SeenPlane& last) {
     const Face& face = frame.scene.level.faces[visible.face];
     const auto computed = [&] {
@@ -73,8 +73,8 @@ PlaneInverseZ inverse_z_after(const VisibleFace& visible, const FrameContext& fr
     return last.inverse_z;
 }
 
-/// The next face of the walk. One in 16 is timed, less what reading the clock takes: to read it at every face would
-/// take about as long as the walk.
+/// The next face of the walk. One face in 16 is timed, minus the time to read the clock, as reading it for every face
+/// would take about as long as the walk.
 bool next_face(FrontToBackWalk& walk, PassTimes* times, VisibleFace& found) {
     constexpr std::uint32_t kSample = 16;
     if (!times || ++times->faces_walked % kSample != 0) return walk.next(found);
@@ -165,7 +165,7 @@ void add_claimed(VisibleFace& face, std::size_t first_span, const FrameContext& 
     const EffectSet needs = frame.cache.faces[face.face].effects, allowed = frame.settings.allowed_effects;
     const EffectSet effects = face.fragment ? needs.with(Effect::BrushModels) : needs;
     const FaceList list = list_for(needs, allowed);
-    // Faces without texels need it for other effects alone: fog, and things before and behind them.
+    // Faces without texels need it only for other effects: fog, and things before and behind them.
     if (list != FaceList::Sky && (list != FaceList::Flat || allowed != EffectSet{}))
         face.inverse_z = inverse_z_after(face, frame, claims.last_plane);
     claims.list(list).push_back(face);

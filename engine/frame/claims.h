@@ -21,17 +21,17 @@ struct CornerScratch;
 struct FrameContext;
 struct ViewScratch;
 
-/// The lists of claimed faces, one for each pass that draws faces.
+/// The lists of claimed faces, one for each pass.
 enum class FaceList : std::uint8_t { Walls, Flat, Liquid, Sky, Mirror, SeeThrough };
 inline constexpr std::size_t kFaceListCount = 6;
 
-/// Pixels that no face covers, because a wall's face is missing: the nearest face's texture and light go on there.
+/// Pixels that no face covers because a wall's face is missing; they show the nearest face's texture and light.
 struct TornSpan {
     Span span;
     PlaneIndex plane;  ///< of the wall
     bool is_back;      ///< the wall faces the plane's back
     FaceIndex face;
-    Vec3<World> place;  ///< one that the span shows
+    Vec3<World> place;  ///< a point shown by the span
 };
 
 /// 1/z of one side of a plane of the world.
@@ -41,17 +41,17 @@ struct SeenPlane {
     PlaneInverseZ inverse_z{};
 };
 
-/// Which pixels of a frame each face, and each thing among the faces, owns: in a list for each pass, front to back.
+/// The pixels that faces and things own in a frame: a list of faces for each pass, front to back.
 struct Claims {
     SpanList spans;
     std::array<std::vector<VisibleFace>, kFaceListCount> lists;
-    EffectSet effects;             ///< that own pixels: those that the faces need and the settings allow, and others
+    EffectSet effects;             ///< that own pixels: needed by faces and allowed by the settings, and others
     std::vector<TornSpan> torn;    ///< pixels of walls whose faces are missing
-    SpanList left_free;            ///< pixels that nothing owns: the void
+    SpanList left_free;            ///< pixels without owner: the void
     std::vector<FogRun> fog_runs;  ///< pixels in fog
-    FrameThings things;            ///< what is among the faces
-    std::size_t walls_drawn = 0;   ///< by draw_walls() so far: the first ones of their list
-    SeenPlane last_plane;          ///< of the world's last face: those of one node, which follow each other, share it
+    FrameThings things;            ///< drawn among the faces
+    std::size_t walls_drawn = 0;   ///< how many of the list draw_walls() has drawn
+    SeenPlane last_plane;          ///< of the world's last face: consecutive faces of a node share it
 
     std::vector<VisibleFace>& list(FaceList which) { return item(lists, which); }
     const std::vector<VisibleFace>& list(FaceList which) const { return item(lists, which); }
@@ -61,7 +61,7 @@ struct Claims {
     void clear();
 };
 
-/// The list of a face that calls for these effects. What is not allowed is drawn in one colour, or as a wall.
+/// The list of a face that needs these effects. If they are not allowed, it is drawn in one colour or as a wall.
 inline FaceList list_for(EffectSet needs, EffectSet allowed) {
     const EffectSet effects = needs & allowed;
     if (needs.has(Effect::Sky)) return effects.has(Effect::Sky) ? FaceList::Sky : FaceList::Flat;
@@ -74,22 +74,21 @@ inline FaceList list_for(EffectSet needs, EffectSet allowed) {
 /// The pixels of a list's faces.
 std::int64_t pixels_of(const Claims& claims, FaceList list);
 
-/// The corners of a face in the world, those at T-junctions only if the settings mend them: in `scratch.world`.
+/// The corners of a face in the world, with those at T-junctions if the settings mend them; in `scratch.world`.
 std::span<const Vec3<World>> world_corners(const VisibleFace& face, const FrameContext& frame, CornerScratch& scratch);
 
-/// The faces in view, front to back: next() finds one, projects it into `polygon` of the view's ClaimScratch and scans
-/// it into its `rows`, for claim_face() to go on with.
+/// The faces in view, front to back. next() finds a face, projects it to `polygon` of the view's ClaimScratch and scans
+/// it to `rows`; claim_face() uses these.
 class FacesInView {
   public:
-    /// The arguments outlive it.
+    /// The arguments must outlive it.
     FacesInView(const FrameContext& frame, ViewScratch& scratch);
     FacesInView(const FacesInView&) = delete;
     ~FacesInView();
 
-    /// Sets `found` to the next face that covers pixels which may be free: its face and fragment, and nothing else.
-    /// False if there is no other.
+    /// Sets `face` and `fragment` of the next face that may cover free pixels. False if there is none.
     bool next(VisibleFace& found);
-    /// Whether the walk comes to all faces for the second time (FrontToBackWalk).
+    /// Whether this is the second walk (FrontToBackWalk).
     bool is_second_walk() const { return walk_.takes_all_faces(); }
 
   private:
@@ -98,19 +97,18 @@ class FacesInView {
     FrontToBackWalk walk_;
 };
 
-/// Lets the face that FacesInView has found last claim the free pixels of its rows, and adds it to its list. One that
-/// is seen through gets these pixels too, but leaves them free for what is behind; a second walk comes to it again and
-/// has nothing to add.
+/// Claims the free pixels of the last face of FacesInView, and adds the face to its list. See-through faces get these
+/// pixels too, but leave them free for what is behind; in a second walk they are ignored.
 void claim_face(VisibleFace& face, bool is_second_walk, const FrameContext& frame, ViewScratch& scratch);
 
-/// Adds a face to its list, with its 1/z where anything may need that. Its spans are those of `claims` from
-/// `first_span` on: without any it is not added.
+/// Adds a face to its list, with its 1/z if something may need it. Its spans are those of `claims` from `first_span`
+/// on; without spans it is not added.
 void add_claimed(VisibleFace& face, std::size_t first_span, const FrameContext& frame, Claims& claims);
 
-/// Takes the faces front to back and lets each claim its pixels; draws nothing.
+/// Claims the pixels of all faces, front to back; draws nothing.
 void claim_faces(const FrameContext& frame, ViewScratch& scratch);
 
-/// Another way to find out which face owns which pixel, in place of claim_faces(): engine/methods has some, to compare.
+/// Another method for hidden surfaces, in place of claim_faces(); engine/methods has some, to compare.
 class FaceClaimer {
   public:
     virtual ~FaceClaimer() = default;

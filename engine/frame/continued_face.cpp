@@ -10,7 +10,7 @@ namespace oblong {
 
 namespace {
 
-/// How far a face is from a place: to its nearest corner. One that is farther than `farthest` may be any such distance.
+/// The distance from a place to a face's nearest corner. If it exceeds `farthest`, any larger distance may be returned.
 WorldWide distance_of(const Level& level, const Face& face, const Vec3<World>& place, WorldWide farthest) {
     WorldWide nearest = WorldWide::highest();
     for (const SurfEdge step : level.edges_of(face)) {
@@ -21,15 +21,12 @@ WorldWide distance_of(const Level& level, const Face& face, const Vec3<World>& p
     return nearest;
 }
 
-/// Whether two planes are within 60 degrees of each other: the texture of one is then at most twice as long on the
-/// other.
+/// Whether two planes are within 60 degrees of each other, so that a texture is stretched by at most 2.
 bool is_along(const LevelPlane& a, const LevelPlane& b) {
     return absolute(dot(a.normal, b.normal)) > Sine60::from_raw(std::int64_t{1} << 59);
 }
 
-/// Searches the tree for the face whose texture goes on where a wall has none: of those on the wall's plane the nearest
-/// to the open before it, unless one on another plane is nearer by kOtherPlane. The search goes nearer sides first and
-/// leaves out what is too far away.
+/// The search of continued_face(): nearer sides first, without subtrees that are too far away.
 class ContinuedFaceSearch {
   public:
     ContinuedFaceSearch(const Level& level, const OpenEnd& end, bool is_back)
@@ -39,7 +36,7 @@ class ContinuedFaceSearch {
           material_(end.is_sky ? Material::Sky : Material::Lit),
           place_(middle_of(level.leaves[end.from].box)) {}
 
-    /// None: no face will do.
+    /// None if no face is suitable.
     FaceIndex find() {
         search(level_.world().root);
         return best_;
@@ -70,7 +67,7 @@ class ContinuedFaceSearch {
         best_ = index;
     }
 
-    /// Boxes are rounded to whole units: a face may reach beyond its node's by one.
+    /// Boxes are rounded to whole units, so a face may exceed its node's box by one.
     bool is_too_far(const LevelBox& box) const {
         const auto is_off = [&](std::int32_t least, std::int32_t most, World at) {
             const WorldWide off = convert<WorldWide>(at);
@@ -92,7 +89,7 @@ class ContinuedFaceSearch {
 }  // namespace
 
 FaceIndex continued_face(const OpenEnd& end, bool is_back, const Level& level, ContinuedFaces& kept) {
-    constexpr std::size_t kMostKept = 4096;  // pairs of leaves and nodes are many more
+    constexpr std::size_t kMostKept = 4096;  // there are many more pairs of leaves and nodes
     if (kept.size() >= kMostKept) kept.clear();
     const auto [found, is_new] = kept.try_emplace({end.from.number(), end.node.number()});
     if (is_new) found->second = ContinuedFaceSearch(level, end, is_back).find();

@@ -8,10 +8,10 @@
 
 namespace oblong {
 
-/// Where a ray leaves the open: from a leaf, through a node's plane.
+/// Where a ray leaves the open: from `from` through the plane of `node`.
 struct OpenEnd {
     LeafIndex from = LeafIndex::none();
-    NodeIndex node = NodeIndex::none();  ///< none: it does not
+    NodeIndex node = NodeIndex::none();  ///< none: it never does
     bool is_sky = false;
     Vec3<World> place;
 
@@ -20,12 +20,12 @@ struct OpenEnd {
     }
 };
 
-/// Faces that were searched for before, by leaf and node.
+/// Results of earlier searches, by leaf and node.
 using ContinuedFaces = std::map<std::pair<std::int32_t, std::int32_t>, FaceIndex>;
 
-/// The face whose texture goes on where a wall has none: of those on the wall's plane, of which it shows this side, the
-/// nearest to the open before it, unless one on another plane is nearer by 256 units. None: no face will do. A search
-/// looks through the tree, so that what it finds is kept.
+/// The face whose texture is continued on a wall without a face: among faces on this side of the wall's plane, the
+/// nearest to the open leaf in front, unless a face on another plane is nearer by 256 units. None if no face is
+/// suitable. As a search walks the tree, results are kept in `kept`.
 FaceIndex continued_face(const OpenEnd& end, bool is_back, const Level& level, ContinuedFaces& kept);
 
 }  // namespace oblong

@@ -9,7 +9,7 @@ namespace oblong {
 
 namespace {
 
-/// Those of a face's spans, which are in order of rows, that are in these.
+/// The spans in these rows; spans are sorted by row.
 std::span<const Span> spans_in_rows(std::span<const Span> spans, std::int32_t first, std::int32_t end) {
     const auto begin =
         std::partition_point(spans.begin(), spans.end(), [=](const Span& span) { return span.y < first; });
@@ -22,16 +22,16 @@ bool overlap(const Span& span, const ScreenRectangle& pixels) {
            span.y < pixels.end_row;
 }
 
-/// Whether all of a face's plane, where it is in a rectangle, is surely nearer.
+/// Whether all of a face's plane in a rectangle is certainly nearer.
 bool is_nearer(const LinearQuantity<InverseZ>& plane, const ScreenRectangle& pixels, InverseDepth nearest) {
-    constexpr InverseZ kSteepest = InverseZ::from_int(1);  // steeper ones may pass the end of their format
+    constexpr InverseZ kSteepest = InverseZ::from_int(1);  // steeper ones may overflow
     if (!is_within(plane.per_column, kSteepest) || !is_within(plane.per_row, kSteepest)) return false;
     const std::int32_t column = plane.per_column > InverseZ{} ? pixels.first_column : pixels.end_column - 1;
     const std::int32_t row = plane.per_row > InverseZ{} ? pixels.first_row : pixels.end_row - 1;
     return to_inverse_depth(plane.at(column, row)) > nearest;
 }
 
-/// Whether a pixel of a rectangle shows the sky, or a face no nearer than `nearest`.
+/// Whether a pixel of the face in a rectangle shows sky, or is not nearer than `nearest`.
 bool shows_farther(const CoveringFace& covering, const ScreenRectangle& pixels, InverseDepth nearest,
                    const FrameContext& frame) {
     const LinearQuantity<InverseZ> inverse_z =
@@ -47,7 +47,7 @@ bool shows_farther(const CoveringFace& covering, const ScreenRectangle& pixels, 
     return false;
 }
 
-/// 1/z of a face at its farthest, or less: rounding moves what its pixels show by fewer than two of them.
+/// A lower bound of a face's 1/z: rounding moves a pixel's place on the face by less than two pixels.
 InverseDepth farthest_depth_of(const VisibleFace& face) {
     const PlaneInverseZ& plane = face.inverse_z;
     const InverseZ farthest = reciprocal<InverseZ>(face.farthest_z);

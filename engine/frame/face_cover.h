@@ -5,19 +5,19 @@
 
 namespace oblong {
 
-/// A face that owns pixels, as a cover looks at it.
+/// A face that owns pixels, as used by FaceCover.
 struct CoveringFace {
-    InverseDepth farthest;    ///< or farther
-    ScreenRectangle bounds;   ///< hold its spans
+    InverseDepth farthest;    ///< 1/z, or a lower bound
+    ScreenRectangle bounds;   ///< holds its spans
     const VisibleFace* face;  ///< null: the sky
     std::span<const Span> spans;
 };
 
-/// What the claimed faces of a view hide, asked before a thing is computed. Pixels that nothing owns, in a mirror's
-/// picture those beside the mirror, hide everything.
+/// Tests what the claimed faces of a view hide, before a thing is computed. Pixels without owner, such as those beside
+/// the mirror in its picture, hide everything.
 class FaceCover : public Cover {
   public:
-    /// The arguments outlive it, and the claims do not change. `faces` is scratch.
+    /// The arguments must outlive it; the claims must not change. `faces` is scratch.
     FaceCover(const FrameContext& frame, const Claims& claims, std::vector<CoveringFace>& faces)
         : frame_(frame), claims_(claims), faces_(faces) {}
 

@@ -11,8 +11,8 @@ namespace oblong {
 
 namespace {
 
-/// The settings without what has no meaning in this view. Depth among things is 1/z, fog and the water before the eye
-/// are measured from the eye: a parallel view has neither, and is drawn without them; mirrors in it are walls.
+/// The settings without effects that are undefined in this view: a parallel view has neither 1/z, which gives the depth
+/// of things, nor an eye, from which fog and water are measured. Mirrors in it are walls.
 Settings settings_in(const ViewSpec& view, Settings settings) {
     if (!view.is_parallel) return settings;
     for (const Effect effect :
@@ -27,8 +27,8 @@ std::vector<WalkLimit> limits_of(const ViewSpec& view) {
     return limits;
 }
 
-/// The eye, moved clear of planes, and the leaf to see from. Where the view may show the void, rays begin elsewhere
-/// than in the eye: from kSolidOutside the whole level may be seen.
+/// The eye, moved clear of planes, and its leaf. If the view may show the void, rays do not begin in the eye;
+/// kSolidOutside makes the whole level visible.
 PlacedEye place_viewer(const Level& level, const ViewSpec& view) {
     if (view.is_parallel) return {view.eye, kSolidOutside};
     const PlacedEye eye = place_eye(level, view.eye);
@@ -61,7 +61,7 @@ void start_observers(const FrameWorkspace& work, Framebuffer out) {
     if (observers.counts) {
         *observers.counts = make_frame_counts(out);
         observers.counts->stages.lit_texels =
-            -work.cache.surfaces.built_texels();  // end_observers() adds what it is then
+            -work.cache.surfaces.built_texels();  // end_observers() adds the final count
     }
     if (observers.record) observers.record->pixels.assign(pixel_count(out.pitch, out.height_px), {});
     if (observers.times) *observers.times = {observers.times->clock, observers.times->faces_walked};
@@ -72,19 +72,19 @@ void end_observers(const FrameWorkspace& work) {
         counts->stages.lit_texels += work.cache.surfaces.built_texels();
 }
 
-/// Lets other threads draw from here on: walls as soon as they are claimed, if their light is known by then.
+/// Other threads draw from here on: walls as soon as they are claimed, if their light is already known.
 void start_sharing(const FrameContext& frame, ViewScratch& scratch) {
     const bool is_light_known = find_light_beforehand(frame, scratch);
     frame.shared->begin(frame, is_light_known);
 }
 
-/// Whether the whole picture waves, seen from a leaf.
+/// Whether the underwater effect applies in a leaf.
 bool is_under_liquid(const FrameContext& frame, LeafIndex leaf) {
     const std::int32_t inside = frame.scene.level.leaves[leaf].contents;
     return inside <= contents::kWater && inside >= contents::kLava && frame.allows(Effect::Underwater);
 }
 
-/// Finds out which face owns each pixel.
+/// Finds the face that owns each pixel.
 void claim_pixels(const FrameContext& frame, ViewScratch& scratch) {
     const Stopwatch watch(frame.observers.times, &PassTimes::claims_ns);
     if (frame.claimer)

@@ -18,8 +18,8 @@ class FaceClaimer;
 class SharedDrawing;
 struct MirrorView;
 
-/// Everything that is constant while one view is drawn: the frame's own, or that of a mirror in it. What changes is the
-/// view's ViewScratch, and what is kept from frame to frame the LevelCache.
+/// Everything that is constant while one view is drawn, the frame's or a mirror's. ViewScratch holds what changes,
+/// LevelCache what is kept from frame to frame.
 struct FrameContext {
     const Scene& scene;
     const Settings& settings;
@@ -29,25 +29,25 @@ struct FrameContext {
     InverseProjection inverse_projection;
     SpanTexturing texturing;
     Framebuffer out;
-    std::vector<WalkLimit> limits;  ///< parts of the level beyond them are left out
+    std::vector<WalkLimit> limits;  ///< the level beyond them is not drawn
     FrameFog fog = {};
-    const MirrorView* mirror = nullptr;  ///< the one whose picture the view is; null: the frame's own view
+    const MirrorView* mirror = nullptr;  ///< the mirror of this view; null: the frame's view
     SharedDrawing* shared = nullptr;     ///< hands spans to other threads; null: one thread draws
     FaceClaimer* claimer = nullptr;      ///< FrameWorkspace::claimer
 
     const Accuracy& accuracy() const { return settings.accuracy; }
     bool allows(Effect effect) const { return settings.allowed_effects.has(effect); }
-    /// How far a face's model has moved.
+    /// The offset of a face's model.
     Vec3<World> offset_of(const VisibleFace& face) const { return cache.brush_models.offset_of(face.fragment); }
 };
 
-// In frame.cpp: what draw_frame() does with its own view, for a mirror to do with another one.
+// In frame.cpp; used by draw_frame() and for mirrors.
 
-/// Starts to draw a view from a leaf: what may be seen from there, and nothing claimed yet.
+/// Starts a view from a leaf: finds its visible set, and clears the claims.
 void start_view(const FrameContext& frame, LeafIndex leaf, ViewScratch& scratch);
 
-/// Draws a view that was started: lets faces claim the pixels that are free in its span buffer, makes a plan of what
-/// was claimed, and runs it. Returns the plan.
+/// Draws a started view: faces claim the free pixels of its span buffer, then the plan made from the claims is run.
+/// Returns the plan.
 FramePlan draw_view(const FrameContext& frame, ViewScratch& scratch);
 
 }  // namespace oblong

@@ -17,68 +17,68 @@
 
 namespace oblong {
 
-/// How often the stages of a frame did their work: what its operations are worked out from.
+/// Counts of the stages of a frame, from which its operations are computed.
 struct StageCounts {
-    std::int64_t nodes = 0;            ///< of the tree, entered
+    std::int64_t nodes = 0;            ///< entered
     std::int64_t vertices = 0;         ///< transformed
-    std::int64_t projected = 0;        ///< vertices put on the screen
-    std::int64_t clipped_corners = 0;  ///< left after clipping
+    std::int64_t projected = 0;        ///< vertices projected
+    std::int64_t clipped_corners = 0;  ///< after clipping
     std::int64_t edges = 0;            ///< scanned
-    std::int64_t edge_rows = 0;        ///< steps down those edges
+    std::int64_t edge_rows = 0;        ///< steps down edges
     std::int64_t claimed_rows = 0;     ///< rows of faces looked up in the span buffer
-    std::int64_t surfaces = 0;         ///< for which gradients were made
-    std::int64_t blocks = 0;           ///< that spans are cut into
-    std::int64_t last_blocks = 0;      ///< those whose length is no power of two
+    std::int64_t surfaces = 0;         ///< with gradients
+    std::int64_t blocks = 0;           ///< of spans
+    std::int64_t last_blocks = 0;      ///< blocks whose length is not a power of two
     std::int64_t textured_pixels = 0, flat_pixels = 0, sky_pixels = 0;
     std::int64_t sky_blocks = 0, sky_directions = 0;  ///< draw_sky()
-    std::int64_t sky_texels = 0;                      ///< of both layers, composed; 0: they are looked up at each pixel
-    std::int64_t divided_pixels = 0;   ///< textured ones of raster/exact_spans.h, in `divisions` as one each
-    std::int64_t exact_divisions = 0;  ///< that they took: fewer, where texels lie on lines or rows share depths
-    std::int64_t particles = 0;        ///< computed, in view or not
-    std::int64_t lit_texels = 0;       ///< built because the cache did not have them
+    std::int64_t sky_texels = 0;                      ///< composed of both layers; 0: looked up at each pixel
+    std::int64_t divided_pixels = 0;                  ///< textured by raster/exact_spans.h; one each in `divisions`
+    std::int64_t exact_divisions = 0;  ///< their real number; less where texels are linear or rows share depths
+    std::int64_t particles = 0;        ///< computed, including those out of view
+    std::int64_t lit_texels = 0;       ///< built, as they were not in the cache
 };
 
-/// Statistics of a frame, collected only on request (FrameObservers): of each frame anew.
+/// Statistics of one frame, collected on request (FrameObservers).
 struct FrameCounts {
     std::int64_t faces_visited = 0, faces_drawn = 0, spans = 0, divisions = 0;
     StageCounts stages;
-    std::vector<std::uint8_t> writes;  ///< of each pixel, by faces, those of the sky too; at most 255
-    std::array<std::int64_t, kEffectCount> effect_pixels{};  ///< of each Effect: of what needs it
-    std::array<std::int64_t, kPassCount> pass_pixels{};      ///< of each of kPasses
+    std::vector<std::uint8_t> writes;                        ///< to each pixel by faces, including sky; at most 255
+    std::array<std::int64_t, kEffectCount> effect_pixels{};  ///< by Effect: pixels of what needs it
+    std::array<std::int64_t, kPassCount> pass_pixels{};      ///< by index in kPasses
 
     std::int64_t& of(Effect effect) { return item(effect_pixels, effect); }
     std::int64_t of(Effect effect) const { return item(effect_pixels, effect); }
-    /// Of the pass of this name, one of kPasses.
+    /// Of a pass of kPasses, by name.
     std::int64_t of(std::string_view pass) const;
 };
 
-/// A count and its name, for reports.
+/// For reports.
 struct NamedCount {
     std::string_view name;
     std::int64_t count;
 };
-/// All counts but those of single pixels and effects.
+/// All counts except those of single pixels and effects.
 std::vector<NamedCount> named_counts(const FrameCounts& counts);
 
-/// The pixels of spans.
+/// The number of pixels in spans.
 std::int64_t pixels_of(std::span<const Span> spans);
-/// Counts of a frame in `out` that has drawn nothing yet.
+/// Zero counts for a frame in `out`.
 FrameCounts make_frame_counts(const Framebuffer& out);
 
-/// Adds a face that owns `spans`, and their pixels to the effects that it needs.
+/// Adds a face that owns `spans`, and adds their pixels to the effects that it needs.
 void count_face(EffectSet effects, std::span<const Span> spans, FrameCounts& counts);
-/// Adds a write to each pixel of spans that are drawn without a surface. `pitch` is the framebuffer's.
+/// Adds a write to each pixel of spans drawn without a surface. `pitch` is the framebuffer's.
 void count_writes(std::span<const Span> spans, std::int32_t pitch, FrameCounts& counts);
-/// Adds spans that were cut into these blocks, which are drawn.
+/// Adds spans drawn as these blocks.
 void count_blocks(std::span<const Span> spans, const BlockCutting& cutting, const BlockList& blocks,
                   FrameCounts& counts);
-/// Adds spans drawn by raster/exact_spans.h, which made so many divisions.
+/// Adds spans drawn by raster/exact_spans.h with this number of divisions.
 void count_divided_pixels(std::span<const Span> spans, std::int64_t divisions, std::int32_t pitch, FrameCounts& counts);
-/// Moves these spans, all of the sky's, from the pixels of one colour to those of the sky, drawn in so many blocks.
+/// Moves the pixels of all sky spans from `flat_pixels` to `sky_pixels`; adds the blocks.
 void count_sky(std::span<const Span> spans, std::int64_t blocks, const SkyNow& sky, StageCounts& stages);
-/// Adds what a walk and its vertices took.
+/// Sets the counts of a walk and its vertices.
 void count_walk(std::int64_t nodes, const VertexCache::Counts& vertices, StageCounts& stages);
-/// Adds a polygon that was scanned into `rows`.
+/// Adds a polygon scanned to `rows`.
 void count_polygon(const ScreenPolygon& polygon, const ScanlineExtents& rows, StageCounts& stages);
 
 }  // namespace oblong

@@ -45,7 +45,7 @@ FrameFog make_frame_fog(const FrameContext& frame) {
 }
 
 bool is_clear(World lowest, const FrameFog& fog, const Vec3<World>& eye) {
-    constexpr auto kRounding = WorldWide::from_int(3);  // of boxes in a level's file, and of places
+    constexpr auto kRounding = WorldWide::from_int(3);  // of boxes in a level's file, and of positions
     return fog.height && eye.z >= fog.top && convert<WorldWide>(lowest) > convert<WorldWide>(fog.top) + kRounding;
 }
 

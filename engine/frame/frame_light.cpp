@@ -22,8 +22,8 @@ void find_styles(bool are_wanted, const FrameContext& frame, ViewScratch& scratc
     }
 }
 
-/// The lights that may touch something in view. With mirrors all of them: a face that both pictures show would be lit
-/// again for each if their lights were not the same.
+/// The lights that may touch something in view. With mirrors it takes all lights: if their sets differed, a face shown
+/// in both pictures would be built twice.
 void gather_lights(const FrameContext& frame, ViewScratch& scratch) {
     const bool has_mirrors = frame.mirror || !scratch.claims.list(FaceList::Mirror).empty();
     scratch.light.moving.assign(frame.scene.moving_lights.begin(), frame.scene.moving_lights.end());

@@ -13,17 +13,18 @@ struct ViewScratch;
 /// The light of a view.
 struct FrameLight {
     LightStyles styles{};
-    std::vector<MovingLight> moving;  ///< that may touch something in view
+    std::vector<MovingLight> moving;  ///< lights that may touch something in view
 };
 
-/// Finds how bright the light styles of the claimed faces are, and which moving lights touch them: none are kept if
-/// they touch no face. What these change is built again when it is drawn.
+/// Finds the brightness of the light styles, and the moving lights; if these touch no claimed face, none are kept.
+/// Surfaces with changed light are built again when drawn.
 void find_light(const FrameContext& frame, ViewScratch& scratch);
 
-/// The same before faces have claimed their pixels. False if that is too early, as lights move: then nothing is found.
+/// The same before faces have claimed their pixels. False, and nothing is done, if that is too early because lights may
+/// move.
 bool find_light_beforehand(const FrameContext& frame, ViewScratch& scratch);
 
-/// Lights surfaces for this view again, whose light find_light() has found, after another view was drawn.
+/// Restores this view's lights, found by find_light(), after another view was drawn.
 void restore_light(const FrameContext& frame, const ViewScratch& scratch);
 
 }  // namespace oblong

@@ -13,7 +13,7 @@ namespace oblong {
 
 namespace {
 
-/// How dark a shadow is, and the share of its radius up to which it is that dark, 256: all of it.
+/// The shade of a shadow; the radii of its edge and its darker core, as shares of its radius (256: 1).
 constexpr int kShadowShade = Colormap::kOwnShade + 12;
 constexpr std::int32_t kWholeRadius_8 = 256, kCoreRadius_8 = 160;
 
@@ -32,7 +32,7 @@ void fill_depth(const FrameContext& frame, ViewScratch& scratch) {
         }
 }
 
-/// The pixels of a rectangle at which nothing is nearer.
+/// The number of a rectangle's pixels where nothing is nearer.
 std::int64_t visible_pixels(const ScreenRectangle& pixels, InverseDepth inverse_depth, DepthBuffer& depth) {
     std::int64_t count = 0;
     for (std::int32_t y = pixels.first_row; y < pixels.end_row; ++y) {
@@ -56,7 +56,7 @@ InverseZ inverse_z_of(InverseDepth depth) {
     return InverseZ::from_raw(std::int64_t{depth} << (InverseZ::kFractionBits - 32));
 }
 
-/// Keeps what faces do not wholly hide, and counts its pixels.
+/// Keeps the things that faces do not wholly hide, and counts their pixels.
 void keep_visible(const FrameContext& frame, ViewScratch& scratch) {
     FrameThings& things = scratch.claims.things;
     std::int64_t dot_pixels = 0, sprite_pixels = 0;
@@ -102,7 +102,7 @@ void colour_by_fog(const FrameFog& fog, const Vec3<World>& eye, ViewScratch& scr
     }
 }
 
-/// How many pixels of spans are within scanned rows.
+/// The number of pixels of spans inside scanned rows.
 std::int64_t pixels_within(std::span<const Span> spans, const ScanlineExtents& rows) {
     std::int64_t pixels = 0;
     for (const Span& span : spans) {
@@ -113,7 +113,7 @@ std::int64_t pixels_within(std::span<const Span> spans, const ScanlineExtents& r
     return pixels;
 }
 
-/// Whether a pixel of a shadow's floor is in it.
+/// Whether a shadow covers a pixel of its floor.
 bool is_seen(const Shadow& shadow, const FrameContext& frame, ViewScratch& scratch) {
     if (!scan_shadow(shadow, kWholeRadius_8, frame.scene.level, frame.view, scratch.effects.shadows)) return false;
     std::int64_t pixels = 0;
@@ -124,8 +124,8 @@ bool is_seen(const Shadow& shadow, const FrameContext& frame, ViewScratch& scrat
     return pixels > 0;
 }
 
-/// Leaves outside of which nothing is seen. What is behind the sky is drawn before it, and a walk within limits does
-/// not enter what pokes out of them.
+/// Leaves outside of which nothing is visible. Not the walk's leaves if there is sky, as things behind it are drawn in
+/// front of it, or limits, as a walk does not enter leaves outside them.
 const LeafSet& leaves_in_sight(const FrameContext& frame, const ViewScratch& scratch) {
     const bool is_walked = frame.limits.empty() && scratch.claims.list(FaceList::Sky).empty();
     return is_walked ? scratch.claiming->walk.entered : scratch.visible.leaf_set();

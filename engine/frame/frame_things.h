@@ -11,26 +11,26 @@ namespace oblong {
 struct FrameContext;
 struct ViewScratch;
 
-/// The dots of an emitter, or a sprite, that owns pixels.
+/// A visible thing: the dots of an emitter, or a sprite.
 struct OwningThing {
     Vec3<World> middle;
-    World lowest;                              ///< or lower
+    World lowest;                              ///< z of its box, or lower
     std::size_t first_dot = 0, dot_count = 0;  ///< in ThingsInView::dots
     const ScreenSprite* sprite = nullptr;
-    const std::uint8_t* colours = nullptr;  ///< of the sprite: 256 of them
+    const std::uint8_t* colours = nullptr;  ///< of the sprite: 256
 };
 
-/// A mesh that may own pixels, within these.
+/// A mesh that may own pixels.
 struct MeshInView {
     const PlacedMesh* placed = nullptr;
     LevelBox box;
     ScreenRectangle box_pixels{};
     InverseDepth nearest_depth = 0;              ///< of the box
-    ScreenRectangle pixels{};                    ///< of the parts that may show
-    std::size_t first_part = 0, part_count = 0;  ///< in FrameThings::mesh_parts; none: all of it
+    ScreenRectangle pixels{};                    ///< of the parts that may be visible
+    std::size_t first_part = 0, part_count = 0;  ///< in FrameThings::mesh_parts; none: the whole mesh
 };
 
-/// What a frame shows beside its faces.
+/// What a frame shows besides faces.
 struct FrameThings {
     ThingsInView in_view;
     std::vector<OwningThing> owning;
@@ -44,14 +44,13 @@ struct FrameThings {
     }
 };
 
-/// Finds the particles, sprites, shadows and meshes that own pixels of the frame whose faces are claimed: what is in
-/// view, and not wholly behind faces.
+/// Finds the particles, sprites, shadows and meshes that are in view and not wholly hidden by the claimed faces.
 void find_things(const FrameContext& frame, ViewScratch& scratch);
 
-/// Draws one of them where no face is nearer.
+/// Draws a thing where nothing is nearer.
 void draw_thing(const OwningThing& thing, const FrameContext& frame, ViewScratch& scratch);
 
-/// Darkens the pixels of floors that shadows fall on.
+/// Darkens the floors under shadows.
 void draw_shadows(const FrameContext& frame, ViewScratch& scratch);
 
 }  // namespace oblong

@@ -6,14 +6,14 @@ namespace oblong {
 
 namespace {
 
-/// Whether all corners of a face are at this height or above it.
+/// Whether all corners of a face are at or above this height.
 bool is_above(World height, FaceIndex face, const Level& level, const FaceTable& table) {
     const std::span<const VertexIndex> corners = table.corners_of(face);
     return std::all_of(corners.begin(), corners.end(),
                        [&](VertexIndex corner) { return level.vertices[corner].z >= height; });
 }
 
-/// Adds to faces what their level says of their textures and light.
+/// Adds the level's effects on textures and light to faces.
 void add_effects(const Level& level, const LevelEffects& effects, FaceTable& table) {
     for (const FaceIndex index : level.faces.indices()) {
         const Face& face = level.faces[index];

@@ -19,28 +19,27 @@
 
 namespace oblong {
 
-/// Where a mesh of the scene stays, however it is turned.
+/// The box of a mesh of the scene for any rotation.
 struct MeshPlace {
     TurningShape shape;
     PlacedBox place;
 };
 
-/// What is kept from frame to frame for a level and a colormap: made once, or when a frame first needs it. A new cache
-/// draws the same bytes.
+/// Data kept from frame to frame for a level and a colormap, made once or on first use. It never changes a picture.
 struct LevelCache {
-    /// The level outlives it.
+    /// `level` must outlive it.
     LevelCache(const Level& level, const ScreenMode& mode);
     LevelCache(const LevelCache&) = delete;  // its parts refer to each other
 
     FaceTable faces;
-    LevelEffects effects;  ///< what the level calls for
-    Things things;         ///< what is in it beside its faces
+    LevelEffects effects;  ///< set by the level
+    Things things;         ///< particles, sprites and lanterns
     FaceSurfaces surfaces;
     BrushModels brush_models;
-    std::vector<MeshPlace> mesh_places;                 ///< of the scene's meshes; made anew for those that have moved
+    std::vector<MeshPlace> mesh_places;                 ///< of the scene's meshes; updated when they move
     ContinuedFaces continued_faces;                     ///< of torn walls
     std::unique_ptr<LevelFogTables> fog_tables;         ///< null until a frame shows fog
-    std::array<std::unique_ptr<BlendTable>, 4> blends;  ///< by LiquidKind; null until a frame sees through one
+    std::array<std::unique_ptr<BlendTable>, 4> blends;  ///< by LiquidKind; null until a frame needs one
     WarpTables warp{};                                  ///< of liquids
     std::int64_t warp_time_ms = -1;                     ///< the time of `warp`
     SkyLayers sky_layers;

@@ -42,7 +42,7 @@ Vec3<World> reflected_eye(const Vec3<World>& eye, const LevelPlane& plane, const
     return {moved(eye.x, plane.normal.x), moved(eye.y, plane.normal.y), moved(eye.z, plane.normal.z)};
 }
 
-/// The view whose picture, flipped, is what the mirror shows.
+/// The view whose flipped picture the mirror shows.
 ViewContext mirrored(const ViewContext& view, const MirrorView& mirror, const Level& level) {
     const LevelPlane& plane = level.planes[mirror.plane.plane];
     ViewContext turned = view;
@@ -55,7 +55,7 @@ ViewContext mirrored(const ViewContext& view, const MirrorView& mirror, const Le
     return turned;
 }
 
-/// The leaf before the middle of a mirror: what it shows can be seen from there.
+/// The leaf in front of a mirror's middle; everything in the mirror is visible from there.
 LeafIndex leaf_before(const VisibleFace& claimed, const MirrorPlane& mirror, const FrameContext& frame,
                       CornerScratch& scratch) {
     const Level& level = frame.scene.level;
@@ -64,7 +64,7 @@ LeafIndex leaf_before(const VisibleFace& claimed, const MirrorPlane& mirror, con
     return find_leaf(level, level.world(), middle_of(world_corners(claimed, frame, scratch)) + step);
 }
 
-/// The spans of all faces of one mirror, with columns from the right, sorted.
+/// The spans of all faces of one mirror with columns counted from the right, sorted.
 std::vector<Span> flipped_spans(std::span<const VisibleFace> faces, const Claims& claims, std::int32_t width_px) {
     std::vector<Span> flipped;
     for (const VisibleFace& face : faces)
@@ -75,7 +75,6 @@ std::vector<Span> flipped_spans(std::span<const VisibleFace> faces, const Claims
     return flipped;
 }
 
-/// Black, where nothing is drawn.
 void clear(std::span<const Span> spans, Framebuffer out) {
     for (const Span& span : spans) std::fill(out.row(span.y) + span.first, out.row(span.y) + span.end, std::uint8_t{});
 }
@@ -86,7 +85,7 @@ void copy_flipped(std::span<const Span> flipped, const Framebuffer& from, Frameb
                           to.row(span.y) + (to.width_px - span.end));
 }
 
-/// Those of the frame, and the mirror.
+/// The frame's limits, and the mirror.
 std::vector<WalkLimit> limits_of(const MirrorView& mirror, const FrameContext& frame) {
     std::vector<WalkLimit> limits = frame.limits;
     const MirrorPlane& plane = mirror.plane;
@@ -94,7 +93,7 @@ std::vector<WalkLimit> limits_of(const MirrorView& mirror, const FrameContext& f
     return limits;
 }
 
-/// Draws the mirrored view where `flipped` are free.
+/// Draws the mirrored view in the spans `flipped`.
 void draw_mirrored_view(const MirrorView& mirror, LeafIndex leaf, std::span<const Span> flipped,
                         const FrameContext& frame, MirrorScratch& scratch) {
     Settings settings = frame.settings;
@@ -126,7 +125,7 @@ bool is_behind(const MirrorView& mirror, const Vec3<World>& place, const Level& 
 }
 
 void draw_mirrors(const FrameContext& frame, ViewScratch& scratch) {
-    if (frame.shared) frame.shared->end();  // what a mirror shows is drawn by one thread
+    if (frame.shared) frame.shared->end();  // mirrors are drawn by one thread
     const Framebuffer& out = frame.out;
     MirrorScratch& mirrors = scratch.mirror;
     if (!mirrors.view)

@@ -14,7 +14,7 @@ namespace oblong {
 
 namespace {
 
-/// From where a model is lit besides from all sides: from above, a little from one side (world axes).
+/// The direction of a model's directional light: from above, a little from one side (world axes).
 constexpr Vec3<WorldWide> kTowardLight{WorldWide::from_int(2), WorldWide::from_int(1), WorldWide::from_int(4)};
 
 ScreenRectangle intersection(const ScreenRectangle& a, const ScreenRectangle& b) {
@@ -22,7 +22,7 @@ ScreenRectangle intersection(const ScreenRectangle& a, const ScreenRectangle& b)
             std::max(a.first_row, b.first_row), std::min(a.end_row, b.end_row)};
 }
 
-/// The pixels that a box may take, of those that are drawn.
+/// The pixels that a box may cover, in the part of the screen that is drawn.
 ScreenRectangle pixels_of(const LevelBox& box, const ViewContext& view, const ScreenRectangle* part) {
     const ScreenRectangle screen{0, view.projection.width_px, 0, view.projection.height_px};
     const ScreenRectangle pixels = rectangle_of(box, view).value_or(screen);
@@ -39,7 +39,7 @@ ScreenRectangle joined(const ScreenRectangle& a, const ScreenRectangle& b) {
             std::min(a.first_row, b.first_row), std::max(a.end_row, b.end_row)};
 }
 
-/// Finds the parts of a mesh in view that may show, and leaves it their pixels: none where none of them does.
+/// Finds the parts of a mesh that may be visible, and sets its pixels to theirs; empty if there are none.
 void find_parts(const WorldBoxes& boxes, const Sight& sight, MeshInView& mesh, std::vector<std::uint32_t>& parts) {
     if (boxes.part_count() == 0) return;
     mesh.pixels = {};
@@ -65,7 +65,7 @@ bool is_hidden(const MeshInView& mesh, DepthBuffer& depth) {
     return true;
 }
 
-/// The box that a mesh of the scene turns in.
+/// The box of a mesh of the scene for any rotation, found again when it has moved.
 const PlacedBox& place_of(std::size_t number, const FrameContext& frame) {
     const TurningShape shape = turning_shape(frame.scene.meshes[number]);
     MeshPlace& known = frame.cache.mesh_places[number];
@@ -92,8 +92,7 @@ void gather_mesh_lights(const MeshInView& mesh, ViewScratch& scratch) {
     }
 }
 
-/// The light at a mesh's place: of the floor below it, a half from everywhere and a good half from above; and of what
-/// moves.
+/// The light on a mesh: 5/8 of the light of the floor below as ambient light, and 5/8 directional; and moving lights.
 MeshLight light_on(const MeshInView& mesh, const FrameContext& frame, const ViewScratch& scratch) {
     const std::optional<std::int32_t> below_8 =
         light_8_below(frame.scene.level, middle_of(mesh.box), scratch.light.styles);
@@ -106,7 +105,7 @@ MeshLight light_on(const MeshInView& mesh, const FrameContext& frame, const View
     return light;
 }
 
-/// The colours of fog over a mesh, all of it as in its middle; null: none.
+/// The colours of fog at a mesh's middle, used for all of it; null: none.
 const std::uint8_t* fog_over(const MeshInView& mesh, const FrameContext& frame, ViewScratch& scratch) {
     if (!frame.fog.tables) return nullptr;
     const View z = to_view(middle_of(mesh.box), frame.view.eye, frame.view.axes).z;
@@ -155,7 +154,7 @@ void keep_seen_meshes(const FrameContext& frame, ViewScratch& scratch) {
 void draw_meshes(const FrameContext& frame, ViewScratch& scratch) {
     std::int64_t pixels = 0;
     for (const MeshInView& mesh : scratch.claims.things.meshes) {
-        if (is_hidden(mesh, scratch.depth)) continue;  // behind the meshes before it
+        if (is_hidden(mesh, scratch.depth)) continue;  // by earlier meshes
         gather_mesh_lights(mesh, scratch);
         const MeshDrawing drawing{frame.view,
                                   frame.cache.surfaces.colormap(),

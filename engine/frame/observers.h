@@ -12,25 +12,25 @@ namespace oblong {
 struct FrameCounts;  // engine/frame/frame_counts.h
 struct FrameRecord;  // engine/frame/frame_record.h
 
-/// A clock that a program hands in: nanoseconds since any moment.
+/// A program's clock: nanoseconds since any time.
 using FrameClock = std::int64_t (*)();
 
-/// Where the time of a frame went, measured only on request.
+/// The times of a frame, measured on request.
 struct PassTimes {
     FrameClock clock = nullptr;
-    std::uint32_t faces_walked = 0;                       ///< in this frame and those before: which face is timed
-    std::int64_t walk_ns = 0;                             ///< estimated from one face in 16; poor for short walks
+    std::uint32_t faces_walked = 0;                       ///< in all frames; selects the faces to time
+    std::int64_t walk_ns = 0;                             ///< estimated from one face in 16; inaccurate for short walks
     std::int64_t claims_ns = 0;                           ///< the walk, polygons, scan, span buffer
-    std::array<std::int64_t, kPassCount> passes_ns{};     ///< of each of kPasses
-    std::array<std::int64_t, kEffectCount> effects_ns{};  ///< of each Effect that has no pass of its own
+    std::array<std::int64_t, kPassCount> passes_ns{};     ///< by index in kPasses
+    std::array<std::int64_t, kEffectCount> effects_ns{};  ///< by Effect, for those without a pass
 };
 
-/// Adds the time from its construction to its end to one of the times, if there are any.
+/// Adds the time of its scope to one of the times, if they are measured.
 class Stopwatch {
   public:
     Stopwatch(PassTimes* times, std::int64_t PassTimes::*sum) : Stopwatch(times, times ? &(times->*sum) : nullptr) {}
     Stopwatch(PassTimes* times, Effect effect) : Stopwatch(times, times ? &item(times->effects_ns, effect) : nullptr) {}
-    /// Of a pass, by its number in kPasses.
+    /// Of a pass, by its index in kPasses.
     Stopwatch(PassTimes* times, std::size_t pass) : Stopwatch(times, times ? &times->passes_ns[pass] : nullptr) {}
     Stopwatch(const Stopwatch&) = delete;
     ~Stopwatch() {
@@ -47,8 +47,8 @@ class Stopwatch {
     std::int64_t began_ns_ = 0;
 };
 
-/// What is measured while a frame is drawn; null: nothing. No observer changes the picture. A frame that is counted or
-/// recorded is drawn by one thread.
+/// What is measured while a frame is drawn; null: not measured. Observers never change the picture. A counted or
+/// recorded frame is drawn by one thread.
 struct FrameObservers {
     FrameCounts* counts = nullptr;
     FrameRecord* record = nullptr;

@@ -50,7 +50,7 @@ std::int64_t seen_through_pixels(const Claims& claims, const FrameCounts& counts
     return pixels_of(claims, FaceList::SeeThrough) + counts.of(Effect::Particles) + counts.of(Effect::Sprites);
 }
 
-/// Fills faces whose effect is not allowed with one colour of their texture.
+/// Fills faces, whose effect is not allowed, with one colour of their texture.
 void draw_flat(const FrameContext& frame, ViewScratch& scratch) {
     const Level& level = frame.scene.level;
     for (const VisibleFace& claimed : scratch.claims.list(FaceList::Flat)) {

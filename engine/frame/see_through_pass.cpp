@@ -21,7 +21,7 @@ bool is_behind(const Vec3<World>& place, const VisibleFace& claimed, const Frame
            face.is_back;
 }
 
-/// Draws the things that wait, those behind a face alone if there is one.
+/// Draws the waiting things; if there is a face, only those behind it.
 void draw_waiting(const VisibleFace* face, std::vector<OwningThing>& waiting, const FrameContext& frame,
                   ViewScratch& scratch) {
     std::erase_if(waiting, [&](const OwningThing& thing) {
@@ -31,7 +31,7 @@ void draw_waiting(const VisibleFace* face, std::vector<OwningThing>& waiting, co
     });
 }
 
-/// The table of a liquid's share, made when a frame first calls for it.
+/// The blend table of a liquid, made on first use.
 const BlendTable& blend_of(LiquidKind kind, const FrameContext& frame) {
     std::unique_ptr<BlendTable>& table = item(frame.cache.blends, kind);
     const std::int32_t share_256 = item(frame.cache.effects.liquid_alpha_256, kind);
@@ -39,7 +39,7 @@ const BlendTable& blend_of(LiquidKind kind, const FrameContext& frame) {
     return *table;
 }
 
-/// Draws a face's spans, but for pixels that models are before; in fog, those of each level with its colours.
+/// Draws a face's spans where no model is nearer; in fog, level by level with its colours.
 void draw_in_fog(const VisibleFace& claimed, SurfaceOptions drawing, const FrameContext& frame, ViewScratch& scratch) {
     drawing.colours = &frame.scene.colormap.shades[Colormap::kOwnShade];
     std::vector<Span> before_meshes;
@@ -71,7 +71,7 @@ void draw_face(const VisibleFace& claimed, const FrameContext& frame, ViewScratc
     const bool is_liquid = frame.cache.faces[face].effects.has(Effect::Liquid);
     const Stopwatch watch(frame.observers.times, is_liquid ? Effect::Translucency : Effect::Fence);
     SurfaceOptions drawing;
-    drawing.is_plain = drawing.is_noted = false;  // counts and records say what is behind these faces
+    drawing.is_plain = drawing.is_noted = false;  // counts and records are of what is behind these faces
     drawing.traits.warps = drawing.traits.blends = is_liquid;
     drawing.traits.has_holes = !is_liquid;
     if (is_liquid) drawing.blend = &blend_of(liquid_kind_of_texture(level.texture_of(level.faces[face]).name), frame);

@@ -6,9 +6,9 @@ namespace oblong {
 
 namespace {
 
-/// What waits to be drawn at most.
+/// The most items and spans waiting to be drawn.
 constexpr std::size_t kMostItems = 512, kMostSpans = 8192;
-/// An item is worth handing over, and in the end nobody waits for long: some 5 microseconds of drawing.
+/// About 5 microseconds of drawing: worth a hand-over to another thread, but not a long wait at the end.
 constexpr std::int32_t kItemPixels = 8192;
 
 }  // namespace
@@ -27,7 +27,7 @@ void SharedDrawing::begin(const FrameContext& frame, bool takes_walls) {
     workers_.begin(*this);
 }
 
-/// Room for an item and a span of it.
+/// Makes room for an item and one span.
 void SharedDrawing::make_room() {
     if (item_count_ < kMostItems && span_count_ < kMostSpans) return;
     workers_.finish_items();
@@ -35,7 +35,7 @@ void SharedDrawing::make_room() {
     item_count_ = span_count_ = 0;
 }
 
-/// Copies as many of these spans as are one item.
+/// Copies the first spans, as many as make one item.
 std::span<const Span> SharedDrawing::copy_of_first(std::span<const Span> spans) {
     const std::size_t first = span_count_;
     std::int32_t pixels = 0;

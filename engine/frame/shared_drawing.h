@@ -11,25 +11,25 @@
 
 namespace oblong {
 
-/// Spans that several threads draw together. One of them walks through the level; the spans that a face owns are handed
-/// over as it comes to them, and the others draw them meanwhile. Then it shares in the drawing until all is drawn. No
-/// two spans have a pixel in common, so that the picture does not depend on which thread draws them, or when.
+/// Drawing of spans by several threads. One thread walks through the level and hands over the spans that faces own; the
+/// others draw them meanwhile. At the end the first thread draws too, until all is done. Spans have no pixels in
+/// common, so the picture does not depend on the threads.
 class SharedDrawing final : public SharedWork {
   public:
-    /// `workers` outlive it. For spans of up to `longest_px` pixels.
+    /// `workers` must outlive it. For spans of up to `longest_px` pixels.
     SharedDrawing(Workers& workers, std::int32_t longest_px);
 
-    /// Begins to draw a frame, which outlives end().
+    /// Begins a frame, which must outlive end().
     void begin(const FrameContext& frame, bool takes_walls);
-    /// Hands over spans of a face with its surface.
+    /// Hands over spans of a face.
     void add(const TexturedFace& face, std::span<const Span> spans);
-    /// Hands over spans of the frame's sky, which lasts until end().
+    /// Hands over spans of the sky, which must live until end().
     void add_sky(const SkyNow& sky, std::span<const Span> spans);
-    /// Shares in the drawing until all is drawn that was handed over, and ends it. May be called again.
+    /// Draws until everything handed over is drawn, and ends the frame. May be called again.
     void end();
 
     bool is_on() const { return frame_ != nullptr; }  ///< from begin() to end()
-    /// Whether walls are handed over while the walk goes on: their light is known. Else it is found out first.
+    /// Whether walls are handed over during the walk, as their light is already known.
     bool takes_walls_at_once = false;
 
     void do_item(std::uint32_t item, int worker) override;
@@ -48,15 +48,15 @@ class SharedDrawing final : public SharedWork {
 
     Workers& workers_;
     const FrameContext* frame_ = nullptr;
-    std::vector<Item> items_;  ///< as many as may wait: others read some while one more is written
-    std::vector<Span> spans_;  ///< likewise
+    std::vector<Item> items_;  ///< of fixed size, as other threads read items while one is written
+    std::vector<Span> spans_;  ///< of fixed size, too
     SkyNow sky_{};
     std::size_t item_count_ = 0, span_count_ = 0;
     std::uint32_t first_item_ = 0;        ///< the number of items_[0]
-    std::vector<SpanScratch> scratches_;  ///< of each worker
+    std::vector<SpanScratch> scratches_;  ///< one for each worker
 };
 
-/// Whether threads share in the drawing of this frame, now.
+/// Whether other threads draw at present.
 inline bool is_shared(const FrameContext& frame) {
     return frame.shared && frame.shared->is_on();
 }

@@ -17,7 +17,7 @@ namespace oblong {
 
 namespace {
 
-/// The texture that a face shows now; none: its own.
+/// The current frame of a face's animated texture; none: the face's own texture.
 TextureIndex texture_now(const VisibleFace& face, const FrameContext& frame) {
     const LevelCache& cache = frame.cache;
     if (!cache.faces[face.face].effects.has(Effect::AnimatedTextures)) return TextureIndex::none();
@@ -28,7 +28,7 @@ TextureIndex texture_now(const VisibleFace& face, const FrameContext& frame) {
                                           frame.scene.time_ms);
 }
 
-/// The effect that building a face's surface is for; none for faces whose surface stays.
+/// The effect for which a face's surface is built again; none if it never changes.
 std::optional<Effect> reason_to_build(const VisibleFace& face, const FrameContext& frame, const Claims& claims) {
     LevelCache& cache = frame.cache;
     const EffectSet effects = cache.faces[face.face].effects & claims.effects;
@@ -47,7 +47,7 @@ FaceSurface surface_of(const VisibleFace& face, int mip, const FrameContext& fra
                                     {scratch.light.styles, texture_now(face, frame), frame.offset_of(face)});
 }
 
-/// The kernel of a drawing that is not plain, and what it needs.
+/// The kernel for these options, and its arguments.
 SurfaceEffect effect_of(const SurfaceOptions& options, const FaceSurface& surface, const FrameContext& frame) {
     LevelCache& cache = frame.cache;
     TexelTraits traits = options.traits;
@@ -61,7 +61,7 @@ SurfaceEffect effect_of(const SurfaceOptions& options, const FaceSurface& surfac
             traits.warps && !traits.has_holes && !traits.blends};
 }
 
-/// The mip level of a face for pixels no nearer than this.
+/// The mip level of a face whose nearest pixel has this depth.
 int mip_level(FaceIndex face, View nearest_z, const FrameContext& frame) {
     return frame.cache.surfaces.mip_level(face, nearest_z, frame.view.projection.x, frame.accuracy().mip_bias);
 }
@@ -83,7 +83,7 @@ TexturedFace textured_face(const VisibleFace& face, int mip, std::span<const Spa
     return textured;
 }
 
-/// Draws spans of a face with its texture of one mip level.
+/// Draws spans of a face at one mip level.
 void draw_mip(const VisibleFace& face, int mip, std::span<const Span> spans, const SurfaceOptions& options,
               const FrameContext& frame, ViewScratch& scratch) {
     const TexturedFace textured = textured_face(face, mip, spans, options, frame, scratch);
@@ -93,7 +93,7 @@ void draw_mip(const VisibleFace& face, int mip, std::span<const Span> spans, con
     draw_textured(textured, spans, {frame.texturing, frame.out, scratch.surfaces.spans, observers});
 }
 
-/// Draws each span with the mip level of its nearest pixel.
+/// Draws each span at the mip level of its nearest pixel.
 void draw_by_span_mips(const VisibleFace& claimed, std::span<const Span> whole, const SurfaceOptions& options,
                        const FrameContext& frame, ViewScratch& scratch) {
     const auto inverse_z = inverse_z_of(claimed, frame);
@@ -108,10 +108,10 @@ void draw_by_span_mips(const VisibleFace& claimed, std::span<const Span> whole, 
         if (!item(of_mip, mip).empty()) draw_mip(claimed, mip, item(of_mip, mip), options, frame, scratch);
 }
 
-/// Blocks shorter than 2^3 pixels take longer than a division at each of their pixels.
+/// Shorter blocks, below 2^3 pixels, are slower than a division at each pixel.
 constexpr int kLeastBlockLog2 = 3;
 
-/// Cuts spans into blocks, then draws them, as many at a time as there is room for.
+/// Cuts spans into blocks and draws them, as many at a time as fit.
 void draw_blocks(const TexturedFace& face, std::span<const Span> spans, BlockCutter cut_blocks,
                  const BlockCutting& cutting, const SpanTarget& target) {
     const auto [counts, record, times] = target.observers;
@@ -129,20 +129,20 @@ void draw_blocks(const TexturedFace& face, std::span<const Span> spans, BlockCut
     }
 }
 
-/// What draws pixels that lie on lines, if it is worth looking for those: among pixels for which bounded blocks would
-/// be too short it is only where they are many, near to a wall.
+/// The kernel for pieces with almost linear texels; null if a search for them is not worth it: for Bounded it is only
+/// if there are many pixels, near a wall.
 BlockKernel line_kernel(std::span<const Span> spans, const TexturedFace& face, const SpanTarget& target) {
     constexpr std::int64_t kMany = 8192;
     const bool is_worth_it = target.texturing.texturing == Texturing::Exact || pixels_of(spans) >= kMany;
     return is_worth_it ? face.surface.kernel : nullptr;
 }
 
-/// Without blocks, where surface and effect allow that.
+/// Draws without blocks if surface and effect allow it.
 void divide_at_each_pixel(const TexturedFace& face, std::span<const Span> spans, const SpanTarget& target) {
     const FaceSurface& surface = face.surface;
     BlockCutting cutting = face.cutting;
     cutting.limits = surface.limits;
-    cutting.limits.least = {};  // without steps nothing drifts
+    cutting.limits.least = {};  // there are no steps, so no drift
     if (!surface.is_wrapped_by_masks || (face.effect.kernel && !face.effect.warps_alone))
         return draw_blocks(face, spans, target.texturing.cut_pixels, cutting, target);
     const std::int64_t divisions =
@@ -154,7 +154,7 @@ void divide_at_each_pixel(const TexturedFace& face, std::span<const Span> spans,
     if (record) record_divided_pixels(record_of(face.face), spans, cutting, surface, target.out, *record);
 }
 
-/// Whether bounded blocks are as long as spans in this rectangle are, or longer: each span is one then.
+/// Whether bounded blocks are at least as long as the spans in this rectangle, so that each span is one block.
 bool takes_whole_spans(const BlockRule& rule, const ScreenRectangle& rectangle, int longest_log2,
                        const LinearQuantity<InverseZ>& inverse_z) {
     const auto beyond_first = static_cast<std::uint32_t>(rectangle.end_column - rectangle.first_column - 1);
@@ -163,7 +163,7 @@ bool takes_whole_spans(const BlockRule& rule, const ScreenRectangle& rectangle, 
            least_inverse_z(inverse_z, rectangle) >= block_threshold(rule, inverse_z.per_column, log2);
 }
 
-/// Sets how long blocks of Texturing::Bounded may be: no longer than rounding allows (longest_block_log2).
+/// Sets the lengths of blocks for Texturing::Bounded, limited by longest_block_log2().
 void limit_blocks(const BlockRule& rule, const ScreenRectangle& rectangle, TexturedFace& face) {
     BlockCutting& cutting = face.cutting;
     const LinearQuantity<InverseZ>& inverse_z = cutting.gradients.inverse_z;
@@ -173,8 +173,8 @@ void limit_blocks(const BlockRule& rule, const ScreenRectangle& rectangle, Textu
     cutting.limits.least = std::min(cutting.limits.least, Texel::from_raw(std::int64_t{1} << longest));
 }
 
-/// A rectangle around spans of a face, and whether 1/z, u and v are in range in it: the face's own rectangle where
-/// they are, which saves a look at the spans.
+/// Returns a rectangle around spans of a face, and sets fits_range for it. If the face's bounds fit, they are used,
+/// which saves a pass over the spans.
 ScreenRectangle cutting_rectangle(const VisibleFace& face, std::span<const Span> spans, BlockCutting& cutting) {
     const ScreenRectangle& bounds = face.bounds;
     cutting.fits_range = bounds.first_column < bounds.end_column && fits_range(cutting.gradients, bounds);
@@ -184,12 +184,12 @@ ScreenRectangle cutting_rectangle(const VisibleFace& face, std::span<const Span>
     return around;
 }
 
-/// Whether 1/z falls below `least` nowhere on the face.
+/// Whether 1/z is above `least` on the whole face.
 bool is_above(InverseZ least, View farthest_z) {
     return product<InverseZ>(least, farthest_z) < InverseZ::from_int(1);
 }
 
-/// Splits a span where 1/z, which is linear along it, crosses `least`.
+/// Splits a span where 1/z crosses `least`.
 void split_at(InverseZ least, const Span& span, const LinearQuantity<InverseZ>& inverse_z, std::vector<Span>& above,
               std::vector<Span>& below) {
     const InverseZ first = inverse_z.at(span.first, span.y), last = inverse_z.at(span.end - 1, span.y);
@@ -203,7 +203,7 @@ void split_at(InverseZ least, const Span& span, const LinearQuantity<InverseZ>& 
     (begins_above ? below : above).push_back({span.y, middle, span.end});
 }
 
-/// Blocks where they are long enough to be worth it.
+/// Draws blocks where they are long enough, otherwise pixel by pixel.
 void draw_bounded(const TexturedFace& face, std::span<const Span> spans, const SpanTarget& target) {
     const SpanTexturing& texturing = target.texturing;
     const BlockCutting& cutting = face.cutting;

@@ -23,7 +23,7 @@ bool is_open(const Level& level, LeafIndex leaf) {
     return level.leaves[leaf].contents != contents::kSolid && level.leaves[leaf].contents != contents::kSky;
 }
 
-/// The rays of a frame.
+/// Traces rays through pixels.
 class Rays {
   public:
     explicit Rays(const FrameContext& frame)
@@ -44,7 +44,7 @@ class Rays {
                           end.from = leaf;
                           return false;
                       }
-                      if (!entered || end.from == LeafIndex::none()) return false;  // from inside a mirror's wall
+                      if (!entered || end.from == LeafIndex::none()) return false;  // starts inside a mirror's wall
                       end.node = *entered;
                       end.is_sky = level_.leaves[leaf].contents == contents::kSky;
                       end.place = place;
@@ -62,7 +62,7 @@ class Rays {
         return frame_.view.eye + Vec3<World>{part(way.x), part(way.y), part(way.z)};
     }
 
-    /// The eye; in a mirror, where the ray comes out of it.
+    /// The eye, or where the ray leaves the mirror.
     Vec3<World> start(const Vec3<World>& to) const {
         Vec3<World> from = frame_.view.eye;
         for (const WalkLimit& limit : frame_.limits) {
@@ -79,7 +79,7 @@ class Rays {
     World reach_;
 };
 
-/// Gives a span to what stands behind it.
+/// Assigns a span to what is behind it.
 void claim(const Span& span, const OpenEnd& end, const FrameContext& frame, ViewScratch& scratch) {
     const Level& level = frame.scene.level;
     Claims& claims = scratch.claims;
@@ -94,8 +94,7 @@ void claim(const Span& span, const OpenEnd& end, const FrameContext& frame, View
     add_claimed(sky, claims.spans.size() - 1, frame, claims);
 }
 
-/// The same of a span between whose ends, which are known, several things may stand: halves it until both ends show
-/// the same.
+/// The same for a span with known ends, halved until both ends show the same wall.
 void claim_between(const Span& span, const OpenEnd& first, const OpenEnd& last, const Rays& rays,
                    const FrameContext& frame, ViewScratch& scratch) {
     if (first.is_same_wall(last)) return claim(span, first, frame, scratch);
@@ -104,7 +103,7 @@ void claim_between(const Span& span, const OpenEnd& first, const OpenEnd& last, 
     claim_between({span.y, middle, span.end}, rays.end_of(middle, span.y), last, rays, frame, scratch);
 }
 
-/// The face whose texture goes on, on the wall's plane.
+/// The face with the continued texture, on the wall's plane.
 Face wall_of(const TornSpan& torn, const Level& level) {
     Face wall = level.faces[torn.face];
     wall.plane = torn.plane;
@@ -112,14 +111,14 @@ Face wall_of(const TornSpan& torn, const Level& level) {
     return wall;
 }
 
-/// A multiple of a texture's size some 32,768 texels before the place: texels from there on are positive.
+/// A multiple of a texture's size about 32,768 texels before the place, so that texels counted from there are positive.
 std::int32_t origin_near(const Vec3<TexelAxis>& axis, Texel offset, const Vec3<World>& place, std::int32_t size) {
     const Texel at =
         product<Texel>(axis.x, place.x) + product<Texel>(axis.y, place.y) + product<Texel>(axis.z, place.z) + offset;
     return static_cast<std::int32_t>(floor_of(at) / size - 32'768 / size) * size;
 }
 
-/// Draws texels of a wall as far as they go: the texture repeats, the light at the face's border stays.
+/// Draws texels of a wall without a face: the texture repeats, and the light is that at the face's border.
 class TornDrawing {
   public:
     TornDrawing(const TornSpan& torn, const FrameContext& frame, const ViewScratch& scratch)

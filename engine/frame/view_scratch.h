@@ -23,24 +23,24 @@ namespace oblong {
 /// Corners of the current face.
 struct CornerScratch {
     std::vector<VertexIndex> own;          ///< without those at T-junctions
-    std::vector<Vec3<World>> world;        ///< all of them; then those of its part within the frame's limits
-    std::vector<PlaneDistance> distances;  ///< of those from a limit
+    std::vector<Vec3<World>> world;        ///< all, then those of the part within the frame's limits
+    std::vector<PlaneDistance> distances;  ///< of `world` from a limit
 };
 
-/// What effects work with; untouched by frames without them.
+/// Scratch of effects; not used by frames without them.
 struct EffectScratch {
     explicit EffectScratch(std::int32_t height_px) : shadows(height_px) {}
 
     ShadowScratch shadows;
-    std::unique_ptr<MeshScratch> meshes;   ///< null until a frame shows one
-    std::vector<MovingLight> mesh_lights;  ///< those that reach the current mesh
-    std::vector<FogRun> thing_runs;        ///< of the fog on a thing
+    std::unique_ptr<MeshScratch> meshes;   ///< null until a frame shows a mesh
+    std::vector<MovingLight> mesh_lights;  ///< that reach the current mesh
+    std::vector<FogRun> thing_runs;        ///< of fog on a thing
     std::vector<CoveringFace> covering;    ///< FaceCover's
     std::vector<Span> sky_spans;
     UnderwaterScratch underwater;
 };
 
-/// Scratch of finding out which face owns which pixel; not used after that.
+/// Scratch of claiming pixels; not used afterwards.
 struct ClaimScratch {
     ClaimScratch(const Level& level, const FaceTable& faces, const ScreenMode& mode);
 
@@ -52,10 +52,10 @@ struct ClaimScratch {
     SpanBuffer span_buffer;
 };
 
-/// What drawing one view of a level in one mode works with. A mirror's view has one of its own.
+/// Scratch for one view of a level in one mode. A mirror's view has another.
 struct ViewScratch {
-    /// Level and faces outlive it. `claiming` is that of a view whose pixels have their owners before this one's; null:
-    /// none is.
+    /// Level and faces must outlive it. `claiming` may be shared with a view whose pixels are claimed before; null: not
+    /// shared.
     ViewScratch(const Level& level, const FaceTable& faces, const ScreenMode& mode,
                 std::shared_ptr<ClaimScratch> claiming = nullptr);
     ViewScratch(const ViewScratch&) = delete;

@@ -9,7 +9,7 @@ namespace oblong {
 
 namespace {
 
-/// Nothing nearer is drawn, and nothing in the world is farther.
+/// Lines are not drawn nearer than this; nothing in the world is farther.
 constexpr View kWireFront = View::from_raw(1 << 12), kWireBack = View::from_int(1 << 21);
 
 struct WireEdge {
@@ -17,7 +17,7 @@ struct WireEdge {
     Vec3<World> offset;  ///< of its model
 };
 
-/// Two faces share most edges: each is returned once.
+/// Most edges are shared by two faces; each is returned once.
 std::vector<WireEdge> edges_of_claims(const Level& level, const FrameWorkspace& work) {
     std::vector<WireEdge> edges;
     for (const auto& list : work.view.claims.lists)
@@ -32,7 +32,7 @@ std::vector<WireEdge> edges_of_claims(const Level& level, const FrameWorkspace& 
     return edges;
 }
 
-// Lines of the world as they are seen.
+// Draws lines of the world.
 class WirePen {
   public:
     WirePen(const ViewSpec& view, const ScreenMode& mode, const Settings& settings)

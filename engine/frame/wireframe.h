@@ -7,12 +7,12 @@
 
 namespace oblong {
 
-/// Draws the edges of all faces that own pixels of the frame which `work` drew last: of this level, view and mode. Each
-/// is clipped in viewspace, so that it may end behind the eye.
+/// Draws the edges of all faces that own pixels in the last frame of `work`, which must have this level, view and mode.
+/// Edges are clipped in viewspace, so they may end behind the eye.
 void draw_wireframe(const Level& level, const ViewSpec& view, const ScreenMode& mode, const Settings& settings,
                     const FrameWorkspace& work, const LineStyle& style, Framebuffer out);
 
-/// Draws lines from each point to the next, whatever is before them.
+/// Draws lines from each point to the next, also where something is in front of them.
 void draw_path(std::span<const Vec3<World>> points, const ViewSpec& view, const ScreenMode& mode,
                const Settings& settings, const LineStyle& style, Framebuffer out);
 

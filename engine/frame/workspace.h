@@ -11,21 +11,20 @@
 
 namespace oblong {
 
-/// The memory with which frames of one level are drawn, with one colormap in one mode. A new workspace draws the same
-/// bytes.
+/// Caches and scratch for frames of one level with one colormap in one mode. They never change a picture.
 struct FrameWorkspace {
-    /// The level outlives it, and so do `workers`, which share the drawing; null: one thread draws.
+    /// `level` and `workers` must outlive it. `workers` share the drawing; null: one thread draws.
     FrameWorkspace(const Level& level, const ScreenMode& mode, Workers* workers = nullptr)
         : cache(level, mode), view(level, cache.faces, mode) {
         if (workers && workers->count() > 1) shared = std::make_unique<SharedDrawing>(*workers, mode.width_px);
     }
 
     LevelCache cache;
-    ViewScratch view;                       ///< of the eye's view; mirrors have their own in it
+    ViewScratch view;                       ///< of the eye's view; contains that of mirrors
     std::unique_ptr<SharedDrawing> shared;  ///< null: one thread draws
-    FramePlan plan;                         ///< of the frame drawn last
-    FrameObservers observers;               ///< of the frames to come
-    FaceClaimer* claimer = nullptr;         ///< finds out which face owns which pixel; null: claim_faces()
+    FramePlan plan;                         ///< of the last frame
+    FrameObservers observers;               ///< of the next frames
+    FaceClaimer* claimer = nullptr;         ///< claims pixels; null: claim_faces()
 };
 
 }  // namespace oblong
