@@ -15,7 +15,7 @@ constexpr View kLevelClimb = View::from_raw(1 << 12);
 constexpr InverseZ kOne = InverseZ::from_int(1);
 constexpr View kHighestClimb = View::from_int(std::int64_t{1} << 24);
 
-/// The density at `depth` below the top, 0 to 1; below: its integral from the top down.
+/// The density at `depth` below the top, 0 to 1; density_above() is its integral from the top down.
 View density_at(View depth, View fade_depth) {
     if (depth <= View{}) return {};
     return depth >= fade_depth ? View::from_int(1) : divide<View>(depth, fade_depth);

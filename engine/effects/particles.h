@@ -22,7 +22,7 @@ struct ParticleEmitter {
     Vec3<World> half_size;  ///< from the middle to the sides; >= 0
     std::int32_t count = 0;
     std::uint8_t first_colour = 0, last_colour = 0;  ///< a ramp of the palette, by a spark's age, otherwise random
-    std::int32_t period_ms = 1000;                   ///< > 0: the motion repeats
+    std::int32_t period_ms = 1000;                   ///< of the motion, > 0
     std::uint32_t seed = 0;                          ///< of all random numbers
 };
 

@@ -14,7 +14,7 @@ namespace oblong {
 inline constexpr std::int64_t kWarpPeriod_ms = 6'400;
 
 /// Warp tables of the four mip levels. As in Quake, u moves by 8 + 8 sin(2 pi (v + 20 t) / 128) texels of mip level 0,
-/// and v by the same function of u; each further level has half the amplitude and half the period.
+/// and v by the same function of u; each further level has half the amplitude and half the wavelength.
 using WarpTables = std::array<WarpTable, 4>;
 
 /// The tables at time_ms >= 0; made once a frame, if something warps.

@@ -8,8 +8,7 @@ namespace {
 constexpr std::int32_t kNameSize = 16;
 constexpr std::int32_t kMissingSize = 64;                     ///< texels a side of the checkerboard
 constexpr std::uint8_t kMissingLight = 15, kMissingDark = 0;  ///< white and black in Quake's palette
-constexpr std::int32_t kMaxTextures =
-    8192;  ///< a missing one takes 4 bytes in the file, but many in memory; Quake: 512
+constexpr std::int32_t kMaxTextures = 8192;  ///< a missing one is 4 bytes in the file, many in memory; Quake: 512
 constexpr std::uint32_t kMaxTextureSize = 1 << 14;  ///< texels a side: products of sizes fit 32 bits
 
 std::string read_name(LumpReader& in) {

@@ -43,7 +43,7 @@ enum class ClassShape : std::uint8_t {
     WorldModel,  ///< the level's brushes
     Point,       ///< has an origin
     Brush,       ///< has brushes
-    Either,      ///< may have neither
+    Either,      ///< an origin, brushes or neither
 };
 
 /// The function of an entity, for programs that read levels.
@@ -110,8 +110,8 @@ struct ClassBox {
     std::array<std::int16_t, 3> mins = {}, maxs = {};
 };
 
-/// For EntityClass::over_floor, the height of a model over the floor in units (items drop to the floor at the game's
-/// start): stays at its entity's origin.
+/// The `over_floor` of a model that stays at its entity's origin. Other values are heights over the floor in units:
+/// items drop to the floor at the game's start.
 inline constexpr std::int32_t kStays = -1;
 
 /// One of Quake's models for a class; the first with matching flags and world type is shown.

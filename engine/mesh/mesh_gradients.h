@@ -33,11 +33,12 @@ struct GradientChoice {
     bool is_affine = false;   ///< u/z and v/z hold u and v: no perspective
 };
 
-/// The barycentric coordinates of a triangle from its corners as rounded to the screen: b = ((x - xA) (yC - yA) - (y -
-/// yA) (xC - xA)) / area, c = ((y - yA) (xB - xA) - (x - xA) (yB - yA)) / area, linear in x and y; each quantity is A's
-/// + b (B's - A's) + c (C's - A's). So at a pixel centre inside, it lies between its values at the corners, however
-/// thin or steep the triangle is. In a triangle thinner than 1/16 pixel it changes along the longest side only. None
-/// for a triangle without area or seen from its back. Does not read the corners' values.
+/// The barycentric coordinates of a triangle from its corners as rounded to the screen:
+///     b = ((x - xA) (yC - yA) - (y - yA) (xC - xA)) / area,    c = ((y - yA) (xB - xA) - (x - xA) (yB - yA)) / area,
+/// linear in x and y; each quantity is A's + b (B's - A's) + c (C's - A's). So at a pixel centre inside, it lies
+/// between its values at the corners, however thin or steep the triangle is. In a triangle thinner than 1/16 pixel it
+/// changes along the longest side only. None for a triangle without area or seen from its back. Does not read the
+/// corners' values.
 std::optional<Barycentric> make_barycentric(const std::array<const ScreenCorner*, 3>& corners);
 
 /// 1/z over the screen.

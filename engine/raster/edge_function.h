@@ -9,8 +9,9 @@
 
 namespace oblong {
 
-/// The edge function of a clockwise triangle's edge (y down): (to.x - from.x)(y - from.y) - (to.y - from.y)(x -
-/// from.x), twice the area of the triangle of edge and place; positive to the right of the edge, which is inside.
+/// The edge function of a clockwise triangle's edge (y down):
+///     (to.x - from.x)(y - from.y) - (to.y - from.y)(x - from.x),
+/// twice the area of the triangle of edge and place; positive to the right of the edge, which is inside.
 inline ScreenArea edge_function(ScreenVertex from, ScreenVertex to, ScreenVertex place) {
     return widening_product(to.x - from.x, place.y - from.y) - widening_product(to.y - from.y, place.x - from.x);
 }

@@ -9,8 +9,9 @@
 namespace oblong {
 
 /// Steps down an edge row by row, to the first column whose centre is on or right of the edge. For the edge from `top`
-/// to `bottom`, dy > 0, the column of row r is ceil(((top.x - 1/2) dy + (r + 1/2 - top.y) dx) / dy), stored as quotient
-/// and remainder, so that every step is exact. |coordinates| <= 2^20: numerators stay below 2^60.
+/// to `bottom`, dy > 0, the column of row r is
+///     ceil(((top.x - 1/2) dy + (r + 1/2 - top.y) dx) / dy),
+/// stored as quotient and remainder, so that every step is exact. |coordinates| <= 2^20: numerators stay below 2^60.
 class ExactWalker {
   public:
     ExactWalker(ScreenVertex top, ScreenVertex bottom, std::int32_t row) {

@@ -75,11 +75,13 @@ class DdaWalk {
     Number slope_16_, start_16_, minor_16_;
 };
 
-/// Bresenham's algorithm: the pixel nearest to the line, by additions. With dx steps and a rise of dy, the line is at n
-/// |dy| / dx after n steps. If k pixels were climbed so far, error = 2 n |dy| - dx - 2 k dx reaches 0 when the next
-/// pixel is nearer. A tie goes to the larger coordinate, so the error of a falling line is 1 lower. J. E. Bresenham,
-/// "Algorithm for computer control of a digital plotter", IBM Systems Journal 4 (1965). Starting the line at any step:
-/// Kuzmin, "Bresenham's Line Generation Algorithm with Built-in Clipping", Computer Graphics Forum 14 (1995).
+/// Bresenham's algorithm: the pixel nearest to the line, by additions. With dx steps and a rise of dy, the line is at
+/// n |dy| / dx after n steps. If k pixels were climbed so far,
+///     error = 2 n |dy| - dx - 2 k dx
+/// reaches 0 when the next pixel is nearer. A tie goes to the larger coordinate, so the error of a falling line is 1
+/// lower. J. E. Bresenham, "Algorithm for computer control of a digital plotter", IBM Systems Journal 4 (1965).
+/// Starting the line at any step: Kuzmin, "Bresenham's Line Generation Algorithm with Built-in Clipping", Computer
+/// Graphics Forum 14 (1995).
 template <class Number>
 class BresenhamWalk {
   public:

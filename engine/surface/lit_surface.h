@@ -24,8 +24,7 @@ struct LightmapView {
     std::int32_t style_count = 0;
     std::array<std::uint16_t, 4> style_scale_256{};  ///< brightness of each style, 256: as stored
     const std::int32_t* added_8 = nullptr;           ///< light added to each sample, 8 fraction bits; null: none
-    bool is_fullbright =
-        false;  ///< the level has no lightmaps: unlit colours. Otherwise a face without styles is black
+    bool is_fullbright = false;  ///< no lightmaps in the level; otherwise a face without styles is black
 };
 
 /// One mip level of a texture, and where a face's surface begins in it. All sizes and positions are multiples of 16 at

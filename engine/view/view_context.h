@@ -12,7 +12,7 @@ namespace oblong {
 /// both kinds work alike.
 struct Viewpoint {
     Vec3<World> position;
-    std::int64_t weight_mask = -1;  ///< multiplies by w: all bits, or none
+    std::int64_t weight_mask = -1;  ///< a mask that multiplies by w: all bits, or none
 
     bool is_direction() const { return weight_mask == 0; }
     /// Relative to a model that is moved by `offset`.
