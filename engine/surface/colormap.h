@@ -32,7 +32,7 @@ constexpr ShadeLight light_of_shade(int shade) {
 Colormap make_colormap(const Palette& palette, int fullbright_count = 32);
 
 /// The colormap reduced to `count` shades, 16, 32 or 64, half of them brighter than the colour itself. Each of the 64
-/// is replaced by one of these.
+/// is replaced by one of these, in the brighter half by the next brighter one.
 Colormap with_shades(const Colormap& colormap, std::int32_t count);
 
 }  // namespace oblong
