@@ -42,8 +42,7 @@ void find_shifts(Angle phase, const WaveAxis& axis, std::int32_t amplitude_px, s
 }
 
 void copy_picture(Framebuffer picture, std::vector<std::uint8_t>& out) {
-    out.resize(pixel_count(picture.width_px, picture.height_px) +
-               kCopied_px);  // the last run may read beyond the picture
+    out.resize(pixel_count(picture.width_px, picture.height_px) + kCopied_px);  // the last run reads beyond it
     for (std::int32_t y = 0; y < picture.height_px; ++y)
         std::copy_n(picture.row(y), picture.width_px, out.data() + std::ptrdiff_t{y} * picture.width_px);
 }

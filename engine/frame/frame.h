@@ -16,8 +16,7 @@
 
 namespace oblong {
 
-struct FrameWorkspace;  // engine/frame/workspace.h: scratch and caches owned by the caller, which never change the
-                        // picture
+struct FrameWorkspace;  // engine/frame/workspace.h: the caller's scratch and caches; they never change the picture
 
 /// Everything that a frame shows. Level and colormap are the same for all frames of a workspace, and must outlive it.
 struct Scene {

@@ -53,8 +53,7 @@ struct MeshFrame {
 /// Consecutive frames or skins shown in turn, or a single one.
 struct MeshSequence {
     std::uint32_t first = 0;
-    std::vector<std::int32_t>
-        ends_ms;  ///< end of each, from the start of a cycle: ascending, the last above 0; or empty
+    std::vector<std::int32_t> ends_ms;  ///< end of each in a cycle: ascending, the last above 0; or empty
 };
 
 /// The frame or skin shown at a time, which may be negative.

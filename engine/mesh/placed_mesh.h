@@ -37,9 +37,8 @@ struct MeshTransform {
     Matrix4 to_world;
     Matrix3 normals;  ///< the inverse transpose of to_world's upper left part
     Matrix4 to_object;
-    bool has_small_entries = false;  ///< in to_world all but the last column are below 2^5
-    std::optional<std::array<Vec3<Unit>, 3>>
-        turn;  ///< rows of the rotation, used instead of `normals` if all scales are equal
+    bool has_small_entries = false;                 ///< in to_world all but the last column are below 2^5
+    std::optional<std::array<Vec3<Unit>, 3>> turn;  ///< rotation rows; used for normals if all scales are equal
 };
 
 /// Scale, then rotation, then translation. None if it has no inverse or turns the mesh inside out.

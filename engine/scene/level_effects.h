@@ -21,11 +21,10 @@ struct LevelFog {
 
     Density density;  ///< above 0, at most 64; at depth z the share of fog is 1 - exp(-(density / 64 z)^2)
     Rgb8 colour;
-    std::int32_t alpha_256 = 256;  ///< multiplies the share of fog
-    World nearest,
-        farthest = World::highest();  ///< no fog before `nearest`, no more behind `farthest`; 0 <= nearest < farthest
-    bool has_top = false;             ///< height fog: none above `top`, full below top - fade_depth
-    World top, fade_depth;            ///< fade_depth above 0
+    std::int32_t alpha_256 = 256;                ///< multiplies the share of fog
+    World nearest, farthest = World::highest();  ///< no fog before, no more behind; 0 <= nearest < farthest
+    bool has_top = false;                        ///< height fog: none above `top`, full below top - fade_depth
+    World top, fade_depth;                       ///< fade_depth above 0
 };
 
 /// The kinds of liquids. Texture names with "slime", "lava" or "tele" in them give the last three.

@@ -42,9 +42,8 @@ struct WindowView {
     Vec3<World> up;      ///< VUP, of any length, not along the normal
     Vec3<World> centre_of_projection;
     World u_min, u_max, v_min, v_max;  ///< the window, relative to the reference point: u right, v up
-    std::optional<World> front,
-        back;                  ///< depths from the reference point, away from the eye; the part between is shown
-    bool is_parallel = false;  ///< along the line from the centre of projection to the window's middle
+    std::optional<World> front, back;  ///< depths from the reference point, away from the eye; limits of the view
+    bool is_parallel = false;          ///< along the line from the centre of projection to the window's middle
 };
 
 /// u is VUP x VPN with a VPN toward the viewer, in right-handed axes (the lab's table; its text does not give the

@@ -128,8 +128,7 @@ class FrontToBackWalk {
     std::span<const Fragment* const> fragments_{};  ///< of the current leaf, not returned yet
     IndexRange<Face> faces_;                        ///< of the current node, not returned yet
     bool draws_front_ = false;
-    bool nears_limits_ = false,
-         found_nears_limits_ = false;  ///< of the current node's faces; of the last face returned
+    bool nears_limits_ = false, found_nears_limits_ = false;  ///< of the current node; of the last face
     std::int64_t nodes_entered_ = 0;
 };
 
