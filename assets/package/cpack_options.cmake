@@ -1,5 +1,4 @@
-# What cpack reads before it makes a package: the same files make the same bytes, and a package without its
-# dependencies is none.
+# Read by cpack before it makes a package: the same files make the same bytes, and the package's dependencies are required.
 set(ENV{SOURCE_DATE_EPOCH} ${CPACK_OBLONG_DATE_SECONDS})
 find_program(SHLIBDEPS dpkg-shlibdeps)
 if(NOT SHLIBDEPS)

@@ -1,5 +1,5 @@
-# The installed files as Debian wants them, before cpack packs them: documents compressed, a game where its games are, and
-# all of the release's date.
+# Adapts the installed files to Debian before cpack packs them: compressed documents, the game in /usr/games, and all with
+# the release's date.
 set(GAME ${CPACK_TEMPORARY_DIRECTORY}/game/usr)
 set(DEVELOPMENT ${CPACK_TEMPORARY_DIRECTORY}/development/usr)
 file(GLOB_RECURSE DOCUMENTS ${GAME}/share/man/* ${GAME}/share/doc/*/changelog)
@@ -7,7 +7,7 @@ execute_process(COMMAND gzip -9nf ${DOCUMENTS} COMMAND_ERROR_IS_FATAL ANY)
 file(RENAME ${GAME}/bin ${GAME}/games)
 if(EXISTS ${DEVELOPMENT})
     file(COPY ${GAME}/share/doc/oblong/ DESTINATION ${DEVELOPMENT}/share/doc/liboblong-dev)
-    # Where pkg-config looks when it is another architecture's, too.
+    # In the folder in which pkg-configs for other architectures also look.
     set(OF_ARCHITECTURE ${DEVELOPMENT}/lib/${CPACK_OBLONG_ARCHITECTURE})
     file(MAKE_DIRECTORY ${OF_ARCHITECTURE})
     file(RENAME ${DEVELOPMENT}/lib/pkgconfig ${OF_ARCHITECTURE}/pkgconfig)

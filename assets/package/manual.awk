@@ -1,6 +1,6 @@
-# A manual page out of its text and its program's --help, so that it has every option there is.
+# Makes a manual page from its text and its program's --help, so that it lists every option.
 #   awk -v program=PROGRAM -v version=VERSION -v date=DATE -f manual.awk TEXT
-# A line "@OPTIONS@" or "@OPTIONS COMMAND@" in the text becomes what PROGRAM [COMMAND] --help lists.
+# A line "@OPTIONS@" or "@OPTIONS COMMAND@" in the text becomes the list of PROGRAM [COMMAND] --help.
 
 function escaped(text) {
     gsub(/\\/, "\\e", text)
@@ -8,7 +8,7 @@ function escaped(text) {
     return text ~ /^[.']/ ? "\\&" text : text
 }
 
-# "--mode TEXT=320x200" as a name, what follows it, and notes on its value.
+# Splits "--mode TEXT=320x200" into a name, its value's type, and notes on the value.
 function list_entry(names, help,    words, count, i, rest, notes) {
     gsub(/ +$/, "", names)
     count = split(names, words, " ")

@@ -1,2 +1,2 @@
-# Reads the sources alone: links nothing of the project.
+# Only reads the sources: links nothing of the project.
 set(LINKS "")

@@ -1,4 +1,4 @@
-# What measures is run once, on little, to see that it works; its times are not looked at.
+# Runs the measuring programs once, on little, to see that they work; ignores their times.
 if(TARGET oblong-bench)
     add_test(NAME bench.EachBenchmarkRuns COMMAND python3 -B ${CMAKE_CURRENT_LIST_DIR}/each_benchmark_runs.py
              $<TARGET_FILE:oblong-bench>)

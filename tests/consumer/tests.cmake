@@ -1,5 +1,5 @@
-# A program of somebody else's, outside the project, takes the library in as engine/library/README.md says. What installs the
-# library of this build is quick; the others build the engine again.
+# A program outside the project uses the library as described in engine/library/README.md. The test that installs this
+# build's library is quick; the others build the engine again.
 foreach(WAY find_package pkg_config add_subdirectory fetch_content shared)
     add_test(NAME consumer.${WAY} COMMAND python3 -B ${CMAKE_CURRENT_LIST_DIR}/consume.py ${WAY} ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR})
 endforeach()

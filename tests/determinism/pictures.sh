@@ -1,12 +1,12 @@
-# Sourced by the scripts here, from the project's root, with $build and $work set: which pictures are compared, and the
-# lists of their checksums.
+# Sourced by the scripts here, from the project's root, with $build and $work set: the compared pictures and the lists of
+# their checksums.
 
 levels=""
 for place in ../shared "${OBLONG_SHARED:-}"; do
     [ -z "$levels" ] && [ -d "$place/levels" ] && levels=$place/levels
 done
 
-# Arguments of oblong-render, a line a run. Effects move: several times, one of them past 2^32 milliseconds.
+# The arguments of oblong-render for each run. Effects move: at several times, one of them past 2^32 milliseconds.
 runs=("--accuracy bounded" "--accuracy exact --time 31.4" "--accuracy 1996 --time 4294967.5" "--accuracy 1991"
       "--accuracy bounded --mode 640x480 --time 12.3" "--accuracy exact --mode 640x480"
       "--accuracy bounded --fov 179 --time 8.05" "--accuracy bounded --fov 1"
@@ -14,8 +14,8 @@ runs=("--accuracy bounded" "--accuracy exact --time 31.4" "--accuracy 1996 --tim
       "--accuracy bounded --dial perspective=bounded-texels" "--accuracy bounded --dial mip=span"
       "--accuracy bounded --dial dither=on" "--accuracy 1991 --dial light=nearest")
 
-# choose_cameras STEP: one in so many of each real level, the demo level's with some at the ends of the world, and some in
-# a room that calls for all effects: from a tank of water, and outside.
+# choose_cameras STEP: every STEPth camera of each real level, the demo level's and some at the ends of the world, and some
+# in a room with all effects, inside a tank of water and outside.
 choose_cameras() {
     mkdir -p "$work"
     rm -f "$work"/*.csv
@@ -39,30 +39,30 @@ level_path() {
     esac
 }
 
-# rendered_report PROGRAM LEVEL CAMERAS ARGUMENT...: an oblong-render's JSON.
+# rendered_report PROGRAM LEVEL CAMERAS ARGUMENT...: the JSON of an oblong-render.
 rendered_report() {
     local program=$1 level=$2 cameras=$3 report status=0
     shift 3
     report=$(mktemp "$work/report.XXXXXX")
-    # Its warnings of a level would come at every run.
+    # Hides its warnings of a level, which are the same at every run.
     "$program" "$level" --cameras "$cameras" --palette "$build/assets/palette.lmp" "$@" --json "$report" >/dev/null 2>"$report.log" &&
         cat "$report" || { status=1; cat "$report.log" >&2; }
     rm -f "$report" "$report.log"
     return "$status"
 }
 
-# The same's CRC-32s, a line a picture.
+# The CRC-32s of the same, a line for each picture.
 rendered_checksums() { rendered_report "$@" | grep -o '"crc32": "[0-9a-f]*"' | cut -d '"' -f 4; }
 
-# With all counts of the frame behind each.
+# The same, each followed by all counts of the frame.
 rendered_counts() {
     rendered_report "$@" | sed -nE '/"crc32"/ { s/.*: "([0-9a-f]+)".*/\1/; h }
         /"counts"/,/\}/ { s/^ *"[a-z_]+": ([0-9]+),?$/\1/; T; H }
         /"effects"/ { x; s/\n/ /g; p }'
 }
 
-# list_checksums OUTPUT COMMAND...: "LEVEL RUN CAMERA CRC32..." of all pictures, a line each. COMMAND is told a level, a list
-# of cameras and a run's arguments.
+# list_checksums OUTPUT COMMAND...: writes "LEVEL RUN CAMERA CRC32..." for each picture, a line each. COMMAND gets a level, a
+# list of cameras and a run's arguments.
 list_checksums() {
     local output=$1 cameras name run
     shift
@@ -78,24 +78,24 @@ list_checksums() {
     rm -f "$output.run"
 }
 
-# All effects but models: their files are read by libraries that the driver is built without.
+# All effects except models, whose files are read by libraries that the driver is built without.
 effects=sky,liquid,brush_models,fence,translucency,animated_textures,light_styles,moving_lights,fog,particles,sprites,shadows,mirror,underwater
 without_models() { rendered_counts "$@" --effects "$effects"; }
 
-# list_reference: those of the build that was made before.
+# list_reference: the list of the existing build.
 list_reference() {
     list_checksums "$work/reference.txt" without_models "$build/bin/oblong-render"
     pictures=$(wc -l <"$work/reference.txt")
     [ "$pictures" -ge 100 ] || fail "only $pictures pictures to compare"
 }
 
-# demand_same NAME: its list is the reference's.
+# demand_same NAME: requires that its list equals the reference.
 demand_same() {
     diff "$work/reference.txt" "$work/$1.txt" >"$work/$1.diff" ||
         { head -n 10 "$work/$1.diff" >&2; fail "$1 draws other pictures (< reference, > $1); all are in $work/$1.diff"; }
 }
 
-# demand_same_play NAME TICKS COMMAND...: of a long play of each level the states and pictures are those of the build made before.
+# demand_same_play NAME TICKS COMMAND...: requires the existing build's states and pictures in a long play of each level.
 demand_same_play() {
     local name=$1 ticks=$2 level
     shift 2
@@ -109,8 +109,8 @@ demand_same_play() {
     echo "$ticks ticks of play in each level, the same in: reference $name"
 }
 
-# demand_same_walk NAME COMMAND...: the recorded walk leads to the states that the build made before it recorded, and the
-# games saved on the way are the same files as those of the first NAME.
+# demand_same_walk NAME COMMAND...: requires that the recorded walk leads to the states recorded by the existing build, and
+# that the games saved on the way are the same files as those of the first NAME.
 demand_same_walk() {
     local name=$1
     shift

@@ -1,4 +1,4 @@
-# Builds the renderer once more for each configuration (kept in build/determinism, so that only the first run is long).
+# Builds the renderer for each configuration (kept in build/determinism, so that only the first run is long).
 add_test(NAME determinism.EveryBuildDrawsTheSamePictures
          COMMAND ${CMAKE_CURRENT_LIST_DIR}/compare_builds ${PROJECT_BINARY_DIR})
 set_tests_properties(determinism.EveryBuildDrawsTheSamePictures PROPERTIES
@@ -13,7 +13,7 @@ add_test(NAME determinism.ADayOfPlay COMMAND ${CMAKE_CURRENT_LIST_DIR}/play_for_
 set_tests_properties(determinism.AnHourOfPlay PROPERTIES TIMEOUT 36000)
 set_tests_properties(determinism.ADayOfPlay PROPERTIES LABELS slow COST 300 TIMEOUT 36000)
 
-# Skipped where a cross compiler and an emulator are not installed: tools/test --all asks for those of two machines alone.
+# Skipped without a cross compiler and an emulator: tools/test --all installs those of only two machines.
 foreach(MACHINE s390x ppc arm i686 aarch64 wasm)
     add_test(NAME determinism.TheSameOn_${MACHINE} COMMAND ${CMAKE_CURRENT_LIST_DIR}/compare_machines ${PROJECT_BINARY_DIR} ${MACHINE})
     set_tests_properties(determinism.TheSameOn_${MACHINE} PROPERTIES

@@ -1,5 +1,5 @@
-# Each file in targets/ with the inputs of its corpus and so many more, less than a minute's: the same ones each time. tools/fuzz
-# builds it for itself (in build/fuzz, by tools/presets/fuzz.cmake).
+# Each file in targets/ with the inputs of its corpus and INPUTS more, in less than a minute: the same ones each time.
+# tools/fuzz builds it separately (in build/fuzz, by tools/presets/fuzz.cmake).
 set(FEWER_INPUTS levels 1500 entities 1500 maps 400 saves 1500 demos 1500 mdl 3000 obj 3000 options 2000 command_line 500)
 file(GLOB FUZZ_TARGETS CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/targets/*.cpp)
 foreach(SOURCE ${FUZZ_TARGETS})
@@ -17,7 +17,7 @@ if(NOT OBLONG_FUZZ)
     return()
 endif()
 
-# A program for each, by Clang's libFuzzer. Of the game they take what reads files and plays.
+# A program for each, with Clang's libFuzzer. It includes the parts of the game that read files and play.
 find_package(ZLIB REQUIRED)
 file(GLOB SOURCES CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/common/*.cpp)
 add_library(fuzzed STATIC ${SOURCES} ${CMAKE_CURRENT_LIST_DIR}/../map/map_source.cpp)
@@ -30,7 +30,7 @@ foreach(SOURCE ${FUZZ_TARGETS})
     target_link_options(fuzz_${NAME} PRIVATE -fsanitize=fuzzer)
 endforeach()
 
-# Comparing numbers is what these do all the time: traced, it takes half of a run and leads nowhere. CLI11 is slow enough.
+# These compare numbers all the time: tracing that takes half of a run and finds no inputs. CLI11 is slow without it.
 foreach(ROOM surface effects)
     target_compile_options(oblong_${ROOM} PRIVATE -fno-sanitize-coverage=trace-cmp)
 endforeach()

@@ -1,4 +1,4 @@
-# Installs what is built into a folder of its own and looks at that.
+# Installs the build into its own folder and checks the files.
 add_test(NAME package.WhatIsInstalledRuns
          COMMAND python3 ${CMAKE_CURRENT_LIST_DIR}/check_installed.py ${PROJECT_BINARY_DIR} ${PROJECT_VERSION})
 add_test(NAME package.LicencesSuitAndAreNamed

@@ -8,7 +8,7 @@
 
 namespace oblong {
 
-/// A level whose frames, and their stages, are timed.
+/// A level for timing frames and their stages.
 struct BenchLevel {
     std::string name;
     Level level;

@@ -7,18 +7,18 @@
 
 namespace oblong {
 
-// Each registers its benchmarks with Google Benchmark. What they are given must live until those have run.
+// Each registers its benchmarks with Google Benchmark. Its arguments must live until these have run.
 
 /// Block kernels, plain and with effects, on blocks of 8 to 64 pixels.
 void register_kernel_benchmarks();
-/// The sky, and lit surfaces being built: what a frame draws without a face's blocks.
+/// The sky, and the building of lit surfaces.
 void register_surface_benchmarks();
-/// Each stage of a level's frames alone, on what the stage before made: walk, polygons, scan, coverage, spans.
+/// Each stage of a level's frames separately, on the previous stage's results: walk, polygons, scan, coverage, spans.
 void register_stage_benchmarks(const BenchLevel& level, const ScreenMode& mode);
 /// Whole frames of a level, with its surfaces built.
 void register_frame_benchmarks(const BenchLevel& level, const ScreenMode& mode);
 
-/// Shows the time that each of `count` things (pixels, faces) took, besides that of the whole iteration.
+/// Shows the time for each of `count` things (pixels, faces), besides that of the whole iteration.
 inline void show_time_per(const char* thing, std::int64_t count, benchmark::State& state) {
     using benchmark::Counter;
     state.counters[thing] = Counter(static_cast<double>(count), Counter::kIsIterationInvariantRate | Counter::kInvert);

@@ -1,9 +1,9 @@
-"""Oblong beside Quake's own software renderer, in one run: the same cameras of the same levels, in turns.
+"""Compares Oblong with Quake's own software renderer in one run: alternating, with the same levels and cameras.
 
-OBLONG_PEER names the peer's program, which is no part of this project: PROGRAM LEVEL CAMERAS PALETTE -r N -m WxH -json FILE
-draws every camera's frame N times after a first time, and writes the median of each frame, microseconds, a line a frame.
-Every round draws all frames by the peer and by each setting of Oblong's, one after the other. Of a frame's times the
-least of the rounds counts, as other programs only add to it. Ratios are peer / Oblong: the machine's speed is in both.
+OBLONG_PEER names the peer's program, which is not in this project: PROGRAM LEVEL CAMERAS PALETTE -r N -m WxH -json FILE
+draws every camera's frame N times after an untimed first time, and writes the median of each frame, microseconds, a line
+a frame. Every round draws all frames by the peer and by each setting of Oblong, one after the other. A frame's time is
+the least of the rounds, as other programs only add to it. Ratios are peer / Oblong, independent of the machine's speed.
 
 usage: OBLONG_PEER=PROGRAM tools/compare-peer [OPTIONS] [BUILD] [LEVEL CAMERAS [PALETTE]]
   BUILD              a folder built before (default: build)
@@ -53,7 +53,7 @@ class Peer:
             return [float(line) for line in file]
 
     def instructions(self, place, mode, folder):
-        """Instructions of one frame of every camera, its surfaces built."""
+        """The instructions of one frame of every camera, with its surfaces built."""
         command = [self.program, place.level, place.cameras, place.palette, "-m", mode, "-cg"]
         counts = runs.functions_under_callgrind(command, os.path.join(folder, "callgrind.out"),
                                                 ["--instr-atstart=no", "--collect-atstart=no"])
@@ -70,7 +70,7 @@ def find_peer():
 
 
 def available_settings(program, wanted):
-    """Those that this oblong-render has the options for; one that was asked for must be among them."""
+    """The settings whose options this oblong-render has, or `wanted`, which must be among them."""
     text = subprocess.run([program, "--help"], capture_output=True, text=True, check=True).stdout
     known = [name for name, options in SETTINGS.items() if all(re.search(option + r"\b", text) for option in options[::2])]
     for name in wanted:
@@ -87,13 +87,13 @@ def own_times(program, place, mode, setting):
 
 
 def measure(peer, program, places, mode, settings, rounds, folder):
-    """Of every level: name -> times of its frames, the least of the rounds; the peer's name is `peer`."""
+    """For each level: name -> the times of its frames, the least of the rounds; the peer's name is `peer`."""
     names = ["peer", *settings]
     taken = {place.name: {name: [] for name in names} for place in places}
     for turn in range(rounds):
         for place in places:
             for i in range(len(names)):
-                name = names[(turn + i) % len(names)]  # each goes first once
+                name = names[(turn + i) % len(names)]  # rotates which one is first
                 times = peer.times(place, mode, folder) if name == "peer" else own_times(program, place, mode, name)
                 if len(times) != place.camera_count():
                     runs.fail("%s: %d times of %d frames from %s" % (place.name, len(times), place.camera_count(), name))
@@ -131,7 +131,7 @@ def print_row(level, setting, row):
 
 
 def report(mode, times, settings):
-    """Rows of every level and of all frames together."""
+    """The rows of each level and of all frames together."""
     print("\n%s: microseconds a frame; ratio = peer / Oblong" % mode)
     print("%-8s %-10s %7s %7s %7s | %6s %6s %6s | %14s | %s" % (
         "level", "setting", "peer", "median", "99 %", "median", "mean", "99 %", "slower frames",
@@ -146,7 +146,7 @@ def report(mode, times, settings):
 
 
 def count_instructions(peer, program, places, mode, settings, folder):
-    """Instructions a pixel of the peer and of every setting but that of several threads, by level."""
+    """By level, the instructions a pixel of the peer and of every setting except those of several threads."""
     counts = {}
     for place in (place.thinned(35, folder) for place in places):
         pixels = runs.pixels_of(mode) * place.camera_count()

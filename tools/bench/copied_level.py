@@ -1,10 +1,10 @@
-"""A level with its world copied out of sight: as many rooms again, none of which can be seen from another copy."""
+"""A level with copies of its world, none of which is visible from another copy."""
 import re
 import struct
 
 LUMPS = ("entities", "planes", "textures", "vertices", "visibility", "nodes", "texinfos", "faces", "lighting",
          "clipnodes", "leaves", "markfaces", "edges", "surfedges", "models")
-# Records of BSP 29, and those of BSP2, which has room for any number of them.
+# Records of BSP 29, and of BSP2, which allows any number of them.
 NARROW = {"planes": "<4fi", "vertices": "<3f", "nodes": "<i2h6h2H", "texinfos": "<8f2i", "faces": "<2Hi2H4Bi",
           "leaves": "<2i6h2H4B", "markfaces": "<H", "edges": "<2H", "surfedges": "<i", "models": "<9f7i"}
 WIDE = {**NARROW, "nodes": "<i2i6f2I", "faces": "<2Ii2I4Bi", "leaves": "<2i6f2I4B", "markfaces": "<I", "edges": "<2I"}
@@ -26,14 +26,14 @@ def read_lumps(path):
 
 
 class World:
-    """The world of a level: what its tree holds, without the models that move."""
+    """The world of a level: the contents of its tree, without moving models."""
 
     def __init__(self, lumps):
         self.lumps = lumps
         model = lumps["models"][0]
         self.mins, self.maxs = model[0:3], model[3:6]
-        self.known_leaf_count = model[13]  # those that can be seen are leaves 1 and up
-        self.leaf_count = -(-self.known_leaf_count // 8) * 8  # with some that nobody sees: rows of copies begin on a byte
+        self.known_leaf_count = model[13]  # the leaves of visible sets are 1 and up
+        self.leaf_count = -(-self.known_leaf_count // 8) * 8  # padded, so that rows of copies begin on a byte
         self.faces = lumps["faces"][model[14]:model[14] + model[15]]
         self.first_face = model[14]
         self.nodes, self.leaves = [], lumps["leaves"][1:1 + self.known_leaf_count]
@@ -52,7 +52,7 @@ class World:
             self.nodes.append(record)
 
     def visible_rows(self):
-        """Of each leaf the packed bytes that say which leaves may be seen from it."""
+        """For each offset of leaves' visible sets, the packed row of potentially visible leaves."""
         size, packed, rows = self.leaf_count // 8, self.lumps["visibility"], {}
         for start in {leaf[1] for leaf in self.leaves}:
             row, at = bytearray() if start != -1 else bytearray(b"\xff" * size), start
@@ -65,7 +65,7 @@ class World:
 
 
 def zeros(count):
-    """So many zeros, packed: a 0 and a count, up to 255 at a time."""
+    """`count` zeros, packed: a 0 and a count, up to 255 at a time."""
     return b"\0\xff" * (count // 255) + (bytes((0, count % 255)) if count % 255 else b"")
 
 
@@ -74,13 +74,13 @@ def pack(row):
 
 
 class Copies:
-    """The lumps of a level that is a row of copies along x; the first is where the world was."""
+    """The lumps of a level of copies in a row along x; the first is at the world's place."""
 
     def __init__(self, world, count):
         self.world, self.count = world, count
         self.out = {name: [] for name in WIDE}
         self.out["visibility"] = bytearray()
-        # The textures go on without a seam where the distance is a multiple of their sizes.
+        # A multiple of textures' sizes, so that they continue without a seam.
         self.distance = 2048 * -(-int(world.maxs[0] - world.mins[0] + 64) // 2048)
         self.out["leaves"].append(OUTSIDE)
         self.rows = world.visible_rows()
@@ -130,7 +130,7 @@ class Copies:
                                       box[3] + shift, *box[4:], face, count])
 
     def _add_splits(self, begin, end):
-        """A tree over copies [begin, end), divided by planes between them; its root."""
+        """Adds a tree over copies [begin, end), divided by planes between them; returns its root."""
         if end - begin == 1:
             return begin * len(self.world.nodes)
         middle = (begin + end) // 2
@@ -148,7 +148,7 @@ def world_face_count(source):
 
 
 def write_copies(source, count, path):
-    """Writes a BSP2 with so many copies of the world of a BSP 29; the number of its faces."""
+    """Writes a BSP2 with `count` copies of the world of a BSP 29; returns its number of faces."""
     world = World(read_lumps(source))
     lumps = {**{name: b"" for name in LUMPS}, **Copies(world, count).out}
     lumps["entities"] = b'{\n"classname" "worldspawn"\n}\n\0'

@@ -1,9 +1,9 @@
-"""What each effect costs: nothing where a scene does not call for it, and where it does, the pixels that it covers.
+"""What each effect costs: nothing if a scene does not use it, else by the pixels that it covers.
 
-1. For each effect, oblong-render is linked once more without the effect's files: whatever calls them ends there. It
-   and the whole program draw the same frames of a scene that does not call for the effect, but for all others; both
-   count instructions (valgrind). Fails if they differ by more than 0.1 %, or if the effect is on a plan.
-2. Time against covered pixels, from cameras that turn and approach, with a line through them: a chart for each effect.
+1. For each effect, oblong-render is also linked without the effect's files: calls of them stop it. It and the whole
+   program draw the same frames of a scene with all other effects; valgrind counts both programs' instructions. Fails if
+   they differ by more than 0.1 %, or if the effect is on a plan.
+2. Time against covered pixels, from cameras that turn and approach, with a fitted line: a chart for each effect.
 3. The time of frames in which all effects own pixels, while everything moves.
 
 usage: tools/measure-frames effects [BUILD]     BUILD: a folder built before, with demo_level (default: build)
@@ -41,8 +41,8 @@ def without_key(key):
     return lambda text: re.sub(r'"%s" "[^"]*"\n' % key, "", text)
 
 
-# Effects, the files that are theirs, the functions of those files that are left in because they read a level or serve
-# mirrors too, and what takes the effects out of the map.
+# Effects, their files, the functions of these files that are kept because they read a level or also serve mirrors, and
+# the changes that remove the effects from the map.
 PARTS = [
     (["sky"], "effects/sky", "", [retextured("sky_night", "plaster_ivory")]),
     (["liquid", "translucency", "underwater"], "effects/warp effects/underwater", "",
@@ -66,7 +66,7 @@ PARTS = [
     (["underwater"], "effects/underwater", "", []),
 ]
 
-# Out of the tank of water, and in it.
+# Cameras outside the tank of water, and in it.
 OUTSIDE = [(-280, 0, 120, 0, 8), (-200, 200, 60, -40, 5), (300, -200, 90, 135, 10)]
 APPROACHES = [(x, y, 110, yaw, pitch) for x in (-280, -120, 20) for y in (-220, 0, 220) for yaw in (-60, -25, 0, 25, 60)
               for pitch in (0, 15)]
@@ -89,7 +89,7 @@ class Costs:
         return os.path.join(self.work, name)
 
     def compile(self, name, changes):
-        """A level of the map with these changes."""
+        """Compiles a level from the map with these changes."""
         text = self.text
         for change in changes:
             changed = change(text)
@@ -131,7 +131,7 @@ class Costs:
                 self.instructions(program, level, cameras, few)) / ((many - few) * count)
 
     def link_without(self, name, files, kept):
-        """oblong-render in which every function of these files but the kept ones stops the program."""
+        """Links oblong-render so that every function of these files, except the kept ones, stops the program."""
         link = subprocess.run(["ninja", "-C", self.build, "-t", "commands", "-s", "bin/oblong-render"],
                               capture_output=True, text=True, check=True).stdout
         command = shlex.split(re.search(r"&& (\S*c\+\+ .*?) && :", link).group(1))
@@ -147,7 +147,7 @@ class Costs:
             out = [s for s, p in zip(symbols, plain.splitlines()) if not (kept and re.search(kept, p.split("(")[0]))]
             stubs += out
             if len(out) == len(symbols):
-                continue  # nothing of it is left in
+                continue  # no function of the file is kept
             objects.append(self.path("%s_%s.o" % (name, os.path.basename(file))))
             subprocess.run(["objcopy", *["--weaken-symbol=" + s for s in out], whole, objects[-1]], check=True)
         assembly = self.path(name + ".s")
@@ -188,7 +188,7 @@ def table_of_files(costs):
 
 
 def fitted(points):
-    """Slope and offset of the line through points, and the correlation."""
+    """The slope and offset of the line fitted to points, and the correlation."""
     xs, ys = [p[0] for p in points], [p[1] for p in points]
     x, y = statistics.fmean(xs), statistics.fmean(ys)
     xx, yy = sum((a - x) ** 2 for a in xs), sum((b - y) ** 2 for b in ys)
@@ -198,7 +198,7 @@ def fitted(points):
 
 
 def least_times(costs, level, cameras, runs, *more):
-    """Pixels and the least time of several runs, of each effect in each frame."""
+    """The pixels and the least time of several runs, for each effect in each frame."""
     least = {}
     for _ in range(runs):
         for frame in costs.frames(level, cameras, 1, *more)["frames"]:

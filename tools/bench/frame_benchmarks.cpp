@@ -5,7 +5,7 @@ namespace oblong {
 
 namespace {
 
-/// One iteration draws the frames of all cameras.
+/// One iteration draws all cameras' frames.
 void time_frames(benchmark::State& state, const BenchLevel* level, ScreenMode mode, Preset preset) {
     FrameWorkspace work(level->level, mode);
     std::vector<std::uint8_t> pixels(pixel_count(mode.width_px, mode.height_px));

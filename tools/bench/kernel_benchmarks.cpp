@@ -10,7 +10,7 @@ namespace {
 
 constexpr ScreenMode kKernelMode;
 
-/// A texture of 64x64, and a picture cut into blocks of it, all of one length.
+/// A texture of 64x64, and a picture cut into blocks of equal length with this texture.
 struct KernelInput {
     static constexpr int kSizeLog2 = 6;
 
@@ -47,7 +47,7 @@ constexpr std::array kEffectTraits{NamedTraits{"warps", {.warps = true}}, NamedT
                                    NamedTraits{"blends", {.blends = true}},
                                    NamedTraits{"warps_blends", {.warps = true, .blends = true}}};
 
-/// Colours that become others, so that no table is optimised for.
+/// A table with no special case to optimise for.
 BlendTable make_blend_table() {
     BlendTable table;
     for (std::size_t front = 0; front < 256; ++front)

@@ -40,7 +40,7 @@ void run_benchmarks(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    // Google Benchmark's own options begin with its name; the others are this program's.
+    // Options that begin with --benchmark_ are Google Benchmark's, the others this program's.
     std::vector<char*> ours{argv[0]}, theirs{argv[0]};
     for (int i = 1; i < argc; ++i)
         (std::string_view(argv[i]).starts_with("--benchmark_") ? theirs : ours).push_back(argv[i]);

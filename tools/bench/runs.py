@@ -1,4 +1,4 @@
-"""What the measuring scripts share: levels with their cameras, and runs of oblong-render under callgrind or the clock."""
+"""Shared by the measuring scripts: levels with their cameras, and runs of oblong-render, timed or under callgrind."""
 import argparse
 import csv
 import json
@@ -16,7 +16,7 @@ def fail(message):
 
 
 class Place:
-    """A level, its cameras and its palette: paths."""
+    """The paths of a level, its cameras and its palette."""
 
     def __init__(self, name, level, cameras, palette):
         self.name, self.level, self.cameras, self.palette = name, level, cameras, palette
@@ -25,7 +25,7 @@ class Place:
                 fail("%s is not there" % path)
 
     def thinned(self, most, folder):
-        """The same with at most so many of the cameras, spread over the list."""
+        """The same with at most `most` of the cameras, spread over the list."""
         with open(self.cameras, newline="") as file:
             rows = [row for row in csv.reader(file) if row]
         step = -(-(len(rows) - 1) // most)
@@ -40,7 +40,7 @@ class Place:
 
 
 def shared_folder():
-    """The folder with the real levels, where tests look for it; None if there is none."""
+    """The folder with the real levels, in the tests' locations; None if there is none."""
     for folder in (os.path.join(ROOT, "..", "shared"), os.environ.get("OBLONG_SHARED", "")):
         if folder and os.path.isdir(os.path.join(folder, "levels")):
             return folder
@@ -64,15 +64,15 @@ def real_places():
 
 
 def build_and_level(words):
-    """[BUILD] [LEVEL CAMERAS [PALETTE]] of a command line: the folder, and the paths of the level, perhaps none."""
+    """[BUILD] [LEVEL CAMERAS [PALETTE]] of a command line: the folder, and the list of the other paths, perhaps empty."""
     if len(words) == 2 or len(words) > 4:
         fail("expected [BUILD] [LEVEL CAMERAS [PALETTE]] (--help)")
     return os.path.abspath(words[0] if words else os.path.join(ROOT, "build")), words[1:]
 
 
 def parse_arguments(documentation, **wanted):
-    """A script's options, [BUILD] [LEVEL CAMERAS [PALETTE]] among them: NAME=default, or NAME=type where there is none. A
-    list may be given several times, False is a switch. What follows -- is render_options. --help prints the documentation."""
+    """A script's options, with [BUILD] [LEVEL CAMERAS [PALETTE]]: NAME=default, or NAME=type without a default. A list may
+    be given several times, False is a switch. Arguments after -- are render_options. --help prints the documentation."""
     own = sys.argv[1:]
     own, render_options = (own[:own.index("--")], own[own.index("--") + 1:]) if "--" in own else (own, [])
     if "-h" in own or "--help" in own:
@@ -95,7 +95,7 @@ def parse_arguments(documentation, **wanted):
 
 
 def places(build, level_paths, with_demo):
-    """The level that was named; else the real ones, if they are there."""
+    """The named level, else the real ones, if they exist."""
     if not level_paths:
         return [demo_place(build), *real_places()] if with_demo else real_places()
     name = os.path.splitext(os.path.basename(level_paths[0]))[0]
@@ -125,7 +125,7 @@ def render_command(program, place, repeat, mode, options=()):
 
 
 def report_of(program, place, repeat, mode, options=()):
-    """What `oblong-render --json` writes."""
+    """The report of `oblong-render --json`."""
     command = render_command(program, place, repeat, mode, ["--json", "-", *options])
     run = subprocess.run(command, capture_output=True, text=True)
     if run.returncode != 0:
@@ -134,7 +134,7 @@ def report_of(program, place, repeat, mode, options=()):
 
 
 def run_callgrind(command, path, valgrind_options=()):
-    """Runs a command; what it takes is written to the path."""
+    """Runs a command under callgrind, which writes its counts to the path."""
     run = subprocess.run(["valgrind", "--tool=callgrind", "--dump-line=no", "--demangle=no",
                           "--callgrind-out-file=" + path, *valgrind_options, *command], capture_output=True, text=True)
     if run.returncode != 0:
@@ -142,13 +142,13 @@ def run_callgrind(command, path, valgrind_options=()):
 
 
 def functions_under_callgrind(command, path, valgrind_options=()):
-    """Runs a command; instructions by function, by the names in its symbol table."""
+    """Runs a command; returns the instructions by function, by the names in its symbol table."""
     run_callgrind(command, path, valgrind_options)
     return read_callgrind(path)
 
 
 def read_callgrind(path, with_calls=False):
-    """Instructions by function: the lines `POSITION COUNT` below each `fn=`; with or without those of what it calls."""
+    """Instructions by function: the lines `POSITION COUNT` below each `fn=`, with or without those of its callees."""
     names, costs, function, is_of_call = {}, {}, None, False
     with open(path) as file:
         for line in file:
@@ -169,7 +169,7 @@ def read_callgrind(path, with_calls=False):
 
 
 def take_dump(path, number):
-    """Instructions by function, with those of what it calls, of one of a run's dumps, which is removed."""
+    """Instructions by function, with those of its callees, from one of a run's dumps, which is removed."""
     path = "%s.%d" % (path, number)
     costs = read_callgrind(path, with_calls=True)
     os.remove(path)
@@ -177,7 +177,7 @@ def take_dump(path, number):
 
 
 def instructions_by_function(program, place, mode, options, folder):
-    """Instructions of one frame of every camera: two runs with more and with fewer repeats, so that loading cancels."""
+    """Instructions of one frame of every camera: the difference of runs with more and fewer repeats, so that loading cancels."""
     few, many = 1, 4
     runs = [functions_under_callgrind(render_command(program, place, repeat, mode, options),
                                       os.path.join(folder, "callgrind.out")) for repeat in (few, many)]

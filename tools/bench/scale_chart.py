@@ -1,10 +1,10 @@
-"""How the time of a frame grows with what there is to draw: pixels, faces out of sight, models in sight.
+"""How the time of a frame grows with the number of pixels, hidden faces, and visible models.
 
 1. A level in modes from 320x200 to 3840x2400.
-2. The same level with its world copied out of sight, 2 to 30 times: the same views must give the same pictures, and
-   should take the same time. The levels are written as BSP2, which has room for them.
+2. The same level with 2 to 30 copies of its world, out of sight: the same views must give the same pictures, and should
+   take the same time. The levels are written as BSP2, for its higher limits.
 3. A hall with 1 to 1,000 models made of triangles, and one with as many brush models, all in view.
-Every round takes all of them in turn; of a frame's times the least of the rounds counts, as other programs only add to it.
+Every round draws all of them in turn; a frame's time is the least of the rounds, as other programs only add to it.
 
 usage: tools/measure-frames scale [OPTIONS] [BUILD] [LEVEL CAMERAS [PALETTE]]
   BUILD              a folder built before (default: build)
@@ -34,7 +34,7 @@ HALL = 2048, 1536  # size and height of the models' hall
 
 
 class Frames:
-    """The frames of some cameras, in one mode of one level; the least times of several runs."""
+    """The frames of some cameras in one level and mode, with the least times of several runs."""
 
     def __init__(self, program, place, mode="320x200", options=()):
         self.program, self.place, self.mode, self.options = program, place, mode, options
@@ -75,7 +75,7 @@ def box(x0, y0, z0, x1, y1, z1, texture):
 
 
 def model_places(count):
-    """Places in the hall, each visible from its west end: rows that rise toward the east."""
+    """Positions in the hall, all visible from its west end: rows that rise toward the east."""
     columns = math.ceil(math.sqrt(count))
     size, _ = HALL
     step = (size - 512) / columns
@@ -94,7 +94,7 @@ def hall_map(count, entity_at):
 
 
 def write_ball(path):
-    """An OBJ of a sphere of 12 by 7 facets, 24 units across; how many triangles it has."""
+    """Writes an OBJ of a sphere of 12 by 7 facets, 24 units across; returns its number of triangles."""
     around, bands, radius = 12, 7, 12
     points = [(0, 0, radius), (0, 0, -radius)]
     for band in range(1, bands):
@@ -157,7 +157,7 @@ class Scale:
         return [self.row(one, row) for one, row in zip(frames, rows)]
 
     def hall(self, name, text):
-        """A compiled hall, and a camera at each of its west corners and between them."""
+        """A compiled hall, with cameras at its west corners and between them."""
         path, assets = os.path.join(self.folder, name), os.path.join(self.options.build, "assets")
         with open(path + ".map", "w") as out:
             out.write(text)

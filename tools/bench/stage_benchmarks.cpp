@@ -12,7 +12,7 @@ namespace oblong {
 
 namespace {
 
-/// The frames of some cameras of a level, taken apart; one iteration of a benchmark does one stage of them all.
+/// The stages' inputs for some cameras of a level; one iteration of a benchmark does one stage of all frames.
 struct StageFrames {
     const BenchLevel& level;
     ScreenMode mode;
@@ -43,7 +43,7 @@ struct StageFrames {
 
 using SharedFrames = std::shared_ptr<StageFrames>;
 
-/// The tree without a pixel claimed: all that the eye's leaf may see and that is in view.
+/// The tree with no pixel claimed: all faces in view that are potentially visible from the eye's leaf.
 void time_walk(benchmark::State& state, const SharedFrames& stages) {
     FrameWorkspace& work = stages->work;
     std::int64_t faces = 0;
@@ -97,7 +97,7 @@ void time_coverage(benchmark::State& state, const SharedFrames& stages) {
     show_time_per("span", spans, state);
 }
 
-/// Draws nothing: what is left is the time of cutting spans into blocks.
+/// Draws nothing, so that only cutting spans into blocks is timed.
 void drop_blocks(std::span<const TexelBlock> blocks, const EffectTexels&, std::uint8_t*) {
     benchmark::DoNotOptimize(blocks.data());
 }
@@ -125,7 +125,7 @@ void time_exact_spans(benchmark::State& state, const SharedFrames& stages) {
     show_time_per("pixel", stages->sum([](const StageInputs& frame) { return frame.pixels; }), state);
 }
 
-/// The faces of a frame until no pixel is free, by the stages that a frame takes them through.
+/// Collects the faces of a frame until no pixel is free, with the results of each stage.
 void collect_geometry(const BenchLevel& level, FrameWorkspace& work, StageInputs& inputs) {
     work.view.visible.see_from(level.level, inputs.leaf);
     work.view.claiming->vertices.start_frame();
@@ -147,7 +147,7 @@ void collect_geometry(const BenchLevel& level, FrameWorkspace& work, StageInputs
     }
 }
 
-/// The walls of the frame drawn last in the workspace.
+/// Collects the walls of the last frame drawn in the workspace.
 void collect_walls(const BenchLevel& level, FrameWorkspace& work, StageInputs& inputs) {
     const InverseProjection inverse_projection = make_inverse_projection(inputs.view.projection);
     for (const VisibleFace& claimed : work.view.claims.list(FaceList::Walls)) {

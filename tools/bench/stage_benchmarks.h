@@ -8,24 +8,24 @@
 
 namespace oblong {
 
-/// A face of a frame that owns pixels, as texturing takes it, without a cutting.
+/// A face that owns pixels of a frame, as input for texturing, without a cutting.
 struct TexturedInput {
     std::vector<Span> spans;
     TexturedFace face;
 };
 
-/// What each stage of one frame works on. Of the faces, those of the world alone: doors and lifts are left out.
+/// The input of each stage of a frame; only of the world's faces, without doors and lifts.
 struct StageInputs {
     ViewContext view;
     LeafIndex leaf;                                   ///< of the eye
-    std::vector<FaceIndex> visited;                   ///< what the walk returned
-    std::vector<std::vector<ScreenVertex>> polygons;  ///< of those that are in view
-    std::vector<ScanlineExtents> rows;                ///< of those
-    std::vector<TexturedInput> walls;                 ///< those that own pixels and are drawn from a surface
+    std::vector<FaceIndex> visited;                   ///< returned by the walk
+    std::vector<std::vector<ScreenVertex>> polygons;  ///< of the visited faces in view
+    std::vector<ScanlineExtents> rows;                ///< of the polygons
+    std::vector<TexturedInput> walls;                 ///< the faces that own pixels and have a surface
     std::int64_t pixels = 0;                          ///< of the walls
 };
 
-/// The frame of a camera, taken apart. The walls' texels are in `work`.
+/// The stages' inputs for a camera's frame. The walls' texels are in `work`.
 StageInputs collect_stage_inputs(const BenchLevel& level, const Camera& camera, const ScreenMode& mode,
                                  FrameWorkspace& work);
 

@@ -1,13 +1,12 @@
 """What each stage of a frame costs: instructions a pixel, counted by callgrind.
 
-Two runs of oblong-render with more and with fewer repeats of each frame are subtracted, so that loading and building
-surfaces cancel. A function belongs to the stage of the source file that it is compiled from, by the object files' symbol
-tables: a release build needs no debug information for that. Fails if a function with more than 1 % of the instructions
-belongs to no stage.
+Subtracts two runs of oblong-render with more and fewer repeats of each frame, so that loading and building surfaces
+cancel. A function belongs to the stage of its source file, by the object files' symbol tables, which needs no debug
+information. Fails if a function with more than 1 % of the instructions belongs to no stage.
 
-With --first it counts what the first picture from a camera takes, of which most surfaces are not lit, against the next
-one from there: all cameras of a level one after the other, with what those before left in the caches. The ratio of each
-camera's two pictures, the level's 99th percentile of it, and what of the first pictures goes to lighting surfaces.
+With --first it compares each camera's first picture, most of whose surfaces are not lit yet, with its next one, for all
+cameras of a level in order, with the caches as left by earlier ones. Prints the median and the 99th percentile of the
+ratios of these pictures, the ratio of their sums, and the share of lighting surfaces in the first pictures.
 
 usage: tools/measure-frames stages [OPTIONS] [BUILD] [LEVEL CAMERAS [PALETTE]]
   BUILD              a folder built before (default: build)
@@ -30,7 +29,7 @@ import subprocess
 
 import runs
 
-# The stage of a source file of engine/, by the first pattern that fits; and of functions that several files share.
+# The stage of a source file of engine/, by the first matching pattern; and of functions that several files share.
 STAGES = [
     ("walk and boxes", r"visibility/(front_to_back|visible_set|brush_models|fragment_tree|model_cutter|eye|placed_box)|"
                        r"level/(side|pvs|bsp_tree|level)|frame/claims"),
@@ -55,7 +54,7 @@ SHARED_FUNCTIONS = [
     ("block set-up", r"SpanTarget|BlockList|TexelBlock"),
     ("other", r"^(__)?(mem(cpy|set|move)|(u?div|u?mod|mul)(mod)?ti)|clock_gettime|^operator (new|delete)|malloc|free|^std::"),
 ]
-# Of a throw-away renderer of this design, on another Quake level (e1m1) at 320x200; some stages were counted together.
+# From a throw-away renderer of this design, on another Quake level (e1m1) at 320x200; some stages were counted together.
 PROTOTYPE = {
     ("walk and boxes",): 0.50,
     ("transform, clip, project", "edge scan"): 1.18,
@@ -75,7 +74,7 @@ def symbols_of(path):
 
 
 def joined_files(path, root):
-    """{file below engine/ or the root: its text} of the files that a unity object is made of."""
+    """{file below engine/ or the root: its text} of the sources of a unity object."""
     with open(path[:-2]) as unity:
         names = re.findall(r'#include "(.*)"', unity.read())
     texts = {}
@@ -86,7 +85,7 @@ def joined_files(path, root):
 
 
 def defining_files(plain, texts):
-    """The files that define a function, by its name: that before the arguments, of the outermost function for a lambda."""
+    """The files that define a function of this name (without arguments; for a lambda, that of the outermost function)."""
     outer = re.sub(r"\(anonymous namespace\)::|\[abi:\w+\]", "", plain).split("::{lambda")[0]
     while re.search(r"<[^<>]*>", outer):
         outer = re.sub(r"<[^<>]*>", "", outer)
@@ -111,7 +110,7 @@ def symbol_sources(build):
                     found = {symbol: {source} for symbol in symbols_of(path)}
                 else:
                     continue
-                for symbol, names in found.items():  # these rooms do no stage's work
+                for symbol, names in found.items():  # these rooms belong to no stage
                     sources[symbol] |= {name for name in names if not name.startswith(("draw/", "files/", "methods/"))}
     if not sources:
         runs.fail("no object files in %s: build it first" % build)
@@ -124,9 +123,9 @@ def plain_names(symbols):
 
 
 def stage_of(plain, files):
-    """The stage of a function, None if there is none. One that files of several stages define comes from a header."""
+    """The stage of a function, or None. A function defined by files of several stages comes from a header."""
     short = plain.replace("oblong::", "").replace("(anonymous namespace)::", "")
-    for stage, pattern in SHARED_FUNCTIONS[:1]:  # of a file that is mostly of another stage
+    for stage, pattern in SHARED_FUNCTIONS[:1]:  # in a file of mostly another stage
         if re.search(pattern, short):
             return stage
     of_files = {next((stage for stage, pattern in STAGES if re.search(pattern, file)), None) for file in files}
@@ -136,7 +135,7 @@ def stage_of(plain, files):
 
 
 class Costs:
-    """Instructions a pixel of a level, by stage and by function."""
+    """A level's instructions a pixel, by stage and by function."""
 
     def __init__(self, place, instructions, sources, pixels):
         self.name = place.name
@@ -158,7 +157,7 @@ def mean_of(costs, stage):
 
 
 def print_table(costs, shows_prototype):
-    """A row a stage, a column a level; where several real levels are counted, their mean beside the prototype."""
+    """A row for each stage, a column for each level, then the mean of the real levels and the prototype."""
     real = [cost for cost in costs if cost.name != "demo"] or costs
     print("%-30s %s %9s%s" % ("instructions a pixel", "".join("%9s" % cost.name[:8] for cost in costs), "mean",
                               "   prototype" if shows_prototype else ""))
@@ -181,7 +180,7 @@ def print_functions(cost):
 
 
 def pairs_of_pictures(program, place, options, folder):
-    """Of every camera: instructions of its first picture, those of them that light surfaces, those of its next picture."""
+    """For each camera: the instructions of its first picture, those of them for lighting surfaces, those of its next picture."""
     names = [symbol for symbol in symbols_of(program) if "." not in symbol]
     frame, = (symbol for symbol in names if re.match("_ZN6oblong10draw_frame.*ViewSpec", symbol))
     light, = (symbol for symbol in names if symbol.startswith("_ZN6oblong17build_lit_surface"))
@@ -189,7 +188,7 @@ def pairs_of_pictures(program, place, options, folder):
     command = runs.render_command(program, place, 1, options.mode, options.render_options)
     runs.run_callgrind(command, path, ["--dump-after=" + frame, "--toggle-collect=" + frame])
     for camera in range(place.camera_count()):
-        # Of three pictures the second is the one whose pixels are counted.
+        # The second of three pictures is drawn only to count pixels.
         first, _, following = (runs.take_dump(path, 3 * camera + number) for number in (1, 2, 3))
         yield first[frame], first.get(light, 0), following[frame]
 

@@ -15,7 +15,7 @@ std::vector<std::uint8_t> make_texels(std::int32_t width, std::int32_t height) {
     return texels;
 }
 
-/// The whole screen is sky, looked at 20 degrees upward; in spans of a length.
+/// Only sky, 20 degrees upward, in spans of equal length.
 void time_sky(benchmark::State& state) {
     constexpr ScreenMode kMode;
     constexpr std::int32_t kSize = 128;
