@@ -1,14 +1,14 @@
-"""oblong-map beside qbsp, vis and light of ericw-tools on a folder of map sources: a row a map, taken in turns.
+"""Compares oblong-map with qbsp, vis and light of ericw-tools on a folder of map sources: a row for each map.
 
 usage: compare_ericw.py TOOLS MAPS [--map NAME]... [--oblong PROGRAM] [--threads N]... [--page FILE]
-  TOOLS      a folder with qbsp, vis and light, which are no part of this project
+  TOOLS      a folder with qbsp, vis and light, which are not part of this project
   MAPS       a folder of .map files whose key `wad` names files in it: fzwoch/quake_map_source
   --map      one of them; may be given several times (default: all)
   --oblong   (default: build/bin/oblong-map)
   --threads  may be given several times (default: 2 and 1)
-  --page     puts the table into that page, between "<!-- table compilers -->" and "<!-- end -->"
-Both take 16 points a sample of light (`light -extra4`). For what is seen, and for the light of the world's faces, their vis
-and light run on Oblong's own level, so that leaves and faces are the same.
+  --page     writes the table into this page, between "<!-- table compilers -->" and "<!-- end -->"
+Both use 16 points for each light sample (`light -extra4`). For comparing visibility and the light of the world's faces,
+their vis and light run on Oblong's own level, so that leaves and faces are the same.
 """
 import argparse
 import json
@@ -26,7 +26,7 @@ HEAD = ["map", "faces", "leaves", "portals", "leaves seen from a leaf", "pairs s
 
 
 def run(command, folder):
-    """Seconds on the clock."""
+    """Runs a command; returns the elapsed seconds."""
     begin = time.perf_counter()
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
     if done.returncode != 0:
@@ -35,7 +35,7 @@ def run(command, folder):
 
 
 class Level:
-    """What is compared of a compiled level, version 29."""
+    """The compared parts of a compiled level, version 29."""
 
     def __init__(self, path):
         with open(path, "rb") as file:
@@ -50,7 +50,7 @@ class Level:
         return self.bytes[offset:offset + size]
 
     def row(self, leaf):
-        """The leaves that leaf 1 + `leaf` sees: a number whose bit i is leaf 1 + i."""
+        """The leaves potentially visible from leaf 1 + `leaf`: a number whose bit i is leaf 1 + i."""
         at, row, size = self.leaves[leaf + 1][1], bytearray(), (self.leaf_count + 7) // 8
         if at < 0:
             return (1 << self.leaf_count) - 1
@@ -61,7 +61,7 @@ class Level:
         return int.from_bytes(row[:size], "little") & ((1 << self.leaf_count) - 1)
 
     def sample_counts(self):
-        """Of each face, 0 where it has no lightmap: texels are kept in floats."""
+        """The number of samples of each face, 0 without a lightmap; texels are rounded to floats."""
         vertices = list(struct.iter_unpack("<3f", self.lump(3)))
         edges, surf_edges = list(struct.iter_unpack("<HH", self.lump(12))), struct.unpack("<%di" % (len(self.lump(13)) // 4), self.lump(13))
         texinfos = list(struct.iter_unpack("<8fii", self.lump(6)))
@@ -78,14 +78,14 @@ class Level:
         return counts
 
     def lightmaps(self, counts):
-        """By face and style, bytes."""
+        """Bytes by face and style."""
         return [{style: self.lighting[face[9] + i * count:face[9] + (i + 1) * count]
                  for i, style in enumerate(face[5:9]) if style != 255 and face[9] >= 0}
                 for face, count in zip(self.faces, counts)]
 
 
 def compare_light(ours, theirs):
-    """The mean difference of the world's samples, and the share of them that differ by more than 8; of 255."""
+    """The mean difference of the world's samples, 0 to 255, and the share of those that differ by more than 8."""
     counts = ours.sample_counts()[:ours.world_faces]
     histogram = [0] * 256
     for count, a, b in zip(counts, ours.lightmaps(counts), theirs.lightmaps(counts)):
@@ -96,7 +96,7 @@ def compare_light(ours, theirs):
 
 
 def compare_visibility(ours, theirs):
-    """Leaves seen from a leaf, the mean; theirs; and the pairs that are ours and theirs alone."""
+    """The mean number of leaves visible from a leaf, ours and theirs; and the number of pairs only in ours and only in theirs."""
     rows = [(ours.row(i), theirs.row(i)) for i in range(ours.leaf_count)]
     return (statistics.mean(a.bit_count() for a, _ in rows), statistics.mean(b.bit_count() for _, b in rows),
             *(sum((x & ~y).bit_count() for x, y in pairs) for pairs in (rows, [(b, a) for a, b in rows])))
@@ -108,7 +108,7 @@ def portal_count(path):
 
 
 def write_with_clusters(path, level):
-    """The portals again, as PRT2: which leaves are a cluster, which is those that share a row."""
+    """Rewrites the portals as PRT2, with the leaves of each cluster: those that share a row."""
     with open(path) as file:
         lines = file.read().splitlines()
     clusters = {}
@@ -156,7 +156,7 @@ class Comparison:
 
 
 def table_of(rows, threads):
-    """A row a map, Oblong's figures first."""
+    """A row for each map, with Oblong's figures first."""
     head = [*HEAD, *("%s threads: s, theirs" % count for count in threads)]
     lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
     for name, (figures, times) in rows.items():

@@ -16,7 +16,7 @@
 namespace oblong::map {
 namespace {
 
-// The brushes of a level: those of the world, and those of each brush entity.
+// The brushes of a level: the world's, and each brush entity's.
 struct LevelBrushes {
     PlaneList planes;
     TextureList textures;
@@ -72,7 +72,7 @@ bool is_start_inside(const Leak& leak, const std::vector<const MapEntity*>& at_s
     return false;
 }
 
-// The player comes in that far above the place of a start or a teleporter's exit.
+// The player arrives at this height above a start or a teleporter's exit.
 double arrival_height(const MapEntity& entity) {
     return is_start(entity) ? 1 : 27;
 }
@@ -90,7 +90,7 @@ void check_arrivals(const Tree& player_hull, const PlaneList& planes, const std:
     }
 }
 
-// Places from which the void must not be reached, and whose they are.
+// Positions from which the void must not be reachable, and their entities.
 struct Inhabitants {
     std::vector<Point> starts;
     std::vector<const MapEntity*> at_start;
@@ -116,7 +116,7 @@ void check_world(const ModelResult& world, const Inhabitants& inhabitants, const
                          "the level encloses no space, expected a room around the entities");
 }
 
-// The world first.
+// The world is first.
 std::vector<CompiledModel> compile_models(LevelBrushes& level, const std::vector<MapEntity>& entities, bool is_draft,
                                           const WorkSharing& sharing) {
     const Inhabitants inhabitants = inhabitants_of(entities);
@@ -150,7 +150,7 @@ void check_same_brushes(bool are_same) {
         throw InputError("--only", "the brushes are not those of the level that is there, expected it without --only");
 }
 
-// Entities, and light if it is asked for, in a level whose brushes stay.
+// The former level with new entities, and new light if required.
 BspFile changed_level(const std::vector<MapEntity>& entities, const LevelBrushes& brushes,
                       const CompileOptions& options, const WorkSharing& sharing) {
     sharing.begin("tree", 1);
@@ -217,7 +217,7 @@ BspFile compile_map(std::vector<MapEntity> entities, const std::vector<Wad>& wad
     const std::vector<int> leaf_indices = emitter.add_model(world);
     for (std::size_t i = 1; i < models.size(); ++i) emitter.add_model(models[i]);
     bsp.entities = entities_text(entities);
-    check_size(bsp);  // before the passes that take long
+    check_size(bsp);  // before the long passes
     if (options.warnings != nullptr) {
         find_unused_wads(wads, level.textures.names(), *options.warnings);
         find_level_warnings(bsp, entities, level.textures.names(), *options.warnings);

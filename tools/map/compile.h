@@ -14,23 +14,24 @@ struct Palette;
 
 namespace oblong::map {
 
-/// What is made anew; the rest is taken from a former level.
+/// The parts to compile; the rest is taken from an earlier level.
 enum class CompilePart { All, Entities, Light, Visibility };
 
 struct CompileOptions {
-    bool is_fast = false;   ///< rougher visibility and light, and no hull of its own for large bodies
+    bool is_fast = false;   ///< rougher visibility and light, and no separate hull for large bodies
     bool has_dirt = false;  ///< LightOptions
     bool has_bounce = false;
     const Palette* palette = nullptr;
-    Warnings* warnings = nullptr;  ///< collects what is odd, but compiled all the same
-    Workers* workers = nullptr;    ///< share in the work; the level does not depend on them
+    Warnings* warnings = nullptr;  ///< collects oddities that do not prevent compilation
+    Workers* workers = nullptr;    ///< share the work, without effect on the level
     CompileProgress* progress = nullptr;
-    PortalFile* portals = nullptr;  ///< receives them
+    PortalFile* portals = nullptr;  ///< receives the portals
     CompilePart part = CompilePart::All;
-    BspFile former = {};  ///< unless all is made: what compile_map() made of a source with the same brushes
+    BspFile former = {};  ///< for a part: an earlier result of compile_map() with the same brushes
 };
 
-/// An entity of the level is open to the void around it: it leaks there or, where the start is sealed, it is outside.
+/// An entity is connected with the void around the level: the level leaks or, if the start is sealed, the entity is
+/// outside.
 class LeakError : public InputError {
   public:
     LeakError(const MapEntity& entity, std::vector<Point> way_out, bool is_start_inside);
@@ -38,8 +39,8 @@ class LeakError : public InputError {
     std::vector<Point> path;  ///< from the entity to the void
 };
 
-/// Compiles what parse_map() read with the textures of the WADs. Throws InputError (LeakError); also where the former
-/// level shows that the brushes have changed.
+/// Compiles the result of parse_map() with the textures of the WADs. Throws InputError (LeakError), also if the brushes
+/// differ from those of the former level.
 BspFile compile_map(std::vector<MapEntity> entities, const std::vector<Wad>& wads, const CompileOptions& options);
 
 /// A path as text, one point a line: "x y z".

@@ -25,7 +25,7 @@ using namespace oblong;
 struct Arguments {
     std::string input, output, fgd, game, portals, trenchbroom, only, reads;
     map::TextureSources textures;
-    std::int64_t threads = 0;  // as many as there are processors
+    std::int64_t threads = 0;  // 0: one for each processor
     bool is_fast = false, is_strict = false, has_dirt = false, has_bounce = false;
 };
 
@@ -91,7 +91,7 @@ class Reporter {
     int count_ = 0;
 };
 
-// As the game will take them; in the level they keep their classes.
+// With the classes' meanings in the game; the level keeps the original classes.
 std::vector<map::MapEntity> with_known_classes(std::vector<map::MapEntity> entities, const std::string& folder) {
     const GameDefinition game = read_game_definition(folder);
     for (map::MapEntity& entity : entities) {
@@ -111,7 +111,7 @@ map::CompilePart parse_part(const std::string& name) {
     throw UsageError("--only: '" + name + "', expected entities, light or vis");
 }
 
-// What a name means in the source at `path`.
+// The path of a name in the source at `path`.
 std::string external_path(std::string name, const std::string& path) {
     std::replace(name.begin(), name.end(), '\\', '/');
     return (std::filesystem::path(path).parent_path() / name).string();
@@ -124,7 +124,7 @@ map::ExternalSource read_external(const std::string& name, const std::string& fo
     return {std::filesystem::weakly_canonical(found).string(), read_text(found)};
 }
 
-// `files`: receives the names of the others that are read, before they are.
+// `files`: receives the names of the other files before they are read.
 std::string compile(const Arguments& arguments, const std::string& text, const char* called_as,
                     std::vector<std::string>& files) {
     std::vector<map::MapEntity> entities = map::parse_map(text);
@@ -189,7 +189,7 @@ void compile_to_file(const Arguments& arguments, const char* called_as) {
         throw;
     }
     tell_files();
-    const std::string points = points_path(arguments);  // the way out of a leak that is closed now
+    const std::string points = points_path(arguments);  // the path of an earlier leak
     if (points != arguments.output && std::filesystem::is_regular_file(points)) std::filesystem::remove(points);
 }
 

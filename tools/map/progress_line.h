@@ -8,8 +8,8 @@
 
 namespace oblong::map {
 
-/// Says on standard error how far a compilation is and how many seconds its stage has left: from its second second on,
-/// on a terminal one line that is written over, elsewhere a line every five seconds.
+/// Shows a compilation's progress and its stage's remaining seconds on standard error: from its second second on, on a
+/// terminal as one line that is overwritten, else as a line every five seconds.
 class ProgressLine final : public CompileProgress {
   public:
     ProgressLine();
@@ -17,9 +17,9 @@ class ProgressLine final : public CompileProgress {
 
     void begin(const char* stage, std::size_t steps) override;
     void step(std::size_t steps) override;
-    void clear();  ///< makes room for other lines
+    void clear();  ///< removes the line before other output
 
-    /// "tree 0.3 s, visibility 2.1 s, light 4.0 s": what the stages took; ends the last one.
+    /// "tree 0.3 s, visibility 2.1 s, light 4.0 s": the times of the stages; ends the last one.
     std::string times();
 
   private:

@@ -50,7 +50,8 @@ Wad read_source(const TextureSources& sources, const std::string& path, const ch
 }
 
 std::string found_source(const std::string& name, int line, const fs::path& folder, const char* called_as) {
-    const fs::path as_named = folder / name, beside = folder / fs::path(name).filename();  // an absolute one stays
+    const fs::path as_named = folder / name,
+                   beside = folder / fs::path(name).filename();  // an absolute name is unchanged
     for (const fs::path& path : {as_named, beside})
         if (fs::exists(path)) return path.string();
     const fs::path own = fs::path(assets_folder(called_as)) / fs::path(name).filename();
@@ -63,7 +64,7 @@ std::string found_source(const std::string& name, int line, const fs::path& fold
 
 struct NamedSource {
     std::string path, name;
-    int line = 0;  // 0: the map does not name it
+    int line = 0;  // 0: not from the map
 };
 
 std::vector<NamedSource> named_sources(const MapEntity& world, const std::string& map_path, const char* called_as) {

@@ -20,7 +20,7 @@ fs::path without_tilde(const std::string& folder) {
     return fs::path(home) / folder.substr(2);
 }
 
-// Within quotes in one of the editor's files.
+// For a quoted string in one of the editor's files.
 std::string escaped(const std::string& text) {
     std::string out;
     for (const char letter : text) {
@@ -42,7 +42,7 @@ void copy_folder(const fs::path& from, const fs::path& to) {
         if (file.is_regular_file()) write_file((to / file.path().filename()).string(), read_file(file.path().string()));
 }
 
-// The mapper's own may be the first of several that were kept.
+// Numbered, so that files that were kept earlier stay.
 std::string free_name_beside(const fs::path& path) {
     std::string name = path.string() + ".old";
     for (int number = 2; fs::exists(fs::symlink_status(name)); ++number)

@@ -42,7 +42,7 @@ class Items final : public SharedWork {
     CompileProgress* progress_;
     std::atomic<std::size_t> done_ = 0;
     std::size_t told_ = 0;
-    std::mutex mutex_;  // of the error
+    std::mutex mutex_;  // guards error_ and failed_
     std::uint32_t failed_ = 0;
     std::exception_ptr error_;
 };

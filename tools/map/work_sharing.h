@@ -7,27 +7,27 @@
 
 namespace oblong::map {
 
-/// Is told how far a compilation is, always by the thread that compiles.
+/// Receives a compilation's progress, always in the thread that compiles.
 class CompileProgress {
   public:
     virtual ~CompileProgress() = default;
     virtual void begin(const char* stage, std::size_t steps) = 0;
-    virtual void step(std::size_t steps) = 0;  ///< that many more are done
+    virtual void step(std::size_t steps) = 0;  ///< `steps` more are done
 };
 
-/// Shares work in items among threads. What is made does not depend on how many there are.
+/// Shares items of work among threads. The result does not depend on the number of threads.
 class WorkSharing {
   public:
-    /// Without workers the caller does all; either may be null.
+    /// Either may be null; without workers the caller does all work.
     WorkSharing(Workers* workers, CompileProgress* progress) : workers_(workers), progress_(progress) {}
 
-    /// A stage of so many items, of one for_each() or several.
+    /// Begins a stage of `items` items, in one or more for_each().
     void begin(const char* stage, std::size_t items) const {
         if (progress_ != nullptr) progress_->begin(stage, items);
     }
 
-    /// Calls do_item(0) to do_item(count - 1), each once, in any order, several at a time. Throws what the
-    /// first of them in that order threw, after all have ended.
+    /// Calls do_item(0) to do_item(count - 1), each once, in any order, several at a time. After all have ended,
+    /// rethrows the exception of the failed item with the lowest number.
     void for_each(std::size_t count, const std::function<void(std::size_t)>& do_item) const;
 
   private:

@@ -7,7 +7,7 @@ namespace oblong::map {
 namespace {
 
 constexpr double kSkyDistance = 8192;
-constexpr double kLeastShade = 4 / kRangeScale;  // one of the 64 that a level's light is drawn with
+constexpr double kLeastShade = 4 / kRangeScale;  // one of the 64 shades of drawn light
 
 double incidence(double cosine) {
     return (1 + cosine) / 2;
@@ -32,7 +32,7 @@ double light_from_sun(const Sun& sun, const Point& point, const Point& normal, c
     return met == contents::kSky ? sun.brightness * incidence(cosine) : 0;
 }
 
-// The points that each sample is the mean of: a square of them, a step wide.
+// The points whose mean is a sample: a square, one step wide.
 std::vector<std::vector<Point>> sample_points(const FaceSampler& sampler, bool is_fast) {
     const std::vector<double> offsets =
         is_fast ? std::vector<double>{0} : std::vector<double>{-0.375, -0.125, 0.125, 0.375};
@@ -48,7 +48,7 @@ std::vector<std::vector<Point>> sample_points(const FaceSampler& sampler, bool i
     return samples;
 }
 
-// `light_at`: of a point and the normal there.
+// `light_at`: the light at a point with a normal.
 template <class LightAt>
 void add_light_at(Samples& sums, const FaceSampler& sampler, const std::vector<std::vector<Point>>& samples,
                   LightAt light_at) {

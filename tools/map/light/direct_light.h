@@ -9,15 +9,15 @@
 
 namespace oblong::map {
 
-/// From light, of which a lamp of 255 is 255 at no distance, to the bytes of a level.
+/// From light (a lamp of 255 at distance 0 is 255) to a level's bytes.
 inline constexpr double kRangeScale = 0.5;
 
-/// A face's light, sample by sample, of one style; and of all styles that shine on it.
+/// A face's light by sample, of one style; and of all its styles.
 using Samples = std::vector<double>;
 using StyleSamples = std::map<int, Samples>;
 
-/// What arrives at the samples of a face from each source that they see. `is_fast`: one ray a sample and source instead
-/// of sixteen. `is_seen` is told of each source that lights some point by a shade that can be seen.
+/// The light at a face's samples from each source visible there. `is_fast`: one ray a sample and source instead of
+/// sixteen. Calls `is_seen` for each source that lights a point by at least one visible shade.
 StyleSamples direct_light(const FaceSampler& sampler, const std::vector<const LightSource*>& sources, const Sun& sun,
                           const Tracer& tracer, bool is_fast, const std::function<void(const LightSource&)>& is_seen);
 

@@ -7,7 +7,7 @@ namespace oblong::map {
 
 namespace {
 
-// Kept in a float, as engines keep it.
+// A float, as in engines.
 float texel_at(const FileTexAxis& axis, const Floats& point) {
     return static_cast<float>(dot(to_point(axis.direction), to_point(point)) + static_cast<double>(axis.offset));
 }
@@ -20,7 +20,7 @@ Point nearest_on_segment(const Point& point, const Point& from, const Point& to)
 
 }  // namespace
 
-// Worked out from the numbers in the file, as a reader does.
+// Computed from the file's numbers, as by readers.
 LightGrid light_grid(const BspFile& bsp, const FileFace& face) {
     const auto corners = face_corners(bsp, face);
     const FileTexInfo& texinfo = item(bsp.texinfos, face.texinfo);
@@ -70,7 +70,7 @@ FaceSampler::FaceSampler(const BspFile& bsp, const FileFace& face, std::vector<P
         edges_.push_back({outward, dot(outward, corners_[i])});
     }
 
-    // u = s . p + s0, v = t . p + t0, distance = n . p, solved for p by Cramer's rule.
+    // u = s . p + s0, v = t . p + t0, distance = n . p, solved for p with Cramer's rule.
     const FileTexInfo& texinfo = item(bsp.texinfos, face.texinfo);
     const Point s = to_point(texinfo.axes[0].direction), t = to_point(texinfo.axes[1].direction);
     axes_ = {s, t};
@@ -93,7 +93,7 @@ Point FaceSampler::point_at(double u, double v) const {
     return tracer_.is_clear(over_face, point) ? point : over_face;
 }
 
-// Linear in each triangle of the middle and an edge.
+// Linear in each triangle between the middle and an edge.
 Point FaceSampler::normal_at(const Point& point) const {
     if (corner_normals_.empty()) return normal_;
     Point sum;
@@ -110,7 +110,7 @@ Point FaceSampler::normal_at(const Point& point) const {
         const double inside = std::min(share_a, share_b);
         if (inside <= most_inside) continue;
         most_inside = inside;
-        const double sum_of_shares = std::max(share_a + share_b, 1.0);  // beyond the edge: on it
+        const double sum_of_shares = std::max(share_a + share_b, 1.0);  // clamped to the edge
         best = corner_normals_[i] * (std::max(share_a, 0.0) / sum_of_shares) +
                corner_normals_[next] * (std::max(share_b, 0.0) / sum_of_shares) +
                middle_normal * (1 - std::clamp(share_a + share_b, 0.0, 1.0));
@@ -131,7 +131,7 @@ std::optional<std::size_t> FaceSampler::sample_at(const Point& point) const {
     return as_size(place[1] * grid_.count[0] + place[0]);
 }
 
-// Within the polygon the point itself; else on its nearest edge, and a little inward.
+// The point itself if it is in the polygon; else slightly inward of the nearest point on its edges.
 Point FaceSampler::nearest_over_face(const Point& point) const {
     if (std::all_of(edges_.begin(), edges_.end(),
                     [&](const Plane& edge) { return edge.height_of(point) < -kInset - kSlack; }))

@@ -12,8 +12,8 @@ namespace oblong::map {
 std::vector<Floats> face_corners(const BspFile& bsp, const FileFace& face);
 Point face_normal(const BspFile& bsp, const FileFace& face);
 
-/// The samples of a face's lightmap: at every 16th texel, from the multiple of 16 at or below the least texel of its
-/// corners to the one at or above the greatest.
+/// The samples of a face's lightmap: at multiples of 16 texels, from the one at or below its corners' least texel to
+/// the one at or above the greatest.
 struct LightGrid {
     static constexpr int kStep = 16;
     std::array<int, 2> first{};  ///< in steps: texel / kStep
@@ -21,10 +21,10 @@ struct LightGrid {
 };
 LightGrid light_grid(const BspFile& bsp, const FileFace& face);
 
-/// Where light is measured for the samples of a face's lightmap.
+/// The points at which the samples of a face's lightmap are measured.
 class FaceSampler {
   public:
-    /// `corner_normals`: of light, one a corner; empty: the face's own everywhere.
+    /// `corner_normals`: for light, one for each corner; empty: the face's normal everywhere.
     FaceSampler(const BspFile& bsp, const FileFace& face, std::vector<Point> corner_normals, const Tracer& tracer);
 
     const Point& normal() const { return normal_; }
@@ -32,14 +32,14 @@ class FaceSampler {
     const Point& centre() const { return centre_; }
     double radius() const { return radius_; }
 
-    /// The point, kLift over the face, at sample (u, v) of the grid (fractions lie between samples). One that is
-    /// inside of a wall or beyond it moves to the nearest point over the face itself.
+    /// The point, kLift above the face, at sample (u, v) of the grid (fractions: between samples). A point inside or
+    /// behind a wall moves to the nearest point above the face.
     Point point_at(double u, double v) const;
 
-    /// The normal that light meets at a point over the face.
+    /// The normal for light at a point above the face.
     Point normal_at(const Point& point) const;
 
-    /// The index of the sample that is nearest to a point of the face's plane; none where it is not on the face.
+    /// The index of the sample that is nearest to a point of the face's plane; none if the point is not on the face.
     std::optional<std::size_t> sample_at(const Point& point) const;
 
   private:
@@ -51,7 +51,7 @@ class FaceSampler {
     LightGrid grid_;
     Point normal_;
     std::vector<Point> corners_;  // lifted
-    std::vector<Plane> edges_;    // stand on the face along its edges, and face away from it
+    std::vector<Plane> edges_;    // perpendicular to the face through its edges, facing outward
     std::vector<Point> corner_normals_;
     std::array<Point, 2> axes_;  // of texels
     std::array<double, 2> offsets_{};

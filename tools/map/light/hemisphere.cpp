@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kFar = 8192;
 
-// Two directions at right angles to a normal and to each other.
+// Two directions perpendicular to a normal and to each other.
 std::array<Point, 2> tangents(const Point& normal) {
     const Point aside = cross(normal, axis_vector(std::abs(normal.z) < 0.7 ? 2 : 0));
     const Point first = aside * (1 / length(aside));
@@ -26,7 +26,7 @@ Hemisphere HemisphereRays::gather(
     const double share = 1.0 / (rings_ * rings_);
     Hemisphere seen;
     for (int ring = 0; ring < rings_; ++ring) {
-        const double sine_squared = (ring + shift) / rings_;  // evenly spread: by Lambert's law
+        const double sine_squared = (ring + shift) / rings_;  // evenly spaced, for Lambert's law
         const double sine = std::sqrt(sine_squared), cosine = std::sqrt(1 - sine_squared);
         for (int i = 0; i < rings_; ++i) {
             const double angle = 2 * std::numbers::pi * (i + turn + 0.5 * (ring % 2)) / rings_;

@@ -6,22 +6,22 @@
 
 namespace oblong::map {
 
-/// What is seen from a point of a surface over its hemisphere, each direction counted by the cosine of its angle to the
-/// normal (Lambert's law): a mean over rays.
+/// The view from a surface point over its hemisphere, a mean over rays weighted by the cosine of their angle to the
+/// normal (Lambert's law).
 struct Hemisphere {
-    double sky_above = 0, sky_below = 0;  ///< the shares in which sky is seen, above the horizon and below
-    double shut = 0;                      ///< 0: open, 1: shut in: of a hit at distance d nearer than D, 1 - d / D
-    double light = 0;                     ///< the mean light of the surfaces that are seen
+    double sky_above = 0, sky_below = 0;  ///< the shares of sky above and below the horizon
+    double shut = 0;                      ///< 0: open, 1: enclosed; 1 - d / D for a hit at distance d < D
+    double light = 0;                     ///< the mean light of visible surfaces
 };
 
-/// Directions of a hemisphere, spread evenly by that law: as many around as there are rings.
+/// Directions of a hemisphere, evenly distributed by that law, with `rings` directions in each ring.
 class HemisphereRays {
   public:
-    /// `patterns`: how many sets there are, which together are as one finer set.
+    /// `patterns`: the number of sets, which together form one finer set.
     HemisphereRays(int rings, int patterns) : rings_(rings), patterns_(patterns) {}
 
-    /// `dirt_depth`: D above. `light_at` gives a surface's light at a point of it, which the ray that leads to it hit;
-    /// null: none is asked for.
+    /// `dirt_depth`: D above. `light_at` gives a surface's light at a point hit by a ray of some direction; null: not
+    /// needed.
     Hemisphere gather(const Point& point, const Point& normal, int pattern, double dirt_depth, const Tracer& tracer,
                       const std::function<double(const Point&, const RayHit&, const Point&)>& light_at) const;
 

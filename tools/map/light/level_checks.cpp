@@ -11,9 +11,9 @@
 namespace oblong::map {
 namespace {
 
-// An engine's first cache of lit surfaces has room for so many texels, or hardly more.
+// About the initial size of an engine's cache of lit surfaces.
 constexpr double kMostTexels = 2048.0 * 2048;
-// A level may have that many samples of light more than it needs: a quarter.
+// A level may have a quarter more light samples than needed.
 constexpr int kSpareShare = 4, kFewSamples = 64;
 
 bool is_lit(const BspFile& bsp, const FileFace& face) {
@@ -38,7 +38,7 @@ bool faces_as(const MapSide& side, const Point& normal, const Point& point) {
     return dot(plane.normal, normal) > kLeastCosine && std::abs(plane.height_of(point)) < kSlack;
 }
 
-// The line of the side that a face shows; the world's if none is found (a sliver).
+// The line of a face's side; the world's if none is found (a sliver).
 int line_of(const BspFile& bsp, const std::vector<MapEntity>& entities, const FileFace& face) {
     const Point normal = face_normal(bsp, face), point = middle(winding_of_face(bsp, face));
     const std::string texture = texture_name(bsp, face);
@@ -89,7 +89,8 @@ class LevelChecker {
         }
     }
 
-    // A lightmap has samples at the multiples of 16 texels: a face between two of them has one more than it needs.
+    // Lightmaps have samples at multiples of 16 texels; a face whose edges are between them has more samples than
+    // needed.
     void check_light_grid() {
         long samples = 0, needed = 0;
         int most = 0;

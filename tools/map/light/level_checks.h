@@ -8,13 +8,13 @@
 
 namespace oblong::map {
 
-/// What is odd about a level that is compiled, each with a line of its source: textures that nothing shows, surfaces
-/// and lists that are too large, and textures that lie so that much of the light is for nothing. `names` are those of
-/// the level's first textures.
+/// Warns of oddities of a compiled level, each with its source line: textures that are on no visible face, too large
+/// surfaces and lists, and textures whose alignment wastes light samples. `names` are those of the level's first
+/// textures.
 void find_level_warnings(const BspFile& bsp, const std::vector<MapEntity>& entities,
                          const std::vector<TextureUse>& names, Warnings& warnings);
 
-/// WADs from which no texture of these names comes.
+/// Warns of WADs that provide none of these textures.
 void find_unused_wads(const std::vector<Wad>& wads, const std::vector<TextureUse>& names, Warnings& warnings);
 
 }  // namespace oblong::map

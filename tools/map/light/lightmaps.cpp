@@ -18,13 +18,13 @@ namespace oblong::map {
 namespace {
 
 constexpr std::size_t kMaxStyles = 4;
-constexpr int kNudge = 2;  // units that a lamp in a wall is moved
+constexpr int kNudge = 2;  // units by which a lamp in a wall is moved
 
 double sum_of(const Samples& samples) {
     return std::accumulate(samples.begin(), samples.end(), 0.0);
 }
 
-// A face has room for four: the dimmest go.
+// A face can store four: removes the dimmest.
 void keep_brightest(StyleSamples& styles) {
     while (styles.size() > kMaxStyles)
         styles.erase(std::min_element(styles.begin(), styles.end(), [](const auto& a, const auto& b) {
@@ -43,7 +43,7 @@ void store_styles(BspFile& bsp, FileFace& face, const StyleSamples& styles) {
     }
 }
 
-// The first place 2 units along an axis that is no wall: samples are 1 unit over their faces.
+// The first position outside walls 2 units away along an axis: samples are 1 unit above their faces.
 std::optional<Point> place_beside_wall(const Point& point, const Tracer& tracer) {
     for (int direction = 0; direction < 6; ++direction) {
         Point place = point;
@@ -53,7 +53,7 @@ std::optional<Point> place_beside_wall(const Point& point, const Tracer& tracer)
     return std::nullopt;
 }
 
-// As ericw-tools' `light` does. Lamps deeper in a wall light nothing; those with a radius may stand in their own body.
+// As in ericw-tools' `light`. Lamps deeper in a wall light nothing; lamps with a radius may be inside their own body.
 void move_out_of_walls(std::vector<LightSource>& sources, const Tracer& tracer, Warnings* warnings) {
     for (LightSource& source : sources) {
         if (source.radius > 0 || !tracer.is_solid(source.origin)) continue;
@@ -67,7 +67,7 @@ void move_out_of_walls(std::vector<LightSource>& sources, const Tracer& tracer, 
     }
 }
 
-// Faces of a model follow one another.
+// A model's faces are consecutive.
 std::vector<double> least_light_of_faces(const BspFile& bsp, const std::vector<double>& of_models) {
     std::vector<double> least;
     for (std::size_t model = 0; model < bsp.models.size(); ++model)
@@ -75,7 +75,7 @@ std::vector<double> least_light_of_faces(const BspFile& bsp, const std::vector<d
     return least;
 }
 
-// How much of the light that falls on each texture leaves it again: the mean luminance of its texels.
+// The share of light that each texture reflects: the mean luminance of its texels.
 std::vector<double> reflectances(const BspFile& bsp, const Palette* palette) {
     std::vector<double> shares;
     for (const std::string& miptex : bsp.textures) {
@@ -89,7 +89,7 @@ std::vector<double> reflectances(const BspFile& bsp, const Palette* palette) {
     return shares;
 }
 
-// The lights of one level, face by face.
+// Lights the faces of a level.
 class LightPass {
   public:
     LightPass(BspFile& bsp, const std::vector<MapEntity>& entities, const LightOptions& options,
@@ -137,7 +137,7 @@ class LightPass {
                                            "it nearer to what it lights");
     }
 
-    // Once for sky and dirt, with the first bounce; and once more for each further bounce.
+    // The first pass is for sky, dirt and the first bounce; each further pass is for a bounce.
     void add_hemisphere_light() {
         const HemisphereSettings& settings = lights_.hemisphere;
         std::vector<Samples> last(samplers_.size()), next(samplers_.size()), shut(samplers_.size());
@@ -177,8 +177,8 @@ class LightPass {
         for (auto& [style, samples] : styles_[face]) samples[sample] *= 1 - dirt;
     }
 
-    // Light is the same at neighbouring samples nearly everywhere, so that each takes a ninth of the rays, and the mean
-    // of nine neighbours has all.
+    // Light is nearly the same at neighbouring samples, so that each traces a ninth of the rays, and the mean of nine
+    // neighbours covers all.
     std::vector<Hemisphere> seen_from(const FaceSampler& sampler, const SurfaceLight& light_at) const {
         const HemisphereRays rays(options_.is_fast ? 4 : 8, 9);
         const auto [width, height] = sampler.grid().count;

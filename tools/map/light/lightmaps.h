@@ -14,19 +14,19 @@ struct Palette;
 namespace oblong::map {
 
 struct LightOptions {
-    bool is_fast = false;              ///< one ray a sample and source instead of sixteen, and fewer of the hemisphere
-    bool has_dirt = false;             ///< as worldspawn's _dirt 1
-    bool has_bounce = false;           ///< as its _bounce 1, unless it says more
-    Warnings* warnings = nullptr;      ///< of lamps that stand in walls and light nothing, if not null
-    const Palette* palette = nullptr;  ///< how bright textures are, for bounces; null: all half
+    bool is_fast = false;          ///< one ray a sample and source instead of sixteen, and fewer rays of the hemisphere
+    bool has_dirt = false;         ///< as worldspawn's _dirt 1
+    bool has_bounce = false;       ///< as its _bounce 1, unless it says more
+    Warnings* warnings = nullptr;  ///< of lamps in walls, which light nothing; may be null
+    const Palette* palette = nullptr;    ///< for the brightness of textures in bounces; null: all half
     std::vector<double> smooth_degrees;  ///< by texinfo: see smooth_normals()
 };
 
-/// Gives every lit face a lightmap of direct light: of each source that a sample sees, what arrives at its distance,
+/// Gives every lit face a lightmap of direct light: for each source visible from a sample, its light at that distance
 /// times (1 + the cosine of the angle of incidence) / 2, halved (so that 255 is twice as bright as a lamp of 255 at
-/// no distance). Each light style is a lightmap of its own, at most four for a face: the brightest. A face without
-/// light gets none. To that comes, if worldspawn or the options ask for it, what arrives from the hemisphere over a
-/// sample: from sky, and from other faces of the world; and less of the direct light arrives in corners.
+/// distance 0). Each light style has its own lightmap; a face keeps the four brightest. A face without light gets none.
+/// If worldspawn or the options require it, adds light from the hemisphere over a sample, from sky and from other faces
+/// of the world, and reduces direct light in corners.
 void add_light(BspFile& bsp, const std::vector<MapEntity>& entities, const LightOptions& options,
                const WorkSharing& sharing);
 

@@ -30,7 +30,7 @@ LightReach::LightReach(const BspFile& bsp, const Tracer& tracer, const std::vect
                 sees_sky = sees_sky || is_sky(bsp, item(bsp.faces, face));
             }
         }
-        if (sees_sky) reached.assign(world_face_count_, true);  // what is behind a sky is in no set
+        if (sees_sky) reached.assign(world_face_count_, true);  // faces behind a sky are in no set
     }
 }
 

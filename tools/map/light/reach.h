@@ -5,12 +5,12 @@
 
 namespace oblong::map {
 
-/// Which faces of the world each source may light, by the sets of potentially visible leaves: spares most rays.
+/// The faces of the world that each source may light, by potentially visible sets: avoids most rays.
 class LightReach {
   public:
     LightReach(const BspFile& bsp, const Tracer& tracer, const std::vector<LightSource>& sources);
 
-    /// True for faces of brush entities always: they move.
+    /// Always true for faces of brush entities, which move.
     bool may_light(std::size_t source, std::size_t face) const {
         return face >= world_face_count_ || reached_[source][face];
     }
@@ -20,7 +20,7 @@ class LightReach {
     std::vector<std::vector<bool>> reached_;  // of each source, by face
 };
 
-/// Sources that may light some of the face.
+/// The sources that may light a part of the face.
 std::vector<const LightSource*> sources_near(const std::vector<LightSource>& sources, const LightReach& reach,
                                              std::size_t face, const FaceSampler& sampler);
 

@@ -10,7 +10,7 @@
 namespace oblong::map {
 namespace {
 
-// A face at one of its corners.
+// A corner of a face.
 struct FaceCorner {
     Point normal;
     double limit_degrees = 0, angle = 0;

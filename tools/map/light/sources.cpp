@@ -22,7 +22,7 @@ double radians(double degrees) {
     return degrees * std::numbers::pi / 180;
 }
 
-/// What a key of lights is where it is not given.
+/// The default of a light's key.
 double usual(std::string_view key) {
     return std::stod(std::string(usual_text("light", key)));
 }
@@ -41,7 +41,7 @@ bool is_light(const MapEntity& entity) {
     return role_of(entity) == ClassRole::Lamp;
 }
 
-// As in id's own compiler, any other thing with a key "light" shines, where that key is not its class's own.
+// As in id's compiler, any other entity with a key "light" shines, unless its class has its own key of that name.
 bool shines(const MapEntity& entity) {
     if (!entity.has("light") || !entity.brushes.empty()) return false;
     const EntityClass* const its_class = find_entity_class(entity.value("classname"));
@@ -77,7 +77,7 @@ std::optional<Point> spot_direction(const MapEntity& entity, const Point& origin
     return towards * (1 / distance);
 }
 
-// "light" and "_light" may be a number, or a colour and perhaps a number: "red green blue brightness".
+// "light" and "_light" may be a number, or a colour with an optional number: "red green blue brightness".
 double brightness_of(const MapEntity& entity) {
     const std::string key = entity.has("light") ? "light" : "_light";
     if (!entity.has(key)) return usual("light");
@@ -86,7 +86,7 @@ double brightness_of(const MapEntity& entity) {
     return words < 4 ? number_of(entity, key, 0) : numbers_of(entity, key, 4).back();
 }
 
-// "red green blue", 0 to 255 or 0 to 1: a level has shades only, so that a colour counts by its luminance (BT.601).
+// "red green blue", 0 to 255 or 0 to 1: a level has only shades, so that a colour is reduced to its luminance (BT.601).
 double luminance_of_colour(const MapEntity& entity) {
     if (!entity.has("_color")) return 1;
     const auto colour = numbers_of(entity, "_color", 3);
@@ -103,7 +103,7 @@ LightSource source_of(const MapEntity& entity, const Point& origin, const std::v
     source.brightness = std::abs(brightness);
     source.luminance = luminance_of_colour(entity);
     source.is_subtracted = brightness < 0;
-    if (!is_light(entity)) return source;  // its other keys are not those of lights
+    if (!is_light(entity)) return source;  // its other keys have other meanings
     source.wait = value_of(entity, "wait");
     if (source.wait <= 0) source.wait = usual("wait");
     const double delay = value_of(entity, "delay");
@@ -123,7 +123,7 @@ LightSource source_of(const MapEntity& entity, const Point& origin, const std::v
     return source;
 }
 
-// The switchable styles that no light has by its key: one with a "pattern" of its own, say.
+// The switchable styles that are not set by a light's key "style", for example with its own "pattern".
 std::vector<int> styles_left_free(const std::vector<MapEntity>& entities) {
     std::set<int> taken;
     for (const MapEntity& entity : entities) {
@@ -141,8 +141,8 @@ HemisphereSettings hemisphere_of(const MapEntity& world) {
         return number_of(world, key, std::stod(std::string(usual_text("worldspawn", key))));
     };
     HemisphereSettings settings;
-    // In ericw-tools these are suns all over the sky, which share the brightness and count by (1 + cosine) / 2 as lamps
-    // do: the mean of that over an open half of directions is 3/4.
+    // In ericw-tools these are suns all over the sky, which share the brightness and are weighted by (1 + cosine) / 2
+    // like lamps: the mean over an open hemisphere is 3/4.
     constexpr double kDome = 0.75;
     settings.sunlight2 = kDome * std::max(value("_sunlight2"), 0.0);
     settings.sunlight3 = kDome * std::max(value("_sunlight3"), 0.0);

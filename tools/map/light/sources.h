@@ -8,7 +8,7 @@
 
 namespace oblong::map {
 
-/// How light fades with distance d (in world units, times the key "wait"), as the key "delay" says.
+/// How light fades with distance d (world units, times the key "wait"), by the key "delay".
 enum class Falloff {
     kLinear = 0,         ///< light - d
     kInverse = 1,        ///< light / (d / 128)
@@ -17,27 +17,27 @@ enum class Falloff {
     kFarther = 5,        ///< light / ((d + 128) / 128)^2
 };
 
-/// An entity `light...`, or another with a key light that is nothing else for its class. Its keys, and what they are
-/// where they are not given: engine/level/entity_classes.
+/// An entity `light...`, or another entity with a key "light" that has no other meaning for its class. For the keys and
+/// their defaults see engine/level/entity_classes.
 struct LightSource {
     Point origin;
-    double brightness = 0;       ///< at least 0: also how far it reaches
-    double luminance = 1;        ///< of its colour: what arrives is that much of it
-    bool is_subtracted = false;  ///< the key was negative: takes light away
+    double brightness = 0;       ///< at least 0: also determines its range
+    double luminance = 1;        ///< of its colour: a factor of its light
+    bool is_subtracted = false;  ///< the key was negative: subtracts light
     double wait = 1;
     Falloff falloff = Falloff::kLinear;
     int style = 0;
     const MapEntity* entity = nullptr;
     std::optional<Point> direction;  ///< of a spotlight
     double cone_cosine = -1;         ///< of half of the spotlight's opening
-    double radius = 0;               ///< what is as near as this throws no shadow in its light: the lamp's own body
-    std::string surface;             ///< a texture whose faces shine in its place
-    double surface_offset = 2;       ///< units over them
+    double radius = 0;               ///< surfaces within it cast no shadow: the lamp's own body
+    std::string surface;             ///< a texture whose faces shine instead of it
+    double surface_offset = 2;       ///< units above them
     bool is_surface_spotlight = false;
 
-    /// Light that arrives (or is taken away) at a distance, before the angle of the surface counts; at least 0.
+    /// Light added (or subtracted) at a distance, without the factor for the surface's angle; at least 0.
     double at_distance(double distance) const;
-    /// The distance from which on nothing is seen of it.
+    /// The distance beyond which its light is invisible.
     double range() const;
     bool shines_on(const Point& towards) const;
 };
@@ -46,12 +46,12 @@ struct LightSource {
 /// down).
 struct Sun {
     double brightness = 0;
-    Point direction{0, 0, -1};  ///< that the light travels in
+    Point direction{0, 0, -1};  ///< in which the light travels
 };
 
-/// Light out of the hemisphere over a surface: the keys of worldspawn that begin with "_".
+/// Light from the hemisphere over a surface: worldspawn's keys that begin with "_".
 struct HemisphereSettings {
-    double sunlight2 = 0, sunlight3 = 0;  ///< where nothing but sky is seen: above the horizon, and below
+    double sunlight2 = 0, sunlight3 = 0;  ///< if only sky is visible: above the horizon, and below
     bool has_dirt = false;                ///< corners are darker
     double dirt_depth = 128, dirt_scale = 1, dirt_gain = 1;
     int bounces = 0;  ///< of light from surface to surface
@@ -67,10 +67,10 @@ struct Lights {
     std::vector<double> least;  ///< by model: worldspawn's _minlight (or light), the brush entity's if that is more
 };
 
-/// The entities must outlive what it returns.
+/// The entities must outlive the result.
 Lights lights_of(const std::vector<MapEntity>& entities);
 
-/// Gives each light that can be switched (has a targetname, but no style) the style of its name, from 32 on, as a key.
+/// Sets the key "style" of each switchable light (with a targetname but no style) to the style of its name, from 32 on.
 void assign_switchable_styles(std::vector<MapEntity>& entities);
 
 }  // namespace oblong::map

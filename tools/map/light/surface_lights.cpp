@@ -15,7 +15,7 @@ double doubled_area(const Winding& winding) {
     return length(area_vector(winding));
 }
 
-// The centre of gravity of its area.
+// The centre of its area.
 Point centre_of(const Winding& winding) {
     Point sum;
     double areas = 0;
@@ -27,7 +27,7 @@ Point centre_of(const Winding& winding) {
     return areas > 0 ? sum * (1 / areas) : middle(winding);
 }
 
-// `normal`: the polygon faces it.
+// `normal`: the direction that the polygon faces.
 bool is_over(const Winding& winding, const Point& normal, const Point& point) {
     for (std::size_t i = 0; i < winding.size(); ++i) {
         const Point along = winding[(i + 1) % winding.size()] - winding[i];
@@ -36,7 +36,7 @@ bool is_over(const Winding& winding, const Point& normal, const Point& point) {
     return true;
 }
 
-// The centre of them all; where none of them is there (around a hole), that of the largest.
+// The centre of all polygons; if it is in none of them (around a hole), that of the largest.
 Point place_of_lamp(const Windings& windings, const Point& normal) {
     Point sum;
     double areas = 0;
@@ -52,7 +52,7 @@ Point place_of_lamp(const Windings& windings, const Point& normal) {
     return is_there ? place : centre_of(*largest);
 }
 
-// Cut in halves until none is wider than a piece.
+// Halves the polygons until none is wider than a piece.
 void add_pieces(const Windings& windings, std::vector<Windings>& pieces) {
     Box box;
     for (const Winding& winding : windings) box.add(winding);

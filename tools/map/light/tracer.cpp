@@ -45,7 +45,7 @@ RayHit Tracer::hit(const Point& from, const Point& to) const {
     return hit;
 }
 
-// `hit.node` is that of the last plane that was passed: where the space behind it is opaque, the ray ends on it.
+// `hit.node` is the node of the last crossed plane: if the space behind it is opaque, the ray ends on it.
 bool Tracer::find_hit(int child, const Point& from, const Point& to, double from_share, double to_share,
                       RayHit& hit) const {
     while (child >= 0) {

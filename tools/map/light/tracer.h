@@ -8,8 +8,8 @@ namespace oblong::map {
 /// Where a ray ends.
 struct RayHit {
     int contents = 0;  ///< solid or sky; 0: nothing stops it
-    double share = 1;  ///< of the way
-    int node = -1;     ///< on whose plane it ends; -1: it begins in solid
+    double share = 1;  ///< of the distance
+    int node = -1;     ///< of the plane on which it ends; -1: it begins in solid
 };
 
 /// Follows rays through the world of a level.
@@ -17,15 +17,15 @@ class Tracer {
   public:
     explicit Tracer(const BspFile& bsp);
 
-    /// What stops the way from `from` to `to` first: solid or sky; 0 if nothing does.
+    /// The first obstacle from `from` to `to`: solid or sky; 0: none.
     int first_opaque(const Point& from, const Point& to) const { return follow(root_, from, to, true); }
 
     bool is_clear(const Point& from, const Point& to) const { return first_opaque(from, to) == 0; }
 
-    /// Whether no solid stops the way. As in Quake's own compiler, the light of lamps passes through a sky.
+    /// Whether no solid is in between. As in Quake's own compiler, the light of lamps passes through a sky.
     bool is_lit(const Point& from, const Point& to) const { return follow(root_, from, to, false) == 0; }
 
-    /// As first_opaque(), with the place.
+    /// As first_opaque(), with its position.
     RayHit hit(const Point& from, const Point& to) const;
 
     /// The index of the leaf that a point is in.

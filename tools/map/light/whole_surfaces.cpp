@@ -11,8 +11,7 @@
 namespace oblong::map {
 namespace {
 
-// Plane, facing and texinfo of a face, and the vertices that an edge of it runs from and to: no other face of these
-// runs that way.
+// The plane, facing and texinfo of a face, and the first and last vertex of one of its edges: unique to this face.
 using EdgeKey = std::array<int, 5>;
 
 std::vector<EdgeKey> edges_of(const BspFile& bsp, const FileFace& face) {
@@ -48,7 +47,7 @@ std::vector<std::vector<int>> whole_surfaces(const BspFile& bsp, const std::func
         std::vector<int>& surface = surfaces.emplace_back(1, first);
         for (std::size_t next = 0; next < surface.size(); ++next) {
             for (EdgeKey key : edges_of(bsp, item(bsp.faces, surface[next]))) {
-                std::swap(key[3], key[4]);  // it runs the other way beyond
+                std::swap(key[3], key[4]);  // the neighbour has it in the other direction
                 const auto beyond = by_edge.find(key);
                 if (beyond != by_edge.end() && known.insert(beyond->second).second) surface.push_back(beyond->second);
             }

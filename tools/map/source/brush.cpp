@@ -7,7 +7,7 @@
 namespace oblong::map {
 namespace {
 
-// Brushes of many sides and small ones: they would cut the space around them into many leaves.
+// Small brushes and those with many sides would cut the space around them into many leaves.
 constexpr std::size_t kMostStructuralSides = 8;
 constexpr double kLeastStructuralExtent = 64;
 
@@ -33,7 +33,7 @@ bool is_axial(const Point& direction) {
     return (direction.x == 0) + (direction.y == 0) + (direction.z == 0) >= 2;
 }
 
-// How far the brush reaches along a direction.
+// The brush's extent along a direction.
 double support(const Brush& brush, const Point& direction) {
     double farthest = -Box::kFar;
     for (const BrushSide& side : brush.sides) {
@@ -42,7 +42,7 @@ double support(const Brush& brush, const Point& direction) {
     return farthest;
 }
 
-// How far the mover's mirror image reaches along a direction.
+// The extent of the mover's mirror image along a direction.
 double mirrored_support(const Box& mover, const Point& direction) {
     double sum = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -68,11 +68,11 @@ class Grower {
         if (!grown_.has_side(plane)) grown_.sides.push_back({plane, -1, {}});
     }
 
-    // The plane through an edge of the brush and an edge of the box, if it touches the brush in that edge only.
+    // The plane through an edge of the brush and an edge of the box, if it touches the brush only in that edge.
     void add_edge_bevels(const Point& from, const Point& to) {
         for (int axis = 0; axis < 3; ++axis) {
             const Point across = cross(to - from, axis_vector(axis));
-            if (is_axial(across)) continue;  // it has these
+            if (is_axial(across)) continue;  // these are already added
             const double size = length(across);
             if (size < kSupportEpsilon * length(to - from)) continue;
             for (const double sign : {1.0, -1.0}) {

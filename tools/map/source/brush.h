@@ -18,12 +18,12 @@ struct BrushSide {
     Winding winding;   ///< clockwise seen from outside
 };
 
-/// A convex solid (or body of liquid, or of sky): what is behind all of its sides.
+/// A convex body of solid, liquid or sky: the space behind all of its sides.
 struct Brush {
     std::vector<BrushSide> sides;
     int contents = contents::kSolid;
-    bool is_clip = false;    ///< stops players, but is neither seen nor in the way of anything else
-    bool is_detail = false;  ///< hides too little to bound what is seen from where: for the speed of visible sets
+    bool is_clip = false;    ///< stops only players, and is invisible
+    bool is_detail = false;  ///< hides too little to be considered in visible sets, which makes them faster
     Box box;
 
     bool has_side(PlaneSide plane) const {
@@ -37,11 +37,11 @@ Plane plane_of(const MapSide& side);
 /// Reads a brush of the map source; throws InputError, with its line, if its sides enclose no volume.
 Brush make_brush(const MapBrush& source, PlaneList& planes, TextureList& textures);
 
-/// Sets the windings of the sides, and the box, from the planes; drops sides that bound nothing. False: there is no
-/// volume, or no end to it.
+/// Sets the windings of the sides, and the box, from the planes; drops redundant sides. False: the volume is empty or
+/// infinite.
 bool set_windings(Brush& brush, const PlaneList& planes);
 
-/// What brushes put at points; they must outlive it.
+/// The contents of brushes at points; the brushes must outlive it.
 class BrushContents {
   public:
     BrushContents(const std::vector<Brush>& brushes, const PlaneList& planes);
@@ -53,7 +53,8 @@ class BrushContents {
     static constexpr double kWidth = 256;
     static int cell_of(double x) { return static_cast<int>(std::floor(x / kWidth)); }
 
-    std::map<std::pair<int, int>, std::vector<const Brush*>> in_cells_;  // of x and y: few are asked for a point
+    std::map<std::pair<int, int>, std::vector<const Brush*>>
+        in_cells_;  // of x and y: so that few are checked for a point
     const PlaneList& planes_;
 };
 
@@ -61,14 +62,14 @@ class BrushContents {
 inline constexpr Box kPlayerBox{{-16, -16, -24}, {16, 16, 32}};
 inline constexpr Box kLargeBox{{-32, -32, -24}, {32, 32, 64}};
 
-/// The brush grown by a box: all places of the box's origin where the box overlaps the brush (their Minkowski sum,
+/// The brush grown by a box: all positions of the box's origin where the box overlaps the brush (their Minkowski sum,
 /// exactly: with the planes that bevel the brush's corners and edges).
 Brush expanded(const Brush& brush, const Box& mover, PlaneList& planes);
 
-/// What stops a mover: the solid, sky and clip brushes, grown, all as solid.
+/// The obstacles of a mover: the grown solid, sky and clip brushes, all as solid.
 std::vector<Brush> hull_brushes(const std::vector<Brush>& brushes, const Box& mover, PlaneList& planes);
 
-/// Which contents hide which where brushes overlap: the higher rank stays.
+/// Where brushes overlap, the contents with the higher rank remain.
 constexpr int contents_rank(int filling) {
     switch (filling) {
         case contents::kSolid:
@@ -104,22 +105,22 @@ constexpr int contents_of_texture(std::string_view name) {
     return contents::kSolid;
 }
 
-/// Textures that only say something to the compiler: their faces are not drawn.
+/// Textures that only instruct the compiler: their faces are not drawn.
 constexpr bool is_undrawn_texture(std::string_view name) {
     return name == "clip" || name == "skip" || name == "trigger";
 }
 
-/// Full of holes (texels of index 255), through which one sees, and light falls.
+/// With holes (texels of index 255), which let light and views through.
 constexpr bool is_fence_texture(std::string_view name) {
     return name.starts_with("{");
 }
 
-/// Other engines turn a brush entity around the middle of a brush with this one.
+/// Other engines rotate a brush entity around the middle of its brush with this texture.
 constexpr bool is_origin_texture(std::string_view name) {
     return name == "origin";
 }
 
-/// A brush with one of these on any side advises other compilers where to cut the tree; it fills nothing.
+/// A brush with one of these on any side advises other compilers where to cut the tree; it has no contents.
 constexpr bool is_hint_texture(std::string_view name) {
     return name == "hint" || name == "hintskip";
 }

@@ -22,7 +22,7 @@ std::string with_article(std::string_view name) {
     return (is_vowel ? "an " : "a ") + std::string(name);
 }
 
-// How many letters have to be changed, added, left out or swapped with the next (Damerau, Levenshtein).
+// The number of letters to change, add, remove or swap with the next one (Damerau, Levenshtein).
 std::size_t typing_errors(std::string_view a, std::string_view b) {
     std::vector<std::size_t> before, last(b.size() + 1), now(b.size() + 1);
     for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
@@ -38,7 +38,7 @@ std::size_t typing_errors(std::string_view a, std::string_view b) {
     return last.back();
 }
 
-// Finds the name that is nearest to a misspelt one.
+// Finds the name nearest to a misspelt one.
 class NearestName {
   public:
     explicit NearestName(std::string_view wanted) : wanted_(wanted) {}
@@ -83,7 +83,7 @@ std::string list_of(std::span<const KeyValue> values) {
     return text;
 }
 
-// What a key's value has to be.
+// The expected value of a key.
 std::string expected_of(const EntityKey& row) {
     if (row.kind == KeyKind::Texture) return "a texture that begins with '{'";
     if (row.kind == KeyKind::Choice) return list_of(row.values) + ": " + std::string(row.usual) + " is taken";
@@ -148,7 +148,7 @@ class Checker {
     }
 
     void check_shape(const MapEntity& entity, const EntityClass& its_class, const std::string& name) {
-        const bool is_layer = entity.has("_tb_type");  // TrenchBroom's: it may hold point entities alone
+        const bool is_layer = entity.has("_tb_type");  // TrenchBroom's: it may hold only point entities
         if (its_class.shape == ClassShape::Brush && entity.brushes.empty() && !is_layer)
             warnings_.add(entity.line, name + " without brushes, expected some: it is not there");
         if (its_class.shape == ClassShape::Point && entity.value("origin").empty())
@@ -158,7 +158,7 @@ class Checker {
     void check_pair(const MapPair& pair, const EntityClass& its_class, const std::string& class_name) {
         const EntityKey* const row = find_entity_key(its_class, pair.key);
         if (row == nullptr) {
-            if (pair.key.starts_with("_tb_")) return;  // TrenchBroom's own
+            if (pair.key.starts_with("_tb_")) return;  // TrenchBroom's
             warnings_.add(pair.line, "nothing reads the key " + quoted(pair.key) + " of " + with_article(class_name) +
                                          nearest_key(its_class, pair.key));
         } else if (!pair.value.empty() && !row->does.empty()) {
@@ -183,7 +183,7 @@ class Checker {
 
     const std::vector<MapEntity>& entities_;
     Warnings& warnings_;
-    std::unordered_map<std::string, const MapEntity*> named_;  // the first of a name
+    std::unordered_map<std::string, const MapEntity*> named_;  // the first with a name
 };
 
 }  // namespace

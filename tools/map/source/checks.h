@@ -8,17 +8,18 @@
 
 namespace oblong::map {
 
-/// Something in a map source that is compiled all the same, but hardly as it is meant.
+/// A part of a map source that is compiled, but probably not as intended.
 struct Warning {
     int line = 0;
     std::string what;
 };
 
-/// Collects warnings: what is said again is counted.
+/// Collects warnings and counts repeated ones.
 class Warnings {
   public:
     void add(int line, const std::string& what);
-    /// By their lines, with the number of further ones of the same text, at most 200; none are left.
+    /// Returns and removes the warnings, at most 200, sorted by line, each with the number of further ones of the same
+    /// text.
     std::vector<Warning> take();
 
   private:
@@ -26,8 +27,8 @@ class Warnings {
     std::map<std::string, int> known_;
 };
 
-/// What is odd about the entities of a source: classes and keys that entity_classes() does not know, values that are
-/// none of theirs, entities without what their class takes, targets that nobody has.
+/// Warns of oddities of a source's entities: classes and keys that are not in entity_classes(), invalid values, missing
+/// required keys, and targets without an entity.
 void find_warnings(const std::vector<MapEntity>& entities, Warnings& warnings);
 
 }  // namespace oblong::map

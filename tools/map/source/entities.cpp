@@ -18,12 +18,12 @@ bool is_no_fence(const MapBrush& brush) {
                         [](const MapSide& side) { return is_fence_texture(side.texture.name); });
 }
 
-// What says something of the source alone: TrenchBroom's layers and groups, and the format.
+// Keys only about the source: TrenchBroom's layers and groups, and the format.
 bool is_of_source(std::string_view key) {
     return key.starts_with("_tb_") || key == "mapversion";
 }
 
-// "a/b.wad;C:\c.wad" as "b.wad;c.wad": a level has the same bytes wherever its source lies.
+// "a/b.wad;C:\c.wad" as "b.wad;c.wad": a level's bytes do not depend on its source's folder.
 std::string without_folders(std::string_view paths) {
     std::string names;
     for (const char letter : paths) {

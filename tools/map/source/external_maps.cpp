@@ -19,7 +19,7 @@ constexpr std::size_t kMostBrushes = 65536;
     throw InputError("line " + std::to_string(entity.line), what);
 }
 
-// The columns of a rotation: where the axes go.
+// The columns of a rotation: the rotated axes.
 struct Rotation {
     std::array<Point, 3> axes{axis_vector(0), axis_vector(1), axis_vector(2)};
 
@@ -39,7 +39,7 @@ Rotation rotation_of(const std::vector<double>& pitch_yaw_roll) {
     return rotation;
 }
 
-// Where an external map goes.
+// The placement of an external map.
 struct Placement {
     explicit Placement(const MapEntity& entity) : origin(origin_of(entity).value_or(Point{})) {
         for (int axis = 0; axis < 3; ++axis)
@@ -148,7 +148,7 @@ class Includer {
     }
 
     const ReadExternalSource& read_;
-    std::vector<std::string> paths_;  // that include one another
+    std::vector<std::string> paths_;  // from the outermost source to the current one
     int count_ = 0;
     std::size_t brush_count_ = 0;
 };

@@ -8,19 +8,19 @@
 
 namespace oblong::map {
 
-/// A map source that another one names.
+/// A map source included by another one.
 struct ExternalSource {
-    std::string path;  ///< one for each file, whoever names it
+    std::string path;  ///< unique for each file
     std::string text;
 };
 
-/// Reads what `name` means in the source at `path`; throws InputError at `line` of that if it is not there.
+/// Reads the file named `name` in the source at `path`; throws InputError at `line` of that source if it is missing.
 using ReadExternalSource = std::function<ExternalSource(const std::string& name, const std::string& path, int line)>;
 
-/// Puts the brushes of other sources into the entities misc_external_map of the source at `path`, all that there are in
-/// those, whatever their entities: scaled, then turned, then moved to the entity's origin, with their textures. Each
-/// becomes an entity of the class that its key "_external_map_classname" says, and the brushes are at its line.
-/// Throws FileError and InputError; also where a source includes itself, or kMostExternal sources are included.
+/// Puts the brushes of other sources into the entities misc_external_map of the source at `path`: all brushes of those
+/// sources, of any entity, scaled, then rotated, then moved to the entity's origin, with their textures. Each becomes
+/// an entity of the class in its key "_external_map_classname", with the brushes at its line. Throws FileError and
+/// InputError, also if a source includes itself, or more than kMostExternal sources are included.
 void include_external_maps(std::vector<MapEntity>& entities, const std::string& path, const ReadExternalSource& read);
 
 inline constexpr int kMostExternal = 4096;

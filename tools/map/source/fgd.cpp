@@ -27,7 +27,7 @@ std::string_view type_of(const EntityKey& key) {
     return key.kind == KeyKind::Numbers && key.most == 1 ? "float" : "string";
 }
 
-// Quoted as TrenchBroom's reader wants it: all but whole numbers.
+// Quoted for TrenchBroom's reader: all but whole numbers.
 std::string default_of(const EntityKey& key) {
     if (key.usual.empty()) return "";
     return " : " + (type_of(key) == "integer" ? std::string(key.usual) : in_quotes(key.usual));
@@ -61,7 +61,7 @@ std::string model_text(const ClassModel& model) {
     return text + " }";
 }
 
-// An expression that gives an entity's model. It cannot ask for the kind of world, but that is about keys alone.
+// An expression for an entity's model. It ignores the kind of world, which only affects keys.
 std::string model_of(const EntityClass& row) {
     const OwnModel& own = row.own_model;
     if (row.role == ClassRole::TriangleModel) return R"({ "path": model, "frame": frame, "skin": skin })";

@@ -4,8 +4,8 @@
 
 namespace oblong::map {
 
-/// entity_classes() as TrenchBroom and Valve's editors read them: an FGD file. Families are no classes that an editor
-/// could place, and `classname` and `origin` are its own.
+/// entity_classes() as an FGD file for TrenchBroom and Valve's editors. Leaves out families, which editors cannot
+/// place, and the keys `classname` and `origin`, which editors define.
 std::string fgd_text();
 
 }  // namespace oblong::map

@@ -8,7 +8,7 @@ namespace oblong::map {
 
 namespace {
 
-// Ties (a normal at 45 degrees) go to the first axis, whatever the rounding of the last bits.
+// Ties (a normal at 45 degrees) yield the first axis, regardless of rounding.
 int longest_axis(const Point& normal) {
     int longest = 0;
     for (int axis = 1; axis < 3; ++axis) {
@@ -36,7 +36,7 @@ bool is_same(const Plane& a, const Plane& b) {
            std::max({std::abs(apart.x), std::abs(apart.y), std::abs(apart.z)}) < PlaneList::kNormalEpsilon;
 }
 
-// The heights of a polygon's corners over a plane, on the stack for all but the largest.
+// The heights of a polygon's corners above a plane, on the stack except for large polygons.
 class Heights {
   public:
     Heights(const Winding& winding, const Plane& plane) {
@@ -64,7 +64,7 @@ class Heights {
     double* heights_ = few_.data();
 };
 
-// Always from the point in front to the one behind.
+// Computed from the point in front to the one behind.
 Point crossing(const Point& front, double front_height, const Point& back, double back_height, const Plane& plane) {
     Point at = front + (back - front) * (front_height / (front_height - back_height));
     for (int axis = 0; axis < 3; ++axis) {
@@ -74,7 +74,7 @@ Point crossing(const Point& front, double front_height, const Point& back, doubl
     return at;
 }
 
-// Calls add_front(point) and add_back(point) for the corners of what is on either side.
+// Calls add_front(point) and add_back(point) for the corners of the parts on either side.
 template <class AddFront, class AddBack>
 void cut(const Winding& winding, const Plane& plane, const Heights& heights, AddFront add_front, AddBack add_back) {
     for (std::size_t i = 0; i < winding.size(); ++i) {
@@ -89,7 +89,7 @@ void cut(const Winding& winding, const Plane& plane, const Heights& heights, Add
     }
 }
 
-// Corners nearer than this are the same; an angle that bends less is straight.
+// Corners nearer than this are the same; corners that protrude less are straight.
 constexpr double kSameEpsilon = 1.0 / 512;
 
 bool is_same(const Point& a, const Point& b) {
@@ -101,14 +101,14 @@ const Point& corner_at(const Winding& winding, std::size_t index) {
     return winding[index % winding.size()];
 }
 
-// How far the corner sticks out of the line from `before` to `after`; negative: inward, the polygon is not convex.
+// The distance of the corner outside the line from `before` to `after`; negative: inside, so the polygon is not convex.
 double bulge(const Point& before, const Point& corner, const Point& after, const Point& normal) {
     const double chord = length(after - before);
     if (chord == 0) return -1;
     return -dot(normal, cross(corner - before, after - corner)) / chord;
 }
 
-// The union if edge i of `a` is edge j of `b` the other way.
+// The union, if edge i of `a` is the reversed edge j of `b`.
 std::optional<Winding> joined_at(const Winding& a, std::size_t i, const Winding& b, std::size_t j,
                                  const Point& normal) {
     const double first_bulge = bulge(corner_at(a, i + a.size() - 1), corner_at(a, i), corner_at(b, j + 2), normal);
@@ -145,7 +145,7 @@ struct Boxed {
     Box box;
 };
 
-// Joins `piece` to what is done, and the union again, until nothing fits.
+// Joins `piece` with a polygon in `done`, then the union with the others, until none fits.
 void add(std::vector<Boxed>& done, Winding piece, const Point& normal) {
     Box box = box_of(piece);
     for (std::size_t i = done.size(); i-- > 0;) {

@@ -51,7 +51,7 @@ struct Box {
         return {mins - by, maxs + by};
     }
 
-    /// Whether the boxes share a point when each is grown by half of `slack`.
+    /// Whether the boxes, each grown by half of `slack`, share a point.
     bool touches(const Box& other, double slack) const {
         for (int axis = 0; axis < 3; ++axis) {
             if (mins[axis] > other.maxs[axis] + slack) return false;
@@ -80,7 +80,7 @@ struct Plane {
 /// axis.
 int plane_type(const Plane& plane);
 
-/// One side of a plane in a PlaneList: `is_back` faces against the normal.
+/// One side of a plane in a PlaneList: `is_back`: opposite to the normal.
 struct PlaneSide {
     int plane = 0;
     bool is_back = false;
@@ -88,16 +88,15 @@ struct PlaneSide {
     auto operator<=>(const PlaneSide&) const = default;
 };
 
-/// All planes of a level, each once and with its longest component positive, so that planes which should be the same
-/// are.
+/// All planes of a level, each once and with its longest component positive, so that equal planes have equal indices.
 class PlaneList {
   public:
-    /// The side that `plane` is, within kNormalEpsilon and kDistanceEpsilon; nearly axial normals become axial, and
-    /// their nearly whole distances whole.
+    /// The side equal to `plane` within kNormalEpsilon and kDistanceEpsilon; nearly axial normals become axial, with
+    /// nearly whole distances rounded.
     PlaneSide find_or_add(const Plane& plane);
 
     const Plane& operator[](int index) const { return item(planes_, index); }
-    int type(int index) const { return item(types_, index); }  ///< plane_type() of it
+    int type(int index) const { return item(types_, index); }  ///< plane_type()
     Plane facing(PlaneSide side) const { return side.is_back ? (*this)[side.plane].flipped() : (*this)[side.plane]; }
     int count() const { return static_cast<int>(planes_.size()); }
 
@@ -112,13 +111,13 @@ class PlaneList {
     std::map<long, std::vector<int>> by_distance_;  // whole distance -> planes
 };
 
-/// A convex polygon in space, clockwise seen from the front of its plane; empty: nothing.
+/// A convex polygon in space, clockwise seen from the front of its plane; may be empty.
 using Winding = std::vector<Point>;
 
-/// Points nearer to a plane than this count as on it when polygons are cut.
+/// When polygons are cut, points nearer to the plane than this are on it.
 inline constexpr double kOnEpsilon = 1.0 / 16384;
 
-/// Half the width of the polygon that stands for a whole plane: more than any level.
+/// Half the width of the polygon that represents a whole plane: larger than any level.
 inline constexpr double kHuge = 131072;
 
 /// A square on the plane, of half width kHuge.
@@ -129,14 +128,13 @@ struct SplitWinding {
     bool is_on = false;  ///< every point is on the plane: `front` is the whole
 };
 
-/// Cuts by a plane. The new points come out the same to the bit for the two polygons at an edge, whichever way they
-/// run.
+/// Cuts by a plane. The new points are bit-identical for the two polygons at an edge, regardless of their directions.
 SplitWinding split(Winding winding, const Plane& plane);
 
-/// Leaves what is in front of the plane, or on it. `spare`: memory for it, to be used again for the next cut.
+/// Keeps the part in front of the plane or on it. `spare`: memory for reuse by the next cut.
 void clip_to_front(Winding& winding, const Plane& plane, Winding& spare);
 
-/// How far the winding reaches in front of and behind the plane (both at least 0).
+/// The winding's extents in front of and behind a plane (both at least 0).
 struct Reach {
     double front = 0, back = 0;
 };
@@ -147,13 +145,13 @@ Winding reversed(const Winding& winding);
 /// A vector opposite to the facing direction (the polygon is clockwise) whose length is twice the area.
 Point area_vector(const Winding& winding);
 
-/// The distance of two parallel lines between which the polygon just fits, over all directions along its edges.
+/// The polygon's least width over the directions perpendicular to its edges.
 double least_width(const Winding& winding);
 
 /// The mean of the points.
 Point middle(const Winding& winding);
 
-/// Joins convex polygons of one plane and one facing that share a whole edge, where the union is convex.
+/// Joins convex polygons of the same plane and facing that share a whole edge, if the union is convex.
 std::vector<Winding> merged(std::vector<Winding> windings);
 
 }  // namespace oblong::map

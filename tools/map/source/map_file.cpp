@@ -28,7 +28,7 @@ class MapTokens {
 
     const MapToken& peek() const { return next_; }
     MapToken take();
-    // Takes `symbol`, or throws InputError saying that it was expected `where`.
+    // Takes `symbol`, or throws InputError that expects it `where`.
     void expect(std::string_view symbol, std::string_view where);
     double take_number(std::string_view what);
     [[noreturn]] void fail(const MapToken& at, std::string_view expected) const;
@@ -45,7 +45,7 @@ class MapTokens {
     MapToken next_;
 };
 
-constexpr double kFarthest = 65536;  // no number of a level is larger
+constexpr double kFarthest = 65536;  // the largest number in a level
 
 bool is_blank(char letter) {
     return static_cast<unsigned char>(letter) <= ' ';
@@ -164,7 +164,7 @@ TextureFields take_texture(MapTokens& tokens) {
     texture.rotation_degrees = tokens.take_number("a texture rotation");
     for (double& scale : texture.scale) {
         scale = tokens.take_number("a texture scale");
-        if (scale == 0) scale = 1;  // what editors mean by it
+        if (scale == 0) scale = 1;  // as editors mean it
     }
     return texture;
 }
@@ -219,7 +219,7 @@ MapEntity take_entity(MapTokens& tokens) {
     return entity;
 }
 
-// It would end the text of the entities in the level.
+// It would end the entities' text in the level.
 void check_no_zero_byte(std::string_view text) {
     const std::size_t zero = text.find('\0');
     if (zero == std::string_view::npos) return;

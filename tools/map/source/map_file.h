@@ -9,7 +9,7 @@
 
 namespace oblong::map {
 
-/// How a texture is laid on a side, as the map source says it.
+/// The alignment of a texture on a side in the map source.
 struct TextureFields {
     std::string name;
     bool has_axes = false;      ///< Valve 220: `axes` are given; Standard: they follow from the side's normal
@@ -19,7 +19,7 @@ struct TextureFields {
     double smooth_degrees = 0;    ///< of the entity: set_smoothing()
 };
 
-/// A plane through three points, its front where they run clockwise.
+/// A plane through three points, which are clockwise seen from its front.
 struct MapSide {
     std::array<Point, 3> points;
     TextureFields texture;
@@ -46,8 +46,8 @@ struct MapEntity {
     bool has(std::string_view key) const;
 };
 
-/// Reads the text of a Quake .map (Standard or Valve 220), throwing InputError with the line of what is wrong.
-/// The first entity is the worldspawn.
+/// Reads the text of a Quake .map (Standard or Valve 220), throwing InputError with the line of an error. The first
+/// entity is the worldspawn.
 std::vector<MapEntity> parse_map(std::string_view text);
 
 }  // namespace oblong::map

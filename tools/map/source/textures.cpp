@@ -11,8 +11,8 @@ namespace oblong::map {
 
 namespace {
 
-// Standard maps lay a texture along the two axes of the coordinate plane that the side faces most; of equals, the
-// floor wins over walls facing x, these over walls facing y. Rows of a texture run down.
+// Standard maps project a texture along the coordinate axis that the side faces most; of equal ones, z is before x, and
+// x before y. Rows of a texture run down.
 std::array<Point, 2> standard_axes(const Point& normal) {
     const double x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
     if (z >= x && z >= y) return {Point{1, 0, 0}, Point{0, -1, 0}};
@@ -20,8 +20,7 @@ std::array<Point, 2> standard_axes(const Point& normal) {
     return {Point{1, 0, 0}, Point{0, 0, -1}};
 }
 
-// The rotation turns the axes in the plane of the two world axes that carry them (x before y before z, except that
-// u's comes first).
+// Rotates the axes in the plane of their two world axes (in the order x, y, z, except that u's is first).
 std::array<Point, 2> rotated(const std::array<Point, 2>& axes, double degrees) {
     const Turn turn = turn_of(degrees);
     const auto carrier = [](const Point& axis) { return axis.x != 0 ? 0 : axis.y != 0 ? 1 : 2; };

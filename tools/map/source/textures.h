@@ -15,7 +15,7 @@ struct TexInfo {
     std::array<double, 2> offset{};
     int texture = 0;            ///< index into TextureList::names()
     bool is_special = false;    ///< sky or liquid: no lightmap, no limit of extent
-    double smooth_degrees = 0;  ///< above 0: lit as if round where faces lean by less
+    double smooth_degrees = 0;  ///< above 0: lit as if round between faces at smaller angles
 
     bool operator==(const TexInfo&) const = default;
 
@@ -29,7 +29,7 @@ struct TexInfo {
 struct Turn {
     double cosine = 1, sine = 0;
 };
-/// Quarter turns come out exact. `degrees` below 2^31 quarter turns.
+/// Exact for quarter turns. `degrees`: below 2^31 quarter turns.
 Turn turn_of(double degrees);
 
 /// The axes of u and v, before the scale, of a side whose plane has the outward `normal`.
@@ -37,15 +37,15 @@ std::array<Point, 2> texture_axes(const TextureFields& fields, const Point& norm
 
 struct TextureUse {
     std::string name;
-    int line = 0;  ///< of the map source, where it is used first
+    int line = 0;  ///< of its first use in the map source
 };
 
-/// All textures and ways to lay them that the drawn sides of a level use.
+/// All textures and texture alignments of a level's drawn sides.
 class TextureList {
   public:
     /// The index of the TexInfo of a side whose plane has the outward `normal`, or -1 if its texture is not drawn.
     int find_or_add(const MapSide& side, const Point& normal);
-    /// The index of a texture's name, which may be on no side: an entity shows it.
+    /// The index of a texture's name, which may be only on an entity.
     int find_or_add_name(const TextureUse& use);
 
     const std::vector<TexInfo>& texinfos() const { return texinfos_; }
@@ -65,7 +65,7 @@ class Wad {
     /// The miptex's bytes, or null.
     const std::string* find(const std::string& name) const;
 
-    std::string source;  ///< as the map names it, at `line`; 0: it was not the map
+    std::string source;  ///< its name in the map, at `line`; 0: not from the map
     int line = 0;
 
   private:
@@ -73,7 +73,7 @@ class Wad {
 };
 
 /// The bytes of each named texture, from the first WAD that has it, followed by the other frames of the animated ones
-/// ("+0name": those of +0 to +9 and +a to +j that there are). Throws InputError naming the texture and its map line if
+/// ("+0name": the existing ones of +0 to +9 and +a to +j). Throws InputError naming the texture and its map line if
 /// there is none.
 std::vector<std::string> collect_textures(const std::vector<TextureUse>& uses, const std::vector<Wad>& wads);
 

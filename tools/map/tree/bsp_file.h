@@ -16,7 +16,7 @@ inline Point to_point(const Floats& floats) {
     return {static_cast<double>(floats[0]), static_cast<double>(floats[1]), static_cast<double>(floats[2])};
 }
 
-/// The lumps of a level file, in their order and with their fields; numbers are wider than in the file.
+/// The lumps of a level file, in the file's order, with its fields; numbers are wider than in the file.
 struct FilePlane {
     Floats normal{};
     float distance = 0;
@@ -95,24 +95,24 @@ struct BspFile {
     std::vector<FileModel> models;
 };
 
-/// How many records a lump has, and the most that version 29 can refer to.
+/// The number of a lump's records, and the most that version 29 can index.
 struct LumpCount {
     const char* name;
     std::size_t count = 0, most = 0;
-    const char* cure;  ///< what makes fewer
+    const char* cure;  ///< how to reduce them
 };
 std::vector<LumpCount> lump_counts(const BspFile& bsp);
 
 /// Whether a lump is larger than version 29 allows: then it is written as BSP2, which has wider numbers.
 bool needs_bsp2(const BspFile& bsp);
 
-/// "3,412 faces ...": what there is, and which lumps are more than half of what version 29 allows.
+/// "3,412 faces ...": the contents, and the lumps above half of version 29's limits.
 std::string summary_of(const BspFile& bsp);
 
-/// Throws InputError if a number is beyond what its field in the file holds.
+/// Throws InputError if a number exceeds its field's range.
 void check_size(const BspFile& bsp);
 
-/// The bytes of the file, of version 29 or, if it needs that, BSP2. Throws InputError as check_size does.
+/// The bytes of the file, of version 29 or, if required, BSP2. Throws InputError like check_size().
 std::string to_bytes(const BspFile& bsp);
 
 }  // namespace oblong::map

@@ -6,8 +6,8 @@
 
 namespace oblong::map {
 
-/// The level in the bytes of a file of version 29 or BSP2 that to_bytes() made: that gives the same bytes again. Throws
-/// InputError for any other.
+/// Reads a file of version 29 or BSP2 from to_bytes(), which would give the same bytes again. Throws InputError for any
+/// other file.
 BspFile from_bytes(const std::string& bytes);
 
 }  // namespace oblong::map

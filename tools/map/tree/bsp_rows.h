@@ -5,7 +5,7 @@
 namespace oblong::map {
 
 /// The lumps of a level file that are rows of fields: visit(place in the file, name, rows, fields), where fields(io,
-/// row) hands each field of a row to `io` in its order. So what writes them and what reads them agree.
+/// row) passes each field of a row to `io` in order. Writer and reader share it, so that they agree.
 template <class Bsp, class Visit>
 void visit_rows(Bsp& bsp, const Visit& visit) {
     visit(1, "lump planes", bsp.planes, [](auto& io, auto& plane) {

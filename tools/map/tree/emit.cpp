@@ -21,7 +21,7 @@ FileBox outward_box(const Box& box) {
     return result;
 }
 
-// The contents that all leaves under a child have, 0 if they differ.
+// The common contents of all leaves under a child, 0 if they differ.
 int uniform_contents(const Tree& tree, int child) {
     if (child < 0) return tree.leaf(Tree::leaf_of(child)).contents;
     const TreeNode& node = tree.node(child);
@@ -35,7 +35,7 @@ int count(const auto& items) {
 
 }  // namespace
 
-// What is known of a model's faces and leaves while it is numbered.
+// A model's faces and leaves during numbering.
 struct Emitter::Numbering {
     std::vector<std::vector<int>> faces_of_leaf;
     std::map<int, std::pair<int, int>> faces_of_node;  // first, count
@@ -50,7 +50,7 @@ Emitter::Emitter(BspFile& bsp, const PlaneList& planes) : bsp_(bsp), planes_(pla
 std::vector<int> Emitter::add_model(const CompiledModel& model) {
     FileModel numbers;
     if (!model.box.is_empty()) {
-        const Box stored = model.box.grown(-1);  // as id's qbsp does, which readers expect: they spread it again
+        const Box stored = model.box.grown(-1);  // as in id's qbsp: readers expand it again
         numbers.mins = to_floats(stored.mins);
         numbers.maxs = to_floats(stored.maxs);
     }
@@ -114,7 +114,7 @@ void Emitter::add_face(const Surface& surface, const Loop& loop, int first_verte
     bsp_.faces.push_back(face);
 }
 
-// An edge is shared by two faces that run along it in opposite directions.
+// Two faces in opposite directions share an edge.
 int Emitter::surf_edge(int from, int to) {
     const auto open = open_edges_.find({to, from});
     if (open != open_edges_.end()) {

@@ -32,7 +32,7 @@ class Emitter {
     BspFile& bsp_;
     const PlaneList& planes_;
     std::vector<int> plane_indices_;
-    std::map<std::pair<int, int>, int> open_edges_;  // used by one face only, so far
+    std::map<std::pair<int, int>, int> open_edges_;  // used by only one face so far
 };
 
 }  // namespace oblong::map

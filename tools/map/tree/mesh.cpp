@@ -21,12 +21,12 @@ double snapped(double value) {
 
 constexpr double kOnEdge = VertexPool::kWeldDistance;
 
-// Edges are cut from the vertex of the lower index to that of the higher one, so that both faces cut alike.
+// Edges are cut from the vertex of the lower index to that of the higher one, so that both faces cut them alike.
 class EdgeCutter {
   public:
     explicit EdgeCutter(const VertexPool& pool) : pool_(pool) {}
 
-    // The edge's vertices from `from` to before `to`.
+    // Appends the edge's vertices from `from` to before `to`.
     void append_cut(int from, int to, Loop& loop) {
         const Loop& inner = cut(std::min(from, to), std::max(from, to));
         loop.push_back(from);
@@ -51,7 +51,8 @@ class EdgeCutter {
         return cuts_[{low, high}] = std::move(inner);
     }
 
-    // The vertex nearest to the edge's line among those on the edge and nearer to both ends than they to each other.
+    // The vertex nearest to the edge's line of those on the edge whose distance from either end is less than the edge's
+    // length.
     int nearest_on_edge(int low, int high) const {
         int nearest = -1;
         double nearest_distance = kOnEdge;
@@ -75,7 +76,7 @@ class EdgeCutter {
         return length(from_low - edge * (along / size));
     }
 
-    // Long edges are searched in pieces: the box of a slanted one holds much of the level.
+    // Long edges are searched in pieces, since a slanted edge's box may contain much of the level.
     std::vector<int> candidates(const Point& from, const Point& to) const {
         std::vector<int> found;
         const int pieces = 1 + static_cast<int>(length(to - from) / 64);
@@ -95,7 +96,7 @@ class EdgeCutter {
     std::map<std::pair<int, int>, Loop> cuts_;
 };
 
-// Removes edges of no length, and pairs that go to a vertex and straight back.
+// Removes edges of length 0, and pairs of edges to a vertex and back.
 void remove_spikes(Loop& loop) {
     for (std::size_t i = 0; i < loop.size() && loop.size() >= 3;) {
         const std::size_t next = (i + 1) % loop.size(), after = (i + 2) % loop.size();
@@ -109,7 +110,7 @@ void remove_spikes(Loop& loop) {
     if (loop.size() < 3) loop.clear();
 }
 
-constexpr double kMargin = 128;  // more than the movers' boxes add
+constexpr double kMargin = 128;  // larger than the movers' boxes
 
 struct Partition {
     Tree tree;
@@ -125,8 +126,8 @@ Partition partition_brushes(const std::vector<Brush>& brushes, const PlaneList& 
     return made;
 }
 
-// The same division into contents by a tree of their boundaries alone: smaller, as the inside of what is solid and
-// the outside of the level no longer matter.
+// The same partition into contents by a tree of only their boundaries: smaller, without the inside of solids and the
+// outside of the level.
 Partition refined(const Partition& rough, const PlaneList& planes, const Box& outer) {
     Partition made;
     made.tree = build_tree(boundaries(rough.tree, rough.portals), planes);

@@ -10,19 +10,19 @@
 
 namespace oblong::map {
 
-/// The corners of a model's polygons, each once: points nearer than kWeldDistance are one.
+/// The corners of a model's polygons, each once: points nearer than kWeldDistance are merged.
 class VertexPool {
   public:
     static constexpr double kWeldDistance = 1.0 / 64;
 
-    /// The index of the vertex at or next to the point. Nearly whole coordinates become whole, others multiples of
-    /// 1/4096.
+    /// The index of the vertex at the point or within kWeldDistance, which is added if missing. Nearly whole
+    /// coordinates become whole, others multiples of 1/4096.
     int find_or_add(const Point& point);
 
     const std::vector<Point>& points() const { return points_; }
     const Point& operator[](int index) const { return item(points_, index); }
 
-    /// The vertices in the box, and perhaps some around it; in ascending order.
+    /// The vertices in the box, and possibly some around it; in ascending order.
     std::vector<int> near_box(const Box& box) const;
 
   private:
@@ -37,11 +37,11 @@ class VertexPool {
 /// A polygon as indices of vertices.
 using Loop = std::vector<int>;
 
-/// Puts a vertex into every edge on which one lies (within the weld distance), so that no vertex is in the interior of
-/// an edge. Loops that enclose nothing come out empty; as their neighbours run through the same vertices, no gap opens.
+/// Inserts into every edge the vertices on it (within the weld distance), so that no vertex is in the interior of an
+/// edge. Loops without area become empty; their neighbours have the same vertices, so that there is no gap.
 void fix_t_junctions(std::vector<Loop>& loops, const VertexPool& pool);
 
-/// The world, or a brush entity, compiled: before its numbering for the file.
+/// The compiled world or brush entity, before its numbering for the file.
 struct CompiledModel {
     Box box;
     Tree tree;
@@ -49,10 +49,10 @@ struct CompiledModel {
     std::vector<Surface> surfaces;  ///< grouped by node
     std::vector<Loop> loops;        ///< of each surface, the corners in `vertices`
     VertexPool vertices;
-    std::vector<Tree> hulls;  ///< for kPlayerBox, and kLargeBox unless it is a draft; leaves are solid or empty
+    std::vector<Tree> hulls;  ///< for kPlayerBox, and, except in drafts, kLargeBox; leaves are solid or empty
 };
 
-/// Where a sealed level must not be open to the void, or nothing for a model that needs no seal.
+/// Points that must be sealed from the void; none for a model that needs no seal.
 using SealStarts = std::optional<std::vector<Point>>;
 
 struct ModelResult {
@@ -60,16 +60,16 @@ struct ModelResult {
     std::optional<Leak> leak;  ///< then the model is not complete
 };
 
-/// Compiles brushes into a model: with `starts`, fills what is outside of the level. What it is given must outlive it.
+/// Compiles brushes into a model: with `starts`, fills the outside of the level. Its arguments must outlive it.
 class ModelCompiler {
   public:
-    /// Adds planes. All that it does later only reads them. `is_draft`: without a hull for kLargeBox,
-    /// and with more nodes in the other one.
+    /// Adds planes; later functions only read them. `is_draft`: without a hull for kLargeBox, and with more nodes in
+    /// the other one.
     ModelCompiler(const std::vector<Brush>& brushes, PlaneList& planes, const std::vector<TexInfo>& texinfos,
                   SealStarts starts, bool is_draft);
 
-    std::size_t part_count() const { return 1 + grown_.size(); }  ///< what is drawn, and the hulls
-    /// Each once, in any order, several at a time.
+    std::size_t part_count() const { return 1 + grown_.size(); }  ///< the drawn part, and the hulls
+    /// Call it once for each part, in any order, also in parallel.
     void do_part(std::size_t part);
 
     ModelResult& result() { return result_; }

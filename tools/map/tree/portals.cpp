@@ -47,7 +47,7 @@ Winding clipped_to_all(Winding winding, const std::vector<Plane>& fronts) {
     return winding;
 }
 
-// `fronts`: the sides of the node's region, facing inward.
+// `fronts`: the sides of the node's space, facing inward.
 void find_node_portals(const Walk& walk, int child, std::vector<Plane>& fronts, std::vector<Portal>& portals) {
     if (child < 0) return;
     const TreeNode& node = walk.tree.node(child);
@@ -69,7 +69,7 @@ void find_node_portals(const Walk& walk, int child, std::vector<Plane>& fronts, 
 
 constexpr int kVoid = -1, kUnreached = -2;
 
-// For each leaf, the portal through which the flood came; kVoid: right from the outer box.
+// For each leaf, the portal by which the flood arrived; kVoid: directly from the outer box.
 struct Flood {
     std::vector<int> through;
     std::vector<int> order;  // leaves in the order of the flood
@@ -108,9 +108,9 @@ Flood flood_from_void(const Tree& tree, const Portals& portals) {
     return flood;
 }
 
-// What a point is in or on.
+// The leaves that contain or touch a point.
 struct Touched {
-    int reached = -1;  // a leaf that the flood reached
+    int reached = -1;  // a leaf reached by the flood
     bool has_inside = false, has_wall = false;
 };
 

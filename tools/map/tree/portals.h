@@ -7,7 +7,7 @@
 
 namespace oblong::map {
 
-/// A polygon where two leaves touch, on the plane of a node; clockwise seen from the plane's front.
+/// The polygon between two touching leaves, on a node's plane; clockwise seen from the plane's front.
 struct Portal {
     int node = 0;
     std::array<int, 2> leaves{};  ///< in front, behind
@@ -21,32 +21,32 @@ struct LeafPiece {
 
 struct Portals {
     std::vector<Portal> portals;
-    std::vector<LeafPiece> outer;  ///< where leaves touch the sides of the outer box
+    std::vector<LeafPiece> outer;  ///< the leaves' polygons on the sides of the outer box
 };
 
-/// All portals of the tree within `outer`, which has to reach beyond all brushes.
+/// All portals of the tree within `outer`, which must enclose all brushes.
 Portals find_portals(const Tree& tree, const PlaneList& planes, const Box& outer);
 
-/// Cuts `winding`, a polygon on a plane, into what borders the leaves under `child` on the plane's front.
+/// Cuts `winding`, a polygon on a plane, into the borders of the leaves under `child` on the plane's front.
 std::vector<LeafPiece> pieces_in_leaves(const Tree& tree, const PlaneList& planes, int child, const Winding& winding,
                                         const Plane& plane);
 
 /// Sets the box, an inner point and the contents of every leaf: contents_of(the inner point).
 void fill_leaves(Tree& tree, const Portals& portals, const std::function<int(const Point&)>& contents_of);
 
-/// The way from a point inside the level to the void around it.
+/// A path from a point inside the level to the void around it.
 struct Leak {
     std::size_t start = 0;  ///< index of the starting point
     std::vector<Point> path;
-    std::vector<bool> inside;  ///< which starts are sealed off from the void
+    std::vector<bool> inside;  ///< by start: whether it is sealed from the void
 };
 
-/// Narrower gaps do not count: brushes that an editor turned and rounded do not meet exactly.
+/// Narrower gaps are no leaks: brushes that an editor rotated and rounded do not meet exactly.
 inline constexpr double kLeastGap = 1.0 / 64;
 
-/// Makes all leaves solid that can be reached from the outer box without passing solid, sky or a gap below kLeastGap.
-/// If one of `starts` can, that is a leak: the shortest way (in leaves) is returned and the tree is left as it was.
-/// A start on a wall's surface is in the wall: it counts only if none is surely inside.
+/// Makes all leaves solid that are reachable from the outer box without passing solid, sky or a gap below kLeastGap. If
+/// one of `starts` is reachable, this is a leak: returns the shortest path (in leaves) and leaves the tree unchanged. A
+/// start on a wall's surface counts only if no start is certainly inside.
 std::optional<Leak> fill_outside(Tree& tree, const PlaneList& planes, const Portals& portals,
                                  const std::vector<Point>& starts);
 

@@ -12,7 +12,7 @@
 namespace oblong::map {
 namespace {
 
-// A point may be this far outside of a brush that is said to cover it.
+// A brush may cover points up to this distance outside of it.
 constexpr double kCoverSlack = 1.0 / 64;
 
 struct Cover {
@@ -53,13 +53,13 @@ struct TexturedPiece {
     Winding winding;
 };
 
-// Finds which brush side's texture covers which part of a polygon on its plane.
+// Finds the brush sides whose textures cover parts of a polygon on their plane.
 class Texturing {
   public:
     Texturing(const std::vector<Brush>& brushes, const PlaneList& planes);
 
-    // Cuts `winding` into the parts that the sides facing `facing` of brushes of `filling` cover, later brushes
-    // first. What none covers (slivers, by rounding) gets the texture of the nearest such brush.
+    // Cuts `winding` into the parts covered by sides with the plane `facing` of brushes with the contents `filling`,
+    // later brushes first. Parts without cover (slivers, by rounding) get the texture of the nearest such brush.
     std::vector<TexturedPiece> cover(const Winding& winding, PlaneSide facing, int filling) const;
 
   private:
@@ -149,21 +149,21 @@ void check_count(std::size_t count) {
                                            " faces, expected larger texture scales or a smaller level");
 }
 
-// Corners keep multiples of 1/256 on planes across an axis.
+// On planes perpendicular to an axis, at multiples of 1/256, corners are exact.
 bool keeps_corners(const Plane& plane) {
     const Point& n = plane.normal;
     return std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)}) == 1.0 &&
            plane.distance * 256 == std::round(plane.distance * 256);
 }
 
-// Where to cut off the last whole step that fits. Other corners come to lie a hair on either side of it, so that a
-// reader would count a step more for both faces: they are cut in the middle of a step.
+// The plane after the last whole step that fits. If corners are inexact there, rounding puts them on either side, and a
+// reader would count one more step for both faces: then the plane is in the middle of a step.
 Plane cut_at_step(const TexInfo& texinfo, int axis, double texel) {
     const Plane at_step = plane_at_texel(texinfo, axis, texel);
     return keeps_corners(at_step) ? at_step : plane_at_texel(texinfo, axis, texel - kStep / 2);
 }
 
-// A rounding error over a whole step is no reason to cut: the reader rounds the same numbers.
+// Does not cut at a rounding error above a whole step: readers round the same numbers.
 std::vector<Winding> cut_along(Winding winding, const TexInfo& texinfo, int axis) {
     std::vector<Winding> pieces;
     while (true) {

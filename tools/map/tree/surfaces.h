@@ -15,18 +15,18 @@ struct Surface {
     Winding winding;  ///< clockwise seen from its front
 };
 
-/// The polygons where contents change, as planes for another tree; without textures.
+/// The polygons between different contents, as planes for another tree; without textures.
 std::vector<BoundaryPiece> boundaries(const Tree& tree, const Portals& portals);
 
-/// What is drawn: each portal between different contents is covered, wholly and once, by the textures of the brush
-/// sides that lie there (liquids: on both sides). So the surfaces are as tight as the tree.
+/// The drawn polygons: each portal between different contents is covered completely and once by the textures of the
+/// brush sides there (liquids: on both sides), so the surfaces have no gaps where the tree has none.
 std::vector<Surface> make_surfaces(const Tree& tree, const PlaneList& planes, const Portals& portals,
                                    const std::vector<Brush>& brushes);
 
-/// Texels that a lit surface may reach across, as counted in whole steps of 16: a lightmap has at most 16 x 16 samples.
+/// The largest extent of a lit surface in texels, counted in whole steps of 16: a lightmap has at most 16 x 16 samples.
 inline constexpr int kMaxExtent = 240;
 
-/// Cuts lit surfaces so that none exceeds kMaxExtent. Throws InputError if that makes more than a level can have.
+/// Cuts lit surfaces so that none exceeds kMaxExtent. Throws InputError for more surfaces than the format allows.
 std::vector<Surface> subdivided(std::vector<Surface> surfaces, const std::vector<TexInfo>& texinfos);
 
 }  // namespace oblong::map

@@ -15,7 +15,7 @@ bool hides(const Brush& other, bool is_other_later, const Brush& own, const Brus
     return !other.has_side(side.plane) || is_other_later;
 }
 
-// By brush: the others that touch it, in their order.
+// For each brush, the others that touch it, in order.
 std::vector<std::vector<std::size_t>> touching_brushes(const std::vector<Brush>& brushes) {
     std::vector<std::size_t> by_low(brushes.size());
     std::iota(by_low.begin(), by_low.end(), std::size_t{0});
@@ -35,7 +35,7 @@ std::vector<std::vector<std::size_t>> touching_brushes(const std::vector<Brush>&
     return touching;
 }
 
-// Whether the winding is apart from the box, or touches it from outside.
+// Whether the winding is outside of the box, or touches it from outside.
 bool is_beside(const Box& winding, const Box& box) {
     for (int axis = 0; axis < 3; ++axis) {
         const double over = winding.mins[axis] - box.maxs[axis], under = box.mins[axis] - winding.maxs[axis];
@@ -46,7 +46,7 @@ bool is_beside(const Box& winding, const Box& box) {
     return false;
 }
 
-// The same for the brush: all of the winding is on or in front of one of its sides, and some of it in front.
+// The same for the brush: the winding is completely on or in front of one of its sides, and partly in front.
 bool is_beside(const Winding& winding, const Brush& brush, const PlaneList& planes) {
     return is_beside(box_of(winding), brush.box) ||
            std::any_of(brush.sides.begin(), brush.sides.end(), [&](const BrushSide& side) {
@@ -56,8 +56,8 @@ bool is_beside(const Winding& winding, const Brush& brush, const PlaneList& plan
            });
 }
 
-// `winding` without its part inside `brush` or on its surface, in convex pieces; unless nothing is inside, the
-// pieces are new.
+// `winding` without its part inside `brush` or on its surface, in convex pieces; if nothing is inside, `winding`
+// itself.
 std::vector<Winding> outside_of(const Winding& winding, const Brush& brush, const PlaneList& planes) {
     std::vector<Winding> outside;
     Winding inside = winding;
@@ -107,14 +107,14 @@ Side side_of_reach(double lowest, double highest) {
     return is_back ? Side::kBack : Side::kOn;
 }
 
-// A plane to cut pieces by.
+// A plane that cuts pieces.
 class Cutter {
   public:
     Cutter(int index, const PlaneList& planes) : index_(index), type_(planes.type(index)), plane_(planes[index]) {}
 
     bool is_axial() const { return type_ < 3; }
 
-    // Where a piece lies. Those on this very plane are always kOn.
+    // The side of a piece. Pieces of this plane are always kOn.
     Side side_of(const BoundaryPiece& piece) const {
         if (piece.plane.plane == index_) return Side::kOn;
         if (is_axial())
@@ -132,7 +132,7 @@ bool has_only_detail(const std::vector<BoundaryPiece>& pieces) {
     return std::all_of(pieces.begin(), pieces.end(), [](const BoundaryPiece& piece) { return piece.is_detail; });
 }
 
-// Every plane of the pieces, or an even selection of them if they are many, the axial ones first.
+// Every plane of the pieces, or, of many, an even selection, with axial planes first.
 std::vector<int> candidates_of(const std::vector<BoundaryPiece>& pieces, const PlaneList& planes) {
     std::vector<int> all;
     const bool takes_detail = has_only_detail(pieces);
@@ -152,7 +152,7 @@ std::vector<int> candidates_of(const std::vector<BoundaryPiece>& pieces, const P
     return some;
 }
 
-// `most`: what is returned for any cost that is not below it.
+// `most`: the largest result, returned for all higher costs.
 long cost_of(int plane, const std::vector<BoundaryPiece>& pieces, const PlaneList& planes, long most) {
     const Cutter cutter(plane, planes);
     const auto weighted = [&](long cost) { return cutter.is_axial() ? 2 * cost : 3 * cost + 4; };
@@ -167,7 +167,7 @@ long cost_of(int plane, const std::vector<BoundaryPiece>& pieces, const PlaneLis
     return std::min(weighted(kCutCost * cuts + std::labs(front - back)), most);
 }
 
-// The plane to cut these pieces by: one of theirs.
+// Chooses the plane of a piece to cut the pieces.
 int choose_plane(const std::vector<BoundaryPiece>& pieces, const PlaneList& planes) {
     int best = pieces.front().plane.plane;
     long best_cost = std::numeric_limits<long>::max();
@@ -185,7 +185,7 @@ void add_piece(std::vector<BoundaryPiece>& pieces, const BoundaryPiece& whole, W
     pieces.push_back({whole.plane, std::move(winding), box, whole.is_detail});
 }
 
-// Pieces on the plane are done with; those across it are cut.
+// Drops pieces on the plane; cuts those across it.
 std::array<std::vector<BoundaryPiece>, 2> parted(std::vector<BoundaryPiece> pieces, int plane,
                                                  const PlaneList& planes) {
     std::array<std::vector<BoundaryPiece>, 2> sides;

@@ -20,7 +20,7 @@ class BitSet {
         for (std::size_t i = 0; i < words_.size(); ++i) words_[i] |= other.words_[i];
     }
 
-    /// Calls use(i) for each i that it has and `other` has not, in ascending order. That may remove i.
+    /// Calls use(i) for each i in this set but not in `other`, in ascending order. use(i) may remove i.
     template <class Use>
     void for_each_beyond(const BitSet& other, Use use) const {
         for (std::size_t i = 0; i < words_.size(); ++i)
@@ -39,8 +39,8 @@ class BitSet {
     std::vector<std::uint64_t> words_;
 };
 
-/// A set that is a small part of its size, as what is seen at the end of a chain of portals is: only words that hold
-/// anything are looked at, 6 of 100 there.
+/// A sparse set, such as the portals visible at the end of a chain of portals: only visits words that are not 0, 6 of
+/// 100 there.
 class ThinSet {
   public:
     explicit ThinSet(std::size_t size) : bits_(size), held_(bits_.words_.size(), 0) {}
@@ -54,7 +54,7 @@ class ThinSet {
             if (all.words_[i] != 0) held_[held_count_++] = i;
     }
 
-    /// Becomes the intersection of two other sets; returns whether that holds anything that `known` does not.
+    /// Becomes the intersection of two other sets; returns whether it has elements outside of `known`.
     bool set_common(const ThinSet& a, const BitSet& b, const BitSet& known) {
         for (std::size_t k = 0; k < held_count_; ++k) bits_.words_[held_[k]] = 0;
         held_count_ = 0;

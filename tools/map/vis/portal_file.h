@@ -6,7 +6,7 @@ namespace oblong::map {
 
 struct VisGraph;
 
-/// The ways between clusters of leaves, as editors show them.
+/// The portals between clusters of leaves, for editors.
 struct PortalFile {
     std::size_t count = 0;
     std::string text;  ///< of a .prt file: "PRT1", the number of clusters and of portals, then a line a portal: number

@@ -6,13 +6,13 @@ namespace oblong::map {
 
 namespace {
 
-// Less than this is the arithmetic's error.
+// Smaller heights are rounding errors.
 constexpr double kNoHeight = 1e-8;
 
-// A plane through an edge, by a normal that need not be of length 1, and a point of the edge.
+// A plane through an edge, with a normal of any length, and a point of the edge.
 struct EdgePlane {
     Point normal, origin;
-    double on_squared = 0;  // of the scaled height from which on a point is off the plane
+    double on_squared = 0;  // the square of the scaled height beyond which a point is off the plane
 
     EdgePlane(const Point& across, const Point& through)
         : normal(across), origin(through), on_squared(kOnEpsilon * kOnEpsilon * dot(across, across)) {}
@@ -24,8 +24,8 @@ struct EdgePlane {
     }
 };
 
-// Whether the winding is on the side that the plane faces, but not all of it on the plane. Asks the neighbours of
-// `corner`, which is on the plane, first: where they are in front, nearly always all are.
+// Whether the winding is in front of the plane, and not completely on it. Checks the neighbours of `corner`, which is
+// on the plane, first: if they are in front, all corners nearly always are.
 bool is_in_front(const Winding& winding, std::size_t corner, const EdgePlane& plane) {
     const std::size_t last = winding.size() - 1;
     const double after = plane.signed_square_of(winding[corner == last ? 0 : corner + 1]);
@@ -40,8 +40,8 @@ bool is_in_front(const Winding& winding, std::size_t corner, const EdgePlane& pl
     return lowest >= -plane.on_squared && highest > plane.on_squared;
 }
 
-// Appends those through an edge of `a`; they face `b`. All of `a` is on one side of such a plane: that of its middle.
-// An edge that lies in one of the planes that are there needs none.
+// Appends the separators through an edge of `a`; they face `b`. All of `a` is on one side of such a plane: that of its
+// middle. An edge in one of the existing planes needs none.
 void add_separators_at_edges(const Winding& a, const Winding& b, std::vector<Plane>& planes) {
     const Point middle_of_a = middle(a);
     const auto there = static_cast<std::ptrdiff_t>(planes.size());
@@ -59,7 +59,8 @@ void add_separators_at_edges(const Winding& a, const Winding& b, std::vector<Pla
             const Point across = cross(edge, b[corner] - a[i]);
             const double size_squared = dot(across, across);
             const double height_of_a = dot(across, to_middle);
-            const EdgePlane plane(across * std::copysign(1.0, -height_of_a), a[i]);  // no branch: half of them turn
+            const EdgePlane plane(across * std::copysign(1.0, -height_of_a),
+                                  a[i]);  // without a branch, as half of them are flipped
             if (size_squared < kOnEpsilon * kOnEpsilon || height_of_a * height_of_a <= plane.on_squared) continue;
             if (!is_in_front(b, corner, plane)) continue;
             const Point normal = plane.normal * (1 / std::sqrt(size_squared));

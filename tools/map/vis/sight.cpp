@@ -39,16 +39,16 @@ BitSet narrowed(const VisGraph& graph, const VisPortal& base) {
     return found;
 }
 
-// Where many small clusters lie in the open, the chains of portals are too many to follow: so many steps are shared out
-// among the portals, a few of which may use up to kShare times the mean of what is left.
+// Many small clusters in open space have too many chains of portals to follow: the portals share kAllSteps steps, each
+// of up to kShare times the mean of the remaining ones.
 constexpr long kAllSteps = 20000000;
 constexpr long kShare = 8;
 
-// So many portals are followed at a time, from what is known before, however many threads share in them: the sets are
-// the same for any number.
+// The number of portals followed at a time, from earlier results: independent of the number of threads, so that the
+// sets are the same.
 constexpr std::size_t kAtOnce = 12;
 
-// One portal's flow through the level.
+// The flow of one portal through the level.
 class Flow {
   public:
     Flow(const VisGraph& graph, const std::vector<BitSet>& seen, const std::vector<bool>& is_done,
@@ -71,15 +71,15 @@ class Flow {
     long steps() const { return steps_; }
 
   private:
-    // A link of the chain of portals that is being followed; kept for the next chain, with its memory.
+    // A link of the current chain of portals; reused for the next chain, with its memory.
     struct Link {
-        Winding source;              // the part of the base portal that lines of sight may start from
-        Winding target;              // the part of the last portal that they may pass
-        std::vector<Plane> frustum;  // everything seen beyond is in front of these
+        Winding source;              // the part of the base portal where lines of sight may start
+        Winding target;              // the part of the last portal through which they may pass
+        std::vector<Plane> frustum;  // all points visible beyond are in front of these
         ThinSet might_see;
     };
 
-    // Goes on from a cluster that was reached through `depth` portals after the base.
+    // Continues from a cluster reached through `depth` portals after the base.
     void pass_cluster(int cluster, std::size_t depth) {
         Link& next = link(depth + 1);
         const Link& here = links_[depth];
@@ -108,7 +108,7 @@ class Flow {
         pass_cluster(portal.cluster, depth + 1);
     }
 
-    // What of the portal is within the frustum; false: nothing.
+    // Sets `target` to the portal's part within the frustum; false: none.
     bool find_target(const VisPortal& portal, const std::vector<Plane>& frustum, Winding& target) {
         for (const Plane& plane : frustum) {
             if (plane.height_of(portal.centre) <= -portal.radius) return false;
@@ -122,12 +122,12 @@ class Flow {
         return !target.empty();
     }
 
-    // `part`: some of the portal, which is in front of most planes as a whole.
+    // `part`: a part of the portal, which is completely in front of most planes.
     void cut_where_near(Winding& part, const VisPortal& portal, const Plane& plane) {
         if (plane.height_of(portal.centre) < portal.radius) cutter_.cut_to_front(part, plane);
     }
 
-    // In a deque, as references to links stay in use while it grows.
+    // In a deque, since references to links must stay valid while it grows.
     Link& link(std::size_t depth) {
         while (links_.size() <= depth) links_.push_back({{}, {}, {}, ThinSet(graph_.portals.size())});
         return links_[depth];
@@ -144,13 +144,14 @@ class Flow {
     long steps_ = 0;
 };
 
-// What does not see a portal is not seen by it, the other way round (portal k ^ 1 is portal k the other way).
+// Visibility is symmetric: removes the reverse of each pair that is not visible (portal k ^ 1 is portal k in the other
+// direction).
 void forget_unseen(VisGraph& graph, std::size_t base, const BitSet& seen) {
     graph.portals[base].might_see.for_each_beyond(
         seen, [&](std::size_t k) { graph.portals[k ^ 1].might_see.remove(base ^ 1); });
 }
 
-// Those with little to see first: they help the others.
+// Portals with small sets first: their results speed up the others.
 std::vector<std::size_t> by_might_see(const VisGraph& graph) {
     std::vector<int> counts;
     for (const VisPortal& portal : graph.portals) counts.push_back(portal.might_see.count());
@@ -165,7 +166,7 @@ std::vector<std::size_t> by_might_see(const VisGraph& graph) {
 void narrow_might_see(VisGraph& graph, const WorkSharing& sharing) {
     std::vector<BitSet> sets(graph.portals.size());
     sharing.for_each(sets.size(), [&](std::size_t i) { sets[i] = narrowed(graph, graph.portals[i]); });
-    // A line of sight runs both ways: portal i ^ 1 is portal i the other way.
+    // Lines of sight run in both directions: portal i ^ 1 is portal i in the other direction.
     const BitSet none(sets.size());
     sharing.for_each(sets.size(), [&](std::size_t i) {
         BitSet& both = graph.portals[i].might_see = sets[i];

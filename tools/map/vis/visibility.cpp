@@ -12,7 +12,7 @@ namespace oblong::map {
 namespace {
 
 constexpr const char *kRoughStage = "rough visibility", *kStage = "visibility";
-constexpr int kNarrowingRounds = 3;  // each starts from the last one's sets; a fourth takes hardly anything away
+constexpr int kNarrowingRounds = 3;  // each starts from the previous one's sets; a fourth removes hardly any
 
 std::vector<bool> clusters_seen_from(int cluster, const VisGraph& graph, const std::vector<BitSet>& seen) {
     std::vector<bool> clusters(graph.portals_of_cluster.size(), false);
@@ -65,14 +65,14 @@ bool has_point_in_front(const Winding& winding, const Plane& plane) {
                        [&](const Point& point) { return plane.height_of(point) > kFrontEpsilon; });
 }
 
-// The same for a portal, at once where its middle or all of it is clearly on a side.
+// The same for a portal, fast if its middle or all of it is clearly on one side.
 bool has_point_in_front(const VisPortal& portal, const Plane& plane) {
     const double height = plane.height_of(portal.centre);
     if (height > 1) return true;
     return height > -portal.radius - 1 && has_point_in_front(portal.winding, plane);
 }
 
-// Whether a line of sight that passes `first` forwards may then pass `next` forwards.
+// Whether a line of sight through `first` may then pass through `next`, both forwards.
 bool may_follow(const VisPortal& first, const VisPortal& next) {
     return has_point_in_front(next, first.plane) && has_point_in_front(first, next.plane.flipped());
 }
@@ -91,7 +91,7 @@ void assign_cluster(const Tree& tree, int child, int cluster, const std::vector<
     for (const int below : node.children) assign_cluster(tree, below, cluster, is_numbered, clusters);
 }
 
-// Where two clusters touch: by node, the cluster in front and the one behind.
+// The polygons between touching clusters: by node, the cluster in front and the one behind.
 std::map<std::tuple<int, int, int>, std::vector<Winding>> openings(const CompiledModel& world,
                                                                    const Clusters& clusters) {
     std::map<std::tuple<int, int, int>, std::vector<Winding>> found;

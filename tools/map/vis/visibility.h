@@ -13,44 +13,44 @@
 namespace oblong::map {
 
 /// A set of leaves as in the file: a bit each, leaf 1 first, lowest bit first; a zero byte is followed by the number of
-/// zero bytes that it stands for.
+/// zero bytes that it represents.
 std::string packed_row(const std::vector<bool>& leaves);
 
 /// The first `leaf_count` leaves of the row at `offset`; all of them if it is negative.
 std::vector<bool> unpacked_row(const std::string& visibility, int offset, std::size_t leaf_count);
 
-/// Gives every leaf of the world the set of leaves that may be seen from it; liquids are seen through. `is_fast`:
-/// without cutting lines of sight, so more is thought to be seen. `portals`, if not null, receives them.
+/// Gives every leaf of the world the set of leaves potentially visible from it; liquids are transparent. `is_fast`:
+/// does not clip lines of sight, so that the sets are larger. `portals`, if not null, receives them.
 void add_visibility(BspFile& bsp, const CompiledModel& world, const std::vector<int>& leaf_indices,
                     const PlaneList& planes, bool is_fast, const WorkSharing& sharing, PortalFile* portals);
 
-/// Leaves that are told apart by details only are a cluster: visible sets are found for clusters.
+/// Leaves separated only by details form a cluster: visible sets are computed for clusters.
 struct Clusters {
     std::vector<int> of_leaf;  ///< by leaf of the tree; -1: solid
     std::size_t count = 0;
 };
 
-/// `is_numbered`: for each leaf of the tree, whether it has a place in the visible sets.
+/// `is_numbered`: for each leaf of the tree, whether the visible sets include it.
 Clusters cluster_leaves(const Tree& tree, const std::vector<bool>& is_numbered);
 
-/// A portal: the polygon through which a cluster is seen.
+/// A portal: the polygon through which a cluster is visible.
 struct VisPortal {
     Winding winding;
     Plane plane;  ///< faces into the cluster
     int cluster = 0;
-    Point centre;  ///< the polygon lies within `radius` of it
+    Point centre;  ///< the polygon is within `radius` of it
     double radius = 0;
-    BitSet might_see;  ///< the portals that may be seen through this one
+    BitSet might_see;  ///< the portals potentially visible through this one
 };
 
-/// The clusters, and the ways between them.
+/// The clusters and the portals between them.
 struct VisGraph {
-    std::vector<VisPortal> portals;                    ///< i and i ^ 1 are the two ways through one polygon
+    std::vector<VisPortal> portals;                    ///< i and i ^ 1 are the two directions through one polygon
     std::vector<std::vector<int>> portals_of_cluster;  ///< those that lead out of each
 };
 
-/// Adds to `found` what can be reached out of `cluster`, passing only portals i of which may_pass(i) is true.
-/// `only_first`: of the portals that lead into a cluster only the first that is met.
+/// Adds to `found` the portals reachable from `cluster` through portals i for which may_pass(i) is true. `only_first`:
+/// of the portals into a cluster, only the first one found.
 template <class MayPass>
 void flood_portals(const VisGraph& graph, int cluster, BitSet& found, MayPass may_pass, bool only_first = false) {
     std::vector<bool> is_reached(graph.portals_of_cluster.size(), false);
@@ -69,11 +69,11 @@ void flood_portals(const VisGraph& graph, int cluster, BitSet& found, MayPass ma
     }
 }
 
-/// Portals lead each way between clusters whose leaves touch, if both leaves are not opaque.
+/// Portals lead in both directions between clusters with touching leaves, if neither leaf is opaque.
 VisGraph make_vis_graph(const CompiledModel& world, const PlaneList& planes, const Clusters& clusters);
 
-/// Sets might_see of all portals: those that can be reached through portals which lie in front of this one and face
-/// away from it. A superset of what can be seen. `only_first`: as for flood_portals().
+/// Sets might_see of all portals: those reachable through portals in front of this one that face away from it. A
+/// superset of the visible ones. `only_first`: as for flood_portals().
 void find_might_see(VisGraph& graph, const WorkSharing& sharing, bool only_first = false);
 
 }  // namespace oblong::map
