@@ -125,8 +125,6 @@ bool MapWatch::others_have_changed() {
 }
 
 std::optional<MapWatch::News> MapWatch::poll(std::uint64_t now_us) {
-    if (now_us < looked_us_ + kBetweenLooks_us) return std::nullopt;
-    looked_us_ = now_us;
     if (running_) {
         int status = 0;
         if (waitpid(*running_, &status, WNOHANG) == 0) return std::nullopt;
@@ -139,6 +137,8 @@ std::optional<MapWatch::News> MapWatch::poll(std::uint64_t now_us) {
         begin(MapChange::All);  // more has changed than assumed
         return std::nullopt;
     }
+    if (now_us < looked_us_ + kBetweenLooks_us) return std::nullopt;
+    looked_us_ = now_us;
     std::error_code ignored;
     if (!fs::exists(map_file_, ignored)) return std::nullopt;
     const Stamp now = stamp_of(map_file_);

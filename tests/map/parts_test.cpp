@@ -134,6 +134,22 @@ TEST_F(MapWatchTest, FollowsTheSource) {
     EXPECT_TRUE(level_bytes() == first);
 }
 
+// No picture is waited for in vain: the level is told of by the first call after its compiler has ended.
+TEST_F(MapWatchTest, TellsOfALevelAtOnce) {
+    write_file(path("t.wad"), wad_bytes({"wall"}));
+    write_file(path("my.map"), with_wad(two_rooms(kLamp)));
+    watch.compile_first();
+    write_file(path("my.map"), with_wad(two_rooms(kLamp + kLens)));
+    const std::uint64_t saved_us = 1'000'000;
+    std::optional<MapWatch::News> news = watch.poll(saved_us);
+    for (int tries = 0; tries < 3000 && !news; ++tries) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        news = watch.poll(saved_us + 1);
+    }
+    ASSERT_TRUE(news);
+    EXPECT_TRUE(news->has_level);
+}
+
 // A map within the map, its place, and textures: none of them is in the source's own brushes.
 TEST_F(MapWatchTest, FollowsWhatTheSourceNames) {
     const auto source = [](const Whole& at) {
