@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 
 namespace oblong::test {
@@ -32,7 +33,7 @@ EditorValue text_value(std::string text) {
 // Keys of entities are texts: in sums and bits they count as numbers.
 double number_of(const EditorValue& value) {
     if (value.kind == Kind::Text) return value.text.empty() ? 0 : std::stod(value.text);
-    return value.kind == Kind::Number ? value.number : 0;
+    return value.number;
 }
 
 // The language's operators, the loosest first: of each level, all group from the left.
@@ -125,9 +126,18 @@ class Expression {
         if (letter == '"' || letter == '\'') return text_value(quoted());
         if (std::isdigit(static_cast<unsigned char>(letter)) != 0 || letter == '.') return number();
         const std::string name = word();
-        if (name == "true" || name == "false") return number_value(name == "true");
+        for (const char* const literal : {"true", "false", "null"})
+            if (name.starts_with(literal)) return literal_value(name, literal);
         const auto known = variables_.find(name);
         return known == variables_.end() ? EditorValue{} : known->second;
+    }
+
+    // A name that begins with a literal is two tokens for the editor.
+    EditorValue literal_value(const std::string& name, const std::string& literal) const {
+        if (name != literal) fail(at_, "a name that does not begin with " + literal);
+        EditorValue value = number_value(literal == "true" ? 1 : 0);
+        value.kind = literal == "null" ? Kind::Undefined : Kind::Boolean;
+        return value;
     }
 
     EditorValue first_of(std::string_view close) {
@@ -149,18 +159,28 @@ class Expression {
     EditorValue map() {
         EditorValue value;
         value.kind = Kind::Map;
-        if (take("}")) return value;
+        if (is_next("}")) {
+            close_map();
+            return value;
+        }
         do {
             const std::string key = is_next("\"") || is_next("'") ? quoted() : word();
             expect(":");
             if (!value.map.emplace(key, level(0)).second) fail(at_, "each key once");
         } while (take(","));
-        expect("}");
+        close_map();
         return value;
     }
 
+    // '}}' is one token, whatever it stands behind.
+    void close_map() {
+        if (is_next("}}")) fail(at_, "a blank between '}' and '}'");
+        expect("}");
+    }
+
     EditorValue number() {
-        const std::string rest(text_.substr(at_, 40));
+        const std::size_t end = std::min(text_.find_first_not_of("0123456789.", at_), text_.size());
+        const std::string rest(text_.substr(at_, end - at_));
         std::size_t length = 0;
         const double value = std::stod(rest, &length);
         at_ += length;
@@ -252,7 +272,7 @@ class Fgd {
         std::string word(text_.substr(at_, end - at_));
         at_ = end;
         const std::size_t digits = word.find_first_not_of("0123456789", word[0] == '-' ? 1 : 0);
-        if (digits == std::string::npos) return {FgdToken::Kind::Whole, word};
+        if (digits == std::string::npos && word != "-") return {FgdToken::Kind::Whole, word};
         const bool is_decimal = word.find_first_not_of("-.0123456789") == std::string::npos;
         return {is_decimal ? FgdToken::Kind::Decimal : FgdToken::Kind::Word, word};
     }
@@ -301,6 +321,8 @@ class Fgd {
             std::string& value = property == "size" ? its.size : its.model;
             if ((property != "size" && property != "model") || !value.empty()) fail("size or model, once");
             value = in_parentheses();
+            if (property == "model") evaluate(value);
+            if (property == "size") check_size(value);
         }
         if (its.kind == "@SolidClass" && !(its.size + its.model).empty()) fail("no size and model of brushes");
         expect("=");
@@ -313,6 +335,16 @@ class Fgd {
             if (!names.insert(its.keys.back().name).second) fail("each key once");
         }
         return its;
+    }
+
+    void check_size(const std::string& corners) const {
+        std::istringstream words(corners);
+        std::array<double, 6> numbers{};
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+            if (i == 3 && words.get() != ',') fail("two corners");
+            if (!(words >> numbers[i])) fail("six numbers");
+        }
+        if (!(words >> std::ws).eof()) fail("')' behind two corners");
     }
 
     EditorKey key() {

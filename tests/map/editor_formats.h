@@ -11,10 +11,10 @@ namespace oblong::test {
 
 /// A value of its expression language.
 struct EditorValue {
-    enum class Kind { Undefined, Number, Text, List, Map };
+    enum class Kind { Undefined, Boolean, Number, Text, List, Map };
 
     Kind kind = Kind::Undefined;
-    double number = 0;
+    double number = 0;  ///< 0 or 1 of a Boolean
     std::string text;
     std::vector<EditorValue> list;
     std::map<std::string, EditorValue> map;
@@ -34,6 +34,12 @@ EditorValue evaluate(std::string_view text, const EditorVariables& variables = {
 
 /// A string with its ${...} evaluated: an Undefined one is an error.
 std::string interpolated(const std::string& text, const EditorVariables& variables);
+
+/// The game's configuration, the ways to compile and the ways to start it, evaluated. Throws std::runtime_error for
+/// what the editor does not read: a missing value, one of another type, another version.
+EditorValue read_game_config(std::string_view text);
+EditorValue read_compilation_config(std::string_view text);
+EditorValue read_engine_config(std::string_view text);
 
 struct EditorKey {
     std::string name, type, description, usual;
