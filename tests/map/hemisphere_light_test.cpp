@@ -104,6 +104,15 @@ TEST(HemisphereLight, SkyAllAroundIsAsBrightAsOthersMakeIt) {
     EXPECT_NEAR(light_at(bsp, {{0, -1, 0}, -224}, {256, 224, 32}), 38, 2);
 }
 
+// The same upside down.
+TEST(HemisphereLight, SkyBelowLightsFromBelowAsThatAboveFromAbove) {
+    const std::string open = room({0, 0, 0}, {512, 512, 256}, 16, "sky") + box({224, 224, 96}, {288, 288, 160});
+    const auto bsp = compile(world_with({{"_sunlight3", "200"}}, open) + entity_at("info_player_start", {64, 64, 28}));
+    EXPECT_NEAR(light_at(bsp, {{0, 0, -1}, -96}, {256, 256, 96}), 77, 3);
+    EXPECT_NEAR(light_at(bsp, {{0, -1, 0}, -224}, {256, 224, 128}), 38, 2);
+    EXPECT_LE(light_at(bsp, {{0, 0, 1}, 160}, {256, 256, 160}), 0);
+}
+
 // In a closed room where all surfaces have the same light L and give back half of it, the first bounce brings L / 2,
 // the second L / 4: whatever the room's shape. A lamp that does not fade lights no face evenly, so that sky all around
 // does.
@@ -168,6 +177,20 @@ TEST(SmoothLight, APillarsEdgesAreLitAsACylinder) {
     EXPECT_LT(steps_at_edges(bsp_of({{"_phong", "1"}})), 14);
     EXPECT_GT(steps_at_edges(bsp_of({{"_phong", "1"}, {"_phong_angle", "20"}})), 20) << "edges of 30 degrees stay";
     EXPECT_LT(steps_at_edges(bsp_of({{"_phong_angle", "35"}})), 14);
+}
+
+// At an edge of a square pillar the normal is the mean of both faces'; between two edges it goes linearly from one to
+// the other.
+TEST(SmoothLight, NormalsTurnLinearlyFromEdgeToEdge) {
+    const auto bsp = compile(level(room({0, 0, 0}, {224, 224, 128}),
+                                   entity("func_detail", {{"_phong_angle", "95"}}, box({80, 80, 0}, {144, 144, 128})) +
+                                       entity_at("light", {208, 112, 64}, {{"delay", "3"}, {"light", "400"}})),
+                             {.is_fast = true});
+    for (const int y : {80, 96, 112, 128, 144}) {
+        const double turn = (y - 112) / 32.0, east = 208 - 145, north = 112 - y;
+        const double cosine = (east + turn * north) / (std::hypot(1, turn) * std::hypot(east, north));
+        EXPECT_NEAR(light_at(bsp, {{1, 0, 0}, 144}, {144, static_cast<double>(y), 64}), 400 * (1 + cosine) / 4, 2) << y;
+    }
 }
 
 // A hall, `size` wide and 128 high, of whose ceiling a square in the middle, `width` wide, has the texture "other".
