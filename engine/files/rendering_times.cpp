@@ -90,7 +90,8 @@ std::vector<PlanLine> RenderingTimes::effect_lines(const FramePlan& plan, const 
         if (!plan.effects.has(effect)) continue;
         const std::size_t pass = pass_of(kEffectNames[index]);
         const std::vector<double> times = times_of([&](const Rendering& rendering) {
-            return pass < kPassCount ? rendering.times.passes_ns[pass] : rendering.times.effects_ns[index];
+            if (pass < kPassCount) return rendering.times.passes_ns[pass];
+            return std::clamp(rendering.times.effects_ns[index], std::int64_t{0}, rendering.frame_ns);  // as walk_ns()
         });
         lines.push_back(line_of(kEffectNames[index], counts.effect_pixels[index], spread_of(times)));
     }

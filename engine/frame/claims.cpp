@@ -73,15 +73,10 @@ PlaneInverseZ inverse_z_after(const VisibleFace& visible, const FrameContext& fr
     return last.inverse_z;
 }
 
-/// The next face of the walk. One face in 16 is timed, minus the time to read the clock, as reading it for every face
-/// would take about as long as the walk.
+/// The next face of the walk.
 bool next_face(FrontToBackWalk& walk, PassTimes* times, VisibleFace& found) {
-    constexpr std::uint32_t kSample = 16;
-    if (!times || ++times->faces_walked % kSample != 0) return walk.next(found);
-    const std::int64_t before_ns = times->clock(), began_ns = times->clock();
-    const bool is_found = walk.next(found);
-    times->walk_ns += kSample * ((times->clock() - began_ns) - (began_ns - before_ns));
-    return is_found;
+    const SampledStopwatch watch(times, &PassTimes::walk_ns);
+    return walk.next(found);
 }
 
 }  // namespace
@@ -132,7 +127,7 @@ FacesInView::~FacesInView() {
 bool FacesInView::next(VisibleFace& found) {
     const FrameObservers& observers = frame_.observers;
     while (next_face(walk_, observers.times, found)) {
-        const Stopwatch of_models(found.fragment ? observers.times : nullptr, Effect::BrushModels);
+        const SampledStopwatch of_models(found.fragment ? observers.times : nullptr, Effect::BrushModels);
         if (!project(found, walk_.nears_limits(), frame_, scratch_) || !scan(frame_, scratch_)) continue;
         if (observers.counts) count_polygon(scratch_.polygon, scratch_.rows, observers.counts->stages);
         return true;

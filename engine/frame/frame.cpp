@@ -64,7 +64,7 @@ void start_observers(const FrameWorkspace& work, Framebuffer out) {
             -work.cache.surfaces.built_texels();  // end_observers() adds the final count
     }
     if (observers.record) observers.record->pixels.assign(pixel_count(out.pitch, out.height_px), {});
-    if (observers.times) *observers.times = {observers.times->clock, observers.times->faces_walked};
+    if (observers.times) *observers.times = {observers.times->clock, observers.times->samples_asked};
 }
 
 void end_observers(const FrameWorkspace& work) {

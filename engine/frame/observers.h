@@ -18,8 +18,8 @@ using FrameClock = std::int64_t (*)();
 /// The times of a frame, measured on request.
 struct PassTimes {
     FrameClock clock = nullptr;
-    std::uint32_t faces_walked = 0;                       ///< in all frames; selects the faces to time
-    std::int64_t walk_ns = 0;                             ///< estimated from one face in 16; inaccurate for short walks
+    std::uint32_t samples_asked = 0;                      ///< in all frames; selects what SampledStopwatch times
+    std::int64_t walk_ns = 0;                             ///< estimated from samples; inaccurate for short walks
     std::int64_t claims_ns = 0;                           ///< the walk, polygons, scan, span buffer
     std::array<std::int64_t, kPassCount> passes_ns{};     ///< by index in kPasses
     std::array<std::int64_t, kEffectCount> effects_ns{};  ///< by Effect, for those without a pass
@@ -45,6 +45,36 @@ class Stopwatch {
     FrameClock clock_;
     std::int64_t* sum_;
     std::int64_t began_ns_ = 0;
+};
+
+/// Estimates the time of scopes that are so short and so many that reading the clock in each would take a good part of
+/// the frame: it times one scope in 17, minus the time to read the clock, and counts it 17 times. The number is odd, as
+/// two kinds of scopes often alternate. A sum may be slightly below 0.
+class SampledStopwatch {
+  public:
+    SampledStopwatch(PassTimes* times, std::int64_t PassTimes::*sum)
+        : SampledStopwatch(times, times ? &(times->*sum) : nullptr) {}
+    SampledStopwatch(PassTimes* times, Effect effect)
+        : SampledStopwatch(times, times ? &item(times->effects_ns, effect) : nullptr) {}
+    SampledStopwatch(const SampledStopwatch&) = delete;
+    ~SampledStopwatch() {
+        if (clock_) *sum_ += kSample * (clock_() - began_ns_ - reading_ns_);
+    }
+
+  private:
+    static constexpr std::uint32_t kSample = 17;
+
+    SampledStopwatch(PassTimes* times, std::int64_t* sum) : sum_(sum) {
+        if (!times || ++times->samples_asked % kSample != 0) return;
+        clock_ = times->clock;
+        const std::int64_t before_ns = clock_();
+        began_ns_ = clock_();
+        reading_ns_ = began_ns_ - before_ns;
+    }
+
+    FrameClock clock_ = nullptr;
+    std::int64_t* sum_;
+    std::int64_t began_ns_ = 0, reading_ns_ = 0;
 };
 
 /// What is measured while a frame is drawn; null: not measured. Observers never change the picture. A counted or

@@ -255,7 +255,7 @@ void draw_surface(const VisibleFace& claimed, std::span<const Span> spans, const
 void draw_surfaces(std::span<const VisibleFace> faces, const SurfaceOptions& options, const FrameContext& frame,
                    ViewScratch& scratch) {
     for (const VisibleFace& claimed : faces) {
-        const Stopwatch of_models(claimed.fragment ? frame.observers.times : nullptr, Effect::BrushModels);
+        const SampledStopwatch of_models(claimed.fragment ? frame.observers.times : nullptr, Effect::BrushModels);
         draw_surface(claimed, scratch.claims.spans_of(claimed), options, frame, scratch);
     }
 }
