@@ -75,6 +75,8 @@ TEST(HemisphereLight, DirtsScaleAndGainAreAFactorAndAnExponent) {
     const int clean = light_of({});
     EXPECT_NEAR(light_of({{"_dirt", "1"}, {"_dirtscale", "2"}}), clean * (1 - 2 * 0.25), 2);
     EXPECT_NEAR(light_of({{"_dirt", "1"}, {"_dirtgain", "2"}}), clean * (1 - 0.0625), 2);
+    EXPECT_NEAR(light_of({{"_dirt", "1"}, {"_bounce", "3"}, {"_bouncescale", "0"}}), clean * (1 - 0.25), 2)
+        << "once, however often light bounces";
 }
 
 // From the middle of the floor of an endless trench, w wide and h deep, sky is seen to the share
@@ -89,6 +91,8 @@ TEST(HemisphereLight, SkyLightsATrenchByItsOpening) {
         const auto bsp = compile(world_with({{"_sunlight2", "240"}}, trench) + start);
         const double share = 64 / std::hypot(64, depth - 1);
         EXPECT_NEAR(light_at(bsp, kFloor, {1024, 64, 0}), 90 * share, 3) << depth;
+        for (const double x : {976, 992, 1008})  // all nine samples around each are there: all rays
+            EXPECT_EQ(light_at(bsp, kFloor, {x, 64, 0}), light_at(bsp, kFloor, {1024, 64, 0})) << depth << ' ' << x;
         EXPECT_LE(light_at(compile(world_with({{"_sunlight3", "240"}}, trench) + start), kFloor, {1024, 64, 0}), 0)
             << "nothing comes from below the horizon";
     }

@@ -147,6 +147,11 @@ TEST(Lightmaps, WithinItsRadiusALampsBodyThrowsNoShadow) {
     }
 }
 
+TEST(Lightmaps, WhatIsWithinALampsRadiusIsLit) {
+    const auto bsp = compile(level(hall(), entity_at("light", kLamp, {{"radius", "200"}})), {true});
+    EXPECT_NEAR(floor_light(bsp, 96, 64), expected(300 - distance_to(96, 64), 96, 64), 1);
+}
+
 TEST(Lightmaps, ALampsRadiusLetsNoLightThroughWhatIsFarther) {
     const auto bsp = compile(
         level(hall() + box({104, 24, 0}, {120, 104, 128}), entity_at("light", kLamp, {{"radius", "26"}})), {true});
@@ -178,6 +183,11 @@ TEST(Lightmaps, StylesHaveLightmapsOfTheirOwn) {
     EXPECT_NEAR(floor_light(bsp, 96, 64, 0), expected(300 - distance_to(96, 64), 96, 64), 1);
     EXPECT_NEAR(floor_light(bsp, 96, 64, 1), expected(200 - distance_to(96, 64), 96, 64), 1);
     for (const auto& face : bsp.faces) EXPECT_EQ(face.styles[1] == 255 || face.styles[1] == 2, true);
+    const auto dim =
+        compile(level(hall(), entity_at("light", kLamp) +
+                                  entity_at("light", kLamp, {{"style", "2"}, {"delay", "3"}, {"light", "5"}})),
+                {true});
+    EXPECT_NEAR(floor_light(dim, 64, 64, 1), expected(5, 64, 64), 1) << "a shade that can be seen";
 }
 
 TEST(Lightmaps, ASpotlightLightsItsConeOnly) {

@@ -1,3 +1,5 @@
+#include "tools/map/vis/visibility.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -45,6 +47,39 @@ TEST(Visibility, RoomsAroundCornersDoNotSeeEachOther) {
         EXPECT_FALSE(visible_leaves(bsp, west)[static_cast<std::size_t>(east)]) << (is_fast ? "fast" : "full");
         EXPECT_FALSE(visible_leaves(bsp, east)[static_cast<std::size_t>(west)]) << (is_fast ? "fast" : "full");
     }
+}
+
+// Through a door to the east, around a corner, and through a door to the west that lies farther east: no line passes
+// both, and even a draft knows that.
+TEST(Visibility, WhoGoesEastIsNotSeenGoingWest) {
+    std::string walls;
+    for (const auto& [mins, maxs] : {std::pair<Whole, Whole>{{-16, -16, -16}, {416, 288, 0}},
+                                     {{-16, -16, 128}, {416, 288, 144}},
+                                     {{-16, -16, 0}, {0, 288, 128}},
+                                     {{400, -16, 0}, {416, 288, 128}},
+                                     {{0, -16, 0}, {400, 0, 128}},
+                                     {{0, 272, 0}, {400, 288, 128}},
+                                     {{96, 0, 0}, {104, 48, 128}},
+                                     {{96, 80, 0}, {104, 128, 128}},
+                                     {{0, 128, 0}, {340, 144, 128}},
+                                     {{250, 144, 0}, {258, 200, 128}},
+                                     {{250, 232, 0}, {258, 272, 128}}})
+        walls += box(mins, maxs);
+    for (const bool is_fast : {false, true}) {
+        const auto bsp = compile(level(walls), {is_fast});
+        const auto seen = visible_leaves(bsp, leaf_at(bsp, {40, 64, 64}));
+        EXPECT_TRUE(seen[static_cast<std::size_t>(leaf_at(bsp, {200, 64, 64}))]);
+        EXPECT_FALSE(seen[static_cast<std::size_t>(leaf_at(bsp, {200, 216, 64}))]) << (is_fast ? "fast" : "full");
+    }
+}
+
+// 300 zero bytes are more than one byte counts.
+TEST(Visibility, LongRunsOfZeroesAreCut) {
+    std::vector<bool> leaves(300 * 8 + 1, false);
+    leaves.back() = true;
+    const std::string row = map::packed_row(leaves);
+    EXPECT_EQ(row, std::string("\0\xff\0\x2d\x01", 5));
+    EXPECT_EQ(map::unpacked_row(row, 0, leaves.size()), leaves);
 }
 
 TEST(Visibility, WhatALineOfSightMeetsIsInTheSet) {
