@@ -184,16 +184,23 @@ TEST(SmoothLight, APillarsEdgesAreLitAsACylinder) {
 }
 
 // At an edge of a square pillar the normal is the mean of both faces'; between two edges it goes linearly from one to
-// the other.
+// the other. The larger floor is cut 16 units beside the middle of the pillar's face, which has a corner there.
 TEST(SmoothLight, NormalsTurnLinearlyFromEdgeToEdge) {
-    const auto bsp = compile(level(room({0, 0, 0}, {224, 224, 128}),
-                                   entity("func_detail", {{"_phong_angle", "95"}}, box({80, 80, 0}, {144, 144, 128})) +
-                                       entity_at("light", {208, 112, 64}, {{"delay", "3"}, {"light", "400"}})),
-                             {.is_fast = true});
-    for (const int y : {80, 96, 112, 128, 144}) {
-        const double turn = (y - 112) / 32.0, east = 208 - 145, north = 112 - y;
-        const double cosine = (east + turn * north) / (std::hypot(1, turn) * std::hypot(east, north));
-        EXPECT_NEAR(light_at(bsp, {{1, 0, 0}, 144}, {144, static_cast<double>(y), 64}), 400 * (1 + cosine) / 4, 2) << y;
+    for (const int size : {224, 512}) {
+        const int middle = size / 2;
+        const std::string pillar = box({middle - 32, middle - 32, 0}, {middle + 32, middle + 32, 128});
+        const auto bsp =
+            compile(level(room({0, 0, 0}, {size, size, 128}),
+                          entity("func_detail", {{"_phong_angle", "95"}}, pillar) +
+                              entity_at("light", {size - 16, middle, 64}, {{"delay", "3"}, {"light", "400"}})),
+                    {.is_fast = true});
+        for (const int y : {-32, -16, 0, 16, 32}) {
+            const double turn = y / 32.0, east = middle - 16 - 33;
+            const double cosine = (east - turn * y) / (std::hypot(1, turn) * std::hypot(east, y));
+            EXPECT_NEAR(light_at(bsp, {{1, 0, 0}, middle + 32.0}, {middle + 32.0, middle + y + 0.0, 64}),
+                        400 * (1 + cosine) / 4, 1.5)
+                << size << ' ' << y;
+        }
     }
 }
 

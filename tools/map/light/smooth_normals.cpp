@@ -31,6 +31,23 @@ Point mean_normal(const FaceCorner& own, const std::vector<FaceCorner>& at_corne
     return size > 0 ? sum * (1 / size) : own.normal;
 }
 
+constexpr double kStraight = std::numbers::pi - 1e-3;
+
+// A corner within an edge, where only faces that are not smoothed have one, divides the edge: its normal lies between
+// those of the edge's ends.
+void interpolate_within_edges(const std::vector<Floats>& corners, const std::vector<bool>& is_within,
+                              std::vector<Point>& normals) {
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        if (!is_within[k]) continue;
+        std::size_t first = k, last = k;
+        while (is_within[first]) first = (first + corners.size() - 1) % corners.size();
+        while (is_within[last]) last = (last + 1) % corners.size();
+        const Point from = to_point(corners[first]);
+        const double share = length(to_point(corners[k]) - from) / length(to_point(corners[last]) - from);
+        normals[k] = normals[first] * (1 - share) + normals[last] * share;
+    }
+}
+
 }  // namespace
 
 std::vector<std::vector<Point>> smooth_normals(const BspFile& bsp, const std::vector<double>& degrees) {
@@ -50,10 +67,14 @@ std::vector<std::vector<Point>> smooth_normals(const BspFile& bsp, const std::ve
         }
     };
     std::vector<std::vector<Point>> normals(bsp.faces.size());
+    std::vector<std::vector<bool>> is_within(bsp.faces.size());
     each_corner([&](std::size_t, const Floats& place, const FaceCorner& corner) { by_place[place].push_back(corner); });
     each_corner([&](std::size_t face, const Floats& place, const FaceCorner& corner) {
         normals[face].push_back(mean_normal(corner, by_place[place]));
+        is_within[face].push_back(by_place[place].size() == 1 && corner.angle > kStraight);
     });
+    for (std::size_t i = 0; i < normals.size(); ++i)
+        if (!normals[i].empty()) interpolate_within_edges(face_corners(bsp, bsp.faces[i]), is_within[i], normals[i]);
     return normals;
 }
 
