@@ -253,8 +253,8 @@ class LevelScene {
     /// Shows a model in the next picture, even if it is destroyed by then.
     void show(const Model& model, const Pose& pose, std::int32_t frame = 0);
 
-    /// Where a body with its eye at `eye` gets on the way to `wanted` (see moved()): it slides along walls and doors,
-    /// and climbs steps of 18 units. The orientation is that of `wanted`.
+    /// The pose that a body with its eye at `eye` reaches on the way to `wanted` (see moved()): it slides along walls
+    /// and doors, and climbs steps of 18 units. The orientation is that of `wanted`.
     Pose walked(const Pose& eye, const Pose& wanted) const;
     /// Whether the body stands on a floor.
     bool stands(const Pose& eye) const;

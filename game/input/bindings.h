@@ -11,7 +11,7 @@
 
 namespace oblong {
 
-/// Which inputs trigger which action. Two are equal if every action has the same inputs.
+/// The inputs of each action. Two are equal if every action has the same inputs.
 class Bindings {
   public:
     static constexpr std::size_t kMostInputs = 6;  ///< of an action

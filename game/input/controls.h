@@ -29,7 +29,7 @@ class Moves {
         bits_ |= others.bits_;
         return *this;
     }
-    /// Those that the other set lacks.
+    /// The moves that are not in `others`.
     constexpr Moves without(Moves others) const {
         Moves rest;
         rest.bits_ = static_cast<std::uint16_t>(bits_ & ~others.bits_);

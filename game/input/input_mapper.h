@@ -30,7 +30,7 @@ class InputMapper {
     void release_pad();
     void move_mouse(std::int32_t x, std::int32_t y);
 
-    /// What happened since the last call, and what is held. `now_ms` is of any clock; it times the repetition of pad
+    /// The inputs since the last call, and those still held. `now_ms` is of any clock; it times the repetition of pad
     /// inputs.
     Controls take(std::uint64_t now_ms);
     /// The same, after the events that a platform reports.

@@ -47,7 +47,7 @@ class LiveInput {
     LookOffset last_turn_;                                // by keys and sticks
 };
 
-/// Where a tick's input comes from: a demo until it ends, then live input. Records all input on request.
+/// The source of a tick's input: a demo until it ends, then live input. Records all input on request.
 class TickInputSource {
   public:
     /// `rules_hash`: of the level's rules. Throws InputError if the demo was recorded on another level, or by other

@@ -8,7 +8,7 @@
 
 namespace oblong {
 
-/// What the player did in a menu, so that the caller plays sounds and redraws.
+/// The player's action in a menu, for which the caller plays sounds and redraws.
 enum class MenuEvent : std::uint8_t { None, Moved, Changed, Accepted, WentBack };
 
 /// A stack of open pages; the last one is shown. No page: the menu is closed.

@@ -40,7 +40,7 @@ class MenuPages {
     void open_restart();  ///< asks first, if there is unsaved progress
     /// A text with one row, "Go on".
     void open_message(std::string title, std::string text);
-    /// Says why a walk could not be saved, and asks whether to leave it all the same; `go` runs if so.
+    /// Shows why a walk could not be saved, and asks whether to leave it anyway; if so, calls `go`.
     void open_not_saved(const std::string& fault, std::function<void()> go);
 
   private:

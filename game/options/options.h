@@ -27,7 +27,7 @@ struct RunOptions {
     std::int64_t threads = 1;
 };
 
-/// What a program is started with: the options file's values, overridden by the command line.
+/// A program's start options: the options file's values, overridden by the command line.
 struct Options : LevelOptions, RunOptions {
     Preferences preferences;                   ///< from the options file, changed by the command line
     std::map<std::string, std::string> light;  ///< of the first game, from the command line, by preference name

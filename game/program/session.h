@@ -64,7 +64,7 @@ class Session final : public GameScreen {
     void show_path(std::vector<Vec3<World>> points);
     /// All messages to the player, the newest first.
     const std::vector<std::string>& told() const { return messages_.told(); }
-    /// The game's picture as it is now, without text.
+    /// The game's current picture, without text.
     Thumbnail thumbnail();
 
     const LoadedLevel& loaded() const { return *loaded_; }

@@ -13,7 +13,7 @@
 
 namespace oblong {
 
-/// What keys show over a game's picture, or draw instead of it; not saved.
+/// Overlays and views that keys switch on over or instead of a game's picture; not saved.
 struct Overlays {
     bool has_torch = false;
     bool is_isometric = false;      ///< the level from outside, instead of from the player's eye
@@ -28,7 +28,7 @@ struct Overlays {
     LabOptions lab;
 };
 
-/// What keys change during a game: how it is drawn and shown, never the game itself.
+/// Options that keys change during a game: only how it is drawn and shown.
 struct ViewOptions : Overlays {
     Preferences preferences;  ///< saved in the options file
     bool uses_pad = false;    ///< the player's last input was a gamepad's: messages name its buttons

@@ -35,7 +35,7 @@ struct SavedGame {
     bool operator==(const SavedGame&) const = default;
 };
 
-/// What lists show of a saved game: all but its state.
+/// The parts of a saved game for lists: all but its state.
 struct SaveHead {
     SavedLevel level;
     ItemCount lenses;

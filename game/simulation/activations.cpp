@@ -54,7 +54,7 @@ void Activations::fire(const EntityRef& by) {
         report_.has_dropped_firings = true;
 }
 
-// What the entity activates in turn runs after it.
+// The entity's own activations run after it.
 void Activations::activate(const EntityRef& entity) {
     is_running_ = true;
     activate_one(entity);

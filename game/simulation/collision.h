@@ -20,7 +20,7 @@ std::optional<Obstacle> obstacle_of(const GameLevel& level, const GameState& sta
 /// True where the player might meet in a tick more models than BoxTree::kMostFound: only the first ones are solid.
 bool has_too_many_obstacles(const GameLevel& level, const Position& position);
 
-/// How far the player's box gets on a straight line.
+/// The end of the player's box on a straight path.
 struct Contact {
     Position end;           ///< where it stops, clear of what it hit
     bool has_hit = false;   ///< it stops before the line's end
@@ -51,7 +51,7 @@ WayOut find_way_out(const GameLevel& level, const GameState& state, const Positi
 /// is none.
 Position free_place_near(const GameLevel& level, const Position& from);
 
-/// What fills the world at a point (contents::kEmpty and so on).
+/// The contents of the world at a point (contents::kEmpty and so on).
 std::int32_t contents_at(const GameLevel& level, const Position& point);
 
 }  // namespace oblong

@@ -6,7 +6,7 @@
 
 namespace oblong {
 
-// What the keys of entities say. A key counts as absent if its value is not a number, or too large: then the default of
+// The values of entities' keys. A key counts as absent if its value is not a number, or too large: then the default of
 // its class holds (usual_text).
 
 /// "origin"; nothing where it is absent, not three numbers, or outside +-kWorldEnd.

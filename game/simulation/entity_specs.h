@@ -10,7 +10,7 @@
 
 namespace oblong {
 
-// What the entities of a level become: movers, trains, doors that open together, triggers.
+// Makes movers, trains, groups of doors and triggers from a level's entities.
 
 /// How far a mover may travel without moving a vertex of the level out of the range of world coordinates.
 World longest_travel(const Level& bsp);

@@ -100,7 +100,7 @@ enum class TriggerKind : std::uint8_t {
     Lightning,   ///< Chthon's: see monster_places.h
 };
 
-/// A volume that does something to the player who enters it, or something that can only be activated.
+/// A volume that affects a player who enters it, or a trigger without a volume, which can only be activated.
 struct Trigger {
     TriggerKind kind = TriggerKind::Multiple;
     std::size_t entity = 0;  ///< into Level::entities
@@ -141,7 +141,7 @@ struct LevelBoxes {
     BoxTree obstacles;  ///< all places of solid walls, then of movers, numbered in this order
 };
 
-/// What the level calls its lenses.
+/// The level's names for its lenses.
 struct LensNames {
     std::string one = "a lens", several = "lenses";
 };

@@ -20,7 +20,7 @@ Goal goal_of(const GameLevel& level, const GameState& state);
 /// The message after a tick that has taken lenses: "Lenses: 9 of 12. Missing: ..."; empty if none was taken.
 std::string found_text(const GameLevel& level, const GameState& before, const GameState& after);
 
-/// The missing lenses, once so few are missing that the player is told where they are; empty before that.
+/// The missing lenses, if they are so few that the player gets hints; empty before that.
 std::vector<std::size_t> last_lenses(const GameLevel& level, const GameState& state);
 
 /// The direction of a place from another: "north", "south-west"; "above" or "below" if the difference in height is

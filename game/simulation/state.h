@@ -43,7 +43,7 @@ struct Progress {
     bool operator==(const Progress&) const = default;
 };
 
-/// Where a mover is on its way.
+/// A mover's position on its path.
 struct MoverState {
     enum class Phase : std::uint8_t { AtStart, Leaving, AtEnd, Returning, Removed };
     Phase phase = Phase::AtStart;  ///< a train leaves once, and is AtEnd while it waits at a corner
@@ -96,8 +96,8 @@ struct WaitingFiring {
     bool operator==(const WaitingFiring&) const = default;
 };
 
-/// What exceeded the bounds of a tick (tick_report.h) and continues in the next ones. Empty except in levels made for
-/// it.
+/// Work beyond the bounds of a tick (tick_report.h), which continues in the next ones. Empty except in levels made
+/// to exceed them.
 struct Backlog {
     std::vector<WaitingFiring> waiting;                                         ///< the next one last
     std::uint32_t next_mover = 0;                                               ///< the first mover of the next tick

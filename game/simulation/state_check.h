@@ -7,8 +7,8 @@
 
 namespace oblong {
 
-/// What is wrong with a state read from outside, as "movers: 3, expected 4"; empty if the game can go on from it: every
-/// list has the level's length, every index is in range, every number is one that the game can produce.
+/// The error in a state from outside, as "movers: 3, expected 4"; empty if the game can continue from it: every list
+/// has the level's length, every index is in range, every number is one that the game can produce.
 std::string find_inconsistency(const GameLevel& level, const GameState& state);
 
 /// True where the game can go on from a state read from outside.

@@ -23,7 +23,7 @@ class TickClock {
         return static_cast<int>(due);
     }
 
-    /// How far the picture is from the last tick but one to the last, in 65,536ths, 0 to 65,535.
+    /// The picture's time between the last two ticks, in 65,536ths, 0 to 65,535.
     std::int32_t fraction_16() const { return static_cast<std::int32_t>(rest_ * 65'536 / kTick); }
 
   private:

@@ -31,7 +31,7 @@ struct AudibleSound {
     std::int32_t own = LevelSounds::kNone;  ///< SoundSource::own
 };
 
-/// What is heard, and the work of finding it.
+/// The audible sounds, and the work of finding them.
 struct Audible {
     std::vector<AudibleSound> sounds;  ///< at most kMostAudible, the loudest ones
     std::int32_t traces = 0;           ///< lines through the level: none for sources out of range
@@ -70,9 +70,9 @@ class HeardFrom {
     std::uint32_t tick_ = 0;
 };
 
-/// What a listener hears of some sources. Loops of one sound are merged: each ear hears the loudest of them. An area is
-/// heard from the nearest of its places with a clear line to the listener. A source without a clear line is softer and
-/// muffled; under water, all are muffled. For loops in `heard_from`, no lines are traced.
+/// The sounds of some sources that a listener hears. Loops of one sound are merged: each ear hears the loudest of them.
+/// An area is heard from the nearest of its places with a clear line to the listener. A source without a clear line is
+/// softer and muffled; under water, all are muffled. For loops in `heard_from`, no lines are traced.
 Audible audible_sounds(const GameLevel& level, const GameState& state, const Listener& listener,
                        std::span<const SoundSource> sources, HeardFrom& heard_from);
 

@@ -11,7 +11,7 @@
 
 namespace oblong {
 
-/// What a line of the map stands for.
+/// The meaning of a line of the map.
 enum class MapLineKind : std::uint8_t {
     Wall,  ///< where a wall meets its floor
     Step   ///< the same, of a wall low enough to walk up

@@ -36,8 +36,8 @@ class FrameCost {
   public:
     FrameCost(const Palette& palette, std::uint64_t now_us);
 
-    /// Times one more rendering of the view that `renderer` has just drawn. Each half second it makes the text anew,
-    /// and for that draws the view once more, to the same picture, to count pixels.
+    /// Times one more rendering of the view that `renderer` has just drawn. Each half second it updates the text, for
+    /// which it draws the same picture once more to count pixels.
     void note(const GameView& view, const Settings& settings, const Palette& palette, const PaletteEffects& effects,
               std::uint64_t now_us, GameRenderer& renderer);
     const CostText& text() const { return text_; }

@@ -22,7 +22,7 @@ struct InterpolatedState {
     std::int32_t fraction_16 = 0;
 };
 
-/// What a picture shows: the game at a moment, and the camera.
+/// The contents of a picture: the game at a moment, and the camera.
 struct GameView {
     InterpolatedState state;
     Camera camera;
@@ -41,7 +41,7 @@ std::vector<PlacedModel> placed_models(const GameLevel& level, const Interpolate
 /// The player's eye, turned further by `offset`.
 Camera camera_at(const InterpolatedState& state, LookOffset offset, Degrees field_of_view);
 
-/// Draws a game into a framebuffer of its own.
+/// Draws a game into its own framebuffer.
 class GameRenderer {
   public:
     /// `data`, `level` and `workers` outlive the renderer. If there are workers, draw() shares its work with them.

@@ -19,7 +19,7 @@ Width width_of(int bits) {
 }
 
 /// The widths that the dials require, for a world of +-32,768 units, a surface of 2,048 texels, and 1/z from z = 1
-/// unit, nearer than which a player's eye does not come to a wall.
+/// unit, the least distance of a player's eye from a wall.
 struct Widths {
     Width matrix, view, screen, inverse_z, over_z;
 

@@ -86,7 +86,7 @@ WindowSize PagePlatform::window_size() const {
     return {size[0], size[1]};
 }
 
-// The letter on the user's keyboard, if the browser tells.
+// The letter on the user's keyboard, if the browser reports it.
 std::string PagePlatform::local_name_of(Input input) const {
     const int letter = input.device == Device::Key ? page_letter(input.code) : 0;
     return letter > ' ' && letter <= '~' ? std::string(1, static_cast<char>(letter)) : name_of(input);

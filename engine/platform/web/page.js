@@ -28,7 +28,7 @@ const Page = globalThis.Page = {
   isLockRefused: !HTMLCanvasElement.prototype.requestPointerLock,  // then the mouse turns the view while it is in the canvas
   changesFullScreen: false,
   fillsScreen: false,
-  letters: null,  // the keyboard's layout, if the browser tells
+  letters: null,  // the keyboard's layout, if the browser reports it
   hasTouch: !matchMedia("(any-pointer: fine)").matches,  // touch, not a mouse, was used last
 
   start() {
