@@ -7,6 +7,7 @@
 
 #include "engine/fixed/divide.h"
 #include "engine/fixed/fixed.h"
+#include "engine/fixed/multiply.h"
 
 // 64-bit arithmetic with intermediate results of 128 bits: exact, rounded once by a named rule, and saturating with the
 // right sign. `portable` needs no 128-bit type and is always compiled; if the compiler has one, the functions below use
@@ -111,28 +112,50 @@ constexpr Uint128 shift_right(Uint128 value, int shift) {
     return {value.high >> shift, (value.high << (64 - shift)) | (value.low >> shift)};
 }
 
+/// high * 2^32 + low.
+struct Int96 {
+    std::int64_t high = 0;
+    std::uint32_t low = 0;
+};
+
+/// a * b + more, exactly.
+constexpr Int96 multiply_add(std::int32_t a, std::int64_t b, std::uint32_t more) {
+    const auto low_b = static_cast<std::uint32_t>(b);
+    const std::uint64_t low = product_to_64(static_cast<std::uint32_t>(a), low_b) + more;
+    const std::int64_t high = product_to_64(a, static_cast<std::int32_t>(b >> 32)) - (a < 0 ? low_b : 0);
+    return {high + static_cast<std::uint32_t>(low >> 32), static_cast<std::uint32_t>(low)};
+}
+
+/// value / 2^shift, floored, modulo 2^64; `shift` 1 to 32.
+constexpr std::int64_t shift_right(Int96 value, int shift) {
+    return static_cast<std::int64_t>(static_cast<std::uint64_t>(value.high) << (32 - shift)) +
+           (value.low >> (shift - 1) >> 1);
+}
+
 /// a * b / 2^shift, `shift` 33 to 94, from the product's floored quotient by 2^32.
 constexpr std::int64_t short_mul_shift(std::int32_t a, std::int64_t b, int shift, Rounding rounding) {
-    const auto low_b = static_cast<std::uint32_t>(b);
-    const std::uint64_t low = std::uint64_t{static_cast<std::uint32_t>(a)} * low_b;
-    const std::int64_t high = std::int64_t{a} * static_cast<std::int32_t>(b >> 32) - (a < 0 ? low_b : 0);
-    return rounded_shift(high + static_cast<std::uint32_t>(low >> 32), shift - 32, rounding);
+    return rounded_shift(multiply_add(a, b, 0).high, shift - 32, rounding);
+}
+
+/// What is added to round by a floored shift of 1 to 32.
+constexpr std::uint32_t half_of(int shift, Rounding rounding) {
+    return rounding == Rounding::Floor ? 0 : std::uint32_t{1} << (shift - 1);
 }
 
 /// The same for `shift` 1 to 32, which needs the bits below as well; saturates.
 constexpr std::int64_t short_mul_shift_by_less(std::int32_t a, std::int64_t b, int shift, Rounding rounding) {
-    const auto low_b = static_cast<std::uint32_t>(b);
-    std::uint64_t low = std::uint64_t{static_cast<std::uint32_t>(a)} * low_b;
-    std::int64_t high = std::int64_t{a} * static_cast<std::int32_t>(b >> 32) - (a < 0 ? low_b : 0);
-    high += static_cast<std::uint32_t>(low >> 32);
-    low = static_cast<std::uint32_t>(low) + (rounding == Rounding::Floor ? 0 : std::uint64_t{1} << (shift - 1));
-    high += static_cast<std::uint32_t>(low >> 32);
+    const Int96 product = multiply_add(a, b, half_of(shift, rounding));
+    const std::int64_t high = product.high;
     if (const auto short_high = static_cast<std::int32_t>(high); short_high != high) {
         const std::int64_t sign = floor_shift(high, 63);
         if (floor_shift(high, 31 + shift) != sign) return detail::saturated(high < 0, ~std::uint64_t{0});
     }
-    return static_cast<std::int64_t>(static_cast<std::uint64_t>(high) << (32 - shift)) +
-           (static_cast<std::uint32_t>(low) >> (shift - 1) >> 1);
+    return shift_right(product, shift);
+}
+
+/// a * b / 2^shift. See oblong::wrapping_mul_shift.
+constexpr std::int64_t wrapping_mul_shift(std::int32_t a, std::int64_t b, int shift) {
+    return shift_right(multiply_add(a, b, half_of(shift, Rounding::NearestHalfUp)), shift);
 }
 
 /// a * b / 2^shift: the product in two's complement, plus half a step, floored.
@@ -208,6 +231,11 @@ constexpr std::int64_t mul_shift(std::int64_t a, std::int64_t b, int shift, Roun
     return saturated(rounded_shift(Int128{a} * b, shift, rounding));
 }
 
+/// a * b / 2^shift. See oblong::wrapping_mul_shift.
+constexpr std::int64_t wrapping_mul_shift(std::int32_t a, std::int64_t b, int shift) {
+    return static_cast<std::int64_t>(rounded_shift(Int128{a} * b, shift, Rounding::NearestHalfUp));
+}
+
 /// Compares a * b with c * d exactly.
 constexpr std::strong_ordering compare_products(std::uint64_t a, std::uint64_t b, std::uint64_t c, std::uint64_t d) {
     return Uint128{a} * b <=> Uint128{c} * d;
@@ -231,6 +259,11 @@ constexpr std::int64_t mul_div(std::int64_t a, std::int64_t b, std::int64_t c,
 [[gnu::always_inline]] constexpr std::int64_t mul_shift(std::int64_t a, std::int64_t b, int shift,
                                                         Rounding rounding = Rounding::NearestHalfUp) {
     return chosen_wide::mul_shift(a, b, shift, rounding);
+}
+
+/// a * b / 2^shift of the exact product, rounded once to the nearest, modulo 2^64. `shift` 1 to 32.
+constexpr std::int64_t wrapping_mul_shift(std::int32_t a, std::int64_t b, int shift) {
+    return chosen_wide::wrapping_mul_shift(a, b, shift);
 }
 
 /// Compares a * b with c * d exactly: the fraction a / d with c / b without dividing.

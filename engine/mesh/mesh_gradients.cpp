@@ -1,7 +1,6 @@
 #include "engine/mesh/mesh_gradients.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "engine/fixed/arithmetic.h"
 #include "engine/fixed/divide.h"
@@ -12,39 +11,39 @@ namespace oblong {
 namespace {
 
 struct Way {
-    std::int64_t x, y;  ///< 1/256 pixel
+    Screen x, y;
 
     Way(const ScreenCorner& from, const ScreenCorner& to)
-        : x(floor_of<8>(widening_difference(to.screen.x, from.screen.x))),
-          y(floor_of<8>(widening_difference(to.screen.y, from.screen.y))) {}
-    std::int64_t size() const { return std::max(std::abs(x), std::abs(y)); }
+        : x(to.screen.x - from.screen.x), y(to.screen.y - from.screen.y) {}
+    Screen size() const { return std::max(absolute(x), absolute(y)); }
 };
 
-/// part / whole per pixel, both in the units of Way or of a product of two. Numbers as small as on a screen of 500,000
-/// pixels take two divisions of 64 bits, for 28 bits of the quotient each.
-WeightStep step_of(std::int64_t part, std::int64_t whole) {
+/// part / whole per pixel, both in the units of Way or of a product of two. Numbers as small as on a screen of 32,768
+/// pixels take two divisions to 32 bits, for 28 bits of the quotient each.
+WeightStep step_of(std::int32_t part, std::int64_t whole) {
     constexpr int kBits = 28;
     static_assert(WeightStep::from_int(256).raw == std::int64_t{1} << (2 * kBits));
-    const std::uint64_t size = detail::magnitude(part), divisor = detail::magnitude(whole);
-    if (size > divisor || divisor == 0 || divisor >> 35 != 0)
+    const std::uint64_t size = detail::magnitude(part), whole_size = detail::magnitude(whole);
+    const auto divisor = static_cast<std::uint32_t>(whole_size);
+    if (size > whole_size || divisor == 0 || divisor != whole_size)
         return WeightStep::from_raw(mul_div(part, WeightStep::from_int(256).raw, whole));
-    const auto [high, rest] = divide(size << kBits, divisor);
-    const auto [low, last] = divide(rest << kBits, divisor);
-    const bool is_negative = (part < 0) != (whole < 0);
-    const auto quotient = static_cast<std::int64_t>((high << kBits) + low);
+    const ShortDivision high = divide_to_32(size << kBits, divisor);
+    const ShortDivision low = divide_to_32(std::uint64_t{high.remainder} << kBits, divisor);
+    const auto quotient = static_cast<std::int64_t>((std::uint64_t{high.quotient} << kBits) + low.quotient);
     // To nearest, ties up.
-    if (is_negative) return WeightStep::from_raw(-(quotient + (2 * last > divisor ? 1 : 0)));
-    return WeightStep::from_raw(quotient + (2 * last >= divisor ? 1 : 0));
+    const std::uint32_t rest = divisor - low.remainder;
+    if ((part < 0) != (whole < 0)) return WeightStep::from_raw(-(quotient + (low.remainder > rest ? 1 : 0)));
+    return WeightStep::from_raw(quotient + (low.remainder >= rest ? 1 : 0));
 }
 
 /// Changes along the side from `from` to `to` only.
 Barycentric along(const ScreenCorner* from, const ScreenCorner* to) {
     const Way way(*from, *to);
     Barycentric result{{from, to, from}, {}, {}, {}, {}};
-    if (std::abs(way.x) >= std::abs(way.y))
-        result.b_per_column = step_of(1, way.x);
+    if (absolute(way.x) >= absolute(way.y))
+        result.b_per_column = step_of(1, way.x.raw);
     else
-        result.b_per_row = step_of(1, way.y);
+        result.b_per_row = step_of(1, way.y.raw);
     return result;
 }
 
@@ -56,11 +55,8 @@ LinearQuantity<Value> quantity_of(const Barycentric& weights, Value a, Value b, 
     quantity.per_column = product<Value>(b - a, weights.b_per_column) + product<Value>(c - a, weights.c_per_column);
     quantity.per_row = product<Value>(b - a, weights.b_per_row) + product<Value>(c - a, weights.c_per_row);
     const auto moved_back = [](Value from, Value step, Screen by) {
-        const std::int64_t from_centre_8 = 128 - by.raw;
-        // step (from_centre_8 mod 256) / 256, without a product of more than 64 bits.
-        const std::int64_t part_8 = from_centre_8 & 255, low_8 = step.raw & 255;
-        const auto rest = Value::from_raw(floor_shift(step.raw, 8) * part_8 + ((low_8 * part_8 + 128) >> 8));
-        return stepped(stepped(from, step, floor_shift(from_centre_8, 8)), rest, 1);
+        const std::int32_t from_centre_8 = 128 - by.raw;
+        return stepped(from, Value::from_raw(wrapping_mul_shift(from_centre_8, step.raw, 8)), 1);
     };
     quantity.origin =
         moved_back(moved_back(a, quantity.per_column, weights.anchor().x), quantity.per_row, weights.anchor().y);
@@ -79,12 +75,13 @@ std::optional<Barycentric> make_barycentric(const std::array<const ScreenCorner*
     constexpr std::int64_t kThinnest_8 = 16;
     const auto& [a, b, c] = corners;
     const Way ab(*a, *b), ac(*a, *c), bc(*b, *c);
-    const std::int64_t area = ab.x * ac.y - ac.x * ab.y;
+    const std::int64_t area = (widening_product(ab.x, ac.y) - widening_product(ac.x, ab.y)).raw;
     if (area <= 0) return std::nullopt;
-    const std::int64_t longest = std::max({ab.size(), ac.size(), bc.size()});
-    if (area < longest * kThinnest_8)
+    const Screen longest = std::max({ab.size(), ac.size(), bc.size()});
+    if (area < longest.raw * kThinnest_8)
         return longest == ab.size() ? along(a, b) : longest == ac.size() ? along(a, c) : along(b, c);
-    return Barycentric{corners, step_of(ac.y, area), step_of(-ac.x, area), step_of(-ab.y, area), step_of(ab.x, area)};
+    return Barycentric{corners, step_of(ac.y.raw, area), step_of(-ac.x.raw, area), step_of(-ab.y.raw, area),
+                       step_of(ab.x.raw, area)};
 }
 
 LinearQuantity<InverseZ> inverse_z_over(const Barycentric& weights) {

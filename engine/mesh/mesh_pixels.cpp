@@ -4,6 +4,7 @@
 
 #include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"
+#include "engine/fixed/divide.h"
 #include "engine/fixed/root.h"
 #include "engine/raster/edge_function.h"
 
@@ -25,14 +26,10 @@ struct MeshPixel {
 
     template <bool IsPhong>
     static MeshPixel at(const MeshGradients& gradients, std::int32_t column, std::int32_t row) {
-        MeshPixel pixel{gradients.texture.inverse_z.at(column, row),
-                        gradients.texture.u_over_z.at(column, row),
-                        gradients.texture.v_over_z.at(column, row),
-                        gradients.light.at(column, row),
-                        {}};
-        if constexpr (IsPhong)
-            pixel.normal = {gradients.normal.x.at(column, row), gradients.normal.y.at(column, row),
-                            gradients.normal.z.at(column, row)};
+        const auto at = [=](const auto& quantity) { return quantity.at_shown(column, row); };
+        const auto& [inverse_z, u_over_z, v_over_z] = gradients.texture;
+        MeshPixel pixel{at(inverse_z), at(u_over_z), at(v_over_z), at(gradients.light), {}};
+        if constexpr (IsPhong) pixel.normal = {at(gradients.normal.x), at(gradients.normal.y), at(gradients.normal.z)};
         return pixel;
     }
 
@@ -54,7 +51,8 @@ struct MeshPixel {
 /// z with 28 fraction bits from 1/z with 32: 1/z of a point of the world is at least 2^-21.
 std::int64_t depth_28(InverseZ inverse_z) {
     constexpr std::int64_t kLeast = std::int64_t{1} << 11;
-    return (std::int64_t{1} << 60) / std::max(floor_of<32>(inverse_z), kLeast);
+    const auto divisor = static_cast<std::uint64_t>(std::max(floor_of<32>(inverse_z), kLeast));
+    return static_cast<std::int64_t>(divide(std::uint64_t{1} << 60, divisor).quotient);
 }
 
 /// The texel's number along one axis. As texels are below 2^13 (kMostTexel), u/z times z has at most 62 bits.
@@ -79,7 +77,7 @@ std::uint8_t texel_at(const MeshPixel& pixel, const Skin& skin) {
 }
 
 /// N . to / |N| with 8 fraction bits: interpolated normals are shorter than 1. `over_length` is 1 / |N|.
-std::int64_t cosine_8(const Vec3<Fixed<std::int64_t, 14>>& normal, const ReciprocalRoot& over_length,
+std::int64_t cosine_8(const Vec3<Fixed<std::int32_t, 14>>& normal, const ReciprocalRoot& over_length,
                       const Vec3<Unit>& to) {
     const std::int64_t along = floor_of<14>(dot(normal, to));
     if (along <= 0) return 0;
@@ -89,8 +87,8 @@ std::int64_t cosine_8(const Vec3<Fixed<std::int64_t, 14>>& normal, const Recipro
 
 /// The shade at a pixel from its interpolated normal.
 std::int32_t phong_shade_16(const MeshPixel& pixel, const MeshPaint& paint) {
-    const auto part = [](Fixed<std::int64_t, 30> value) { return convert<Fixed<std::int64_t, 14>>(value); };
-    const Vec3<Fixed<std::int64_t, 14>> normal{part(pixel.normal.x), part(pixel.normal.y), part(pixel.normal.z)};
+    const auto part = [](Fixed<std::int64_t, 30> value) { return convert<Fixed<std::int32_t, 14>>(value); };
+    const Vec3<Fixed<std::int32_t, 14>> normal{part(pixel.normal.x), part(pixel.normal.y), part(pixel.normal.z)};
     const std::int64_t square = dot(normal, normal).raw;
     auto light = static_cast<Light8>(floor_shift(pixel.light.raw, 24));
     if (square > 0) {
@@ -122,25 +120,49 @@ std::int64_t draw_span(const Span& span, const MeshGradients& gradients, const M
     return drawn;
 }
 
-/// Triangles whose boxes have at most this many pixel centres across and down are tested centre by centre.
+/// Triangles whose boxes have at most this many pixel centres across and down are tested centre by centre, if no side
+/// is as long as the second number.
 constexpr std::int32_t kFewCentres = 4;
+constexpr Screen kShortSide = Screen::from_int(16);
+
+bool has_short_sides(const std::array<ScreenVertex, 3>& corners) {
+    const auto& [a, b, c] = corners;
+    return is_within(b.x - a.x, kShortSide) && is_within(b.y - a.y, kShortSide) && is_within(c.x - a.x, kShortSide) &&
+           is_within(c.y - a.y, kShortSide);
+}
+
+/// The edge function of a short side, from the right to the left. In steps of 2^-8 it is at most 2 * 16 * 16 * 2^8.
+struct ShortEdge {
+    std::int32_t at_right, per_column, per_row;
+
+    ShortEdge(ScreenVertex from, ScreenVertex to, const ScreenRectangle& box) {
+        const LinearQuantity<ScreenWide> edge = edge_over_pixels(from, to, box);
+        at_right = static_cast<std::int32_t>(edge.origin.raw);
+        per_column = static_cast<std::int32_t>(edge.per_column.raw);
+        per_row = static_cast<std::int32_t>(edge.per_row.raw);
+        at_right += per_column * (box.end_column - 1 - box.first_column);
+    }
+};
 
 /// Appends the spans of a clockwise triangle by testing each centre in `box`.
 void append_few(const std::array<ScreenVertex, 3>& corners, const ScreenRectangle& box, std::vector<Span>& spans) {
-    const auto& [a, b, c] = corners;
-    const std::array edges{edge_over_pixels(a, b, box), edge_over_pixels(b, c, box), edge_over_pixels(c, a, box)};
+    ShortEdge ab(corners[0], corners[1], box), bc(corners[1], corners[2], box), ca(corners[2], corners[0], box);
     for (std::int32_t y = box.first_row; y < box.end_row; ++y) {
-        const auto at = [&](std::size_t edge, std::int32_t x) {
-            return edges[edge].at(x - box.first_column, y - box.first_row).raw;
-        };
         Span span{y, box.end_column, box.end_column};
+        std::int32_t at_ab = ab.at_right, at_bc = bc.at_right, at_ca = ca.at_right;
         for (std::int32_t x = box.end_column - 1; x >= box.first_column; --x) {
-            if ((at(0, x) | at(1, x) | at(2, x)) >= 0)
+            if ((at_ab | at_bc | at_ca) >= 0)
                 span.first = x;
             else if (span.first == span.end)
                 span.first = span.end = x;
+            at_ab -= ab.per_column;
+            at_bc -= bc.per_column;
+            at_ca -= ca.per_column;
         }
         if (span.first < span.end) spans.push_back(span);
+        ab.at_right += ab.per_row;
+        bc.at_right += bc.per_row;
+        ca.at_right += ca.per_row;
     }
 }
 
@@ -168,11 +190,12 @@ void append_spans(const ScanlineExtents& rows, const ScreenRectangle& part, std:
 void find_triangle_spans(const std::array<ScreenVertex, 3>& corners, const ScreenRectangle& part, ScanlineExtents& rows,
                          std::vector<Span>& spans) {
     spans.clear();
-    if (doubled_area(corners) <= ScreenArea{}) return;
+    if (edge_function(corners[0], corners[1], corners[2]) <= ScreenArea{}) return;
     const ScreenRectangle box = box_around(corners, part);
     const std::int32_t width = box.end_column - box.first_column, height = box.end_row - box.first_row;
     if (width <= 0 || height <= 0) return;
-    if (width <= kFewCentres && height <= kFewCentres) return append_few(corners, box, spans);
+    if (width <= kFewCentres && height <= kFewCentres && has_short_sides(corners))
+        return append_few(corners, box, spans);
     scan_convex(corners, rows);
     append_spans(rows, part, spans);
 }
@@ -180,7 +203,7 @@ void find_triangle_spans(const std::array<ScreenVertex, 3>& corners, const Scree
 bool is_covered(std::span<const Span> spans, const LinearQuantity<InverseZ>& inverse_z, DepthBuffer& depth) {
     return std::all_of(spans.begin(), spans.end(), [&](const Span& span) {
         const InverseDepth* const depths = depth.row(span.y);
-        InverseZ at = inverse_z.at(span.first, span.y);
+        InverseZ at = inverse_z.at_shown(span.first, span.y);
         for (std::int32_t x = span.first; x < span.end; ++x, at = stepped(at, inverse_z.per_column, 1))
             if (depths[x] <= to_inverse_depth(at)) return false;
         return true;

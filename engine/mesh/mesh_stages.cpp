@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 
 #include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"
+#include "engine/fixed/divide.h"
 #include "engine/math/wide_sum.h"
 #include "engine/view/project.h"
 
@@ -62,9 +64,47 @@ constexpr bool is_within_bits(const Vec3<WorldWide>& v) {
     return static_cast<std::uint64_t>((v.x.raw + kEnd) | (v.y.raw + kEnd) | (v.z.raw + kEnd)) >> (kBits + 1) == 0;
 }
 
+#if defined(__i386__)
+/// The same of 32 bits.
+template <int kBits>
+constexpr bool is_within_bits(const Vec3<World>& v) {
+    constexpr std::uint32_t kEnd = std::uint32_t{1} << kBits;
+    return ((v.x.bits() + kEnd) | (v.y.bits() + kEnd) | (v.z.bits() + kEnd)) >> (kBits + 1) == 0;
+}
+
+/// a x b of vectors within 2^15 steps: its parts are below 2^31.
+constexpr Vec3<Fixed<std::int32_t, 24>> short_cross(const Vec3<World>& a, const Vec3<World>& b) {
+    const auto area = [](World ax, World ay, World bx, World by) {
+        return Fixed<std::int32_t, 24>::from_raw(ax.raw * by.raw - ay.raw * bx.raw);
+    };
+    return {area(a.y, a.z, b.y, b.z), area(a.z, a.x, b.z, b.x), area(a.x, a.y, b.x, b.y)};
+}
+
+/// is_facing() in 32 bits; none if these do not suffice. Differences are taken modulo 2^32: as A is within 2^30 steps,
+/// those that come out below 2^29 are exact.
+std::optional<bool> is_short_facing(const Vec3<World>& a, const Vec3<World>& b_at, const Vec3<World>& c_at,
+                                    const Vec3<World>& object_eye) {
+    const auto from_a = [&](const Vec3<World>& p) {
+        const auto way = [](World to, World from) {
+            return World::from_raw(static_cast<std::int32_t>(to.bits() - from.bits()));
+        };
+        return Vec3<World>{way(p.x, a.x), way(p.y, a.y), way(p.z, a.z)};
+    };
+    const auto to_eye = from_a(object_eye), b = from_a(b_at), c = from_a(c_at);
+    if (!is_within_bits<30>(a) || !is_within_bits<29>(to_eye) || !is_within_bits<15>(b) || !is_within_bits<15>(c))
+        return std::nullopt;
+    return dot(short_cross(c, b), to_eye) > Fixed<std::int64_t, 36>{};
+}
+#endif
+
 /// Whether a triangle faces the eye, exactly.
 bool is_facing(const MeshTriangle& triangle, std::span<const MeshVertex> vertices, const Vec3<World>& object_eye) {
     const Vec3<World>& a = vertices[triangle.vertices[0]].position;
+#if defined(__i386__)
+    if (const auto is_short = is_short_facing(a, vertices[triangle.vertices[1]].position,
+                                              vertices[triangle.vertices[2]].position, object_eye))
+        return *is_short;
+#endif
     const auto from_a = [&](const Vec3<World>& p) { return widening_difference(p, a); };
     const auto to_eye = from_a(object_eye), b = from_a(vertices[triangle.vertices[1]].position),
                c = from_a(vertices[triangle.vertices[2]].position);
@@ -103,7 +143,8 @@ Vec3<Entry> times(const Matrix4& matrix, const Vec3<World>& point) {
 
 InverseZ inverse_z_at(View z) {
     if (z <= View::from_raw(1 << 9)) return kGreatestMeshInverseZ;
-    return InverseZ::from_raw(View::from_raw(std::int64_t{1} << (InverseZ::kFractionBits + View::kFractionBits)) / z);
+    constexpr std::uint64_t kOne = std::uint64_t{1} << (InverseZ::kFractionBits + View::kFractionBits);
+    return InverseZ::from_raw(static_cast<std::int64_t>(divide(kOne, static_cast<std::uint64_t>(z.raw)).quotient));
 }
 
 /// A barycentric coordinate: 0 to 1.

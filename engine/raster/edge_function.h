@@ -31,10 +31,13 @@ inline LinearQuantity<ScreenWide> edge_over_pixels(ScreenVertex from, ScreenVert
 
 /// The pixels of `part` whose centres are in the bounding box of a triangle; may be empty.
 inline ScreenRectangle box_around(const std::array<ScreenVertex, 3>& triangle, const ScreenRectangle& part) {
-    const auto [left, right] = std::minmax({triangle[0].x, triangle[1].x, triangle[2].x});
-    const auto [top, bottom] = std::minmax({triangle[0].y, triangle[1].y, triangle[2].y});
-    return {std::max(first_centre_from(left), part.first_column), std::min(first_centre_from(right), part.end_column),
-            std::max(first_centre_from(top), part.first_row), std::min(first_centre_from(bottom), part.end_row)};
+    const auto& [a, b, c] = triangle;
+    const auto least = [](Screen x, Screen y, Screen z) { return std::min(std::min(x, y), z); };
+    const auto greatest = [](Screen x, Screen y, Screen z) { return std::max(std::max(x, y), z); };
+    return {std::max(first_centre_from(least(a.x, b.x, c.x)), part.first_column),
+            std::min(first_centre_from(greatest(a.x, b.x, c.x)), part.end_column),
+            std::max(first_centre_from(least(a.y, b.y, c.y)), part.first_row),
+            std::min(first_centre_from(greatest(a.y, b.y, c.y)), part.end_row)};
 }
 
 }  // namespace oblong

@@ -61,6 +61,16 @@ void expect_all_shifts_equal(std::int64_t a, std::int64_t b, int shift) {
     }
 }
 
+/// floor((a b + 2^(shift - 1)) / 2^shift), its lowest 64 bits.
+void expect_wrapped_shifts_equal(std::int32_t a, std::int64_t b) {
+    for (int shift = 1; shift <= 32; ++shift) {
+        const Int128 step = Int128{1} << shift;
+        const auto expected = static_cast<std::int64_t>(floor_quotient(Int128{a} * b + step / 2, step));
+        ASSERT_EQ(wrapping_mul_shift(a, b, shift), expected) << a << " * " << b << " >> " << shift;
+        ASSERT_EQ(portable::wrapping_mul_shift(a, b, shift), expected) << a << " * " << b << " >> " << shift;
+    }
+}
+
 TEST(Wide, QuotientOfEveryTripleOfEdgesIsExactlyRoundedOrSaturates) {
     for (const std::int64_t a : kEdges)
         for (const std::int64_t b : kEdges)
@@ -71,6 +81,14 @@ TEST(Wide, QuotientOfRandomNumbersOfEveryLengthIsExactlyRounded) {
     std::mt19937_64 random(1);
     for (int i = 0; i < 200'000; ++i)
         expect_all_quotients_equal(any_number(random), any_number(random), any_number(random));
+}
+
+TEST(Wide, WrappedShiftedProductIsExactlyRoundedModulo2To64) {
+    std::mt19937_64 random(3);
+    for (const std::int64_t a : kEdges)
+        for (const std::int64_t b : kEdges) expect_wrapped_shifts_equal(static_cast<std::int32_t>(a), b);
+    for (int i = 0; i < 20'000; ++i)
+        expect_wrapped_shifts_equal(static_cast<std::int32_t>(any_number(random)), any_number(random));
 }
 
 TEST(Wide, ShiftedProductOfEveryPairOfEdgesIsExactlyRoundedOrSaturates) {
