@@ -6,6 +6,7 @@
 #include "engine/base/range_probe.h"
 #include "engine/fixed/divide.h"
 #include "engine/fixed/fixed.h"
+#include "engine/fixed/multiply.h"
 #include "engine/fixed/reciprocal.h"
 #include "engine/raster/texture_blocks.h"
 
@@ -47,7 +48,7 @@ constexpr Number clamp_value(Number value, Number least, Number greatest) {
 }
 
 /// value * 2^shift / 2^32, floored; value * 2^shift fits 64 bits.
-[[gnu::always_inline]] inline std::int64_t upper_half(std::int64_t value, int shift) {
+[[gnu::always_inline]] inline std::int32_t upper_half(std::int64_t value, int shift) {
 #if defined(__i386__)
     // One `shldl`; the compiler's code would test again whether the shift is 32 or more.
     const auto low = static_cast<std::uint32_t>(value);
@@ -56,7 +57,7 @@ constexpr Number clamp_value(Number value, Number least, Number greatest) {
     asm("shldl %%cl, %1, %0" : "+r"(high) : "r"(low), "c"(shift) : "cc");
     return high;
 #else
-    return floor_shift(value * (std::int64_t{1} << shift), 32);
+    return static_cast<std::int32_t>(floor_shift(value * (std::int64_t{1} << shift), 32));
 #endif
 }
 
@@ -110,29 +111,38 @@ struct Depth {
     [[gnu::always_inline]] Texel times(TexelOverZ over_z) const {
         using Scaled = Fixed<std::int64_t, 60>;
         if constexpr (kClamps) over_z = clamp_value(over_z, {}, greatest_over_z);
-#if defined(__i386__)
-        if constexpr (!kClamps) {
-            // Products of 32 bits: negative values stay negative, all others are unsigned.
-            const std::int64_t upper = upper_half(over_z.raw, shift);
-            const auto size = static_cast<std::uint32_t>(upper);
-            if (upper < 0) return Texel::from_raw(-1);
-            const std::uint64_t low = std::uint64_t{size} * static_cast<std::uint32_t>(mantissa);
-            const std::uint64_t high = std::uint64_t{size * static_cast<std::uint32_t>(mantissa >> 32)} << 32;
-            return Texel::from_raw(static_cast<std::int64_t>((low + high) >> 30));
-        }
-#endif
-        const std::int64_t product = upper_half(over_z.raw, shift) * mantissa;
+        const std::int64_t product = std::int64_t{upper_half(over_z.raw, shift)} * mantissa;
         note_range<"u/z, normalised">(Scaled::from_raw(over_z.raw * (std::int64_t{1} << shift)));
         note_range<"u/z x reciprocal">(Scaled::from_raw(product));
         return Texel::from_raw(floor_shift(product, 30));
+    }
+
+    /// The same in steps, clamped to limits of 32 bits.
+    [[gnu::always_inline]] std::uint32_t times(TexelOverZ over_z, Texel least, Texel greatest) const {
+#if defined(__i386__)
+        if constexpr (!kClamps) {
+            const std::int32_t upper = upper_half(over_z.raw, shift);
+            if (upper < 0) return static_cast<std::uint32_t>(least.raw);
+            // The mantissa is 2^33, or 2^32 and 32 bits more.
+            const auto size = static_cast<std::uint32_t>(upper), low = static_cast<std::uint32_t>(mantissa);
+            const std::uint64_t product = product_to_64(size, low);
+            const std::uint32_t high =
+                size +
+                (static_cast<std::uint32_t>(mantissa >> 32) == 2 ? size : static_cast<std::uint32_t>(product >> 32));
+            if (high >> 30 != 0) return static_cast<std::uint32_t>(greatest.raw);
+            const std::uint32_t steps = high << 2 | static_cast<std::uint32_t>(product) >> 30;
+            return clamp_value(steps, static_cast<std::uint32_t>(least.raw), static_cast<std::uint32_t>(greatest.raw));
+        }
+#endif
+        return texel_within(times(over_z), least, greatest);
     }
 };
 
 template <class Reciprocal, PerspectiveRange Range>
 [[gnu::always_inline]] inline TexelPosition texel_of(const Perspective& at, const Depth<Reciprocal, Range>& depth,
                                                      const TexelLimits& limits) {
-    return {texel_within(depth.times(at.u_over_z), limits.least, limits.greatest_u),
-            texel_within(depth.times(at.v_over_z), limits.least, limits.greatest_v)};
+    return {depth.times(at.u_over_z, limits.least, limits.greatest_u),
+            depth.times(at.v_over_z, limits.least, limits.greatest_v)};
 }
 
 }  // namespace oblong

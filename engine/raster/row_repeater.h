@@ -75,7 +75,7 @@ class RowRepeater {
         FittingDepth depth;
         depth.mantissa = known.mantissa;
         depth.shift = known.shift;
-        return texel_within(depth.times(v_over_z), limits_.least, limits_.greatest_v);
+        return depth.times(v_over_z, limits_.least, limits_.greatest_v);
     }
 
     [[gnu::always_inline]] static TexelBlock moved(const TexelBlock& block, std::uint32_t pixels, std::uint32_t v_16,

@@ -118,11 +118,9 @@ template <class Reciprocal, class Repeat>
 }
 
 /// For spans that are one block each.
-template <class Reciprocal>
+template <class Ends>
 [[gnu::always_inline]] inline std::span<const Span> cut_whole_spans(std::span<const Span> spans, std::int32_t pitch,
-                                                                    const BlockCutting& cutting, Reciprocal reciprocal,
-                                                                    BlockList& blocks) {
-    SpanEnds<Reciprocal> ends(cutting, reciprocal);
+                                                                    Ends ends, BlockList& blocks) {
     const Span* span = spans.data();
     const Span* const end = span + spans.size();
     TexelBlock* out = blocks.end();
@@ -148,9 +146,12 @@ template <Texturing Way, class Reciprocal>
                                                                  BlockList& blocks) {
     using enum PerspectiveRange;
     if (!cutting.fits_range) return cut_spans<Way, MayOverflow>(spans, pitch, cutting, reciprocal, blocks);
-    if (Way == Texturing::Bounded && cutting.takes_whole_spans)
-        return cut_whole_spans(spans, pitch, cutting, reciprocal, blocks);
-    if (Way == Texturing::Bounded && RowRepeater<Reciprocal>::serves(cutting.gradients)) {
+    const bool repeats_rows = Way == Texturing::Bounded && RowRepeater<Reciprocal>::serves(cutting.gradients);
+    if (Way == Texturing::Bounded && cutting.takes_whole_spans) {
+        if (repeats_rows) return cut_whole_spans(spans, pitch, RepeatedSpanEnds(cutting, reciprocal), blocks);
+        return cut_whole_spans(spans, pitch, SpanEnds(cutting, reciprocal), blocks);
+    }
+    if (repeats_rows) {
         const auto repeat = [&](const Span& above, std::span<const TexelBlock> row, std::span<const Span> below,
                                 TexelBlock* out) {
             const RowRepeater<Reciprocal> repeater(above, row, cutting, reciprocal);
