@@ -40,6 +40,14 @@ class DemoLevel : public testing::Test {
     const Level level_ = read_bsp(read_file(test::build_folder() + "/assets/demo.bsp"));
 };
 
+/// This build has compiled it (assets/CMakeLists.txt); tools/play takes the committed one.
+TEST(CommittedLevel, IsWhatTheMapCompilerMakesOfItsSources) {
+    const std::string assets = test::source_folder() + "/assets/", compiled = test::build_folder() + "/assets/";
+    for (const char* name : {"demo.bsp", "demo.sha256"})
+        EXPECT_TRUE(read_file(assets + name) == read_file(compiled + name))
+            << "assets/" << name << " is old: cmake --build build --target update_demo_level";
+}
+
 TEST_F(DemoLevel, CallsForEveryEffectByWhatMappersUse) {
     std::set<std::string> names;
     for (const MipTexture& texture : level_.textures) {
