@@ -103,9 +103,9 @@ void BrushModels::link_leaves() {
 }
 
 void BrushModels::add_to_leaf(const Fragment& fragment) {
-    LeafModels& leaf = leaves_[fragment.leaf];
-    if (!leaf.first_link.is_none()) leaf.has_several |= links_[leaf.first_link].fragment->placed != fragment.placed;
-    links_.push_back({&fragment, std::exchange(leaf.first_link, Index<Link>(links_.count()))});
+    const Index<Link> next = std::exchange(leaves_[fragment.leaf].first_link, Index<Link>(links_.count()));
+    const bool is_same_model = !next.is_none() && links_[next].fragment->placed == fragment.placed;
+    links_.push_back({&fragment, next, is_same_model ? links_[next].next_model : next});
 }
 
 const FragmentTree& BrushModels::tree_of(LeafModels& leaf, const Level& level) {
@@ -143,10 +143,14 @@ bool BrushModels::is_before(const Fragment& a, const Fragment& b) const {
     return face_ranks_[a.face] < face_ranks_[b.face];
 }
 
-void BrushModels::find_facing(const Fragment& fragment, const ModelView& view) {
-    const Order& order = orders_[fragment.placed];
-    if (order.frame != frame_) order_model(fragment.placed, view);
-    if (!order.is_outside && face_ranks_[fragment.face] >= 0) found_.push_back(&fragment);
+bool BrushModels::shows_model(PlacedIndex placed, const ModelView& view) {
+    const Order& order = orders_[placed];
+    if (order.frame != frame_) order_model(placed, view);
+    return !order.is_outside;
+}
+
+void BrushModels::find_facing(const Fragment& fragment) {
+    if (!orders_[fragment.placed].is_outside && face_ranks_[fragment.face] >= 0) found_.push_back(&fragment);
 }
 
 void BrushModels::sort_found(std::size_t first) {
@@ -162,7 +166,7 @@ void BrushModels::walk_tree(const FragmentTree& tree, Index<FragmentTree::Node> 
     const bool in_front = plane_distance(plane, view.viewpoint.relative_to(offset_of(on_plane))) > PlaneDistance{};
     walk_tree(tree, in_front ? node.front : node.back, view);
     const std::size_t first = found_.size();
-    for (const Index<Fragment> fragment : node.on_plane) find_facing(tree.fragments[fragment], view);
+    for (const Index<Fragment> fragment : node.on_plane) find_facing(tree.fragments[fragment]);
     if (found_.size() > first + 1) sort_found(first);
     walk_tree(tree, in_front ? node.back : node.front, view);
 }
@@ -172,13 +176,17 @@ std::span<const Fragment* const> BrushModels::front_to_back_in(LeafIndex leaf, c
     const ModelView view{level, viewpoint, may_show};
     found_.clear();
     LeafModels& in_leaf = leaves_[leaf];
-    if (in_leaf.has_several) {
+    bool any_shows = false;
+    for (Index<Link> link = in_leaf.first_link; !link.is_none(); link = links_[link].next_model)
+        any_shows |= shows_model(links_[link].fragment->placed, view);
+    if (!any_shows) return {};
+    if (!links_[in_leaf.first_link].next_model.is_none()) {
         const FragmentTree& tree = tree_of(in_leaf, level);
         walk_tree(tree, tree.root, view);
         if (!tree.root.is_none()) return found_;
     }
     for (Index<Link> link = in_leaf.first_link; !link.is_none(); link = links_[link].next)
-        find_facing(*links_[link].fragment, view);
+        find_facing(*links_[link].fragment);
     sort_found(0);
     return found_;
 }

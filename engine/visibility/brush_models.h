@@ -50,7 +50,8 @@ class BrushModels {
   private:
     struct Link {
         const Fragment* fragment;
-        Index<Link> next;  ///< in the same leaf
+        Index<Link> next;        ///< in the same leaf
+        Index<Link> next_model;  ///< the first one of the leaf's next model
     };
     struct ModelView {
         const Level& level;
@@ -60,8 +61,7 @@ class BrushModels {
     /// The parts of models in one leaf.
     struct LeafModels {
         Index<Link> first_link = Index<Link>::none();
-        bool has_several = false;                                ///< parts of more than one model
-        Index<FragmentTree> tree = Index<FragmentTree>::none();  ///< of these parts, built when first needed
+        Index<FragmentTree> tree = Index<FragmentTree>::none();  ///< of several models, built when one may first show
     };
     /// A model's place in the order of one frame, found when the frame first meets it.
     struct Order {
@@ -75,7 +75,9 @@ class BrushModels {
     void add_to_leaf(const Fragment& fragment);
     const FragmentTree& tree_of(LeafModels& leaf, const Level& level);
     void order_model(PlacedIndex placed, const ModelView& view);
-    void find_facing(const Fragment& fragment, const ModelView& view);
+    /// Whether a model may show; if so, its faces have an order from then on.
+    bool shows_model(PlacedIndex placed, const ModelView& view);
+    void find_facing(const Fragment& fragment);
     void sort_found(std::size_t first);
     void walk_tree(const FragmentTree& tree, Index<FragmentTree::Node> node, const ModelView& view);
     /// Whether `a` is drawn before `b` where no plane separates them: the nearer model first, within a model the order
