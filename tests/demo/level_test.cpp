@@ -42,10 +42,10 @@ class DemoLevel : public testing::Test {
 
 /// This build has compiled it (assets/CMakeLists.txt); tools/play takes the committed one.
 TEST(CommittedLevel, IsWhatTheMapCompilerMakesOfItsSources) {
-    const std::string assets = test::source_folder() + "/assets/", compiled = test::build_folder() + "/assets/";
-    for (const char* name : {"demo.bsp", "demo.sha256"})
-        EXPECT_TRUE(read_file(assets + name) == read_file(compiled + name))
-            << "assets/" << name << " is old: cmake --build build --target update_demo_level";
+    const std::string committed = test::source_folder() + "/assets/", build = test::build_folder();
+    const char* const cure = "cmake --build build --target update_demo_level";
+    EXPECT_TRUE(read_file(committed + "demo.bsp") == read_file(build + "/assets/demo.bsp")) << cure;
+    EXPECT_TRUE(read_file(committed + "demo.sha256") == read_file(build + "/demo.sha256")) << cure;
 }
 
 TEST_F(DemoLevel, CallsForEveryEffectByWhatMappersUse) {
