@@ -123,7 +123,7 @@ TEST(Checks, NameTargetsThatNobodyHas) {
 
 TEST(Checks, NameTeleportersToNowhere) {
     EXPECT_EQ(warnings_of(entity("trigger_teleport", {}, kBrush)),
-              Said{"line 4: a trigger_teleport without 'target', expected its exit"});
+              Said{"line 4: a trigger_teleport without 'target', expected the exit, an `info_teleport_destination`"});
     EXPECT_EQ(warnings_of(entity("trigger_teleport", {{"target", "x"}}, kBrush)),
               Said{"line 6: 'target' is 'x', but no entity has that name"});
     EXPECT_EQ(warnings_of(entity("trigger_teleport", {{"target", "x"}}, kBrush) +
