@@ -36,7 +36,8 @@ class MapWatch {
         std::vector<Vec3<World>> leak_path;  ///< from an entity to the void, if the level leaks
     };
 
-    /// Begins what is due, and returns what has ended, at once. Looks at files at most five times a second.
+    /// Starts a due compilation, or returns the result of one that has ended, without delay. Reads files at most five
+    /// times a second.
     std::optional<News> poll(std::uint64_t now_us);
     /// The level's fault, every few seconds until it is fixed; empty: none, or not due.
     std::string due_reminder(std::uint64_t now_us);

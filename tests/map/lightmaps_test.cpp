@@ -147,7 +147,7 @@ TEST(Lightmaps, WithinItsRadiusALampsBodyThrowsNoShadow) {
     }
 }
 
-TEST(Lightmaps, WhatIsWithinALampsRadiusIsLit) {
+TEST(Lightmaps, SurfacesWithinALampsRadiusAreLit) {
     const auto bsp = compile(level(hall(), entity_at("light", kLamp, {{"radius", "200"}})), {true});
     EXPECT_NEAR(floor_light(bsp, 96, 64), expected(300 - distance_to(96, 64), 96, 64), 1);
 }

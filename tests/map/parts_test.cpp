@@ -134,8 +134,8 @@ TEST_F(MapWatchTest, FollowsTheSource) {
     EXPECT_TRUE(level_bytes() == first);
 }
 
-// No picture is waited for in vain: the level is told of by the first call after its compiler has ended.
-TEST_F(MapWatchTest, TellsOfALevelAtOnce) {
+// The limit of five looks at files a second does not delay it.
+TEST_F(MapWatchTest, ReturnsALevelAsSoonAsItIsCompiled) {
     write_file(path("t.wad"), wad_bytes({"wall"}));
     write_file(path("my.map"), with_wad(two_rooms(kLamp)));
     watch.compile_first();

@@ -121,20 +121,20 @@ TEST_F(TrenchBroom, AWayToCompileThatWasKeptBeforeIsNotLost) {
     EXPECT_NO_THROW(read_compilation_config(text("CompilationProfiles.cfg")));
 }
 
-// A change of an installed file, and whether the editor's readers take it.
+// A change of an installed file, and whether the editor reads the result.
 struct Mutation {
     std::string file, part, by;
     bool is_read = false;
 };
 
-TEST_F(TrenchBroom, WhatTheEditorRefusesIsRefused) {
+TEST_F(TrenchBroom, ChangedFilesAreRefusedIfTheEditorRefusesThem) {
     const std::map<std::string, void (*)(const std::string&)> readers{
         {"GameConfig.cfg", [](const std::string& text) { read_game_config(text); }},
         {"CompilationProfiles.cfg", [](const std::string& text) { read_compilation_config(text); }},
         {"GameEngineProfiles.cfg", [](const std::string& text) { read_engine_config(text); }},
         {"Oblong.fgd", [](const std::string& text) { read_fgd(text); }}};
     for (const auto& [file, part, by, is_read] : {
-             Mutation{"GameConfig.cfg", "\"version\"", "\"a_key_of_nobody\": 1, \"version\"", true},
+             Mutation{"GameConfig.cfg", "\"version\"", "\"unknown_key\": 1, \"version\"", true},
              Mutation{"GameConfig.cfg", "\"version\": 9", "\"version\": 8"},
              Mutation{"GameConfig.cfg", "\"version\": 9", "\"version\": \"9\""},
              Mutation{"GameConfig.cfg", "\"searchpath\": \".\",", ""},

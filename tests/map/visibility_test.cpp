@@ -51,7 +51,7 @@ TEST(Visibility, RoomsAroundCornersDoNotSeeEachOther) {
 
 // Through a door to the east, around a corner, and through a door to the west that lies farther east: no line passes
 // both, and even a draft knows that.
-TEST(Visibility, WhoGoesEastIsNotSeenGoingWest) {
+TEST(Visibility, LinesOfSightDoNotTurnBack) {
     std::string walls;
     for (const auto& [mins, maxs] : {std::pair<Whole, Whole>{{-16, -16, -16}, {416, 288, 0}},
                                      {{-16, -16, 128}, {416, 288, 144}},
