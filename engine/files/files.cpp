@@ -166,7 +166,7 @@ std::string end_of_links(const std::string& path) {
         if (fs::symlink_status(at, error).type() != fs::file_type::symlink || is_open_file(at)) return at;
         at = (fs::path(at).parent_path() / fs::read_symlink(at, error)).string();
     }
-    throw FileError(path, "open", "its symbolic links go round, expected them to lead to a file");
+    throw FileError(path, "open", "its symbolic links form a loop, expected a path that ends at a file");
 }
 
 void write_file(const std::string& path, std::span<const std::uint8_t> bytes, FileUse use) {

@@ -39,7 +39,7 @@ class Reader {
     template <class T>
     std::size_t count(std::vector<T>& list) {
         const auto size = reader_.next<std::uint32_t>();
-        expect_at(reader_.offset(), size <= reader_.rest(), "a list of more than the bytes that are left");
+        expect_at(reader_.offset(), size <= reader_.rest(), "a list longer than the bytes left");
         list.resize(size);
         return size;
     }

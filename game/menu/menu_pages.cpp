@@ -78,7 +78,7 @@ MenuPage MenuPages::title_page() {
         "Load", [this] { open_load(); }, "a walk that was saved"));
     page.rows.push_back(menu_row("Options", [this] { open_options(); }));
     page.rows.push_back(menu_row(
-        "Gallery", [this] { host_.show_gallery(); }, "all that the engine can do, a thing a page"));
+        "Gallery", [this] { host_.show_gallery(); }, "what the engine can do, a page for each feature"));
     page.rows.push_back(menu_row("Credits", [this] { open_credits(); }));
     page.rows.push_back(menu_row("Leave", [this] { host_.leave(); }));
     page.help = host_.key_names().in("{choose} choose, {accept} accepts, {menu} goes back");

@@ -80,13 +80,14 @@ void declare(CommandArguments& line, Options& options, OptionTexts& texts) {
     line.add("--palette", options.palette, "768 bytes of red, green, blue; default: the level's, else the demo's");
     line.add("--models", options.models, "folder of Quake's models: shows a level's items (README)");
     line.add_flag("--title", options.shows_title, "begin with the title, as without a level or another thing to do");
-    line.add_flag("--gallery", options.shows_gallery, "all that the engine can do, one thing after the other; no game");
+    line.add_flag("--gallery", options.shows_gallery, "show the gallery of the engine's features instead of the game");
     line.add("--log", texts.log,
              "once a second, lines of these kinds on standard error: " + names_of(LogChannels::all()));
     line.add("--automap", texts.map, "off, player or north: the map, and what is up on it");
     line.add("--wireframe", texts.wireframe, "off, over or alone: the edges that E shows");
     line.add("--lines", texts.lines, "naive, dda, bresenham or gupta-sproull: how lines of both are drawn");
-    line.add("--threads", options.threads, "that draw; default: 1. A second one pays from about 640x480 on")
+    line.add("--threads", options.threads,
+             "number of threads that draw; default: 1. A second one saves time from about 640x480 on")
         .limit(1, 256);
     line.add("--window", texts.window, "WxH, size of the window; default: what the desktop has room for");
     line.add_flag("--error-box", options.shows_error_box,
@@ -124,7 +125,7 @@ void interpret(const OptionTexts& texts, Options& options) {
     options.shows_title |= (options.level + options.map + options.watch).empty() && !has_run &&
                            !options.shows_gallery && options.headless_frames == 0;
     if (options.shows_error_box && (options.headless_frames > 0 || !options.timedemo.empty()))
-        throw UsageError("--error-box: nobody is there to close it, expected it without --headless or --timedemo");
+        throw UsageError("--error-box: no window to show it in, expected it without --headless and --timedemo");
     if (options.shows_gallery && !(options.record + options.replay + options.timedemo).empty())
         throw UsageError("--gallery: there is no game to record or to replay, expected it without the other");
 }

@@ -128,7 +128,7 @@ void limit_faults(std::vector<LineFault>& faults) {
     if (faults.size() <= kMost) return;
     const std::size_t more = faults.size() - kMost, line = faults[kMost].line;
     faults.resize(kMost);
-    faults.push_back({line, "this line and " + std::to_string(more - 1) + " more are wrong too"});
+    faults.push_back({line, "this line and " + std::to_string(more - 1) + " others are wrong too"});
 }
 
 }  // namespace

@@ -142,7 +142,7 @@ void add_comfort(Rows& rows) {
     rows.push_back(one_of(
         {"colours", "Colours of signs", "of lines, maps, keys and text; two for players who confuse these", kPage},
         {"standard", "red-green", "blue-yellow"}, &Preferences::colours));
-    rows.push_back(on_or_off({"captions", "Captions of sounds", "a line of text for what is to be heard", kPage},
+    rows.push_back(on_or_off({"captions", "Captions of sounds", "shows each sound as a line of text", kPage},
                              &Preferences::shows_captions));
 }
 
@@ -161,7 +161,7 @@ void add_controls(Rows& rows) {
         &Preferences::gamepad_sensitivity_100, 10, 400,
         {10, 20, 30, 40, 50, 60, 70, 80, 90, 100, 120, 140, 160, 180, 200, 250, 300, 400}, " %"));
     rows.push_back(whole_number({"gamepad-dead-zone", "Stick dead zone",
-                                 "how far a stick may lie beside its middle, in per cent of its way", kPage},
+                                 "how far a stick may rest from its centre, in per cent of its range", kPage},
                                 &Preferences::gamepad_dead_zone_100, 0, 90,
                                 {0, 5, 10, 15, 20, 25, 30, 40, 50, 60, 70, 80, 90}, " %"));
 }

@@ -220,7 +220,7 @@ MapWatch::News MapWatch::finish(int status) {
         if (line.find(": warning: ") == std::string::npos && line.find("% ") == std::string::npos) news.fault = line;
     const std::string named = "oblong-map: " + map_file_ + ": ";
     if (news.fault.starts_with(named)) news.fault.erase(0, named.size());
-    if (news.fault.empty()) news.fault = "oblong-map ended without a word";
+    if (news.fault.empty()) news.fault = "oblong-map ended without a message";
     news.leak_path = read_points(points_file_);
     return news;
 }

@@ -71,27 +71,27 @@ void Screens::close_gallery() {
 void Screens::follow_map() {
     if (!watch_ || !walk_) return;
     const std::uint64_t now_us = platform_.now_us();
-    if (const auto news = watch_->poll(now_us)) {
-        print_fault("oblong", news->fault);
-        if (news->has_level) show_changed_level();
-        walk_->show_path(news->leak_path);
+    try {
+        if (const auto news = watch_->poll(now_us)) {
+            print_fault("oblong", news->fault);
+            if (news->has_level) show_changed_level();
+            walk_->show_path(news->leak_path);
+        }
+    } catch (const FileError& error) {  // an editor may remove a file while it is read
+        watch_->remind_of(error.what());
     }
     if (const std::string fault = watch_->due_reminder(now_us); !fault.empty()) walk_->show(fault);
 }
 
 // The player stays in place; all else is at the level's start.
 void Screens::show_changed_level() {
-    try {
-        const Player player = walk_->state().player;
-        start_walk(load_level(watch_->level_file()));
-        GameState state = walk_->state();
-        state.player = player;
-        state.player.ground = Player::kNoGround;
-        walk_->restore(state);
-        walk_->show("The level as it is now");
-    } catch (const FileError& error) {
-        watch_->remind_of(error.what());
-    }
+    const Player player = walk_->state().player;
+    start_walk(load_level(watch_->level_file()));
+    GameState state = walk_->state();
+    state.player = player;
+    state.player.ground = Player::kNoGround;
+    walk_->restore(state);
+    walk_->show("The level as it is now");
 }
 
 // Frees the other screens and all that belongs to them.

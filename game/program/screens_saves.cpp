@@ -38,7 +38,7 @@ SaveEntry entry_of(const ListedSlot& content, const std::string& lenses) {
     if (entry.is_empty) entry.content = "empty";
     if (!content.game) return entry;
     entry.content = content_of(*content.game, lenses);
-    entry.help = content.is_former ? "The one saved before it: the last one is missing or damaged" : "";
+    entry.help = content.is_former ? "The save before the last: the last is missing or damaged" : "";
     entry.picture = picture_of(content.game->picture);
     return entry;
 }
@@ -130,9 +130,10 @@ void Screens::go_on_with(const SlotContent& content, std::optional<HeldWalk> hel
     const bool is_elsewhere = content.slot.kind == SaveKind::Walk && !held;
     saves_.begin(walk_, std::move(held));
     walk_->show("Loaded: " + name_of(content.slot));
-    if (is_elsewhere) pages_.open_message("Load", "Another program is in this walk: from here on this is a new one.");
+    if (is_elsewhere)
+        pages_.open_message("Load", "Another running Oblong uses this walk's saves: the game goes on as a new walk.");
     if (!gone.empty()) pages_.open_message("Load", gone);
-    if (content.is_former) pages_.open_message("Load", "The one saved before it was loaded. " + content.refusal);
+    if (content.is_former) pages_.open_message("Load", "The save before the last was loaded. " + content.refusal);
 }
 
 void Screens::leave_walk(const std::function<void()>& go) {

@@ -97,7 +97,7 @@ SlotOf<Saved> read_slot(SaveSlot slot, const std::string& unresolved_file,
                 return content;
             } catch (const FileError& error) {
                 content.refusal +=
-                    (content.refusal.empty() ? "" : "\n\nAnd the one before it: ") + std::string(error.what());
+                    (content.refusal.empty() ? "" : "\n\nThe save before it: ") + std::string(error.what());
             }
         }
     } catch (const FileError& error) {
@@ -159,7 +159,7 @@ void SaveSlots::remove(SaveSlot slot) const {
     const auto held = lock_folder();
     const std::string file = file_of(slot);
     const bool is_walked = slot.kind != SaveKind::Numbered && !hold(slot.number);
-    if (is_walked) throw FileError(file, "remove", "this walk is on, expected one that is not");
+    if (is_walked) throw FileError(file, "remove", "this walk is being played, expected one that is not");
     remove_files({former_of(file), file});
 }
 

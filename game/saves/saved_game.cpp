@@ -85,7 +85,7 @@ LittleEndianReader checked(std::span<const std::uint8_t> bytes) {
                   " that were saved");
     const std::size_t end = bytes.size() - kHashBytes;
     expect_at(end, LittleEndianReader(bytes, end).next<std::uint64_t>() == fnv1a_of(bytes.first(end)),
-              "the checksum is another, expected an unaltered file");
+              "the checksum differs, expected a file that was not changed");
     LittleEndianReader reader(bytes.first(end), kHeaderBytes);
     expect_at(kHeaderBytes, reader.next<std::uint64_t>() == state_layout(),
               std::string(kOtherVersion) + ", expected a state of this one's fields");

@@ -64,13 +64,12 @@ LevelFiles files_of(const SavedLevel& saved, const LevelFiles& own) {
 std::string what_is_gone(const SavedLevel& saved, const SavedLevel& loaded) {
     std::string text;
     if (loaded.palette_hash != saved.palette_hash)
-        text += "It is not shown in the colours that it had: " +
+        text += "Its colours differ from those when it was saved: " +
                 (saved.palette.empty() ? "the palette of its game" : saved.palette) + " is gone or another file.\n";
     if (loaded.model_count < saved.model_count)
         text += "It is shown without " + std::to_string(saved.model_count - loaded.model_count) + " of the " +
-                std::to_string(saved.model_count) +
-                " models that it had: " + (saved.models.empty() ? "the files of its game" : saved.models) +
-                " are gone.\n";
+                std::to_string(saved.model_count) + " models that it had when it was saved: " +
+                (saved.models.empty() ? "the files of its game" : saved.models) + " are gone.\n";
     return text;
 }
 

@@ -56,7 +56,7 @@ void check_player(const GameLevel& level, const Player& player, Check& check) {
                  "player: pitch " + std::to_string(player.pitch) + ", expected -16000 to 16000");
     check.expect(is_within(player.eye_lag, World::from_int(kStepHeight)), "player: an eye more than a step too low");
     check.expect(player.ground >= Player::kNoGround && player.ground < level.bsp->models.count(),
-                 "player: stands on model " + std::to_string(player.ground) + ", which the level has not");
+                 "player: stands on model " + std::to_string(player.ground) + ", which the level does not have");
     check.expect(is_one_of(player.depth, Depth::Eyes), "player: an unknown depth");
 }
 
@@ -81,11 +81,11 @@ bool is_possible(const Trigger& trigger, const TriggerState& trigger_state, cons
 void check_movers(const GameLevel& level, const GameState& state, Check& check) {
     for (std::size_t i = 0; i < level.movers.size(); ++i)
         check.expect(is_possible(level.movers[i], state.movers[i]) && is_soon(state.movers[i].next_touch, state),
-                     "movers: number " + std::to_string(i) + " is where it can't be");
+                     "movers: number " + std::to_string(i) + " is outside its path");
     std::vector<std::uint32_t> active;
     for (std::size_t i = 0; i < level.movers.size(); ++i)
         if (!is_at_rest(state.movers[i])) active.push_back(static_cast<std::uint32_t>(i));
-    check.expect(active == state.active_movers, "active movers: others than those that are on their way");
+    check.expect(active == state.active_movers, "active movers: not the movers in motion");
 }
 
 void check_triggers(const GameLevel& level, const GameState& state, Check& check) {
@@ -101,14 +101,14 @@ void check_triggers(const GameLevel& level, const GameState& state, Check& check
 
 void check_others(const GameLevel& level, const GameState& state, Check& check) {
     for (const WallState wall : state.walls)
-        check.expect(is_one_of(wall, WallState::Removed), "walls: one in an unknown state");
+        check.expect(is_one_of(wall, WallState::Removed), "walls: an unknown state");
     for (const ItemState item : state.items)
-        check.expect(is_one_of(item, ItemState::Removed), "items: one in an unknown state");
+        check.expect(is_one_of(item, ItemState::Removed), "items: an unknown state");
     check.expect(
         state.message.shown >= kNoMessage && state.message.shown < static_cast<std::int64_t>(level.messages.size()),
-        "message " + std::to_string(state.message.shown) + ", which the level has not");
+        "message " + std::to_string(state.message.shown) + ", which the level does not have");
     check.expect(state.exit >= -1 && state.exit < static_cast<std::int64_t>(level.triggers.size()),
-                 "exit " + std::to_string(state.exit) + ", which the level has not");
+                 "exit " + std::to_string(state.exit) + ", which the level does not have");
     check.expect((state.progress.keys & ~(kSilverKey | kGoldKey)) == 0, "unknown keys");
     check.expect(is_within(state.progress.respawn.position, kFarthestPlayer), "a place to come in outside the world");
 }
@@ -131,7 +131,7 @@ void check_delayed(const GameLevel& level, const GameState& state, Check& check)
     check.expect(state.delayed.size() <= Activations::kMost, "delayed: too many");
     std::int64_t earliest = state.tick;
     for (const DelayedFiring& delayed : state.delayed) {
-        check.expect(is_there(level, delayed.by), "delayed: by something that the level has not");
+        check.expect(is_there(level, delayed.by), "delayed: by something that the level does not have");
         const bool is_next = state.has_ended || (delayed.tick > state.tick && delayed.tick >= earliest);
         check.expect(is_next && is_tick(delayed.tick), "delayed: not the earliest first");
         earliest = delayed.tick;
@@ -144,7 +144,7 @@ void check_backlog(const GameLevel& level, const GameState& state, Check& check)
     for (const WaitingFiring& waiting : backlog.waiting)
         check.expect(waiting.target >= 0 && as_size(waiting.target) < level.targets.size() &&
                          waiting.next < level.target(waiting.target).entities.size(),
-                     "waiting: for something that the level has not");
+                     "waiting: for something that the level does not have");
     check.expect(backlog.next_mover == 0 || backlog.next_mover < level.movers.size(), "the next mover: unknown");
     const auto check_place = [&](std::uint32_t place, const BoxTree& boxes) {
         check.expect(place == 0 || place < boxes.size(), "the next box: unknown");

@@ -44,7 +44,7 @@ const storage = (() => {
 const readSaves = () => new Promise(resolve => {
   const done = error => {
     if (error) console.warn("no database: " + error);
-    if (error && !storage) Page.warn("This browser keeps no saves of this page: they go when it is closed.");
+    if (error && !storage) Page.warn("This browser does not store saved games for this page: they are lost when it is closed.");
     resolve(!error);
   };
   globalThis.indexedDB ? FS.syncfs(true, done) : done("this browser has none");

@@ -154,7 +154,8 @@ TEST_F(Files, ALinkStaysAndWhatItLeadsToIsReplaced) {
     EXPECT_EQ(read_file(path("below/later")), (Bytes{2, 0, 3}));
     fs::create_symlink("b", path("a"));
     fs::create_symlink("a", path("b"));
-    EXPECT_EQ(complaint_of_writing(path("a")), "open: its symbolic links go round, expected them to lead to a file");
+    EXPECT_EQ(complaint_of_writing(path("a")),
+              "open: its symbolic links form a loop, expected a path that ends at a file");
 }
 
 // As a shell hands on standard output that leads to a file: what is written there follows what was.

@@ -93,7 +93,7 @@ TEST(OptionsText, OfManyFaultsTheFirstAreNamed) {
     const ReadPreferences read = read_preferences(text);
     ASSERT_EQ(read.faults.size(), 17u);
     EXPECT_EQ(read.faults.back().line, 17u);
-    EXPECT_EQ(read.faults.back().what, "this line and 19983 more are wrong too");
+    EXPECT_EQ(read.faults.back().what, "this line and 19983 others are wrong too");
 }
 
 TEST(OptionsText, RefusesAViewThatCannotBeDrawnAndKeepsTheRest) {

@@ -131,7 +131,7 @@ TEST_F(SlotFiles, BothCopiesDamagedAreNamed) {
     folder_.write("made/quick1.save.old", Bytes(100));
     EXPECT_EQ(slots_.load(kQuick).refusal, file("quick1.save") +
                                                ": offset 0: the file has 5 bytes, expected a saved game" +
-                                               "\n\nAnd the one before it: " + file("quick1.save.old") +
+                                               "\n\nThe save before it: " + file("quick1.save.old") +
                                                ": offset 0: no saved game: expected 'OBLGSAVE'");
     EXPECT_EQ(slots_.list().size(), 9u);
     slots_.remove(kQuick);
@@ -193,7 +193,7 @@ TEST_F(SlotFiles, ADamagedGameIsNamedAndTheOneBeforeItIsOffered) {
     EXPECT_EQ(content.game, first_);
     EXPECT_TRUE(content.is_former);
     EXPECT_EQ(content.refusal, file("quick1.save") + ": offset " + std::to_string(bytes.size() - 8) +
-                                   ": the checksum is another, expected an unaltered file");
+                                   ": the checksum differs, expected a file that was not changed");
 
     // Saving again does not put the damaged one in the place of the one that can be loaded.
     slots_.save(kQuick, third_);

@@ -86,8 +86,9 @@ void declare(CommandArguments& line, Options& options) {
     line.add_flag("--plan", options.prints_plan,
                   "print the passes and effects of each frame, with their pixels and times");
     line.add("--log", options.log, "write lines of these kinds on standard error: " + names_of(LogChannels::all()));
-    line.add("--kernel", options.kernel, "that draws blocks: " + kernel_names() + " (default: the first)");
-    line.add("--threads", options.threads, "that draw; default: 1. A second one pays from about 640x480 on")
+    line.add("--kernel", options.kernel, "the kernel that draws blocks: " + kernel_names() + " (default: the first)");
+    line.add("--threads", options.threads,
+             "number of threads that draw; default: 1. A second one saves time from about 640x480 on")
         .limit(1, 256);
     line.add("--time", options.seconds, "the scene's time, seconds");
     line.add("--time-step", options.step_seconds, "seconds from each timed rendering of a frame to the next, up to 60");

@@ -49,7 +49,7 @@ struct Video {
         if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) fail("no display");
         if (!shows_nothing()) return;
         SDL_QuitSubSystem(SDL_INIT_VIDEO);
-        throw std::runtime_error("no display: SDL found none that shows anything");
+        throw std::runtime_error("no display: SDL found no video driver that opens a window");
     }
     ~Video() { SDL_QuitSubSystem(SDL_INIT_VIDEO); }
     Video(const Video&) = delete;
