@@ -174,7 +174,7 @@ bool FrontToBackWalk::is_hidden(const Node& node) const {
 
 bool FrontToBackWalk::may_be_free(const LevelBox& box) const {
     const std::optional<ScreenRectangle> rectangle = rectangle_of(box, view_);
-    return !rectangle || span_buffer_.may_be_free(*rectangle);
+    return !rectangle || span_buffer_.has_free(*rectangle);
 }
 
 }  // namespace oblong

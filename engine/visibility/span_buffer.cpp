@@ -60,6 +60,12 @@ void SpanBuffer::reset_to(std::span<const Span> free) {
     for (std::int32_t y = 0; y < height_px_; ++y) settle(item(rows_, y), list_of(y));
 }
 
+bool SpanBuffer::has_listed(std::int32_t y, const ScreenRectangle& rectangle) const {
+    const Interval* free = list_of(y);
+    while (free->end <= rectangle.first_column) ++free;  // stops, as the hull ends behind it
+    return free->first < rectangle.end_column;
+}
+
 PixelRange SpanBuffer::rows_with_free(const ScreenRectangle& rectangle) const {
     if (rectangle.first_row >= rectangle.end_row) return {0, 0};
     const Row* const rows = rows_.data();

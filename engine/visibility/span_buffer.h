@@ -36,13 +36,16 @@ class SpanBuffer {
     std::size_t bytes() const { return rows_.size() * sizeof(Row) + intervals_.size() * sizeof(Interval); }
     /// Whether no pixel is free.
     bool is_full() const { return free_spans_ == 0; }
-    /// False only if no pixel of a rectangle is free.
-    bool may_be_free(const ScreenRectangle& rectangle) const {
-        for (std::int32_t y = rectangle.first_row; y < rectangle.end_row; ++y)
-            if (item(rows_, y).may_be_free(rectangle)) return true;
+    /// Whether a pixel of a rectangle is free; the rectangle has at least one column.
+    bool has_free(const ScreenRectangle& rectangle) const {
+        for (std::int32_t y = rectangle.first_row; y < rectangle.end_row; ++y) {
+            const Row& row = item(rows_, y);
+            if (row.may_be_free(rectangle) && (row.listed == 0 || has_listed(y, rectangle))) return true;
+        }
         return false;
     }
-    /// The rectangle's rows, without those at its top and bottom that have no free pixel in it.
+    /// The rectangle's rows, without those at its top and bottom whose hulls are not in its columns. All its free
+    /// pixels are in these rows.
     PixelRange rows_with_free(const ScreenRectangle& rectangle) const;
 
   private:
@@ -59,6 +62,8 @@ class SpanBuffer {
         }
     };
 
+    /// Whether a row's list has a free span in a rectangle's columns, which begin before the end of its hull.
+    bool has_listed(std::int32_t y, const ScreenRectangle& rectangle) const;
     Span* claim_row(std::int32_t y, std::int32_t first, std::int32_t end, Span* owned);
     Span* claim_listed(std::int32_t y, std::int32_t first, std::int32_t end, Span* owned);
     Span* claim_several(std::int32_t y, std::int32_t first, std::int32_t end, Interval* free, Span* owned);
