@@ -75,11 +75,11 @@ TEST(Visibility, LinesOfSightDoNotTurnBack) {
 
 // 300 zero bytes are more than one byte counts.
 TEST(Visibility, LongRunsOfZeroesAreCut) {
-    std::vector<bool> leaves(300 * 8 + 1, false);
-    leaves.back() = true;
-    const std::string row = map::packed_row(leaves);
+    map::BitSet leaves(300 * 8 + 1);
+    leaves.add(300 * 8);
+    const std::string row = map::packed_row(leaves, 300 * 8 + 1);
     EXPECT_EQ(row, std::string("\0\xff\0\x2d\x01", 5));
-    EXPECT_EQ(map::unpacked_row(row, 0, leaves.size()), leaves);
+    EXPECT_EQ(map::unpacked_row(row, 0, 300 * 8 + 1), leaves);
 }
 
 TEST(Visibility, WhatALineOfSightMeetsIsInTheSet) {

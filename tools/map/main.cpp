@@ -142,6 +142,7 @@ std::string compile(const Arguments& arguments, const std::string& text, const c
     const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     WorkerThreads workers(arguments.threads > 0 ? static_cast<int>(arguments.threads) : processors);
     map::PortalFile portals;
+    portals.has_text = !arguments.portals.empty();
     Palette palette;
     const bool has_bounce = arguments.has_bounce || entities.front().has("_bounce");
     if (has_bounce) palette = read_parsed(map::palette_file(arguments.textures, called_as), read_palette);

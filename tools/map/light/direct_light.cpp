@@ -13,10 +13,12 @@ double incidence(double cosine) {
     return (1 + cosine) / 2;
 }
 
-double light_from(const LightSource& source, const Point& point, const Point& normal, const Tracer& tracer) {
+// `range`: the source's.
+double light_from(const LightSource& source, double range, const Point& point, const Point& normal,
+                  const Tracer& tracer) {
     const Point towards = point - source.origin;
     const double distance = length(towards);
-    if (distance == 0 || distance >= source.range()) return 0;
+    if (distance == 0 || distance >= range) return 0;
     const double cosine = -dot(towards, normal) / distance;
     if (cosine <= 0 || !source.shines_on(towards * (1 / distance))) return 0;
     const double light = source.at_distance(distance) * incidence(cosine);
@@ -32,51 +34,64 @@ double light_from_sun(const Sun& sun, const Point& point, const Point& normal, c
     return met == contents::kSky ? sun.brightness * incidence(cosine) : 0;
 }
 
-// The points whose mean is a sample: a square, one step wide.
-std::vector<std::vector<Point>> sample_points(const FaceSampler& sampler, bool is_fast) {
-    const std::vector<double> offsets =
-        is_fast ? std::vector<double>{0} : std::vector<double>{-0.375, -0.125, 0.125, 0.375};
-    std::vector<std::vector<Point>> samples;
-    for (int v = 0; v < sampler.grid().count[1]; ++v) {
-        for (int u = 0; u < sampler.grid().count[0]; ++u) {
-            auto& points = samples.emplace_back();
-            for (const double du : offsets) {
-                for (const double dv : offsets) points.push_back(sampler.point_at(u + du, v + dv));
+// A face's samples: each is the mean at some points of a square, one step wide.
+class PointsOfSamples {
+  public:
+    PointsOfSamples(const FaceSampler& sampler, bool is_fast) : per_sample_(is_fast ? 1 : 16) {
+        const std::vector<double> offsets =
+            is_fast ? std::vector<double>{0} : std::vector<double>{-0.375, -0.125, 0.125, 0.375};
+        const auto [width, height] = sampler.grid().count;
+        points_.reserve(as_size(width * height) * per_sample_);
+        for (int v = 0; v < height; ++v)
+            for (int u = 0; u < width; ++u)
+                for (const double du : offsets)
+                    for (const double dv : offsets) {
+                        const Point point = sampler.point_at(u + du, v + dv);
+                        points_.push_back({point, sampler.normal_at(point)});
+                    }
+    }
+
+    // `light_at`: the light at a point with a normal.
+    template <class LightAt>
+    void add_light(Samples& sums, LightAt light_at) const {
+        sums.resize(points_.size() / per_sample_, 0);
+        for (std::size_t i = 0; i < sums.size(); ++i) {
+            double sum = 0;
+            for (std::size_t k = 0; k < per_sample_; ++k) {
+                const auto& [point, normal] = points_[i * per_sample_ + k];
+                sum += light_at(point, normal);
             }
+            sums[i] += sum / static_cast<double>(per_sample_);
         }
     }
-    return samples;
-}
 
-// `light_at`: the light at a point with a normal.
-template <class LightAt>
-void add_light_at(Samples& sums, const FaceSampler& sampler, const std::vector<std::vector<Point>>& samples,
-                  LightAt light_at) {
-    sums.resize(samples.size(), 0);
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-        double sum = 0;
-        for (const Point& point : samples[i]) sum += light_at(point, sampler.normal_at(point));
-        sums[i] += sum / static_cast<double>(samples[i].size());
-    }
-}
+  private:
+    struct LitPoint {
+        Point point, normal;
+    };
+
+    std::size_t per_sample_;
+    std::vector<LitPoint> points_;
+};
 
 }  // namespace
 
 StyleSamples direct_light(const FaceSampler& sampler, const std::vector<const LightSource*>& sources, const Sun& sun,
                           const Tracer& tracer, bool is_fast, const std::function<void(const LightSource&)>& is_seen) {
     StyleSamples styles;
-    const auto samples = sample_points(sampler, is_fast);
+    const PointsOfSamples samples(sampler, is_fast);
     for (const LightSource* source : sources) {
         double brightest = 0;
-        add_light_at(styles[source->style], sampler, samples, [&](const Point& point, const Point& normal) {
-            const double light = light_from(*source, point, normal, tracer);
+        const double range = source->range();
+        samples.add_light(styles[source->style], [&](const Point& point, const Point& normal) {
+            const double light = light_from(*source, range, point, normal, tracer);
             brightest = std::max(brightest, std::abs(light));
             return light;
         });
         if (brightest >= kLeastShade) is_seen(*source);
     }
     if (sun.brightness > 0)
-        add_light_at(styles[0], sampler, samples, [&](const Point& point, const Point& normal) {
+        samples.add_light(styles[0], [&](const Point& point, const Point& normal) {
             return light_from_sun(sun, point, normal, tracer);
         });
     return styles;

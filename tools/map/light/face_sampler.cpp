@@ -39,6 +39,7 @@ LightGrid light_grid(const BspFile& bsp, const FileFace& face) {
 
 std::vector<Floats> face_corners(const BspFile& bsp, const FileFace& face) {
     std::vector<Floats> corners;
+    corners.reserve(as_size(face.edge_count));
     for (int i = 0; i < face.edge_count; ++i) {
         const int edge = item(bsp.surf_edges, face.first_surf_edge + i);
         const auto& ends = item(bsp.edges, std::abs(edge));

@@ -112,7 +112,7 @@ class LightPass {
   private:
     void add_direct_light() {
         auto normals = smooth_normals(bsp_, options_.smooth_degrees);
-        const LightReach reach(bsp_, tracer_, lights_.sources);
+        const LightReach reach(bsp_, tracer_, lights_.sources, sharing_);
         std::vector<std::atomic<bool>> seen(lights_.sources.size());
         sharing_.begin("light", samplers_.size());
         sharing_.for_each(samplers_.size(), [&](std::size_t i) {

@@ -1,12 +1,21 @@
 #include "tools/map/light/tracer.h"
 
 namespace oblong::map {
+namespace {
+
+std::array<double, 3> between(const std::array<double, 3>& from, const std::array<double, 3>& to, double share) {
+    return {from[0] + (to[0] - from[0]) * share, from[1] + (to[1] - from[1]) * share,
+            from[2] + (to[2] - from[2]) * share};
+}
+
+}  // namespace
 
 Tracer::Tracer(const BspFile& bsp) : root_(bsp.models.front().head_nodes[0]) {
     for (const FileNode& node : bsp.nodes) {
         const FilePlane& plane = item(bsp.planes, node.plane);
         const Point normal = to_point(plane.normal);
-        TraceNode& trace = nodes_.emplace_back(TraceNode{normal, static_cast<double>(plane.distance), node.children});
+        TraceNode& trace =
+            nodes_.emplace_back(TraceNode{place_of(normal), static_cast<double>(plane.distance), node.children});
         for (int axis = 0; axis < 3; ++axis)
             if (normal == axis_vector(axis)) trace.axis = axis;
     }
@@ -14,22 +23,23 @@ Tracer::Tracer(const BspFile& bsp) : root_(bsp.models.front().head_nodes[0]) {
 }
 
 int Tracer::leaf_at(const Point& point) const {
+    const Place place = place_of(point);
     int child = root_;
     while (child >= 0) {
         const TraceNode& node = item(nodes_, child);
-        child = node.children[node.height_of(point) < 0 ? 1 : 0];
+        child = node.children[node.height_of(place) < 0 ? 1 : 0];
     }
     return -1 - child;
 }
 
-int Tracer::follow(int child, const Point& from, const Point& to, bool stops_at_sky) const {
+int Tracer::follow(int child, const Place& from, const Place& to, bool stops_at_sky) const {
     while (child >= 0) {
         const TraceNode& node = item(nodes_, child);
         const double from_height = node.height_of(from);
         const double to_height = node.height_of(to);
         const std::size_t near = from_height < 0 ? 1 : 0, far = to_height < 0 ? 1 : 0;
         if (near != far) {
-            const Point at = from + (to - from) * (from_height / (from_height - to_height));
+            const Place at = between(from, to, from_height / (from_height - to_height));
             const int hit = follow(node.children[near], from, at, stops_at_sky);
             return hit != 0 ? hit : follow(node.children[far], at, to, stops_at_sky);
         }
@@ -41,12 +51,12 @@ int Tracer::follow(int child, const Point& from, const Point& to, bool stops_at_
 
 RayHit Tracer::hit(const Point& from, const Point& to) const {
     RayHit hit;
-    find_hit(root_, from, to, 0, 1, hit);
+    find_hit(root_, place_of(from), place_of(to), 0, 1, hit);
     return hit;
 }
 
 // `hit.node` is the node of the last crossed plane: if the space behind it is opaque, the ray ends on it.
-bool Tracer::find_hit(int child, const Point& from, const Point& to, double from_share, double to_share,
+bool Tracer::find_hit(int child, const Place& from, const Place& to, double from_share, double to_share,
                       RayHit& hit) const {
     while (child >= 0) {
         const TraceNode& node = item(nodes_, child);
@@ -56,7 +66,7 @@ bool Tracer::find_hit(int child, const Point& from, const Point& to, double from
         if (near != far) {
             const double part = from_height / (from_height - to_height);
             const double share = from_share + (to_share - from_share) * part;
-            const Point at = from + (to - from) * part;
+            const Place at = between(from, to, part);
             if (find_hit(node.children[near], from, at, from_share, share, hit)) return true;
             hit.node = child;
             return find_hit(node.children[far], at, to, share, to_share, hit);

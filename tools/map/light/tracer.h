@@ -18,12 +18,16 @@ class Tracer {
     explicit Tracer(const BspFile& bsp);
 
     /// The first obstacle from `from` to `to`: solid or sky; 0: none.
-    int first_opaque(const Point& from, const Point& to) const { return follow(root_, from, to, true); }
+    int first_opaque(const Point& from, const Point& to) const {
+        return follow(root_, place_of(from), place_of(to), true);
+    }
 
     bool is_clear(const Point& from, const Point& to) const { return first_opaque(from, to) == 0; }
 
     /// Whether no solid is in between. As in Quake's own compiler, the light of lamps passes through a sky.
-    bool is_lit(const Point& from, const Point& to) const { return follow(root_, from, to, false) == 0; }
+    bool is_lit(const Point& from, const Point& to) const {
+        return follow(root_, place_of(from), place_of(to), false) == 0;
+    }
 
     /// As first_opaque(), with its position.
     RayHit hit(const Point& from, const Point& to) const;
@@ -33,17 +37,23 @@ class Tracer {
     bool is_solid(const Point& point) const { return item(opaque_, leaf_at(point)) == contents::kSolid; }
 
   private:
+    using Place = std::array<double, 3>;  // a point whose components are found without branches
+    static Place place_of(const Point& point) { return {point.x, point.y, point.z}; }
+
     struct TraceNode {
-        Point normal;
+        Place normal{};
         double distance = 0;
         std::array<int, 2> children{};
         int axis = 3;  // of the normal; 3: along none
 
-        double height_of(const Point& point) const { return (axis < 3 ? point[axis] : dot(normal, point)) - distance; }
+        double height_of(const Place& p) const {
+            if (axis < 3) return item(p, axis) - distance;
+            return normal[0] * p[0] + normal[1] * p[1] + normal[2] * p[2] - distance;
+        }
     };
 
-    int follow(int child, const Point& from, const Point& to, bool stops_at_sky) const;
-    bool find_hit(int child, const Point& from, const Point& to, double from_share, double to_share, RayHit& hit) const;
+    int follow(int child, const Place& from, const Place& to, bool stops_at_sky) const;
+    bool find_hit(int child, const Place& from, const Place& to, double from_share, double to_share, RayHit& hit) const;
 
     std::vector<TraceNode> nodes_;
     std::vector<int> opaque_;  // contents of each leaf, or 0

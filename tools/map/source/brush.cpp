@@ -82,10 +82,7 @@ class Grower {
         }
     }
 
-    Brush finish() {
-        set_windings(grown_, planes_);
-        return std::move(grown_);
-    }
+    Brush finish() { return std::move(grown_); }
 
   private:
     const Brush& brush_;

@@ -63,10 +63,10 @@ inline constexpr Box kPlayerBox{{-16, -16, -24}, {16, 16, 32}};
 inline constexpr Box kLargeBox{{-32, -32, -24}, {32, 32, 64}};
 
 /// The brush grown by a box: all positions of the box's origin where the box overlaps the brush (their Minkowski sum,
-/// exactly: with the planes that bevel the brush's corners and edges).
+/// exactly: with the planes that bevel the brush's corners and edges). set_windings() completes it.
 Brush expanded(const Brush& brush, const Box& mover, PlaneList& planes);
 
-/// The obstacles of a mover: the grown solid, sky and clip brushes, all as solid.
+/// The obstacles of a mover: the grown solid, sky and clip brushes, all as solid. set_windings() completes them.
 std::vector<Brush> hull_brushes(const std::vector<Brush>& brushes, const Box& mover, PlaneList& planes);
 
 /// Where brushes overlap, the contents with the higher rank remain.

@@ -44,21 +44,37 @@ class Heights {
             many_.resize(winding.size());
             heights_ = many_.data();
         }
-        for (std::size_t i = 0; i < winding.size(); ++i) {
-            const double height = plane.height_of(winding[i]);
-            heights_[i] = std::abs(height) <= kOnEpsilon ? 0 : height;
-            has_front = has_front || heights_[i] > 0;
-            has_back = has_back || heights_[i] < 0;
-        }
+        const auto [x, y, z] = plane.normal;
+        if (y == 0 && z == 0)
+            measure(winding, [&](const Point& point) { return x * point.x - plane.distance; });
+        else if (x == 0 && z == 0)
+            measure(winding, [&](const Point& point) { return y * point.y - plane.distance; });
+        else if (x == 0 && y == 0)
+            measure(winding, [&](const Point& point) { return z * point.z - plane.distance; });
+        else
+            measure(winding, [&](const Point& point) { return plane.height_of(point); });
     }
     Heights(const Heights&) = delete;
     Heights& operator=(const Heights&) = delete;
 
-    double operator[](std::size_t i) const { return heights_[i]; }
+    // 0: on the plane.
+    double operator[](std::size_t i) const { return std::abs(heights_[i]) <= kOnEpsilon ? 0 : heights_[i]; }
 
     bool has_front = false, has_back = false;
 
   private:
+    template <class HeightOf>
+    void measure(const Winding& winding, HeightOf height_of) {
+        double lowest = 0, highest = 0;
+        for (std::size_t i = 0; i < winding.size(); ++i) {
+            heights_[i] = height_of(winding[i]);
+            lowest = std::min(lowest, heights_[i]);
+            highest = std::max(highest, heights_[i]);
+        }
+        has_front = highest > kOnEpsilon;
+        has_back = lowest < -kOnEpsilon;
+    }
+
     std::array<double, 16> few_;
     std::vector<double> many_;
     double* heights_ = few_.data();
@@ -67,10 +83,10 @@ class Heights {
 // Computed from the point in front to the one behind.
 Point crossing(const Point& front, double front_height, const Point& back, double back_height, const Plane& plane) {
     Point at = front + (back - front) * (front_height / (front_height - back_height));
-    for (int axis = 0; axis < 3; ++axis) {
-        const double facing = plane.normal[axis];
-        if (facing == 1.0 || facing == -1.0) at[axis] = facing * plane.distance;
-    }
+    const Point& normal = plane.normal;
+    if (std::abs(normal.x) == 1.0) at.x = normal.x * plane.distance;
+    if (std::abs(normal.y) == 1.0) at.y = normal.y * plane.distance;
+    if (std::abs(normal.z) == 1.0) at.z = normal.z * plane.distance;
     return at;
 }
 
@@ -79,11 +95,12 @@ template <class AddFront, class AddBack>
 void cut(const Winding& winding, const Plane& plane, const Heights& heights, AddFront add_front, AddBack add_back) {
     for (std::size_t i = 0; i < winding.size(); ++i) {
         const std::size_t next = i + 1 == winding.size() ? 0 : i + 1;
-        if (heights[i] >= 0) add_front(winding[i]);
-        if (heights[i] <= 0) add_back(winding[i]);
-        if (heights[i] * heights[next] >= 0) continue;
-        const std::size_t front = heights[i] > 0 ? i : next, back = heights[i] > 0 ? next : i;
-        const Point at = crossing(winding[front], heights[front], winding[back], heights[back], plane);
+        const double here = heights[i], there = heights[next];
+        if (here >= 0) add_front(winding[i]);
+        if (here <= 0) add_back(winding[i]);
+        if (here * there >= 0) continue;
+        const Point at = here > 0 ? crossing(winding[i], here, winding[next], there, plane)
+                                  : crossing(winding[next], there, winding[i], here, plane);
         add_front(at);
         add_back(at);
     }
@@ -219,6 +236,7 @@ void clip_to_front(Winding& winding, const Plane& plane, Winding& spare) {
     const Heights heights(winding, plane);
     if (!heights.has_back) return;
     spare.clear();
+    spare.reserve(winding.size() + 1);
     if (heights.has_front)
         cut(
             winding, plane, heights, [&](const Point& point) { spare.push_back(point); }, [](const Point&) {});

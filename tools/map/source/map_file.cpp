@@ -13,7 +13,7 @@ namespace oblong::map {
 namespace {
 
 struct MapToken {
-    std::string text;
+    std::string_view text;  // of the source
     bool is_quoted = false;
     bool is_end = false;
     int line = 1;
@@ -76,7 +76,7 @@ double MapTokens::take_number(std::string_view what) {
 }
 
 void MapTokens::fail(const MapToken& at, std::string_view expected) const {
-    const std::string found = at.is_end ? "the file ends" : "found '" + at.text + "'";
+    const std::string found = at.is_end ? "the file ends" : "found '" + std::string(at.text) + "'";
     throw InputError("line " + std::to_string(at.line), found + ", expected " + std::string(expected));
 }
 
@@ -141,7 +141,8 @@ void take_axis(MapTokens& tokens, Point& axis, double& offset) {
     tokens.expect("]", "after a texture axis");
 }
 
-std::string lowered(std::string name) {
+std::string lowered(std::string_view text) {
+    std::string name(text);
     for (char& letter : name) {
         if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
     }
@@ -198,8 +199,8 @@ MapBrush take_brush(MapTokens& tokens) {
 void take_pair(MapTokens& tokens, MapEntity& entity) {
     const MapToken key = tokens.take();
     const MapToken value = tokens.take();
-    if (!value.is_quoted) tokens.fail(value, "a value in quotes for the key \"" + key.text + "\"");
-    entity.pairs.push_back({key.text, value.text, key.line});
+    if (!value.is_quoted) tokens.fail(value, "a value in quotes for the key \"" + std::string(key.text) + "\"");
+    entity.pairs.push_back({std::string(key.text), std::string(value.text), key.line});
 }
 
 MapEntity take_entity(MapTokens& tokens) {

@@ -54,8 +54,10 @@ class Lump {
 
     void put(int value, int size, int lowest, int highest) {
         check(value, lowest, highest);
-        auto rest = static_cast<std::uint32_t>(value);
-        for (int i = 0; i < size; ++i, rest >>= 8) u8(static_cast<int>(rest & 255));
+        const auto bits = static_cast<std::uint32_t>(value);
+        const char all[] = {static_cast<char>(bits & 255), static_cast<char>(bits >> 8 & 255),
+                            static_cast<char>(bits >> 16 & 255), static_cast<char>(bits >> 24)};
+        bytes.append(all, static_cast<std::size_t>(size));
     }
 
     std::string name_;

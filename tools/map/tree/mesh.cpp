@@ -5,6 +5,7 @@
 #include <map>
 
 #include "tools/map/source/brush.h"
+#include "tools/map/tree/outline.h"
 #include "tools/map/tree/surfaces.h"
 
 namespace oblong::map {
@@ -84,8 +85,7 @@ class EdgeCutter {
             Box box;
             box.add(from + (to - from) * (static_cast<double>(i) / pieces));
             box.add(from + (to - from) * (static_cast<double>(i + 1) / pieces));
-            const std::vector<int> some = pool_.near_box(box.grown(kOnEdge));
-            found.insert(found.end(), some.begin(), some.end());
+            pool_.add_near(box.grown(kOnEdge), found);
         }
         std::sort(found.begin(), found.end());
         found.erase(std::unique(found.begin(), found.end()), found.end());
@@ -174,7 +174,10 @@ int VertexPool::find_or_add(const Point& point) {
     const Point wanted{snapped(point.x), snapped(point.y), snapped(point.z)};
     int nearest = -1;
     double nearest_distance = kWeldDistance;
-    for (const int index : near_box(box_of(std::span(&wanted, 1)).grown(kWeldDistance))) {
+    std::vector<int> known;
+    add_near(box_of(std::span(&wanted, 1)).grown(kWeldDistance), known);
+    std::sort(known.begin(), known.end());  // of equally near ones, the first
+    for (const int index : known) {
         const double distance = length((*this)[index] - wanted);
         if (distance >= nearest_distance) continue;
         nearest = index;
@@ -187,8 +190,7 @@ int VertexPool::find_or_add(const Point& point) {
     return added;
 }
 
-std::vector<int> VertexPool::near_box(const Box& box) const {
-    std::vector<int> found;
+void VertexPool::add_near(const Box& box, std::vector<int>& found) const {
     const Cell low = cell_of(box.mins), high = cell_of(box.maxs);
     for (int x = low[0]; x <= high[0]; ++x) {
         for (int y = low[1]; y <= high[1]; ++y) {
@@ -198,8 +200,6 @@ std::vector<int> VertexPool::near_box(const Box& box) const {
             }
         }
     }
-    std::sort(found.begin(), found.end());
-    return found;
 }
 
 VertexPool::Cell VertexPool::cell_of(const Point& point) {
@@ -231,10 +231,10 @@ ModelCompiler::ModelCompiler(const std::vector<Brush>& brushes, PlaneList& plane
 
 void ModelCompiler::do_part(std::size_t part) {
     const Box outer = result_.model.box.grown(kMargin);
-    if (part == 0)
-        make_drawn(outer);
-    else
-        result_.model.hulls[part - 1] = make_hull(grown_[part - 1], planes_, outer, starts_, is_draft_);
+    if (part == 0) return make_drawn(outer);
+    std::vector<Brush>& grown = grown_[part - 1];
+    for (Brush& brush : grown) set_windings(brush, planes_);
+    result_.model.hulls[part - 1] = make_hull(grown, planes_, outer, starts_, is_draft_);
 }
 
 void ModelCompiler::make_drawn(const Box& outer) {

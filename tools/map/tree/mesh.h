@@ -22,8 +22,8 @@ class VertexPool {
     const std::vector<Point>& points() const { return points_; }
     const Point& operator[](int index) const { return item(points_, index); }
 
-    /// The vertices in the box, and possibly some around it; in ascending order.
-    std::vector<int> near_box(const Box& box) const;
+    /// Appends the vertices in the box, and possibly some around it.
+    void add_near(const Box& box, std::vector<int>& found) const;
 
   private:
     static constexpr double kCell = 64;

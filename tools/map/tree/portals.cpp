@@ -87,22 +87,27 @@ int other_leaf(const Portal& portal, int leaf) {
     return portal.leaves[portal.leaves[0] == leaf ? 1 : 0];
 }
 
-void reach_leaf(Flood& flood, const Tree& tree, int leaf, int through) {
-    int& known = item(flood.through, leaf);
-    if (known != kUnreached || is_opaque(tree.leaf(leaf).contents)) return;
-    known = through;
+bool may_reach(const Flood& flood, const Tree& tree, int leaf) {
+    return item(flood.through, leaf) == kUnreached && !is_opaque(tree.leaf(leaf).contents);
+}
+
+void reach_leaf(Flood& flood, int leaf, int through) {
+    item(flood.through, leaf) = through;
     flood.order.push_back(leaf);
 }
 
 Flood flood_from_void(const Tree& tree, const Portals& portals) {
     const auto by_leaf = portals_by_leaf(tree, portals.portals);
     Flood flood{std::vector<int>(tree.leaves.size(), kUnreached), {}};
-    for (const LeafPiece& piece : portals.outer) reach_leaf(flood, tree, piece.leaf, kVoid);
+    for (const LeafPiece& piece : portals.outer)
+        if (may_reach(flood, tree, piece.leaf)) reach_leaf(flood, piece.leaf, kVoid);
     for (std::size_t next = 0; next < flood.order.size(); ++next) {
         const int leaf = flood.order[next];
         for (const int through : item(by_leaf, leaf)) {
             const Portal& portal = item(portals.portals, through);
-            if (least_width(portal.winding) >= kLeastGap) reach_leaf(flood, tree, other_leaf(portal, leaf), through);
+            const int other = other_leaf(portal, leaf);
+            if (may_reach(flood, tree, other) && least_width(portal.winding) >= kLeastGap)
+                reach_leaf(flood, other, through);
         }
     }
     return flood;

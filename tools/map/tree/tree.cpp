@@ -3,97 +3,9 @@
 #include <algorithm>
 #include <cstdlib>
 #include <limits>
-#include <numeric>
 
 namespace oblong::map {
 namespace {
-
-// Whether the part of `side` (of `own`) within `other` is hidden by it.
-bool hides(const Brush& other, bool is_other_later, const Brush& own, const BrushSide& side) {
-    const int other_rank = contents_rank(other.contents), own_rank = contents_rank(own.contents);
-    if (other_rank != own_rank) return other_rank > own_rank;
-    return !other.has_side(side.plane) || is_other_later;
-}
-
-// For each brush, the others that touch it, in order.
-std::vector<std::vector<std::size_t>> touching_brushes(const std::vector<Brush>& brushes) {
-    std::vector<std::size_t> by_low(brushes.size());
-    std::iota(by_low.begin(), by_low.end(), std::size_t{0});
-    std::stable_sort(by_low.begin(), by_low.end(),
-                     [&](std::size_t a, std::size_t b) { return brushes[a].box.mins.x < brushes[b].box.mins.x; });
-    std::vector<std::vector<std::size_t>> touching(brushes.size());
-    for (std::size_t i = 0; i < by_low.size(); ++i) {
-        const Box& box = brushes[by_low[i]].box;
-        for (std::size_t k = i + 1; k < by_low.size(); ++k) {
-            if (brushes[by_low[k]].box.mins.x > box.maxs.x + kOnEpsilon) break;
-            if (!brushes[by_low[k]].box.touches(box, kOnEpsilon)) continue;
-            touching[by_low[i]].push_back(by_low[k]);
-            touching[by_low[k]].push_back(by_low[i]);
-        }
-    }
-    for (std::vector<std::size_t>& others : touching) std::sort(others.begin(), others.end());
-    return touching;
-}
-
-// Whether the winding is outside of the box, or touches it from outside.
-bool is_beside(const Box& winding, const Box& box) {
-    for (int axis = 0; axis < 3; ++axis) {
-        const double over = winding.mins[axis] - box.maxs[axis], under = box.mins[axis] - winding.maxs[axis];
-        if (std::max(over, under) > kOnEpsilon) return true;
-        if (over >= -kOnEpsilon && winding.maxs[axis] > box.maxs[axis] + kOnEpsilon) return true;
-        if (under >= -kOnEpsilon && winding.mins[axis] < box.mins[axis] - kOnEpsilon) return true;
-    }
-    return false;
-}
-
-// The same for the brush: the winding is completely on or in front of one of its sides, and partly in front.
-bool is_beside(const Winding& winding, const Brush& brush, const PlaneList& planes) {
-    return is_beside(box_of(winding), brush.box) ||
-           std::any_of(brush.sides.begin(), brush.sides.end(), [&](const BrushSide& side) {
-               if (planes.type(side.plane.plane) < 3) return false;  // a side of the box
-               const Reach far = reach(winding, planes.facing(side.plane));
-               return far.front > kOnEpsilon && far.back <= kOnEpsilon;
-           });
-}
-
-// `winding` without its part inside `brush` or on its surface, in convex pieces; if nothing is inside, `winding`
-// itself.
-std::vector<Winding> outside_of(const Winding& winding, const Brush& brush, const PlaneList& planes) {
-    std::vector<Winding> outside;
-    Winding inside = winding;
-    for (const BrushSide& side : brush.sides) {
-        SplitWinding parts = split(std::move(inside), planes.facing(side.plane));
-        if (parts.is_on) {
-            inside = std::move(parts.front);
-            continue;
-        }
-        if (!parts.front.empty()) outside.push_back(std::move(parts.front));
-        inside = std::move(parts.back);
-        if (inside.empty()) return {winding};
-    }
-    return outside;
-}
-
-std::vector<Winding> visible_part(const std::vector<Brush>& brushes, std::size_t own, const BrushSide& side,
-                                  const std::vector<std::size_t>& touching, const PlaneList& planes) {
-    std::vector<Winding> pieces{side.winding};
-    const Box box = box_of(side.winding);
-    for (const std::size_t other : touching) {
-        if (pieces.empty()) break;
-        if (!brushes[other].box.touches(box, kOnEpsilon)) continue;
-        if (!hides(brushes[other], other > own, brushes[own], side)) continue;
-        std::vector<Winding> left;
-        for (Winding& piece : pieces) {
-            if (is_beside(piece, brushes[other], planes)) {
-                left.push_back(std::move(piece));
-                continue;
-            }
-            for (Winding& rest : outside_of(piece, brushes[other], planes)) left.push_back(std::move(rest));
-        }
-        pieces = std::move(left);
-    }
-    return pieces;
-}
 
 constexpr std::size_t kMaxCandidates = 96;
 constexpr long kCutCost = 6;
@@ -119,11 +31,22 @@ class Cutter {
         if (piece.plane.plane == index_) return Side::kOn;
         if (is_axial())
             return side_of_reach(piece.box.mins[type_] - plane_.distance, piece.box.maxs[type_] - plane_.distance);
+        if (plane_.height_of(lowest_corner(piece.box)) > kClear) return Side::kFront;
+        if (plane_.height_of(highest_corner(piece.box)) < -kClear) return Side::kBack;
         const Reach far = reach(piece.winding, plane_);
         return side_of_reach(-far.back, far.front);
     }
 
   private:
+    static constexpr double kClear = 1;  // far above all rounding
+
+    Point highest_corner(const Box& box) const {
+        const Point& n = plane_.normal;
+        return {(n.x > 0 ? box.maxs : box.mins).x, (n.y > 0 ? box.maxs : box.mins).y,
+                (n.z > 0 ? box.maxs : box.mins).z};
+    }
+    Point lowest_corner(const Box& box) const { return highest_corner({box.maxs, box.mins}); }
+
     int index_, type_;
     const Plane& plane_;
 };
@@ -152,33 +75,98 @@ std::vector<int> candidates_of(const std::vector<BoundaryPiece>& pieces, const P
     return some;
 }
 
-// `most`: the largest result, returned for all higher costs.
-long cost_of(int plane, const std::vector<BoundaryPiece>& pieces, const PlaneList& planes, long most) {
-    const Cutter cutter(plane, planes);
-    const auto weighted = [&](long cost) { return cutter.is_axial() ? 2 * cost : 3 * cost + 4; };
-    long front = 0, back = 0, cuts = 0;
+// How a plane parts pieces.
+struct Parting {
+    long front = 0, back = 0, cut = 0;  // those cut count in all three
+
+    long cost(bool is_axial) const {
+        const long cost = kCutCost * cut + std::labs(front - back);
+        return is_axial ? 2 * cost : 3 * cost + 4;
+    }
+};
+
+// Of a plane that is not axial. Stops if the cost is `most` or more.
+Parting parting_by(const Cutter& cutter, const std::vector<BoundaryPiece>& pieces, long most) {
+    Parting parting;
     for (const BoundaryPiece& piece : pieces) {
         const Side side = cutter.side_of(piece);
         if (side == Side::kOn) continue;
-        if (side != Side::kBack) ++front;
-        if (side != Side::kFront) ++back;
-        if (side == Side::kBoth && weighted(kCutCost * ++cuts) >= most) return most;
+        if (side != Side::kBack) ++parting.front;
+        if (side != Side::kFront) ++parting.back;
+        if (side == Side::kBoth && Parting{0, 0, ++parting.cut}.cost(false) >= most) break;
     }
-    return std::min(weighted(kCutCost * cuts + std::labs(front - back)), most);
+    return parting;
 }
 
-// Chooses the plane of a piece to cut the pieces.
-int choose_plane(const std::vector<BoundaryPiece>& pieces, const PlaneList& planes) {
-    int best = pieces.front().plane.plane;
-    long best_cost = std::numeric_limits<long>::max();
-    for (const int plane : candidates_of(pieces, planes)) {
-        const long cost = cost_of(plane, pieces, planes, best_cost);
-        if (cost >= best_cost) continue;
-        best = plane;
-        best_cost = cost;
+// Chooses the plane of a piece to cut the pieces; keeps its memory for the next choice.
+class PlaneChooser {
+  public:
+    explicit PlaneChooser(const PlaneList& planes) : planes_(planes) {}
+
+    int choose(const std::vector<BoundaryPiece>& pieces) {
+        candidates_ = candidates_of(pieces, planes_);
+        partings_.resize(candidates_.size());
+        for (int axis = 0; axis < 3; ++axis) find_partings(pieces, axis);
+        int best = pieces.front().plane.plane;
+        long best_cost = std::numeric_limits<long>::max();
+        for (std::size_t i = 0; i < candidates_.size(); ++i) {
+            const Cutter cutter(candidates_[i], planes_);
+            if (!cutter.is_axial()) partings_[i] = parting_by(cutter, pieces, best_cost);
+            const long cost = partings_[i].cost(cutter.is_axial());
+            if (cost >= best_cost) continue;
+            best = candidates_[i];
+            best_cost = cost;
+        }
+        return best;
     }
-    return best;
-}
+
+  private:
+    struct AxialPlane {
+        double distance = 0;
+        std::size_t candidate = 0;
+        Parting change{};  // from the plane before
+    };
+
+    // Of all candidates along an axis at once: in the order of their distances, a piece is in front of the first ones
+    // and behind the last ones.
+    void find_partings(const std::vector<BoundaryPiece>& pieces, int axis) {
+        along_.clear();
+        for (std::size_t i = 0; i < candidates_.size(); ++i)
+            if (planes_.type(candidates_[i]) == axis) along_.push_back({planes_[candidates_[i]].distance, i});
+        std::sort(along_.begin(), along_.end(),
+                  [](const AxialPlane& a, const AxialPlane& b) { return a.distance < b.distance; });
+        along_.emplace_back();  // for changes after the last one
+        for (const BoundaryPiece& piece : pieces) add_changes(piece.box.mins[axis], piece.box.maxs[axis]);
+        along_.pop_back();
+        Parting parting{static_cast<long>(pieces.size())};
+        for (const AxialPlane& plane : along_) {
+            parting.front += plane.change.front;
+            parting.back += plane.change.back;
+            parting.cut += plane.change.cut;
+            partings_[plane.candidate] = parting;
+        }
+    }
+
+    void add_changes(double low, double high) {
+        const auto end = along_.end() - 1;
+        const auto front_end = std::partition_point(
+            along_.begin(), end, [high](const AxialPlane& plane) { return high - plane.distance > kOnEpsilon; });
+        const auto is_behind = [low](const AxialPlane& plane) { return low - plane.distance < -kOnEpsilon; };
+        auto back_begin = front_end;  // close to it, as most pieces are small
+        while (back_begin != along_.begin() && is_behind(*(back_begin - 1))) --back_begin;
+        while (back_begin != end && !is_behind(*back_begin)) ++back_begin;
+        --front_end->change.front;
+        ++back_begin->change.back;
+        if (back_begin >= front_end) return;
+        ++back_begin->change.cut;
+        --front_end->change.cut;
+    }
+
+    const PlaneList& planes_;
+    std::vector<int> candidates_;
+    std::vector<Parting> partings_;  // of the candidates
+    std::vector<AxialPlane> along_;  // the candidates along an axis
+};
 
 void add_piece(std::vector<BoundaryPiece>& pieces, const BoundaryPiece& whole, Winding winding) {
     const Box box = box_of(winding);
@@ -204,40 +192,27 @@ std::array<std::vector<BoundaryPiece>, 2> parted(std::vector<BoundaryPiece> piec
     return sides;
 }
 
-int build(Tree& tree, std::vector<BoundaryPiece> pieces, const PlaneList& planes) {
+int build(Tree& tree, std::vector<BoundaryPiece> pieces, const PlaneList& planes, PlaneChooser& chooser) {
     if (pieces.empty()) {
         tree.leaves.emplace_back();
         return -static_cast<int>(tree.leaves.size());
     }
-    const int plane = choose_plane(pieces, planes);
+    const int plane = chooser.choose(pieces);
     const auto index = tree.nodes.size();
     tree.nodes.push_back({plane, {}, has_only_detail(pieces)});
     auto [front, back] = parted(std::move(pieces), plane, planes);
-    const int front_child = build(tree, std::move(front), planes);
-    const int back_child = build(tree, std::move(back), planes);
+    const int front_child = build(tree, std::move(front), planes, chooser);
+    const int back_child = build(tree, std::move(back), planes, chooser);
     tree.nodes[index].children = {front_child, back_child};
     return static_cast<int>(index);
 }
 
 }  // namespace
 
-std::vector<BoundaryPiece> outline(const std::vector<Brush>& brushes, const PlaneList& planes) {
-    const auto touching = touching_brushes(brushes);
-    std::vector<BoundaryPiece> pieces;
-    for (std::size_t own = 0; own < brushes.size(); ++own) {
-        for (const BrushSide& side : brushes[own].sides) {
-            for (Winding& part : visible_part(brushes, own, side, touching[own], planes)) {
-                const Box box = box_of(part);
-                pieces.push_back({side.plane, std::move(part), box, brushes[own].is_detail});
-            }
-        }
-    }
-    return pieces;
-}
-
 Tree build_tree(std::vector<BoundaryPiece> pieces, const PlaneList& planes) {
     Tree tree;
-    tree.root = build(tree, std::move(pieces), planes);
+    PlaneChooser chooser(planes);
+    tree.root = build(tree, std::move(pieces), planes, chooser);
     return tree;
 }
 

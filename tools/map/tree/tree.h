@@ -14,10 +14,6 @@ struct BoundaryPiece {
     bool is_detail = false;  ///< its plane is used only after all others
 };
 
-/// The sides of the brushes without the parts inside other brushes: the boundary of their union, roughly. Where two
-/// brushes fill the same space, the contents of higher rank remain, and of equal ranks the later brush.
-std::vector<BoundaryPiece> outline(const std::vector<Brush>& brushes, const PlaneList& planes);
-
 /// children: [0] in front of the plane, [1] behind; an index of a node, or -1 - an index of a leaf.
 struct TreeNode {
     int plane = 0;

@@ -28,6 +28,13 @@ class BitSet {
                 use(64 * i + static_cast<std::size_t>(std::countr_zero(rest)));
     }
 
+    /// Elements 8 i to 8 i + 7, the first in the lowest bit.
+    std::uint8_t byte(std::size_t i) const { return static_cast<std::uint8_t>(words_[i / 8] >> (i % 8 * 8)); }
+    /// Adds them; none of them may be in the set.
+    void add_byte(std::size_t i, std::uint8_t byte) { words_[i / 8] |= std::uint64_t{byte} << (i % 8 * 8); }
+
+    bool operator==(const BitSet&) const = default;
+
     int count() const {
         int sum = 0;
         for (const std::uint64_t word : words_) sum += std::popcount(word);

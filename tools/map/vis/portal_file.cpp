@@ -18,9 +18,9 @@ void add_number(std::string& text, double number) {
 
 }  // namespace
 
-PortalFile portal_file(const VisGraph& graph) {
-    PortalFile file;
+void describe_portals(const VisGraph& graph, PortalFile& file) {
     file.count = graph.portals.size() / 2;
+    if (!file.has_text) return;
     file.text = "PRT1\n" + std::to_string(graph.portals_of_cluster.size()) + "\n" + std::to_string(file.count) + "\n";
     for (std::size_t i = 0; i < graph.portals.size(); i += 2) {  // i + 1 is the way back
         const VisPortal& portal = graph.portals[i];
@@ -33,7 +33,6 @@ PortalFile portal_file(const VisGraph& graph) {
         }
         file.text += "\n";
     }
-    return file;
 }
 
 }  // namespace oblong::map

@@ -14,16 +14,16 @@ namespace {
 constexpr const char *kRoughStage = "rough visibility", *kStage = "visibility";
 constexpr int kNarrowingRounds = 3;  // each starts from the previous one's sets; a fourth removes hardly any
 
-std::vector<bool> clusters_seen_from(int cluster, const VisGraph& graph, const std::vector<BitSet>& seen) {
-    std::vector<bool> clusters(graph.portals_of_cluster.size(), false);
-    item(clusters, cluster) = true;
+BitSet clusters_seen_from(int cluster, const VisGraph& graph, const std::vector<BitSet>& seen) {
+    BitSet clusters(graph.portals_of_cluster.size());
+    clusters.add(as_size(cluster));
     BitSet portals(graph.portals.size());
     for (const int out : item(graph.portals_of_cluster, cluster)) {
         portals.add(static_cast<std::size_t>(out));
         portals.add_all(item(seen, out));
     }
     portals.for_each_beyond(BitSet(graph.portals.size()),
-                            [&](std::size_t i) { item(clusters, graph.portals[i].cluster) = true; });
+                            [&](std::size_t i) { clusters.add(as_size(graph.portals[i].cluster)); });
     return clusters;
 }
 
@@ -40,22 +40,23 @@ std::vector<BitSet> find_seen(VisGraph& graph, bool is_fast, const WorkSharing& 
     return seen;
 }
 
-// The cluster of each leaf of the file, from leaf 1 on.
-std::vector<int> clusters_in_file_order(const Clusters& clusters, const std::vector<int>& leaf_indices,
-                                        std::size_t leaf_count) {
-    std::vector<int> in_order(leaf_count, 0);
-    for (std::size_t i = 0; i < leaf_indices.size(); ++i) {
-        if (leaf_indices[i] > 0) item(in_order, leaf_indices[i] - 1) = clusters.of_leaf[i];
-    }
-    return in_order;
+// The leaves of each cluster, counted from leaf 1 of the file.
+std::vector<std::vector<std::size_t>> leaves_of_clusters(const Clusters& clusters,
+                                                         const std::vector<int>& leaf_indices) {
+    std::vector<std::vector<std::size_t>> leaves(clusters.count);
+    for (std::size_t i = 0; i < leaf_indices.size(); ++i)
+        if (leaf_indices[i] > 0) item(leaves, clusters.of_leaf[i]).push_back(as_size(leaf_indices[i] - 1));
+    return leaves;
 }
 
 std::string row_of(int cluster, const VisGraph& graph, const std::vector<BitSet>& seen,
-                   const std::vector<int>& cluster_of_leaf) {
-    const std::vector<bool> clusters = clusters_seen_from(cluster, graph, seen);
-    std::vector<bool> leaves;
-    for (const int of_leaf : cluster_of_leaf) leaves.push_back(item(clusters, of_leaf));
-    return packed_row(leaves);
+                   const std::vector<std::vector<std::size_t>>& leaves_of_cluster, std::size_t leaf_count) {
+    BitSet leaves(leaf_count);
+    clusters_seen_from(cluster, graph, seen)
+        .for_each_beyond(BitSet(leaves_of_cluster.size()), [&](std::size_t seen_cluster) {
+            for (const std::size_t leaf : leaves_of_cluster[seen_cluster]) leaves.add(leaf);
+        });
+    return packed_row(leaves, leaf_count);
 }
 
 constexpr double kFrontEpsilon = 1e-6;
@@ -65,16 +66,13 @@ bool has_point_in_front(const Winding& winding, const Plane& plane) {
                        [&](const Point& point) { return plane.height_of(point) > kFrontEpsilon; });
 }
 
-// The same for a portal, fast if its middle or all of it is clearly on one side.
-bool has_point_in_front(const VisPortal& portal, const Plane& plane) {
-    const double height = plane.height_of(portal.centre);
-    if (height > 1) return true;
-    return height > -portal.radius - 1 && has_point_in_front(portal.winding, plane);
-}
-
-// Whether a line of sight through `first` may then pass through `next`, both forwards.
+// Whether a line of sight through `first` may then pass through `next`, both forwards: fast if the middle or all of
+// each is clearly on one side of the other's plane.
 bool may_follow(const VisPortal& first, const VisPortal& next) {
-    return has_point_in_front(next, first.plane) && has_point_in_front(first, next.plane.flipped());
+    const double in_front = first.plane.height_of(next.centre), behind = -next.plane.height_of(first.centre);
+    if (in_front <= -next.radius - 1 || behind <= -first.radius - 1) return false;
+    return (in_front > 1 || has_point_in_front(next.winding, first.plane)) &&
+           (behind > 1 || has_point_in_front(first.winding, next.plane.flipped()));
 }
 
 // `cluster`: that of the detail node above, or -1.
@@ -114,35 +112,33 @@ VisPortal make_portal(const Winding& winding, const Plane& plane, int cluster) {
 
 }  // namespace
 
-std::string packed_row(const std::vector<bool>& leaves) {
-    std::string bytes((leaves.size() + 7) / 8, '\0');
-    for (std::size_t i = 0; i < leaves.size(); ++i) {
-        if (leaves[i]) bytes[i / 8] = static_cast<char>(static_cast<unsigned char>(bytes[i / 8]) | (1u << (i % 8)));
-    }
+std::string packed_row(const BitSet& leaves, std::size_t leaf_count) {
+    const std::size_t size = (leaf_count + 7) / 8;
     std::string row;
-    for (std::size_t i = 0; i < bytes.size();) {
-        row.push_back(bytes[i]);
-        if (bytes[i] != 0) {
+    for (std::size_t i = 0; i < size;) {
+        const std::uint8_t byte = leaves.byte(i);
+        row.push_back(static_cast<char>(byte));
+        if (byte != 0) {
             ++i;
             continue;
         }
         std::size_t run = 1;
-        while (run < 255 && i + run < bytes.size() && bytes[i + run] == 0) ++run;
+        while (run < 255 && i + run < size && leaves.byte(i + run) == 0) ++run;
         row.push_back(static_cast<char>(run));
         i += run;
     }
     return row;
 }
 
-std::vector<bool> unpacked_row(const std::string& visibility, int offset, std::size_t leaf_count) {
-    if (offset < 0) return std::vector<bool>(leaf_count, true);
-    std::vector<bool> leaves;
-    for (auto at = static_cast<std::size_t>(offset); leaves.size() < leaf_count; ++at) {
-        const auto byte = static_cast<unsigned char>(visibility[at]);
-        const std::size_t bits = byte != 0 ? 8 : 8 * static_cast<unsigned char>(visibility[++at]);
-        for (std::size_t bit = 0; bit < bits; ++bit) leaves.push_back((byte >> (bit % 8) & 1) != 0);
+BitSet unpacked_row(const std::string& visibility, int offset, std::size_t leaf_count) {
+    const std::size_t size = (leaf_count + 7) / 8;
+    BitSet leaves(8 * size);
+    auto at = static_cast<std::size_t>(offset);
+    for (std::size_t i = 0; i < size; ++i) {
+        const std::uint8_t byte = offset < 0 ? 255 : static_cast<std::uint8_t>(visibility[at++]);
+        leaves.add_byte(i, byte);
+        if (byte == 0) i += static_cast<std::uint8_t>(visibility[at++]) - std::size_t{1};
     }
-    leaves.resize(leaf_count);
     return leaves;
 }
 
@@ -153,22 +149,19 @@ void add_visibility(BspFile& bsp, const CompiledModel& world, const std::vector<
     for (const int index : leaf_indices) is_numbered.push_back(index > 0);
     const Clusters clusters = cluster_leaves(world.tree, is_numbered);
     VisGraph graph = make_vis_graph(world, planes, clusters);
-    if (portals != nullptr) *portals = portal_file(graph);
+    if (portals != nullptr) describe_portals(graph, *portals);
     const std::vector<BitSet> seen = find_seen(graph, is_fast, sharing);
-    const std::vector<int> cluster_of_leaf = clusters_in_file_order(clusters, leaf_indices, leaf_count);
+    const auto leaves_of_cluster = leaves_of_clusters(clusters, leaf_indices);
     std::vector<std::string> rows(clusters.count);
     sharing.begin(is_fast ? kRoughStage : kStage, rows.size());
     sharing.for_each(rows.size(), [&](std::size_t cluster) {
-        rows[cluster] = row_of(static_cast<int>(cluster), graph, seen, cluster_of_leaf);
+        rows[cluster] = row_of(static_cast<int>(cluster), graph, seen, leaves_of_cluster, leaf_count);
     });
-    std::vector<int> offsets(clusters.count, -1);  // leaves of a cluster share a row
-    for (std::size_t leaf = 0; leaf < leaf_count; ++leaf) {
-        int& offset = item(offsets, cluster_of_leaf[leaf]);
-        if (offset < 0) {
-            offset = static_cast<int>(bsp.visibility.size());
-            bsp.visibility += item(rows, cluster_of_leaf[leaf]);
-        }
-        bsp.leaves[leaf + 1].visibility_offset = offset;
+    for (std::size_t cluster = 0; cluster < rows.size(); ++cluster) {
+        if (leaves_of_cluster[cluster].empty()) continue;
+        for (const std::size_t leaf : leaves_of_cluster[cluster])
+            bsp.leaves[leaf + 1].visibility_offset = static_cast<int>(bsp.visibility.size());
+        bsp.visibility += rows[cluster];
     }
 }
 

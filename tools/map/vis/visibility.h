@@ -14,10 +14,10 @@ namespace oblong::map {
 
 /// A set of leaves as in the file: a bit each, leaf 1 first, lowest bit first; a zero byte is followed by the number of
 /// zero bytes that it represents.
-std::string packed_row(const std::vector<bool>& leaves);
+std::string packed_row(const BitSet& leaves, std::size_t leaf_count);
 
 /// The first `leaf_count` leaves of the row at `offset`; all of them if it is negative.
-std::vector<bool> unpacked_row(const std::string& visibility, int offset, std::size_t leaf_count);
+BitSet unpacked_row(const std::string& visibility, int offset, std::size_t leaf_count);
 
 /// Gives every leaf of the world the set of leaves potentially visible from it; liquids are transparent. `is_fast`:
 /// does not clip lines of sight, so that the sets are larger. `portals`, if not null, receives them.
@@ -53,17 +53,18 @@ struct VisGraph {
 /// of the portals into a cluster, only the first one found.
 template <class MayPass>
 void flood_portals(const VisGraph& graph, int cluster, BitSet& found, MayPass may_pass, bool only_first = false) {
-    std::vector<bool> is_reached(graph.portals_of_cluster.size(), false);
+    std::vector<char> is_reached(graph.portals_of_cluster.size(), 0);
     std::vector<int> clusters{cluster};
-    item(is_reached, cluster) = true;
+    item(is_reached, cluster) = 1;
     for (std::size_t done = 0; done < clusters.size(); ++done) {
         for (const int index : item(graph.portals_of_cluster, clusters[done])) {
             const auto i = static_cast<std::size_t>(index);
             const int behind = graph.portals[i].cluster;
-            if ((item(is_reached, behind) && (only_first || found.has(i))) || !may_pass(i)) continue;
+            char& is_known = item(is_reached, behind);
+            if ((is_known != 0 && (only_first || found.has(i))) || !may_pass(i)) continue;
             found.add(i);
-            if (item(is_reached, behind)) continue;
-            item(is_reached, behind) = true;
+            if (is_known != 0) continue;
+            is_known = 1;
             clusters.push_back(behind);
         }
     }
