@@ -52,12 +52,14 @@ void find_node_portals(const Walk& walk, int child, std::vector<Plane>& fronts, 
     if (child < 0) return;
     const TreeNode& node = walk.tree.node(child);
     const Plane& plane = walk.planes[node.plane];
-    const Winding whole = clipped_to_all(whole_plane(plane), fronts);
+    Winding whole = clipped_to_all(whole_plane(plane), fronts);
     if (whole.size() >= 3) {
-        for (const LeafPiece& front : pieces_in_leaves(walk.tree, walk.planes, node.children[0], whole, plane)) {
-            for (LeafPiece& both :
-                 pieces_in_leaves(walk.tree, walk.planes, node.children[1], front.winding, plane.flipped()))
-                portals.push_back({child, {front.leaf, both.leaf}, std::move(both.winding)});
+        std::vector<LeafPiece> in_front, pieces;
+        cut_down(walk, node.children[0], std::move(whole), plane, in_front);
+        for (LeafPiece& front : in_front) {
+            pieces.clear();
+            cut_down(walk, node.children[1], std::move(front.winding), plane.flipped(), pieces);
+            for (LeafPiece& both : pieces) portals.push_back({child, {front.leaf, both.leaf}, std::move(both.winding)});
         }
     }
     fronts.push_back(plane);

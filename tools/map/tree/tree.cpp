@@ -176,20 +176,26 @@ void add_piece(std::vector<BoundaryPiece>& pieces, const BoundaryPiece& whole, W
 // Drops pieces on the plane; cuts those across it.
 std::array<std::vector<BoundaryPiece>, 2> parted(std::vector<BoundaryPiece> pieces, int plane,
                                                  const PlaneList& planes) {
-    std::array<std::vector<BoundaryPiece>, 2> sides;
+    std::array<std::vector<BoundaryPiece>, 2> parts;
     const Cutter cutter(plane, planes);
-    for (BoundaryPiece& piece : pieces) {
-        const Side side = cutter.side_of(piece);
-        if (side == Side::kOn) continue;
-        if (side == Side::kBoth) {
-            SplitWinding parts = split(std::move(piece.winding), planes[plane]);
-            add_piece(sides[0], piece, std::move(parts.front));
-            add_piece(sides[1], piece, std::move(parts.back));
+    std::vector<Side> sides;
+    sides.reserve(pieces.size());
+    std::array<std::size_t, 4> counts{};
+    for (const BoundaryPiece& piece : pieces) ++item(counts, sides.emplace_back(cutter.side_of(piece)));
+    parts[0].reserve(item(counts, Side::kFront) + item(counts, Side::kBoth));
+    parts[1].reserve(item(counts, Side::kBack) + item(counts, Side::kBoth));
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        BoundaryPiece& piece = pieces[i];
+        if (sides[i] == Side::kOn) continue;
+        if (sides[i] == Side::kBoth) {
+            SplitWinding halves = split(std::move(piece.winding), planes[plane]);
+            add_piece(parts[0], piece, std::move(halves.front));
+            add_piece(parts[1], piece, std::move(halves.back));
             continue;
         }
-        sides[side == Side::kBack ? 1 : 0].push_back(std::move(piece));
+        parts[sides[i] == Side::kBack ? 1 : 0].push_back(std::move(piece));
     }
-    return sides;
+    return parts;
 }
 
 int build(Tree& tree, std::vector<BoundaryPiece> pieces, const PlaneList& planes, PlaneChooser& chooser) {

@@ -14,51 +14,6 @@ namespace {
 constexpr const char *kRoughStage = "rough visibility", *kStage = "visibility";
 constexpr int kNarrowingRounds = 3;  // each starts from the previous one's sets; a fourth removes hardly any
 
-BitSet clusters_seen_from(int cluster, const VisGraph& graph, const std::vector<BitSet>& seen) {
-    BitSet clusters(graph.portals_of_cluster.size());
-    clusters.add(as_size(cluster));
-    BitSet portals(graph.portals.size());
-    for (const int out : item(graph.portals_of_cluster, cluster)) {
-        portals.add(static_cast<std::size_t>(out));
-        portals.add_all(item(seen, out));
-    }
-    portals.for_each_beyond(BitSet(graph.portals.size()),
-                            [&](std::size_t i) { clusters.add(as_size(graph.portals[i].cluster)); });
-    return clusters;
-}
-
-std::vector<BitSet> find_seen(VisGraph& graph, bool is_fast, const WorkSharing& sharing) {
-    sharing.begin(kRoughStage, graph.portals.size() * (is_fast ? 1 : 1 + 2 * kNarrowingRounds));
-    find_might_see(graph, sharing, is_fast);
-    if (!is_fast) {
-        for (int round = 0; round < kNarrowingRounds; ++round) narrow_might_see(graph, sharing);
-        sharing.begin(kStage, graph.portals.size());
-        return find_seen_portals(graph, sharing);
-    }
-    std::vector<BitSet> seen;
-    for (VisPortal& portal : graph.portals) seen.push_back(std::move(portal.might_see));
-    return seen;
-}
-
-// The leaves of each cluster, counted from leaf 1 of the file.
-std::vector<std::vector<std::size_t>> leaves_of_clusters(const Clusters& clusters,
-                                                         const std::vector<int>& leaf_indices) {
-    std::vector<std::vector<std::size_t>> leaves(clusters.count);
-    for (std::size_t i = 0; i < leaf_indices.size(); ++i)
-        if (leaf_indices[i] > 0) item(leaves, clusters.of_leaf[i]).push_back(as_size(leaf_indices[i] - 1));
-    return leaves;
-}
-
-std::string row_of(int cluster, const VisGraph& graph, const std::vector<BitSet>& seen,
-                   const std::vector<std::vector<std::size_t>>& leaves_of_cluster, std::size_t leaf_count) {
-    BitSet leaves(leaf_count);
-    clusters_seen_from(cluster, graph, seen)
-        .for_each_beyond(BitSet(leaves_of_cluster.size()), [&](std::size_t seen_cluster) {
-            for (const std::size_t leaf : leaves_of_cluster[seen_cluster]) leaves.add(leaf);
-        });
-    return packed_row(leaves, leaf_count);
-}
-
 constexpr double kFrontEpsilon = 1e-6;
 
 bool has_point_in_front(const Winding& winding, const Plane& plane) {
@@ -73,6 +28,82 @@ bool may_follow(const VisPortal& first, const VisPortal& next) {
     if (in_front <= -next.radius - 1 || behind <= -first.radius - 1) return false;
     return (in_front > 1 || has_point_in_front(next.winding, first.plane)) &&
            (behind > 1 || has_point_in_front(first.winding, next.plane.flipped()));
+}
+
+// For a draft: the clusters that may be visible from one, by the directions of portals alone.
+BitSet clusters_ahead_of(int cluster, const VisGraph& graph) {
+    const std::size_t count = graph.portals_of_cluster.size();
+    BitSet all(count);
+    all.add(as_size(cluster));
+    std::vector<int> open;
+    for (const int out : item(graph.portals_of_cluster, cluster)) {
+        const VisPortal& first = item(graph.portals, out);
+        BitSet reached(count);
+        reached.add(as_size(first.cluster));
+        open.assign(1, first.cluster);
+        while (!open.empty()) {
+            const int here = open.back();
+            open.pop_back();
+            for (const int index : item(graph.portals_of_cluster, here)) {
+                const VisPortal& next = item(graph.portals, index);
+                if (reached.has(as_size(next.cluster)) || !may_follow(first, next)) continue;
+                reached.add(as_size(next.cluster));
+                open.push_back(next.cluster);
+            }
+        }
+        all.add_all(reached);
+    }
+    return all;
+}
+
+BitSet clusters_seen_from(int cluster, const VisGraph& graph, const std::vector<BitSet>& seen) {
+    BitSet clusters(graph.portals_of_cluster.size());
+    clusters.add(as_size(cluster));
+    BitSet portals(graph.portals.size());
+    for (const int out : item(graph.portals_of_cluster, cluster)) {
+        portals.add(static_cast<std::size_t>(out));
+        portals.add_all(item(seen, out));
+    }
+    portals.for_each_beyond(BitSet(graph.portals.size()),
+                            [&](std::size_t i) { clusters.add(as_size(graph.portals[i].cluster)); });
+    return clusters;
+}
+
+// The clusters that may be visible from each one.
+std::vector<BitSet> find_seen(VisGraph& graph, bool is_fast, const WorkSharing& sharing) {
+    std::vector<BitSet> clusters(graph.portals_of_cluster.size());
+    if (is_fast) {
+        sharing.begin(kRoughStage, clusters.size());
+        sharing.for_each(clusters.size(),
+                         [&](std::size_t i) { clusters[i] = clusters_ahead_of(static_cast<int>(i), graph); });
+        return clusters;
+    }
+    sharing.begin(kRoughStage, graph.portals.size() * (1 + 2 * kNarrowingRounds));
+    find_might_see(graph, sharing);
+    for (int round = 0; round < kNarrowingRounds; ++round) narrow_might_see(graph, sharing);
+    sharing.begin(kStage, graph.portals.size() + clusters.size());
+    const std::vector<BitSet> seen = find_seen_portals(graph, sharing);
+    sharing.for_each(clusters.size(),
+                     [&](std::size_t i) { clusters[i] = clusters_seen_from(static_cast<int>(i), graph, seen); });
+    return clusters;
+}
+
+// The leaves of each cluster, counted from leaf 1 of the file.
+std::vector<std::vector<std::size_t>> leaves_of_clusters(const Clusters& clusters,
+                                                         const std::vector<int>& leaf_indices) {
+    std::vector<std::vector<std::size_t>> leaves(clusters.count);
+    for (std::size_t i = 0; i < leaf_indices.size(); ++i)
+        if (leaf_indices[i] > 0) item(leaves, clusters.of_leaf[i]).push_back(as_size(leaf_indices[i] - 1));
+    return leaves;
+}
+
+std::string row_of(const BitSet& clusters, const std::vector<std::vector<std::size_t>>& leaves_of_cluster,
+                   std::size_t leaf_count) {
+    BitSet leaves(leaf_count);
+    clusters.for_each_beyond(BitSet(leaves_of_cluster.size()), [&](std::size_t cluster) {
+        for (const std::size_t leaf : leaves_of_cluster[cluster]) leaves.add(leaf);
+    });
+    return packed_row(leaves, leaf_count);
 }
 
 // `cluster`: that of the detail node above, or -1.
@@ -155,7 +186,7 @@ void add_visibility(BspFile& bsp, const CompiledModel& world, const std::vector<
     std::vector<std::string> rows(clusters.count);
     sharing.begin(is_fast ? kRoughStage : kStage, rows.size());
     sharing.for_each(rows.size(), [&](std::size_t cluster) {
-        rows[cluster] = row_of(static_cast<int>(cluster), graph, seen, leaves_of_cluster, leaf_count);
+        rows[cluster] = row_of(seen[cluster], leaves_of_cluster, leaf_count);
     });
     for (std::size_t cluster = 0; cluster < rows.size(); ++cluster) {
         if (leaves_of_cluster[cluster].empty()) continue;
@@ -188,13 +219,12 @@ VisGraph make_vis_graph(const CompiledModel& world, const PlaneList& planes, con
     return graph;
 }
 
-void find_might_see(VisGraph& graph, const WorkSharing& sharing, bool only_first) {
+void find_might_see(VisGraph& graph, const WorkSharing& sharing) {
     sharing.for_each(graph.portals.size(), [&](std::size_t base) {
         VisPortal& from = graph.portals[base];
         from.might_see = BitSet(graph.portals.size());
-        flood_portals(
-            graph, from.cluster, from.might_see, [&](std::size_t i) { return may_follow(from, graph.portals[i]); },
-            only_first);
+        flood_portals(graph, from.cluster, from.might_see,
+                      [&](std::size_t i) { return may_follow(from, graph.portals[i]); });
     });
 }
 

@@ -49,10 +49,9 @@ struct VisGraph {
     std::vector<std::vector<int>> portals_of_cluster;  ///< those that lead out of each
 };
 
-/// Adds to `found` the portals reachable from `cluster` through portals i for which may_pass(i) is true. `only_first`:
-/// of the portals into a cluster, only the first one found.
+/// Adds to `found` the portals reachable from `cluster` through portals i for which may_pass(i) is true.
 template <class MayPass>
-void flood_portals(const VisGraph& graph, int cluster, BitSet& found, MayPass may_pass, bool only_first = false) {
+void flood_portals(const VisGraph& graph, int cluster, BitSet& found, MayPass may_pass) {
     std::vector<char> is_reached(graph.portals_of_cluster.size(), 0);
     std::vector<int> clusters{cluster};
     item(is_reached, cluster) = 1;
@@ -61,7 +60,7 @@ void flood_portals(const VisGraph& graph, int cluster, BitSet& found, MayPass ma
             const auto i = static_cast<std::size_t>(index);
             const int behind = graph.portals[i].cluster;
             char& is_known = item(is_reached, behind);
-            if ((is_known != 0 && (only_first || found.has(i))) || !may_pass(i)) continue;
+            if ((is_known != 0 && found.has(i)) || !may_pass(i)) continue;
             found.add(i);
             if (is_known != 0) continue;
             is_known = 1;
@@ -74,7 +73,7 @@ void flood_portals(const VisGraph& graph, int cluster, BitSet& found, MayPass ma
 VisGraph make_vis_graph(const CompiledModel& world, const PlaneList& planes, const Clusters& clusters);
 
 /// Sets might_see of all portals: those reachable through portals in front of this one that face away from it. A
-/// superset of the visible ones. `only_first`: as for flood_portals().
-void find_might_see(VisGraph& graph, const WorkSharing& sharing, bool only_first = false);
+/// superset of the visible ones.
+void find_might_see(VisGraph& graph, const WorkSharing& sharing);
 
 }  // namespace oblong::map
