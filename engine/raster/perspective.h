@@ -63,18 +63,24 @@ constexpr Number clamp_value(Number value, Number least, Number greatest) {
 
 /// 2^92 / (value * 2^shift), whose divisor is from 2^59 to 2^60. One 64-bit division, relative error below 2^-26.
 struct DividedReciprocal {
+    static constexpr std::int64_t kLeast = (std::int64_t{1} << 32) + 1;
+
     [[gnu::always_inline]] static std::int64_t of(std::int64_t value, int shift) {
 #if defined(__i386__)
-        // The divisor is in [2^27, 2^28): the quotient's upper half is 1, but 2 for 2^27.
-        const auto divisor = static_cast<std::uint32_t>(upper_half(value, shift));
-        if (divisor == 1u << 27) return std::int64_t{1} << 33;
-        const std::uint64_t rest = std::uint64_t{(1u << 28) - divisor} << 32;
-        return static_cast<std::int64_t>(std::uint64_t{1} << 32 | divide_to_32(rest, divisor).quotient);
+        return kLeast + above_least(value, shift);
 #else
         return static_cast<std::int64_t>(
             divide(std::uint64_t{1} << 60, static_cast<std::uint64_t>(upper_half(value, shift))).quotient);
 #endif
     }
+
+#if defined(__i386__)
+    /// of() - kLeast. With d from 2^27 to 2^28 - 1, that is (2^60 - 2^32 d - d) / d.
+    [[gnu::always_inline]] static std::uint32_t above_least(std::int64_t value, int shift) {
+        const auto divisor = static_cast<std::uint32_t>(upper_half(value, shift));
+        return divide_to_32(std::uint64_t{(1u << 28) - 1 - divisor} << 32 | (0 - divisor), divisor).quotient;
+    }
+#endif
 };
 
 /// The same by a table method.
@@ -94,6 +100,11 @@ template <class Reciprocal, PerspectiveRange Range>
 struct Depth {
     static constexpr bool kClamps = Range == PerspectiveRange::MayOverflow;
 
+#if defined(__i386__)
+    /// The mantissa is only what it is above DividedReciprocal::kLeast.
+    static constexpr bool kIsShort = !kClamps && std::is_same_v<Reciprocal, DividedReciprocal>;
+#endif
+
     std::int64_t mantissa = 0;   ///< 2^60 / (the leading 28 bits of 1/z), in (2^32, 2^33]
     TexelOverZ greatest_over_z;  ///< for larger u/z, u would exceed 65,535 texels
     int shift = 0;               ///< brings 1/z to 60 bits
@@ -103,6 +114,12 @@ struct Depth {
         const std::int64_t positive =
             kClamps ? clamp_value(inverse_z, kLeastInverseZ, kGreatestInverseZ).raw : inverse_z.raw;
         shift = std::countl_zero(static_cast<std::uint64_t>(positive)) - 4;
+#if defined(__i386__)
+        if constexpr (kIsShort) {
+            mantissa = reciprocal.above_least(positive, shift);
+            return;
+        }
+#endif
         mantissa = reciprocal.of(positive, shift);
         if constexpr (kClamps) greatest_over_z = TexelOverZ::from_raw(positive * 4 - 4);
     }
@@ -123,14 +140,18 @@ struct Depth {
         if constexpr (!kClamps) {
             const std::int32_t upper = upper_half(over_z.raw, shift);
             if (upper < 0) return static_cast<std::uint32_t>(least.raw);
-            // The mantissa is 2^33, or 2^32 and 32 bits more.
             const auto size = static_cast<std::uint32_t>(upper), low = static_cast<std::uint32_t>(mantissa);
-            const std::uint64_t product = product_to_64(size, low);
-            const std::uint32_t high =
-                size +
-                (static_cast<std::uint32_t>(mantissa >> 32) == 2 ? size : static_cast<std::uint32_t>(product >> 32));
+            std::uint32_t lower = size, high = 0;
+            if constexpr (kIsShort) {
+                asm("mull %2\n\taddl %3, %0\n\tadcl %3, %1" : "+&a"(lower), "=&d"(high) : "rm"(low), "r"(size) : "cc");
+            } else {  // the mantissa is 2^33, or 2^32 and 32 bits more
+                const std::uint64_t product = product_to_64(size, low);
+                const bool is_greatest = static_cast<std::uint32_t>(mantissa >> 32) == 2;
+                lower = static_cast<std::uint32_t>(product);
+                high = size + (is_greatest ? size : static_cast<std::uint32_t>(product >> 32));
+            }
             if (high >> 30 != 0) return static_cast<std::uint32_t>(greatest.raw);
-            const std::uint32_t steps = high << 2 | static_cast<std::uint32_t>(product) >> 30;
+            const std::uint32_t steps = high << 2 | lower >> 30;
             return clamp_value(steps, static_cast<std::uint32_t>(least.raw), static_cast<std::uint32_t>(greatest.raw));
         }
 #endif
