@@ -28,12 +28,12 @@ class BoxCuller {
 
     /// Which of `planes` the box crosses; kOutside if it lies outside one of them.
     std::uint8_t planes_crossed(const LevelBox& box, std::uint8_t planes) const {
-        const auto sum = [&box](std::size_t axis) { return box.maxs[axis] + box.mins[axis]; };
-        const auto size = [&box](std::size_t axis) { return box.maxs[axis] - box.mins[axis]; };
-        const Doubled sums{sum(0), sum(1), sum(2)}, sizes{size(0), size(1), size(2)};
+        const auto sum = [&box](std::size_t axis) { return Doubled{box.maxs[axis] + box.mins[axis]}; };
+        const auto size = [&box](std::size_t axis) { return Doubled{box.maxs[axis] - box.mins[axis]}; };
+        const Vec3<Doubled> sums{sum(0), sum(1), sum(2)}, sizes{size(0), size(1), size(2)};
         for (unsigned rest = planes; rest != 0; rest &= rest - 1) {
             const Side& plane = item(sides_, std::countr_zero(rest));
-            const Distance middle = along(plane.normal, sums), reach = along(plane.slope, sizes);
+            const CullPlane::Component middle = dot(plane.normal, sums), reach = dot(plane.slope, sizes);
             note_range<"box's cull distance">(middle + reach);
             note_range<"box's cull distance">(middle - reach);
             if (middle + reach < plane.outside) return kOutside;
@@ -44,17 +44,13 @@ class BoxCuller {
 
   private:
     /// Twice a coordinate or a distance, in whole units.
-    using Doubled = std::array<std::int64_t, 3>;
-    using Distance = CullPlane::Component;
+    using Doubled = Fixed<std::int32_t, 0>;
+    using Component = Fixed<std::int32_t, CullPlane::Component::kFractionBits>;
 
     struct Side {
-        Vec3<Distance> normal, slope;  ///< `slope`: absolute values of `normal`
-        Distance outside, inside;      ///< doubled, from the world's origin; rounded up, as they are compared with "<"
+        Vec3<Component> normal, slope;         ///< `slope`: absolute values of `normal`
+        CullPlane::Component outside, inside;  ///< doubled, from the world's origin; rounded up, compared with "<"
     };
-
-    static Distance along(const Vec3<Distance>& normal, const Doubled& v) {
-        return normal.x * v[0] + normal.y * v[1] + normal.z * v[2];
-    }
 
     std::array<Side, 4> sides_;
 };
