@@ -122,14 +122,16 @@ struct Int96 {
 constexpr Int96 multiply_add(std::int32_t a, std::int64_t b, std::uint32_t more) {
     const auto low_b = static_cast<std::uint32_t>(b);
     const std::uint64_t low = product_to_64(static_cast<std::uint32_t>(a), low_b) + more;
-    const std::int64_t high = product_to_64(a, static_cast<std::int32_t>(b >> 32)) - (a < 0 ? low_b : 0);
-    return {high + static_cast<std::uint32_t>(low >> 32), static_cast<std::uint32_t>(low)};
+    const std::uint32_t too_much = static_cast<std::uint32_t>(a >> 31) & low_b;  // of an `a` below 0
+    const auto carry = static_cast<std::int32_t>(static_cast<std::uint32_t>(low >> 32) - too_much);
+    return {product_to_64(a, static_cast<std::int32_t>(b >> 32)) + carry, static_cast<std::uint32_t>(low)};
 }
 
 /// value / 2^shift, floored, modulo 2^64; `shift` 1 to 32.
 constexpr std::int64_t shift_right(Int96 value, int shift) {
-    return static_cast<std::int64_t>(static_cast<std::uint64_t>(value.high) << (32 - shift)) +
-           (value.low >> (shift - 1) >> 1);
+    const std::uint64_t lower = (static_cast<std::uint64_t>(value.high) << 32 | value.low) >> shift;
+    const auto upper = static_cast<std::uint32_t>(floor_shift(value.high, shift));
+    return static_cast<std::int64_t>(std::uint64_t{upper} << 32 | static_cast<std::uint32_t>(lower));
 }
 
 /// a * b / 2^shift, `shift` 33 to 94, from the product's floored quotient by 2^32.

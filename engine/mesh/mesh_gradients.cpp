@@ -51,6 +51,7 @@ Barycentric along(const ScreenCorner* from, const ScreenCorner* to) {
 /// pixels may wrap (LinearQuantity).
 template <class Value>
 LinearQuantity<Value> quantity_of(const Barycentric& weights, Value a, Value b, Value c) {
+    if (a == b && a == c) return {a, {}, {}};
     LinearQuantity<Value> quantity;
     quantity.per_column = product<Value>(b - a, weights.b_per_column) + product<Value>(c - a, weights.c_per_column);
     quantity.per_row = product<Value>(b - a, weights.b_per_row) + product<Value>(c - a, weights.c_per_row);
@@ -90,8 +91,12 @@ LinearQuantity<InverseZ> inverse_z_over(const Barycentric& weights) {
 
 MeshGradients make_mesh_gradients(const Barycentric& weights, const LinearQuantity<InverseZ>& inverse_z,
                                   const GradientChoice& choice) {
+    // Texels are at most kMostTexel, 1/z kGreatestMeshInverseZ.
     const auto over_z = [&](Texel texel, const ScreenCorner& corner) {
-        return choice.is_affine ? convert<TexelOverZ>(texel) : product<TexelOverZ>(texel, corner.inverse_z);
+        constexpr int kDropped = Texel::kFractionBits + InverseZ::kFractionBits - TexelOverZ::kFractionBits;
+        const auto texel_16 = static_cast<std::int32_t>(texel.raw);
+        return choice.is_affine ? convert<TexelOverZ>(texel)
+                                : TexelOverZ::from_raw(wrapping_mul_shift(texel_16, corner.inverse_z.raw, kDropped));
     };
     using Light = Fixed<std::int64_t, 32>;
     MeshGradients gradients;
