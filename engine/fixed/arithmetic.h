@@ -99,6 +99,14 @@ constexpr To truncated_quotient(Fixed<A, FracA> a, Fixed<B, FracB> b) {
 template <class To, class Int, int Frac>
 constexpr To reciprocal(Fixed<Int, Frac> value, Rounding rounding = Rounding::NearestHalfUp) {
     static_assert(To::kFractionBits <= 62 && Frac <= 62);
+    if constexpr (To::kFractionBits + Frac <= 62) {
+        if (value.raw > 0) {
+            const auto divisor = static_cast<std::uint64_t>(value.raw);
+            const auto [quotient, rest] = divide(std::uint64_t{1} << (To::kFractionBits + Frac), divisor);
+            const bool rounds_up = rounding == Rounding::NearestHalfUp && rest >= divisor - rest;
+            return saturated_to<To>(static_cast<std::int64_t>(quotient + rounds_up));
+        }
+    }
     const std::int64_t raw =
         mul_div(std::int64_t{1} << To::kFractionBits, std::int64_t{1} << Frac, value.raw, rounding);
     return saturated_to<To>(raw);
