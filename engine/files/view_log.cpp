@@ -110,9 +110,8 @@ LogLines lines_of_face(const ListedFace& listed, const LoggedFrame& frame, const
     }
     if (crossed != 0) clip_polygon(view.frustum, crossed, scratch);
     for (const ClipVertex& vertex : scratch.polygon) {
-        const ScreenVertex screen =
-            to_screen_border(to_screen_vertex(project(vertex.position, view.projection), view.projection, view.grid),
-                             vertex.borders, view.projection);
+        const ScreenVertex screen = to_screen_border(to_screen_vertex(vertex.position, view.projection, view.grid),
+                                                     vertex.borders, view.projection);
         lines.push_back("drawn corner " + text_of(vertex.position) + " on screen (" + text_of(screen.x) + ", " +
                         text_of(screen.y) + ")" + (vertex.borders ? " on the border " + sides_of(vertex.borders) : ""));
     }

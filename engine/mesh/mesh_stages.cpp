@@ -257,11 +257,9 @@ Vec3<Unit> world_normal(const Vec3<Unit>& object_normal, const MeshTransform& tr
 
 ViewVertex view_vertex(const Vec3<World>& world_position, const ViewContext& view) {
     ViewVertex seen;
-    seen.position = to_view(world_position, view.eye, view.axes);
-    if (view.view_bits != View::kFractionBits) seen.position = rounded_to(seen.position, view.view_bits);
-    seen.outcode = outcode_of(view.frustum, seen.position);
+    see(world_position, view, seen);
     if (seen.outcode != 0) return seen;
-    seen.screen = to_screen_vertex(project(seen.position, view.projection), view.projection, view.grid);
+    seen.screen = to_screen_vertex(seen.position, view.projection, view.grid);
     seen.inverse_z = inverse_z_at(seen.position.z);
     return seen;
 }
@@ -280,8 +278,7 @@ void clip_and_project(const std::array<const ViewVertex*, 3>& triangle, const st
     for (const ViewVertex* vertex : triangle) scratch.polygon.push_back({vertex->position, 0, vertex->outcode, 0});
     clip_polygon(view.frustum, outcodes, scratch);
     for (const ClipVertex& corner : scratch.polygon) {
-        const ScreenVertex inside =
-            to_screen_vertex(project(corner.position, view.projection), view.projection, view.grid);
+        const ScreenVertex inside = to_screen_vertex(corner.position, view.projection, view.grid);
         polygon.push_back({to_screen_border(inside, corner.borders, view.projection), inverse_z_at(corner.position.z),
                            mixed(values, weights_at(corner.position, a->position, b->position, c->position))});
     }

@@ -15,8 +15,10 @@ SideSlope make_slope(Multiplier multiplier, std::int32_t distance_1) {
     int shift = 0;
     while (((across | (along < 0 ? -along : along)) >> shift) >= (std::int64_t{1} << ClipNormal::kFractionBits))
         ++shift;
-    return {ClipNormal::from_raw(rounded_shift(across, shift, Rounding::NearestHalfUp)),
-            ClipNormal::from_raw(rounded_shift(along, shift, Rounding::NearestHalfUp))};
+    const auto normal = [shift](std::int64_t of) {
+        return ClipNormal::from_raw(static_cast<std::int32_t>(rounded_shift(of, shift, Rounding::NearestHalfUp)));
+    };
+    return {normal(across), normal(along)};
 }
 
 /// A side plane in the world: its normal is a linear combination of two of the camera's axes.

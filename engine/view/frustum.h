@@ -17,7 +17,7 @@ inline constexpr int kClipPlaneCount = 4;
 
 /// A component of a clip plane's normal, from -1 to 1, so that 35-bit positions give 62-bit distances. The normal's
 /// length is not 1.
-using ClipNormal = Fixed<std::int64_t, 25>;
+using ClipNormal = Fixed<std::int32_t, 25>;
 using ClipDistance = Fixed<std::int64_t, 41>;
 
 /// Inside: normal . p - offset >= 0, p in viewspace.
@@ -57,15 +57,16 @@ Frustum make_frustum(const Basis& axes, const Projection& projection, View paral
 void narrow_cull_planes(const Basis& axes, const Projection& projection, View parallel_depth,
                         const ScreenRectangle& part, Frustum& frustum);
 
-/// The outcode of a point in viewspace.
-inline std::uint8_t outcode_of(const Frustum& frustum, const Vec3<View>& p) {
+/// The outcode of a point in viewspace, a View or one of 32 bits.
+template <class Position>
+[[gnu::always_inline]] inline std::uint8_t outcode_of(const Frustum& frustum, const Vec3<Position>& p) {
     constexpr ClipDistance kOn{};
     const Vec3<ClipNormal>&left = frustum.clip_planes[0].normal, &bottom = frustum.clip_planes[2].normal;
     const ClipDistance x = bounded_product(left.x, p.x), x_limit = bounded_product(left.z, p.z);
     const ClipDistance y = bounded_product(bottom.y, p.y), y_limit = bounded_product(bottom.z, p.z);
     return static_cast<std::uint8_t>((x_limit + x < kOn) * kOutLeft | (x_limit - x < kOn) * kOutRight |
                                      (y_limit + y < kOn) * kOutBottom | (y_limit - y < kOn) * kOutTop |
-                                     (p.z < View{}) * kOutBehind);
+                                     (p.z < Position{}) * kOutBehind);
 }
 
 }  // namespace oblong

@@ -25,26 +25,34 @@ inline ScreenPosition project(const Vec3<View>& p, const Projection& projection)
 
 /// Rounds screen vertices to a number of fraction bits.
 struct SubpixelGrid {
-    std::int64_t half_step = 0, mask = -1;
+    std::int32_t half_step = 0, mask = -1;
 
     static constexpr SubpixelGrid of_bits(std::int32_t bits) {
-        const std::int64_t step = std::int64_t{1} << (8 - bits);
+        const std::int32_t step = 1 << (8 - bits);
         return {step / 2, -step};
     }
-    constexpr ScreenWide snap(ScreenWide position) const {
-        return ScreenWide::from_raw((position.raw + half_step) & mask);
-    }
+    constexpr Screen snap(Screen position) const { return Screen::from_raw((position.raw + half_step) & mask); }
 };
 
-/// A clipped point as a screen vertex, snapped to the grid and clamped to [0, width] x [0, height], which only rounding
-/// can exceed (hard case C7).
-inline ScreenVertex to_screen_vertex(const ScreenPosition& position, const Projection& projection,
-                                     const SubpixelGrid& grid) {
-    const auto within = [&grid](ScreenWide along, std::int32_t size_px) {
-        note_range<"screen position before clamping">(along);
-        return convert<Screen>(std::clamp(grid.snap(along), ScreenWide{}, ScreenWide::from_int(size_px)));
-    };
-    return {within(position.x, projection.width_px), within(position.y, projection.height_px)};
+/// A coordinate of a clipped point, clamped to [0, size], which only rounding can exceed (hard case C7), and snapped to
+/// the grid, which has lines on these borders.
+template <class Position>
+Screen within_screen(Position along, std::int32_t size_px, const SubpixelGrid& grid) {
+    note_range<"screen position before clamping">(along);
+    return grid.snap(convert<Screen>(std::clamp(along, Position{}, Position::from_int(size_px))));
+}
+
+/// A clipped point in viewspace as a screen vertex.
+inline ScreenVertex to_screen_vertex(const Vec3<View>& p, const Projection& projection, const SubpixelGrid& grid) {
+    const auto& [axis_x, axis_y, width_px, height_px] = projection;
+#if defined(__i386__)
+    const auto x = project_axis_in_32_bits(axis_x, p.x, p.z), y = project_axis_in_32_bits(axis_y, -p.y, p.z);
+    if (x && y)
+        return {within_screen(convert<Screen>(axis_x.centre) + *x, width_px, grid),
+                within_screen(convert<Screen>(axis_y.centre) + *y, height_px, grid)};
+#endif
+    const ScreenPosition position = project(p, projection);
+    return {within_screen(position.x, width_px, grid), within_screen(position.y, height_px, grid)};
 }
 
 /// Puts a corner that was clipped to `borders` of the view exactly on those of the screen.

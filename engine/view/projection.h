@@ -8,6 +8,7 @@
 #include "engine/fixed/arithmetic.h"
 #include "engine/fixed/divide.h"
 #include "engine/fixed/fixed.h"
+#include "engine/fixed/multiply.h"
 #include "engine/math/vec.h"
 #include "engine/view/screen.h"
 
@@ -61,19 +62,19 @@ bool is_drawable(const Projection& projection);
 ScreenWide project_axis_wide(const ProjectionAxis& axis, View view, View z);
 
 #if defined(__i386__)
-/// project_axis() of 32-bit numbers, by one multiplication and one division instruction instead of function calls.
-inline std::optional<ScreenWide> project_axis_in_32_bits(const ProjectionAxis& axis, View view, View z) {
-    const auto short_view = static_cast<std::int32_t>(view.raw), short_z = static_cast<std::int32_t>(z.raw);
-    if (short_view != view.raw || short_z != z.raw || axis.coarse.raw >= 1 << 29) return std::nullopt;
-    const auto sign = static_cast<std::uint32_t>(short_view >> 31), depth = static_cast<std::uint32_t>(short_z);
-    const std::uint32_t size = (static_cast<std::uint32_t>(short_view) ^ sign) - sign;
-    if ((size + 63) / 64 > depth) return std::nullopt;
-    const std::uint64_t numerator = std::uint64_t{size} * static_cast<std::uint32_t>(axis.coarse.raw);
-    // Counts half steps, then rounds ties toward plus infinity: 2.5 to 3, -2.5 to -2.
-    const ShortDivision halves = divide_to_32(numerator >> 7, depth);
-    if (sign == 0) return ScreenWide::from_raw(static_cast<std::int32_t>((halves.quotient + 1) / 2));
-    const bool is_exact = (halves.remainder | (numerator & 127)) == 0;
-    return ScreenWide::from_raw(-static_cast<std::int32_t>((halves.quotient + (is_exact ? 0 : 1)) / 2));
+/// project_axis() of 32-bit numbers, if -64 z <= view < 64 z: one product and one division. 2^33 z is added before the
+/// division, so that it needs no sign, and taken from its result; all is below 2^64.
+[[gnu::always_inline]] inline std::optional<Screen> project_axis_in_32_bits(const ProjectionAxis& axis, View view,
+                                                                            View z) {
+    const auto short_view = static_cast<std::int32_t>(view.raw);
+    const auto short_z = static_cast<std::uint32_t>(z.raw), coarse = static_cast<std::uint32_t>(axis.coarse.raw);
+    if (short_view != view.raw || static_cast<std::uint64_t>(z.raw) >= 1u << 30 || axis.coarse.raw >= 1 << 26 ||
+        static_cast<std::uint32_t>(floor_shift(short_view, 6)) + short_z >= 2 * short_z)
+        return std::nullopt;
+    const auto product = static_cast<std::uint64_t>(product_to_64(short_view, static_cast<std::int32_t>(coarse)));
+    const std::uint64_t half_and_more = (std::uint64_t{2 * short_z + (short_z >> 25)} << 32) + (short_z << 7);
+    const std::uint32_t quotient = divide_to_32((product + half_and_more) >> 8, short_z).quotient;
+    return Screen::from_raw(static_cast<std::int32_t>(quotient - (1u << 25)));
 }
 #endif
 
@@ -83,7 +84,7 @@ inline std::optional<ScreenWide> project_axis_in_32_bits(const ProjectionAxis& a
 /// z only and is monotonic in it.
 inline ScreenWide project_axis(const ProjectionAxis& axis, View view, View z) {
 #if defined(__i386__)
-    if (const auto near = project_axis_in_32_bits(axis, view, z)) return *near;
+    if (const auto near = project_axis_in_32_bits(axis, view, z)) return convert<ScreenWide>(*near);
 #endif
     const View size = absolute(view);
     if (size >= axis.fast_limit || size > z * 64) return project_axis_wide(axis, view, z);

@@ -9,8 +9,7 @@ namespace {
 /// A corner's screen vertex, computed on first use. The corner is inside the view.
 ScreenVertex project_once(ClipVertex& corner, const ViewContext& view) {
     if (!corner.is_projected) {
-        const ScreenVertex inside =
-            to_screen_vertex(project(corner.position, view.projection), view.projection, view.grid);
+        const ScreenVertex inside = to_screen_vertex(corner.position, view.projection, view.grid);
         corner.screen = to_screen_border(inside, corner.borders, view.projection);
         corner.is_projected = true;
     }
@@ -77,8 +76,7 @@ bool project_polygon(std::span<const Vec3<World>> corners, const ViewContext& vi
     ClipVertex* own = polygon.own.take(corners.size()).data();
     ClipVertex** out = polygon.clipper.start(corners.size()).data();
     for (const Vec3<World>& corner : corners) {
-        own->position = to_view(corner, view);
-        own->outcode = outcode_of(view.frustum, own->position);
+        see(corner, view, *own);
         own->undecided = 0;
         own->is_projected = false;
         outcodes.add(own->outcode);

@@ -29,7 +29,7 @@ template <class Value>
 LinearQuantity<Value> anchor_at_centre(const ViewSlope<Value>& slope, const InverseProjection& projection) {
     // Half pixels from the optical centre to the centre of pixel (0, 0), which is at half a pixel.
     const auto halves = [](Value step, std::int32_t centre_1) {
-        return product<Value>(step, Fixed<std::int32_t, 1>::from_raw(1 - centre_1), Rounding::Floor);
+        return product<Value>(Fixed<std::int32_t, 1>::from_raw(1 - centre_1), step, Rounding::Floor);
     };
     const Value at_first_column = stepped(slope.ahead, halves(slope.x, projection.centre_x_1), 1);
     return {stepped(at_first_column, halves(slope.y, projection.centre_y_1), 1), slope.x, slope.y};

@@ -45,9 +45,7 @@ class VertexCache {
     CachedVertex& get(VertexIndex index, const ViewContext& view) {
         CachedVertex& vertex = vertices_[index];
         if (vertex.frame == frame_) return vertex;
-        vertex.position = to_view(world_[index], view.eye, view.axes);
-        if constexpr (AdjustsPositions) vertex.position = adjusted(vertex.position, view);
-        vertex.outcode = outcode_of(view.frustum, vertex.position);
+        see<AdjustsPositions>(world_[index], view, vertex);
         vertex.undecided = 0;
         vertex.is_projected = false;
         vertex.frame = frame_;

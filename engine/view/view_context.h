@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "engine/math/basis.h"
 #include "engine/view/frustum.h"
 #include "engine/view/project.h"
@@ -52,6 +54,48 @@ inline Vec3<View> adjusted(Vec3<View> position, const ViewContext& view) {
 inline Vec3<View> to_view(const Vec3<World>& point, const ViewContext& view) {
     const Vec3<View> position = to_view(point, view.eye, view.axes);
     return view.adjusts_positions ? adjusted(position, view) : position;
+}
+
+#if defined(__i386__)
+/// A position in viewspace within 2^15 units of the eye along each axis.
+using ShortView = Fixed<std::int32_t, View::kFractionBits>;
+
+/// to_view() in 32 bits; none for points 2^12 units or more from the eye along an axis of the world. (Components of
+/// sheared axes are below 2, so the sum of three products is below 6 * 2^12 units.)
+[[gnu::always_inline]] inline std::optional<Vec3<ShortView>> to_short_view(const Vec3<World>& point,
+                                                                           const ViewContext& view) {
+    constexpr std::uint32_t kEnd = 1u << (World::kFractionBits + 12);
+    Vec3<World> from_eye;
+    if (__builtin_sub_overflow(point.x.raw, view.eye.x.raw, &from_eye.x.raw) ||
+        __builtin_sub_overflow(point.y.raw, view.eye.y.raw, &from_eye.y.raw) ||
+        __builtin_sub_overflow(point.z.raw, view.eye.z.raw, &from_eye.z.raw) ||
+        ((from_eye.x.bits() + kEnd) | (from_eye.y.bits() + kEnd) | (from_eye.z.bits() + kEnd)) >= 2 * kEnd)
+        return std::nullopt;
+    const auto along = [&](const Vec3<Unit>& axis) {
+        return ShortView::from_raw(static_cast<std::int32_t>(convert<View>(dot(from_eye, axis)).raw));
+    };
+    return Vec3<ShortView>{along(view.axes.right), along(view.axes.up), along(view.axes.forward)};
+}
+#endif
+
+/// Sets a vertex's position in viewspace and its outcode.
+template <bool AdjustsPositions, class Vertex>
+void see(const Vec3<World>& point, const ViewContext& view, Vertex& vertex) {
+#if defined(__i386__)
+    if (const auto near = AdjustsPositions ? std::nullopt : to_short_view(point, view)) {
+        vertex.position = {convert<View>(near->x), convert<View>(near->y), convert<View>(near->z)};
+        vertex.outcode = outcode_of(view.frustum, *near);
+        return;
+    }
+#endif
+    vertex.position = to_view(point, view.eye, view.axes);
+    if constexpr (AdjustsPositions) vertex.position = adjusted(vertex.position, view);
+    vertex.outcode = outcode_of(view.frustum, vertex.position);
+}
+template <class Vertex>
+void see(const Vec3<World>& point, const ViewContext& view, Vertex& vertex) {
+    if (view.adjusts_positions) return see<true>(point, view, vertex);
+    see<false>(point, view, vertex);
 }
 
 }  // namespace oblong

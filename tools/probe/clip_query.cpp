@@ -78,7 +78,7 @@ std::vector<ScreenVertex> to_screen(const std::vector<ClipVertex>& polygon, cons
     const SubpixelGrid grid = SubpixelGrid::of_bits(Screen::kFractionBits);
     std::vector<ScreenVertex> screen;
     for (const ClipVertex& vertex : polygon) {
-        const ScreenVertex inside = to_screen_vertex(project(vertex.position, projection), projection, grid);
+        const ScreenVertex inside = to_screen_vertex(vertex.position, projection, grid);
         screen.push_back(to_screen_border(inside, vertex.borders, projection));
     }
     return screen;
