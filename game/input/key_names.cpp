@@ -72,7 +72,7 @@ std::vector<KeyHelp> gallery_help(const KeyNames& names) {
         {"Drawn for: projection", {Action::ProjectionAspect}},
         {"Shown as: display", {Action::DisplayAspect}},
         {"Scaling", {Action::ScalingMode}},
-        {"Look of a tube", {Action::CrtLook}},
+        {"CRT look", {Action::CrtLook}},
         {"Screenshots", {Action::Screenshot}},
         {"Back", {Action::Menu}},
         {"These keys", {Action::ShowHelp}},

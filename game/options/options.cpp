@@ -45,7 +45,7 @@ void declare_preferences(CommandArguments& line, OptionTexts& texts) {
     for (const Preference& preference : all_preferences()) {
         if (is_dial(preference)) continue;  // --dial is for all of them
         const std::string help =
-            preference.help + "; " + preference.values + "; usually " + preference.text(Preferences{});
+            preference.help + "; " + preference.values + "; default: " + preference.text(Preferences{});
         if (preference.is_switch)
             line.add_switch(preference.name, texts.preferences[preference.name], help);
         else
@@ -60,7 +60,7 @@ void declare_runs(CommandArguments& line, Options& options) {
     auto timedemo = line.add("--timedemo", options.timedemo, "replay this demo file as fast as it goes; no window");
     auto route = line.add("--route", options.route, "walk the waypoints of this CSV file into --record; no window");
     auto headless = line.add("--headless", options.headless_frames,
-                             "no window: draw so many ticks of a short walk, or of --replay");
+                             "no window: draw this many ticks of a short walk, or of --replay");
     auto out = line.add("--out", options.out, "folder for the pictures of --headless");
     headless.limit(1, 1'000'000).need(out);
     out.need(headless);
@@ -70,30 +70,32 @@ void declare_runs(CommandArguments& line, Options& options) {
 
 void declare(CommandArguments& line, Options& options, OptionTexts& texts) {
     auto level = line.add("level", options.level, "Quake BSP file to play; without one, the title");
-    line.add("--map", options.map, "level to play by its name, as e1m1: beside, in maps/ or in a pak file (README)")
+    line.add("--map", options.map,
+             "name of the level to play, such as e1m1: in this folder, in maps/ or in a pak file (README)")
         .exclude(level);
     line.add("--watch", options.watch,
              "a level's source (.map): compiles a draft and shows it, again whenever it changes")
         .exclude(level);
     line.add("--game", options.game,
-             "folder with a game.json, or maps/ and pak0.pak; default: the current one, and id1 in it");
+             "folder with a game.json, or with maps/ and pak0.pak; default: this folder, and id1/ in it");
     line.add("--palette", options.palette, "768 bytes of red, green, blue; default: the level's, else the demo's");
     line.add("--models", options.models, "folder of Quake's models: shows a level's items (README)");
-    line.add_flag("--title", options.shows_title, "begin with the title, as without a level or another thing to do");
+    line.add_flag("--title", options.shows_title, "begin with the title: the default without a level or another task");
     line.add_flag("--gallery", options.shows_gallery, "show the gallery of the engine's features instead of the game");
     line.add("--log", texts.log,
-             "once a second, lines of these kinds on standard error: " + names_of(LogChannels::all()));
-    line.add("--automap", texts.map, "off, player or north: the map, and what is up on it");
-    line.add("--wireframe", texts.wireframe, "off, over or alone: the edges that E shows");
-    line.add("--lines", texts.lines, "naive, dda, bresenham or gupta-sproull: how lines of both are drawn");
+             "prints lines of these kinds on standard error, once a second: " + names_of(LogChannels::all()));
+    line.add("--automap", texts.map, "off, player or north: shows the map, with that direction upwards");
+    line.add("--wireframe", texts.wireframe,
+             "off, over or alone: draws the edges of faces, over the picture or without it");
+    line.add("--lines", texts.lines, "naive, dda, bresenham or gupta-sproull: method that draws the lines of both");
     line.add("--threads", options.threads,
              "number of threads that draw; default: 1. A second one saves time from about 640x480 on")
         .limit(1, 256);
-    line.add("--window", texts.window, "WxH, size of the window; default: what the desktop has room for");
+    line.add("--window", texts.window, "WxH, size of the window; default: as large as the desktop allows");
     line.add_flag("--error-box", options.shows_error_box,
-                  "show an error in a window too; the desktop's menu asks for it");
+                  "show errors in a window too: for starts from the desktop's menu");
     declare_runs(line, options);
-    line.add("--config", texts.config, "file of options, instead of the one in the player's folder");
+    line.add("--config", texts.config, "file of options to use instead of the one in the player's folder");
     line.add_flag("--portable", texts.is_portable, "keep options and saved games beside the program (README)");
     declare_preferences(line, texts);
 }

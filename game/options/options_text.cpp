@@ -105,7 +105,7 @@ void check_is_text(const std::string& text) {
 
 std::vector<std::string> commented(const KeptValue& value, const Preferences& preferences) {
     return {"", "# " + value.label + ": " + value.help + ".",
-            "# " + value.values + "; usually " + value.text(Preferences{}),
+            "# " + value.values + "; default: " + value.text(Preferences{}),
             value.name + " = " + value.text(preferences)};
 }
 

@@ -36,7 +36,7 @@ Preference scaling_preference() {
 
 Preference tube_preference() {
     Preference row = one_of(
-        {"tube-light", "Colours of a tube", "kept a game: dark colours as bright as a tube of Quake's time made them",
+        {"tube-light", "CRT colours", "dark colours as bright as on a CRT of 1996; stored for each game",
          PreferencePage::Picture},
         {"off", "on"}, [](const Preferences& of) { return int{of.light().is_of_tube}; },
         [](Preferences& of, int value) {
@@ -58,34 +58,34 @@ void add_picture(Rows& rows) {
     rows.push_back(mode_preference());
     rows.push_back(display_preference());
     rows.push_back(one_of(
-        {"aspect-projection", "Drawn for", "whether the projection is for the display's pixels or for square ones",
-         kPage, "{projection-aspect}"},
+        {"aspect-projection", "Drawn for", "pixels that the projection assumes: the display's, or square ones", kPage,
+         "{projection-aspect}"},
         {"square", "display"}, [](const Preferences& of) { return int{of.corrects_projection}; },
         [](Preferences& of, int value) { of.corrects_projection = value != 0; }));
-    rows.push_back(one_of({"aspect-display", "Shown as", "the display's shape, square pixels, or the window's shape",
-                           kPage, "{display-aspect}"},
-                          {"display", "square", "fill"}, &Preferences::shown_as));
-    rows.push_back(scaling_preference());
     rows.push_back(
-        on_or_off({"crt", "Look of a tube", "scanlines, mask and glow of a tube, drawn by the window", kPage, "{crt}"},
-                  &Preferences::has_crt_look));
+        one_of({"aspect-display", "Shown as", "shape in the window: the display's, with square pixels, or the window's",
+                kPage, "{display-aspect}"},
+               {"display", "square", "fill"}, &Preferences::shown_as));
+    rows.push_back(scaling_preference());
+    rows.push_back(on_or_off({"crt", "CRT look", "scanlines, shadow mask and glow of a CRT", kPage, "{crt}"},
+                             &Preferences::has_crt_look));
     rows.push_back(light_in_hundredths(
-        {"brightness", "Brightness", "of the light on surfaces, kept a game", kPage, "{darker}, {brighter}"},
+        {"brightness", "Brightness", "of light on surfaces; stored for each game", kPage, "{darker}, {brighter}"},
         &Light::brightness_100, 25, 800, {25, 35, 50, 70, 100, 140, 200, 280, 400, 560, 800}));
     rows.push_back(light_in_hundredths(
-        {"gamma", "Gamma", "of the display, kept a game: above 1, dark colours are brighter", kPage}, &Light::gamma_100,
-        50, 200, {50, 60, 70, 80, 90, 100, 110, 120, 130, 140, 150, 160, 170, 180, 190, 200}));
+        {"gamma", "Gamma", "above 1, dark colours are brighter; stored for each game", kPage}, &Light::gamma_100, 50,
+        200, {50, 60, 70, 80, 90, 100, 110, 120, 130, 140, 150, 160, 170, 180, 190, 200}));
     rows.push_back(tube_preference());
     rows.push_back(
-        on_or_off({"dac6", "Colours of a VGA", "of 6 bits a channel: up to 3 of 255 beside the palette's", kPage},
+        on_or_off({"dac6", "VGA colours", "6 bits a channel: differ by up to 3 of 255 from the palette", kPage},
                   &Preferences::has_dac6));
-    rows.push_back(on_or_off({"whole-screen", "Whole screen", "instead of a window (Alt+Enter)", kPage},
+    rows.push_back(on_or_off({"whole-screen", "Full screen", "covers the whole screen (Alt+Enter)", kPage},
                              &Preferences::fills_screen));
-    rows.push_back(on_or_off({"vsync", "Wait for display", "each picture is shown whole, where the system can", kPage},
+    rows.push_back(on_or_off({"vsync", "Vertical sync", "shows each picture whole, where the system can", kPage},
                              &Preferences::waits_for_display));
-    rows.push_back(whole_number(
-        {"frame-cap", "Frames at most", "pictures a second; 0: as many as the machine can", kPage},
-        &Preferences::frame_cap_hz, 0, 1000, {0, 30, 35, 60, 70, 75, 90, 120, 144, 165, 240}, " a second"));
+    rows.push_back(whole_number({"frame-cap", "Frame cap", "most pictures a second; 0: no limit", kPage},
+                                &Preferences::frame_cap_hz, 0, 1000, {0, 30, 35, 60, 70, 75, 90, 120, 144, 165, 240},
+                                " a second"));
 }
 
 // "preset" if a dial has the value of its preset; then a change of the preset changes it, too.
@@ -113,8 +113,8 @@ void add_accuracy(Rows& rows) {
     std::vector<std::string> presets;
     for (const Preset preset : kPresets) presets.emplace_back(name_of(preset));
     rows.push_back(one_of(
-        {"accuracy", "Accuracy", "a preset of all dials, by the year that could afford it", PreferencePage::Accuracy,
-         "{accuracy}"},
+        {"accuracy", "Accuracy", "preset of all dials, named by the year whose machines could afford it",
+         PreferencePage::Accuracy, "{accuracy}"},
         presets, [](const Preferences& of) { return static_cast<int>(of.preset); },
         [](Preferences& of, int value) {
             of.preset = static_cast<Preset>(value);
@@ -125,24 +125,24 @@ void add_accuracy(Rows& rows) {
 
 void add_comfort(Rows& rows) {
     constexpr PreferencePage kPage = PreferencePage::Comfort;
-    rows.push_back(one_of({"flashes", "Flashes", "lights that flicker, colours that change, flashes", kPage},
+    rows.push_back(one_of({"flashes", "Flashes", "flickering lights, colour changes and flashes", kPage},
                           {"full", "reduced", "off"}, &Preferences::flashes));
     const std::vector<std::int32_t> sways{0, 25, 50, 75, 100, 150, 200};
     rows.push_back(
-        whole_number({"view-bob", "Bob in walking", "the view goes up and down in walking; 100: as in Quake", kPage},
+        whole_number({"view-bob", "View bob", "the view moves up and down while walking; 100: as in Quake", kPage},
                      &Preferences::view_bob_100, 0, 200, sways, " %"));
     rows.push_back(
-        whole_number({"view-roll", "Lean in walking", "the view leans in walking sideways; 100: as in Quake", kPage},
+        whole_number({"view-roll", "View roll", "the view tilts while stepping sideways; 100: as in Quake", kPage},
                      &Preferences::view_roll_100, 0, 200, sways, " %"));
-    rows.push_back(whole_number({"game-speed", "Speed of the game",
-                                 "in per cent: below 100 everything takes longer, and happens the same", kPage},
-                                &Preferences::game_speed_100, 25, 1600, {25, 33, 50, 67, 75, 80, 90, 100}, " %"));
-    rows.push_back(whole_number({"text-size", "Text size", "1 or 2: times the size of the letters", kPage},
+    rows.push_back(
+        whole_number({"game-speed", "Game speed", "in per cent; below 100 the same happens more slowly", kPage},
+                     &Preferences::game_speed_100, 25, 1600, {25, 33, 50, 67, 75, 80, 90, 100}, " %"));
+    rows.push_back(whole_number({"text-size", "Text size", "1 or 2: scale of the letters", kPage},
                                 &Preferences::text_scale, 1, 2, {1, 2}, "x"));
     rows.push_back(one_of(
-        {"colours", "Colours of signs", "of lines, maps, keys and text; two for players who confuse these", kPage},
+        {"colours", "Overlay colours", "of lines, maps, keys and text; two sets for colour-blind players", kPage},
         {"standard", "red-green", "blue-yellow"}, &Preferences::colours));
-    rows.push_back(on_or_off({"captions", "Captions of sounds", "shows each sound as a line of text", kPage},
+    rows.push_back(on_or_off({"captions", "Sound captions", "shows each sound as a line of text", kPage},
                              &Preferences::shows_captions));
 }
 
@@ -154,12 +154,12 @@ void add_controls(Rows& rows) {
                                 &Preferences::mouse_sensitivity_100, 10, 1000, stops, " %"));
     rows.push_back(on_or_off({"invert-look", "Invert look", "mouse or stick forward looks down", kPage},
                              &Preferences::inverts_look));
-    rows.push_back(on_or_off({"always-run", "Always run", "off: walks slowly, and the key for it makes run", kPage},
+    rows.push_back(on_or_off({"always-run", "Always run", "off: walks slowly, and the key to walk slowly runs", kPage},
                              &Preferences::always_runs));
-    rows.push_back(whole_number(
-        {"gamepad-sensitivity", "Stick sensitivity", "of the gamepad's stick that turns, in per cent", kPage},
-        &Preferences::gamepad_sensitivity_100, 10, 400,
-        {10, 20, 30, 40, 50, 60, 70, 80, 90, 100, 120, 140, 160, 180, 200, 250, 300, 400}, " %"));
+    rows.push_back(
+        whole_number({"gamepad-sensitivity", "Stick sensitivity", "of the stick that turns, in per cent", kPage},
+                     &Preferences::gamepad_sensitivity_100, 10, 400,
+                     {10, 20, 30, 40, 50, 60, 70, 80, 90, 100, 120, 140, 160, 180, 200, 250, 300, 400}, " %"));
     rows.push_back(whole_number({"gamepad-dead-zone", "Stick dead zone",
                                  "how far a stick may rest from its centre, in per cent of its range", kPage},
                                 &Preferences::gamepad_dead_zone_100, 0, 90,
@@ -169,7 +169,7 @@ void add_controls(Rows& rows) {
 void add_sound(Rows& rows) {
     constexpr PreferencePage kPage = PreferencePage::Sound;
     const std::vector<std::int32_t> tenths{0, 10, 20, 30, 40, 50, 60, 70, 80, 90, 100};
-    rows.push_back(whole_number({"volume", "Volume of all", "in per cent; 0: no sound device is opened", kPage},
+    rows.push_back(whole_number({"volume", "Master volume", "in per cent; 0: no sound device is opened", kPage},
                                 &Preferences::volume_100, 0, 100, tenths, " %"));
     rows.push_back(whole_number({"sounds-volume", "Sounds", "in the level and in menus, in per cent", kPage},
                                 &Preferences::sounds_volume_100, 0, 100, tenths, " %"));
@@ -224,8 +224,9 @@ KeptValue lights_value() {
 
 // Whether the page for setting the light was shown.
 KeptValue light_set_value() {
-    return on_or_off({"light-set", "Light is set", "whether the page for the light was shown", PreferencePage::Picture},
-                     &Preferences::has_set_light);
+    return on_or_off(
+        {"light-set", "Light is set", "whether the page that sets the light was shown", PreferencePage::Picture},
+        &Preferences::has_set_light);
 }
 
 // For each action, its keys and buttons.

@@ -101,7 +101,7 @@ Preference field_of_view_preference() {
     Preference field;
     field.name = "fov";
     field.label = "Field of view";
-    field.help = "degrees seen across the whole width";
+    field.help = "horizontal field of view, in degrees";
     field.values = "1 to 179";
     field.page = PreferencePage::Picture;
     field.text = [](const Preferences& of) { return degrees_text(of.field_of_view); };

@@ -124,8 +124,7 @@ std::string apply(Action command, ViewOptions& options, WindowSize window) {
         case Action::Torch:
             return toggle(options.has_torch, "{torch} Torch: on", "{torch} Torch: off");
         case Action::CrtLook:
-            return toggle(preferences.has_crt_look, "{crt} Look of a tube: scanlines, mask, glow",
-                          "{crt} Look of a tube: off");
+            return toggle(preferences.has_crt_look, "{crt} CRT look: scanlines, mask, glow", "{crt} CRT look: off");
         case Action::Inspect:
             return toggle(options.inspects);
         case Action::Log:

@@ -71,7 +71,7 @@ std::string class_table() {
         else
             rows.back()[0] += ", " + name_of(row);
     }
-    std::string text = "| class | is | does | keys (what they usually are) |\n|---|---|---|---|\n";
+    std::string text = "| class | kind | does | keys (their defaults) |\n|---|---|---|---|\n";
     for (const auto& [names, meaning] : rows) text.append("| ").append(names).append(meaning);
     return text + "\nKnown, and without effect: " + others + ".\n";
 }

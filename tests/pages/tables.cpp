@@ -34,7 +34,7 @@ std::string action_table() {
 }
 
 std::string option_table() {
-    std::string text = "| option | values (usual) | is |\n|---|---|---|\n";
+    std::string text = "| option | values (default) | meaning |\n|---|---|---|\n";
     const Preferences usual;
     for (const Preference& row : all_preferences()) {
         if (row.name.starts_with("dial-")) continue;
