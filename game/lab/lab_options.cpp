@@ -13,7 +13,7 @@ constexpr std::uint64_t kFlipEvery_us = 500'000;
 // The panel has no row for explanations, so a dial is explained when it is chosen.
 std::string describe(const Dial& dial) {
     std::string text = std::string(dial.caption) + ": " + std::string(dial.about);
-    if (!dial.changes_work) text += " Its error is real; what narrower numbers save does not show in the time.";
+    if (!dial.changes_work) text += " Its error is real; the time does not show what narrower numbers would save.";
     return text;
 }
 
@@ -73,8 +73,8 @@ std::string apply_to_lab(Action command, LabOptions& options, Accuracy& accuracy
                                        : "";
         case Action::ErrorMap:
             options.maps_errors = !options.maps_errors;
-            return options.maps_errors ? "{error-map} How far each texel is off its place"
-                                       : "{error-map} Map of the error: off";
+            return options.maps_errors ? "{error-map} How far each texel is from its place"
+                                       : "{error-map} Error map: off";
         case Action::SplitView:
             options.splits = !options.splits;
             return options.splits ? "{split} Hold a mouse button to move the line" : "{split} Split: off";
@@ -110,7 +110,7 @@ std::string setting_name(const Accuracy& accuracy) {
     const std::vector<const Dial*> turned = turned_dials(accuracy, *nearest);
     const std::string name(name_of(*nearest));
     if (turned.empty()) return name;
-    if (turned.size() > 1) return name + ", " + std::to_string(turned.size()) + " dials turned";
+    if (turned.size() > 1) return name + ", " + std::to_string(turned.size()) + " dials changed";
     const Dial& dial = *turned.front();
     return name + ", " + std::string(dial.caption) + " " + value_text(dial, dial.get(accuracy));
 }

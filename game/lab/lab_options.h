@@ -36,7 +36,7 @@ void drag_split(const PresentRect& shown, LabOptions& options, Controls& control
 /// The setting to draw with: the current one, or while flipping, every other half second, the previous one.
 const Accuracy& shown_setting(const LabOptions& options, const Accuracy& accuracy, std::uint64_t now_us);
 
-/// A preset's name, with the dials that differ: "1996", "1996, shades 32", "1996, 3 dials turned". The preset is the
+/// A preset's name, with the dials that differ: "1996", "1996, shades 32", "1996, 3 dials changed". The preset is the
 /// one with the fewest differences.
 std::string setting_name(const Accuracy& accuracy);
 

@@ -52,7 +52,7 @@ class KeyPages {
     // A second undo is a redo.
     void add_undo(MenuPage& page) const {
         if (!*undo_ || **undo_ == host_->preferences().bindings) return;
-        page.rows.push_back({"Undo the last change", "", "Of the keys, whichever it was",
+        page.rows.push_back({"Undo the last change", "", "The last change of keys",
                              [*this] { change([before = **undo_](Bindings& bindings) { bindings = before; }); }});
     }
 
@@ -63,7 +63,7 @@ class KeyPages {
             const Action action = names.action;
             const bool is_doubled = has_conflict(host_->preferences().bindings, action);
             page.rows.push_back({std::string(names.label), (is_doubled ? "! " : "") + inputs_text(*host_, action),
-                                 is_doubled ? "! A key here does something else, too" : "",
+                                 is_doubled ? "! A key here has another use too" : "",
                                  [*this, action] { menu_->open([*this, action] { return action_page(action); }); }});
         }
         add_undo(page);
@@ -74,16 +74,16 @@ class KeyPages {
 
     void add_sets(MenuPage& page) const {
         constexpr std::array<std::pair<Hands, const char*>, kHandsCount> kSets{
-            {{Hands::Both, "All as at first"},
+            {{Hands::Both, "All defaults"},
              {Hands::Left, "All for the left hand"},
              {Hands::Right, "All for the right hand"}}};
         for (const auto& [hands, label] : kSets)
-            page.rows.push_back({label, "", "Sets all keys anew",
+            page.rows.push_back({label, "", "Resets all keys",
                                  [*this, of = hands] { menu_->open([*this, of] { return set_page(of); }); }});
     }
 
     MenuPage set_page(Hands hands) const {
-        MenuPage page{"Keys", "Set all keys anew? What you changed is lost."};
+        MenuPage page{"Keys", "Reset all keys? Your changes are lost."};
         page.rows.push_back({"No", "", "", [*this] { menu_->close(); }});
         page.rows.push_back({"Yes", "", "", [*this, hands] {
                                  change([&](Bindings& bindings) { bindings = default_bindings(hands); });
@@ -97,7 +97,7 @@ class KeyPages {
         for (const Input input : host_->preferences().bindings.inputs_of(action)) {
             const std::string others = others_of(host_->preferences().bindings, action, input);
             page.rows.push_back(
-                {host_->local_name_of(input), "remove", others.empty() ? "" : "Does this, too: " + others,
+                {host_->local_name_of(input), "remove", others.empty() ? "" : "Also does: " + others,
                  [*this, action, input] { change([&](Bindings& bindings) { bindings.unbind(action, input); }); }});
         }
         page.rows.push_back({"Add a key or button", "", "",
@@ -142,7 +142,7 @@ class KeyPages {
                                  bind(action, input);
                                  menu_->close();
                              }});
-        page.rows.push_back({"Leave it as it was", "", "", [*this] { menu_->close(); }});
+        page.rows.push_back({"Keep it as it was", "", "", [*this] { menu_->close(); }});
         return page;
     }
 

@@ -36,9 +36,10 @@ void MenuPages::open_light() {
             host_.preferences().has_set_light = true;
             menu_.close();
         };
-        MenuPage page{"Light", "Turn gamma until you see three of the four squares well, and the first one hardly."};
+        MenuPage page{"Light",
+                      "Change gamma until you see three of the four squares clearly and the first one barely."};
         page.back = done;
-        page.rows.push_back({"Go on", "", "You find this page again in Options, Light", done, nullptr, test_picture()});
+        page.rows.push_back({"OK", "", "This page is also in Options, Light", done, nullptr, test_picture()});
         for (const char* name : {"gamma", "brightness", "tube-light"}) {
             const Preference& row = preference_named(name);
             page.rows.push_back({row.label, row.shown(host_.preferences()), row.help, nullptr,

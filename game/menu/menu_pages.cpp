@@ -37,9 +37,9 @@ void MenuPages::open_game() {
 void MenuPages::open_gallery() {
     menu_.open([this] {
         MenuPage page{"Gallery"};
-        page.rows.push_back(menu_row("Go on", [this] { menu_.close_all(); }));
+        page.rows.push_back(menu_row("Resume", [this] { menu_.close_all(); }));
         page.rows.push_back(menu_row("Title", closing([this] { host_.show_title(); })));
-        page.rows.push_back(menu_row("Leave", [this] { host_.leave(); }));
+        page.rows.push_back(menu_row("Quit", [this] { host_.leave(); }));
         return page;
     });
 }
@@ -51,14 +51,14 @@ void MenuPages::open_end() {
 void MenuPages::open_restart() {
     const auto restart = closing([this] { host_.restart(); });
     if (!host_.has_unsaved_progress()) return restart();
-    const char* const what = host_.saves_on_leaving() ? " This walk is kept: Load goes on with it." : kLost;
+    const char* const what = host_.saves_on_leaving() ? " This walk stays saved: Load continues it." : kLost;
     ask("Restart", std::string("Begin this level again?") + what, "Yes", restart);
 }
 
 void MenuPages::open_message(std::string title, std::string text) {
     menu_.open([this, title = std::move(title), text = std::move(text)] {
         MenuPage page{title, text};
-        page.rows.push_back(menu_row("Go on", [this] { menu_.close(); }));
+        page.rows.push_back(menu_row("OK", [this] { menu_.close(); }));
         return page;
     });
 }
@@ -70,25 +70,26 @@ MenuPage MenuPages::title_page() {
     if (const auto last = host_.last_walk())
         page.rows.push_back(menu_row(
             "Continue", closing([this] { host_.continue_walk(); }),
-            last->has_game ? "go on in " + last->content : last->content + ". " + host_.key_names().in(last->help)));
-    page.rows.push_back(menu_row("Walk", closing([this] { host_.walk(); }), "through the museum, from its entrance"));
+            last->has_game ? "continue in " + last->content : last->content + ". " + host_.key_names().in(last->help)));
+    page.rows.push_back(
+        menu_row("Walk", closing([this] { host_.walk(); }), "a new walk, from the entrance of the museum"));
     page.rows.push_back(menu_row(
-        "Levels", [this] { open_levels(); }, "others to walk through"));
+        "Levels", [this] { open_levels(); }, "other levels"));
     page.rows.push_back(menu_row(
         "Load", [this] { open_load(); }, "a walk that was saved"));
     page.rows.push_back(menu_row("Options", [this] { open_options(); }));
     page.rows.push_back(menu_row(
         "Gallery", [this] { host_.show_gallery(); }, "what the engine can do, a page for each feature"));
     page.rows.push_back(menu_row("Credits", [this] { open_credits(); }));
-    page.rows.push_back(menu_row("Leave", [this] { host_.leave(); }));
+    page.rows.push_back(menu_row("Quit", [this] { host_.leave(); }));
     page.help = host_.key_names().in("{choose} choose, {accept} accepts, {menu} goes back");
     return page;
 }
 
 MenuPage MenuPages::game_page() {
     MenuPage page{"Paused"};
-    page.help = host_.key_names().in("{choose} choose, {accept} accepts, {menu} goes on");
-    page.rows.push_back(menu_row("Go on", [this] { menu_.close_all(); }));
+    page.help = host_.key_names().in("{choose} choose, {accept} accepts, {menu} resumes");
+    page.rows.push_back(menu_row("Resume", [this] { menu_.close_all(); }));
     if (host_.can_save()) page.rows.push_back(menu_row("Save", [this] { open_save(); }));
     page.rows.push_back(menu_row("Load", [this] { open_load(); }));
     if (const Goal goal = host_.goal(); !goal.count.empty()) {
@@ -99,18 +100,18 @@ MenuPage MenuPages::game_page() {
     }
     if (!host_.told().empty())
         page.rows.push_back(menu_row(
-            "Messages", [this] { open_told(); }, "what you were told in this walk"));
+            "Messages", [this] { open_told(); }, "texts shown in this walk"));
     page.rows.push_back(menu_row("Options", [this] { open_options(); }));
     page.rows.push_back(menu_row("Restart level", [this] { open_restart(); }));
     page.rows.push_back(menu_row("Levels", [this] { open_levels(); }));
     page.rows.push_back(menu_row(
-        "Gallery", [this] { host_.show_gallery(); }, "the walk waits"));
+        "Gallery", [this] { host_.show_gallery(); }, "the walk is paused meanwhile"));
     page.rows.push_back(menu_row(
         "Title", [this] { leave_walk("Leave this walk?", closing([this] { host_.show_title(); })); },
-        host_.saves_on_leaving() ? "The walk is saved: Continue goes on with it" : ""));
+        host_.saves_on_leaving() ? "The walk is saved: Continue resumes it" : ""));
     page.rows.push_back(menu_row(
-        "Leave", [this] { leave_walk("Leave the game?", [this] { host_.leave(); }); },
-        host_.saves_on_leaving() ? "The walk is saved: Continue goes on with it" : ""));
+        "Quit", [this] { leave_walk("Quit the game?", [this] { host_.leave(); }); },
+        host_.saves_on_leaving() ? "The walk is saved: Continue resumes it" : ""));
     return page;
 }
 
@@ -131,11 +132,11 @@ void MenuPages::open_options() {
 
 MenuPage MenuPages::options_page() {
     MenuPage page{"Options"};
-    page.help = "Changes are seen at once and kept";
+    page.help = "Changes apply at once and are saved";
     for (int i = 0; i < kPreferencePageCount; ++i)
         page.rows.push_back(menu_row(name_of(static_cast<PreferencePage>(i)), [this, i] { open_preferences(i); }));
     page.rows.push_back(menu_row(
-        "Light", [this] { open_light(); }, "set by a test picture"));
+        "Light", [this] { open_light(); }, "set with a test picture"));
     page.rows.push_back(menu_row(
         "Keys", [this] { open_key_pages(menu_, host_, key_undo_); }, "which key or button does what"));
     page.rows.push_back(back_row());
@@ -187,7 +188,7 @@ MenuRow MenuPages::back_row() {
 void MenuPages::open_text(std::string title, std::string text, std::optional<Action> closed_by) {
     menu_.open([this, title = std::move(title), text = std::move(text), closed_by] {
         MenuPage page{title, text};
-        page.help = host_.key_names().in("{choose}: read on. {menu} or a click: back");
+        page.help = host_.key_names().in("{choose}: scroll. {menu} or a click: back");
         page.closed_by = closed_by;
         return page;
     });
@@ -210,10 +211,10 @@ void MenuPages::open_figures() {
 void MenuPages::open_keys() {
     menu_.open([this, help = host_.key_help()] {
         MenuPage page{"Keys"};
-        page.help = host_.key_names().in("{choose}: read on. {menu}: back");
+        page.help = host_.key_names().in("{choose}: scroll. {menu}: back");
         page.closed_by = Action::ShowHelp;
         for (const KeyHelp& line : help) page.rows.push_back({line.label, line.keys});
-        page.rows.push_back(menu_row("Change them", [this] { open_key_pages(menu_, host_, key_undo_); }));
+        page.rows.push_back(menu_row("Change keys", [this] { open_key_pages(menu_, host_, key_undo_); }));
         page.rows.push_back(back_row());
         return page;
     });
@@ -227,11 +228,11 @@ void MenuPages::leave_walk(const std::string& question, std::function<void()> ac
 }
 
 void MenuPages::open_not_saved(const std::string& fault, std::function<void()> go) {
-    ask("Not saved", fault + "\n\nLeave this walk all the same?", "Yes", closing(std::move(go)));
+    ask("Not saved", fault + "\n\nLeave this walk anyway?", "Yes", closing(std::move(go)));
 }
 
 void MenuPages::ask_to_leave() {
-    ask("Leave", "Leave Oblong?", "Yes", [this] { host_.leave(); });
+    ask("Quit", "Quit Oblong?", "Yes", [this] { host_.leave(); });
 }
 
 void MenuPages::ask(std::string title, std::string text, std::string yes, std::function<void()> action) {

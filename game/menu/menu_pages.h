@@ -38,7 +38,7 @@ class MenuPages {
     void open_end();      ///< after a walk
     void open_light();    ///< a test picture, to set the light of the game that is played
     void open_restart();  ///< asks first, if there is unsaved progress
-    /// A text with one row, "Go on".
+    /// A text with one row, "OK".
     void open_message(std::string title, std::string text);
     /// Shows why a walk could not be saved, and asks whether to leave it anyway; if so, calls `go`.
     void open_not_saved(const std::string& fault, std::function<void()> go);

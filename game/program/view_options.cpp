@@ -13,8 +13,7 @@ namespace {
 constexpr std::array<const char*, kMapViewCount> kMapMessages{"{map} Map: off", "{map} Map: turns with you",
                                                               "{map} Map: north is up"};
 constexpr std::array<const char*, kWireframeCount> kWireframeMessages{
-    "{wireframe} Edges: off", "{wireframe} Edges of visible faces: over the picture",
-    "{wireframe} Edges of visible faces: alone"};
+    "{wireframe} Wireframe: off", "{wireframe} Wireframe: over the picture", "{wireframe} Wireframe: alone"};
 // Fields of view of the dolly zoom, degrees.
 constexpr std::int32_t kNarrowestZoom = 10, kUnzoomed = 90, kWidestZoom = 120, kZoomStep = 10;
 
@@ -137,8 +136,8 @@ std::string apply(Action command, ViewOptions& options, WindowSize window) {
             options.wireframe = next_of(options.wireframe, kWireframeCount);
             return item(kWireframeMessages, options.wireframe);
         case Action::Isometric:
-            return toggle(options.is_isometric, "{isometric} From outside: you are in the middle",
-                          "{isometric} From outside: off");
+            return toggle(options.is_isometric, "{isometric} Isometric view: you are in the middle",
+                          "{isometric} Isometric view: off");
         case Action::ZoomIn:
         case Action::ZoomOut:
             return zoom(command == Action::ZoomIn, options);

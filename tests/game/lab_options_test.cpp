@@ -78,7 +78,7 @@ TEST(LabOptions, SettingsHaveShortNames) {
     accuracy.shades = 32;
     EXPECT_EQ(setting_name(accuracy), "1996, shades 32");
     accuracy.dithers_light = true;
-    EXPECT_EQ(setting_name(accuracy), "1996, 2 dials turned");
+    EXPECT_EQ(setting_name(accuracy), "1996, 2 dials changed");
 }
 
 TEST(LabOptions, DialsThatMeanNothingAreIdle) {

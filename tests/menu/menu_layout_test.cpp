@@ -83,10 +83,10 @@ TEST(MenuLayout, EveryRowCanBeSeen) {
 
 // The text above the rows too, where it fits.
 TEST(MenuLayout, AShortTextIsSeenWithTheFirstRow) {
-    MenuPage page{"Leave", "Leave the game?", {{"No", "", "", [] {}}, {"Yes", "", "", [] {}}}};
+    MenuPage page{"Quit", "Quit the game?", {{"No", "", "", [] {}}, {"Yes", "", "", [] {}}}};
     for (const std::int32_t text_scale : {1, 2}) {
         const MenuLayout layout = lay_out(page, {0, 0, text_scale}, {320, 200});
-        EXPECT_EQ(layout.items.front().text, "Leave the game?");
+        EXPECT_EQ(layout.items.front().text, "Quit the game?");
         EXPECT_EQ(layout.items.back().row, 1u);
         EXPECT_FALSE(layout.has_more_above || layout.has_more_below);
     }

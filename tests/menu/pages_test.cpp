@@ -101,7 +101,7 @@ TEST_F(Pages, TheTitleHasWhatAPlayerLooksFor) {
     std::vector<std::string> labels;
     for (const MenuRow& row : menu_.page().rows) labels.push_back(row.label);
     EXPECT_EQ(labels, (std::vector<std::string>{"Continue", "Walk", "Levels", "Load", "Options", "Gallery", "Credits",
-                                                "Leave"}));
+                                                "Quit"}));
     choose("Walk");
     EXPECT_EQ(host_.done, std::vector<std::string>{"walk"});
     EXPECT_FALSE(menu_.is_open());
@@ -111,7 +111,7 @@ TEST_F(Pages, EscapeOnTheTitleAsksAndEscapeAgainGoesOn) {
     pages_.open_title();
     for (int i = 0; i < 9; ++i) {
         escape();
-        EXPECT_EQ(menu_.page().title, "Leave");
+        EXPECT_EQ(menu_.page().title, "Quit");
         EXPECT_EQ(menu_.page().rows[menu_.chosen()].label, "No") << "an answer by mistake loses nothing";
         escape();
         EXPECT_EQ(menu_.page().title, "OBLONG");
@@ -142,9 +142,9 @@ class EveryPage : public Pages {
     }
     // Rows that do something at once, or answer.
     static bool is_final(const std::string& label) {
-        static const std::set<std::string> kFinal{"Go on",   "No",   "Yes",      "Back",       "Done",
+        static const std::set<std::string> kFinal{"Resume",  "OK",   "No",       "Yes",        "Back",     "Done",
                                                   "Gallery", "Walk", "Continue", "Replace it", "Delete it"};
-        return kFinal.contains(label) || label == "Slot 1" || label == "Walk 1" || (label == "Leave");
+        return kFinal.contains(label) || label == "Slot 1" || label == "Walk 1" || (label == "Quit");
     }
     std::set<std::string> seen_;
 };
@@ -167,7 +167,7 @@ TEST_F(Pages, WhatLosesAWalkAsksFirst) {
     EXPECT_NE(menu_.page().text.find("is lost"), std::string::npos);
     choose("No");
     EXPECT_EQ(menu_.page().title, "Paused");
-    choose("Leave");
+    choose("Quit");
     EXPECT_TRUE(host_.done.empty());
     choose("Yes");
     EXPECT_EQ(host_.done, std::vector<std::string>{"leave"});
@@ -180,7 +180,7 @@ TEST_F(Pages, WhatLosesNothingAsksNothing) {
     EXPECT_EQ(host_.done, std::vector<std::string>{"restart"});
     host_.is_unsaved = host_.has_autosave = true;
     pages_.open_game();
-    choose("Leave");
+    choose("Quit");
     EXPECT_EQ(host_.done.back(), "leave");
 }
 
@@ -333,10 +333,10 @@ TEST_F(Pages, TheLastChangeOfAKeyIsUndone) {
 TEST_F(Pages, AllKeysAreSetAnewOnlyAfterAQuestion) {
     host_.kept.bindings.unbind_all(Action::Jump);
     open_key_pages(menu_, host_, undo_);
-    choose("All as at first");
+    choose("All defaults");
     choose("No");
     EXPECT_TRUE(host_.kept.bindings.inputs_of(Action::Jump).empty());
-    choose("All as at first");
+    choose("All defaults");
     choose("Yes");
     EXPECT_EQ(host_.kept.bindings, default_bindings());
 }

@@ -162,7 +162,7 @@ TEST_F(ProgramOfTheDemo, TheTitleLeadsToAWalkAndTheMenuBackToIt) {
                   {91, acting({MenuAction::Up, MenuAction::Up, MenuAction::Accept})},  // "Title"
                   {100, acting({MenuAction::Accept})},                                 // "Continue"
                   {120, pressing(Action::Menu)},
-                  {121, acting({MenuAction::Up, MenuAction::Accept})}};  // "Leave"
+                  {121, acting({MenuAction::Up, MenuAction::Accept})}};  // "Quit"
     EXPECT_LT(play(200, options, script), 125) << "the program is left before the script ends";
     EXPECT_NEAR(static_cast<double>(saved_tick()), 84 + 19, 3);
 }
