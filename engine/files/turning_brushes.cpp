@@ -35,7 +35,7 @@ std::optional<LevelModel> TurningBrushes::read(const Level& level, const Entity&
     LevelModel model;
     model.is_door = role_of(entity) == ClassRole::TurningDoor;
     if (!read_.insert(*brushes).second) {
-        values.warn("its brushes are another's, too: it is left out");
+        values.warn("another entity has the same brush model: it is left out");
         return {};
     }
     const auto about = place_of_axis(level.models[*brushes], model.is_door, values);

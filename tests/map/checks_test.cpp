@@ -31,7 +31,7 @@ TEST(Warnings, CountOnlyWhatCameSinceTheyWereTaken) {
     map::Warnings warnings;
     warnings.add(3, "it");
     warnings.add(5, "it");
-    EXPECT_EQ(warnings.take().at(0).what, "it (so 1 more)");
+    EXPECT_EQ(warnings.take().at(0).what, "it (and 1 more like this)");
     warnings.add(7, "it");
     const auto later = warnings.take();
     ASSERT_EQ(later.size(), 1u);
@@ -50,14 +50,14 @@ TEST(Checks, AreSilentAboutWhatQuakeKnows) {
 
 TEST(Checks, NameUnknownClassesAndKeysByTheirLines) {
     EXPECT_EQ(warnings_of(entity("fnuc_door", {{"angle", "90"}}) + entity("func_door", {{"wiat", "3"}}, kBrush)),
-              (Said{"line 4: the class 'fnuc_door' is unknown, perhaps 'func_door' is meant: the entity is written as "
-                    "it stands",
+              (Said{"line 4: the class 'fnuc_door' is unknown, perhaps 'func_door' is meant: the entity is kept "
+                    "unchanged",
                     "line 10: nothing reads the key 'wiat' of a func_door, perhaps 'wait' is meant"}));
     EXPECT_EQ(warnings_of(entity("func_explobox", {{"angle", "90"}})),
-              Said{"line 4: the class 'func_explobox' is unknown: the entity is written as it stands"});
+              Said{"line 4: the class 'func_explobox' is unknown: the entity is kept unchanged"});
     EXPECT_EQ(warnings_of(entity_at("monster_knigth", {1, 2, 3})),
               Said{"line 4: the class 'monster_knigth' is unknown, perhaps 'monster_knight' is meant: the entity is "
-                   "written as it stands"});
+                   "kept unchanged"});
     EXPECT_EQ(warnings_of("{\n\"origin\" \"1 2 3\"\n}\n"), Said{"line 4: an entity without a classname, expected one"});
 }
 
@@ -67,8 +67,9 @@ TEST(Checks, NameKeysThatNothingReads) {
     EXPECT_EQ(warnings_of(entity_at("misc_rain", {1, 2, 3}, {{"fog", "1 1 1 1"}})),
               Said{"line 6: nothing reads the key 'fog' of a misc_rain"});
     const std::string lamp = entity_at("light", {1, 2, 3}, {{"_colour", "1 0 0"}});
-    EXPECT_EQ(warnings_of(lamp + lamp + lamp),
-              Said{"line 6: nothing reads the key '_colour' of a light, perhaps '_color' is meant (so 2 more)"});
+    EXPECT_EQ(
+        warnings_of(lamp + lamp + lamp),
+        Said{"line 6: nothing reads the key '_colour' of a light, perhaps '_color' is meant (and 2 more like this)"});
 }
 
 TEST(Checks, NameValuesOfAnotherKind) {
@@ -132,17 +133,18 @@ TEST(Checks, NameTeleportersToNowhere) {
 }
 
 TEST(Checks, NameWhatAClassNeedsAndAnEntityLacks) {
-    EXPECT_EQ(warnings_of(entity("func_door", {}) + entity("func_door", {})),
-              Said{"line 4: a func_door without brushes, expected some: it is not there (so 1 more)"});
+    EXPECT_EQ(
+        warnings_of(entity("func_door", {}) + entity("func_door", {})),
+        Said{"line 4: a func_door without brushes, expected at least one: it has no shape (and 1 more like this)"});
     EXPECT_EQ(warnings_of(entity("info_teleport_destination", {{"targetname", "x"}})),
-              Said{"line 4: an info_teleport_destination without an origin, expected its place"});
+              Said{"line 4: an info_teleport_destination without an 'origin', expected its position"});
     EXPECT_EQ(warnings_of_source(entity("worldspawn", {}) + entity("info_player_start", {})),
-              Said{"line 4: an info_player_start without an origin, expected its place"});
+              Said{"line 4: an info_player_start without an 'origin', expected its position"});
 }
 
 TEST(Checks, MissTheStart) {
     EXPECT_EQ(warnings_of_source("// a remark\n{\n\"classname\" \"worldspawn\"\n}\n"),
-              Said{"line 2: no info_player_start: nobody can play the level"});
+              Said{"line 2: no info_player_start, expected one: the player has no place to start"});
 }
 
 // The room for a player is a box of 32 x 32 x 56 units around a place a unit above the start.

@@ -152,6 +152,17 @@ TEST(HemisphereLight, WhatNoLampReachesIsLitByABounce) {
     EXPECT_GE(light_at(bsp_of(true), kFloor, {16, 16, 0}), light_at(bsp_of(false), kFloor, {16, 16, 0}));
 }
 
+// The shadow under the table of the test above is all that a bounce of styled light would change.
+TEST(HemisphereLight, OnlySteadyLightBounces) {
+    const std::string hall = room({0, 0, 0}, {256, 256, 128}) + box({64, 64, 48}, {192, 192, 56});
+    const auto lighting_of = [&](const char* style, bool has_bounce) {
+        const auto lamp = entity_at("light", {128, 128, 96}, {{"style", style}});
+        return compile(level(hall, lamp), {.has_bounce = has_bounce}).lighting;
+    };
+    EXPECT_EQ(lighting_of("5", true), lighting_of("5", false));
+    EXPECT_NE(lighting_of("0", true), lighting_of("0", false));
+}
+
 // A round pillar of 12 faces: at the corners the light is that of a cylinder, whose normal points away from the axis.
 TEST(SmoothLight, APillarsEdgesAreLitAsACylinder) {
     const std::string pillar = prism({256, 256, 0}, 64, 128, 12);

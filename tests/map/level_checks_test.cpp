@@ -34,8 +34,8 @@ TEST(LevelChecks, NameATextureThatNoFaceShows) {
     EXPECT_EQ(
         said_of(source),
         Said{at_line(source, " other ",
-                     "no face that can be seen has the texture 'other', which is 380 bytes of the level: expected "
-                     "'skip' on its sides, or one that is seen")});
+                     "no visible face has the texture 'other', which is 380 bytes of the level: expected 'skip' on its "
+                     "sides")});
     const std::string seen = level(room({0, 0, 0}, {128, 128, 128}) + box({8, 8, 8}, {16, 16, 16}, "other"), kStart);
     EXPECT_EQ(said_of(seen), Said{});
     const std::string sprite = entity_at("misc_sprite", {64, 64, 64}, {{"texture", "{bars"}});
@@ -50,8 +50,8 @@ TEST(LevelChecks, NameASurfaceThatIsTooLargeForACache) {
     };
     const std::vector<std::string> said = said_of(source_of("0.05"));
     ASSERT_EQ(said.size(), 1u);
-    EXPECT_NE(said[0].find(": a surface of 'floor' has 6553600 texels in 121 faces, more than a cache of surfaces has "
-                           "room for (4194304): expected scales 2 times as large, or less of it"),
+    EXPECT_NE(said[0].find(": a surface of 'floor' has 6553600 texels in 121 faces, more than an engine's surface "
+                           "cache holds (4194304): expected texture scales 2 times as large, or a smaller surface"),
               std::string::npos)
         << said[0];
     EXPECT_GE(std::stoi(said[0].substr(5)), line_of(source_of("0.05"), " floor "));
@@ -65,7 +65,7 @@ TEST(LevelChecks, NameTexturesThatLieOffTheGridOfLight) {
     };
     const std::vector<std::string> said = said_of(source_of("8 8 0 1 1"));
     ASSERT_EQ(said.size(), 1u);
-    EXPECT_NE(said[0].find(": 66 of 192 samples of light lie beyond their faces"), std::string::npos) << said[0];
+    EXPECT_NE(said[0].find(": 66 of 192 light samples are outside of their faces"), std::string::npos) << said[0];
     EXPECT_GT(std::stoi(said[0].substr(5)), 1) << "the line of a side";
     EXPECT_EQ(said_of(source_of("16 32 0 1 1")), Said{});
     // 6 faces of 32 x 32 units have 7 too many each: more than a quarter, but few.
@@ -86,9 +86,10 @@ TEST(LevelChecks, NameALampThatIsTooDarkToBeSeen) {
     for (const char* dark : {"100", "134", "-134"}) {
         const auto said = said_with(lamp(dark));
         ASSERT_EQ(said.size(), 1u) << dark;
-        EXPECT_NE(said[0].find("the light at 128 128 128 lights no face by a shade that can be seen, expected more "
-                               "\"light\", or it nearer to what it lights"),
-                  std::string::npos)
+        EXPECT_NE(
+            said[0].find("the light at 128 128 128 lights no face visibly, expected a larger \"light\", or a place "
+                         "nearer to a face"),
+            std::string::npos)
             << said[0];
     }
     for (const char* bright : {"136", "-136", "300"}) EXPECT_EQ(said_with(lamp(bright)), Said{}) << bright;
@@ -98,7 +99,7 @@ TEST(LevelChecks, NameASurfaceOfLightThatIsNotThere) {
     const auto said = said_of(
         level(room({0, 0, 0}, {256, 256, 256}), kStart + entity_at("light", {128, 128, 128}, {{"_surface", "gone"}})));
     ASSERT_EQ(said.size(), 1u);
-    EXPECT_NE(said[0].find("\"_surface\" is 'gone', but no face that can be seen has that texture"), std::string::npos)
+    EXPECT_NE(said[0].find("\"_surface\" is 'gone', but no visible face has that texture"), std::string::npos)
         << said[0];
 }
 
@@ -114,12 +115,12 @@ TEST(LevelChecks, NameListsThatAreNearlyFull) {
     EXPECT_TRUE(said_with(29000).empty());
     ASSERT_EQ(said_with(30000).size(), 1u);
     EXPECT_EQ(said_with(30000)[0].what,
-              "30000 of 32767 clip nodes: beyond these it becomes BSP2; expected fewer, by 'clip' brushes around fine "
+              "30000 of 32767 clip nodes: with more the level would be BSP2; reduce them by 'clip' brushes around fine "
               "shapes");
     EXPECT_EQ(
         said_with(32768)[0].what,
-        "32768 of 32767 clip nodes: it becomes BSP2, which fewer programs read; expected fewer, by 'clip' brushes "
-        "around fine shapes");
+        "32768 of 32767 clip nodes: the level is written as BSP2, which fewer programs read; reduce them by 'clip' "
+        "brushes around fine shapes");
 }
 
 TEST(LevelChecks, NameWadsOfWhichNothingIsUsed) {
@@ -135,8 +136,7 @@ TEST(LevelChecks, NameWadsOfWhichNothingIsUsed) {
         for (const map::Warning& warning : warnings.take()) lines += std::to_string(warning.line) + warning.what + ";";
         return lines;
     };
-    EXPECT_EQ(said_of_use({{"wall", 1}, {"other", 1}}),
-              "9no texture of 'w9' is used, expected it left out of \"wad\";");
+    EXPECT_EQ(said_of_use({{"wall", 1}, {"other", 1}}), "9no texture of 'w9' is used: remove it from \"wad\";");
     EXPECT_EQ(said_of_use({{"other", 1}}).substr(0, 23), "7no texture of 'w7' is ");
     wads[2].line = 0;
     EXPECT_EQ(said_of_use({{"wall", 1}, {"other", 1}}), "") << "it was named on the command line";

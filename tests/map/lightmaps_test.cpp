@@ -257,7 +257,8 @@ TEST(Lightmaps, ALampDeepInAWallIsNamed) {
     const std::string source = "// a remark\n" + level(hall(), entity_at("light", {-8, 64, 97}));
     const std::vector<std::string> said = said_of(source);
     ASSERT_EQ(said.size(), 1u);
-    EXPECT_NE(said[0].find(": the light at -8 64 97 is in a wall and lights nothing, expected open air within 2 units"),
+    EXPECT_NE(said[0].find(
+                  ": the light at -8 64 97 is inside a wall and lights nothing, expected an open place within 2 units"),
               std::string::npos)
         << said[0];
     const auto line =

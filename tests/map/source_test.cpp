@@ -114,7 +114,7 @@ TEST(Entities, TexturesThatOnlyEntitiesShowAreInTheLevel) {
     EXPECT_TRUE(std::any_of(read.textures.begin(), read.textures.end(),
                             [](const MipTexture& texture) { return texture.name == "{bars"; }));
     expect_complaint(hall_with("", entity_at("misc_lantern", {96, 64, 40}, {{"texture", "{nosuch"}})),
-                     "texture '{nosuch' is in none of the WAD files");
+                     "texture '{nosuch' is not in any of the WAD files");
 }
 
 TEST(Entities, LightsWithAStyleOfTheirOwnKeepItFromSwitchableOnes) {
@@ -170,7 +170,8 @@ TEST(Entities, ALevelNamesItsWadsWithoutTheirFolders) {
 }
 
 TEST(Wad, UnknownTexturesAreNamed) {
-    expect_complaint(level(room({0, 0, 0}, {64, 64, 64}, 16, "nothing")), "line 4: texture 'nothing' is in none");
+    expect_complaint(level(room({0, 0, 0}, {64, 64, 64}, 16, "nothing")),
+                     "line 4: texture 'nothing' is not in any of the WAD files");
 }
 
 TEST(Wad, BrokenOnesAreRefused) {

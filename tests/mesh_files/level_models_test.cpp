@@ -235,7 +235,7 @@ TEST_F(ModelFolder, BrushesThatCannotTurnAsTheyShouldAreReported) {
         (std::vector<std::string>{
             "entity 1 (func_door_rotating): origin is \"\", expected x y z near its brushes: it turns about their "
             "middle",
-            "entity 2 (func_rotating): its brushes are another's, too: it is left out",
+            "entity 2 (func_rotating): another entity has the same brush model: it is left out",
             "entity 3 (func_rotating): origin is \"0 0 40000\", expected x y z near its brushes: it turns about "
             "their middle"}));
 }

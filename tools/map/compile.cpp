@@ -31,9 +31,10 @@ bool has_side_of(const MapBrush& brush, bool (*is_meant)(std::string_view)) {
 bool is_left_out(const MapBrush& brush, Warnings* warnings) {
     const bool is_origin = has_side_of(brush, is_origin_texture);
     if (is_origin && warnings != nullptr)
-        warnings->add(brush.line,
-                      "a brush with the texture 'origin', which turning entities have elsewhere: nothing "
-                      "turns here, it is left out");
+        warnings->add(
+            brush.line,
+            "a brush with the texture 'origin', which marks the axis of a turning entity in other engines, is "
+            "ignored: expected the key 'origin' instead");
     return is_origin || has_side_of(brush, is_hint_texture);
 }
 
@@ -147,7 +148,8 @@ LightOptions light_options(const CompileOptions& options, const TextureList& tex
 
 void check_same_brushes(bool are_same) {
     if (!are_same)
-        throw InputError("--only", "the brushes are not those of the level that is there, expected it without --only");
+        throw InputError("--only",
+                         "the brushes differ from those of the existing level: compile it once without --only");
 }
 
 // The former level with new entities, and new light if required.

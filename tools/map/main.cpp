@@ -42,19 +42,22 @@ void declare(CommandArguments& line, Arguments& arguments) {
     line.add("--palette", arguments.textures.palette,
              "of a folder's pictures; default: palette.lmp in the folder, else Oblong's");
     line.add("--fgd", arguments.fgd, "writes the classes and keys that editors show, and compiles nothing");
-    line.add("--install-trenchbroom", arguments.trenchbroom, "a folder: writes the editor's configuration there")
+    line.add("--install-trenchbroom", arguments.trenchbroom,
+             "a folder in which to write TrenchBroom's configuration for Oblong")
         .accept_no_value(map::kTrenchBroomFolder);
     line.add("--game", arguments.game, "a folder whose game.json has classes of its own");
     line.add("--prt", arguments.portals, "writes the portals too, as a .prt file");
     line.add("--only", arguments.only,
-             "entities, light or vis: makes that anew in OUT.bsp, which is there; the brushes have not changed");
-    line.add("--reads", arguments.reads, "writes the names of the other files that were read, one a line");
+             "entities, light or vis: compiles only that part, and keeps the rest of an existing OUT.bsp with the same "
+             "brushes");
+    line.add("--reads", arguments.reads, "a file to write: the names of all other files that were read, one per line");
     line.add("--threads", arguments.threads,
-             "that compile; default: as many as processors. The level is the same for any number")
+             "number of threads; default: one per processor. The level is the same for any number")
         .limit(1, 64);
-    line.add_flag("--fast", arguments.is_fast, "rougher visibility and light; large bodies take the player's room");
-    line.add_flag("--bounce", arguments.has_bounce, "light goes on from surface to surface, as with _bounce 1");
-    line.add_flag("--dirt", arguments.has_dirt, "corners are darker, as with _dirt 1");
+    line.add_flag("--fast", arguments.is_fast,
+                  "a draft: less exact visibility and light; large bodies collide as players do");
+    line.add_flag("--bounce", arguments.has_bounce, "surfaces reflect light once, as with worldspawn's _bounce 1");
+    line.add_flag("--dirt", arguments.has_dirt, "corners get less light, as with worldspawn's _dirt 1");
     line.add_flag("--strict", arguments.is_strict, "warnings are errors");
 }
 
@@ -75,7 +78,9 @@ class Reporter {
             ++count_;
         }
         if (arguments_.is_strict && count_ > 0)
-            throw InputError("--strict", std::to_string(count_) + " warnings, expected none");
+            throw InputError(
+                "--strict",
+                std::to_string(count_) + " warnings, expected none: correct the level, or compile without --strict");
     }
 
     void print_summary(const map::BspFile& bsp, const map::PortalFile& portals) {
@@ -168,7 +173,8 @@ std::string compile(const Arguments& arguments, const std::string& text, const c
     } catch (const map::LeakError& leak) {
         reporter.progress.clear();
         write_file(points_path(arguments), map::points_text(leak.path) + "\n");
-        throw InputError(leak.where, std::string(leak.what()) + "; the way out is in " + points_path(arguments));
+        throw InputError(leak.where,
+                         std::string(leak.what()) + "; " + points_path(arguments) + " has the path to the void");
     }
 }
 

@@ -103,7 +103,7 @@ std::vector<Wad> read_texture_sources(const TextureSources& sources, const MapEn
     for (const std::string& name : sources.glowing)
         if (std::none_of(wads.begin(), wads.end(),
                          [&](const Wad& wad) { return wad.find(lookup_name(name)) != nullptr; }))
-            throw UsageError("--glow: '" + name + "' is the name of none of the textures");
+            throw UsageError("--glow: '" + name + "' is not the name of any of the textures");
     return wads;
 }
 

@@ -41,8 +41,9 @@ std::map<std::string, std::string> files_by_name(const std::vector<std::string>&
         const std::string name = naming_file(path, [&] { return texture_name_of_file(path); });
         const auto [other, is_new] = files.emplace(lookup_name(name), path);
         if (!is_new)
-            throw FileError(path, "name",
-                            "is texture '" + name + "' as " + other->second + " is, expected one file a name");
+            throw FileError(
+                path, "name",
+                "is also the texture name of " + other->second + ": '" + name + "', expected one file per name");
     }
     return files;
 }
@@ -136,7 +137,7 @@ void pack_textures(const std::vector<std::string>& picture_paths, const std::vec
     const std::map<std::string, std::string> files = files_by_name(picture_paths);
     for (const std::string& name : glowing)
         if (!files.contains(lookup_name(name)))
-            throw UsageError("--glow: '" + name + "' is the name of none of the textures");
+            throw UsageError("--glow: '" + name + "' is not the name of any of the textures");
     write_file(wad_path, packed_textures(picture_paths, glowing, palette, dither));
 }
 

@@ -59,11 +59,11 @@ class LevelChecker {
         for (const LumpCount& lump : lump_counts(bsp_)) {
             if (lump.count <= lump.most / 10 * 9) continue;
             const bool is_past = lump.count > lump.most;
-            warnings_.add(
-                entities_.front().line,
-                std::to_string(lump.count) + " of " + std::to_string(lump.most) + " " + lump.name +
-                    (is_past ? ": it becomes BSP2, which fewer programs read" : ": beyond these it becomes BSP2") +
-                    "; expected fewer, " + lump.cure);
+            warnings_.add(entities_.front().line,
+                          std::to_string(lump.count) + " of " + std::to_string(lump.most) + " " + lump.name +
+                              (is_past ? ": the level is written as BSP2, which fewer programs read"
+                                       : ": with more the level would be BSP2") +
+                              "; reduce them " + lump.cure);
         }
     }
 
@@ -82,10 +82,10 @@ class LevelChecker {
             warnings_.add(line_of(bsp_, entities_, first),
                           "a surface of '" + texture_name(bsp_, first) + "' has " +
                               std::to_string(static_cast<long>(texels)) + " texels in " + std::to_string(faces.size()) +
-                              " faces, more than a cache of surfaces has room for (" +
-                              std::to_string(static_cast<long>(kMostTexels)) + "): expected scales " +
+                              " faces, more than an engine's surface cache holds (" +
+                              std::to_string(static_cast<long>(kMostTexels)) + "): expected texture scales " +
                               std::to_string(static_cast<int>(std::ceil(std::sqrt(texels / kMostTexels)))) +
-                              " times as large, or less of it");
+                              " times as large, or a smaller surface");
         }
     }
 
@@ -107,10 +107,11 @@ class LevelChecker {
         }
         const long spare = samples - needed;
         if (worst == nullptr || spare < kFewSamples || spare * kSpareShare < needed) return;
-        warnings_.add(line_of(bsp_, entities_, *worst),
-                      std::to_string(spare) + " of " + std::to_string(samples) +
-                          " samples of light lie beyond their faces, most of one here, as textures do not lie on its "
-                          "grid: expected offsets that put the edges of sides on multiples of 16 texels");
+        warnings_.add(
+            line_of(bsp_, entities_, *worst),
+            std::to_string(spare) + " of " + std::to_string(samples) +
+                " light samples are outside of their faces, most of them for the face here: expected texture offsets "
+                "that put the edges of faces on multiples of 16 texels");
     }
 
     void check_textures(const std::vector<TextureUse>& names) {
@@ -120,10 +121,9 @@ class LevelChecker {
         for (const TextureUse& use : shown_textures(entities_)) by_entities.insert(use.name);
         for (std::size_t i = 0; i < names.size(); ++i)
             if (!shown.contains(static_cast<int>(i)) && !by_entities.contains(names[i].name))
-                warnings_.add(names[i].line, "no face that can be seen has the texture '" + names[i].name +
-                                                 "', which is " + std::to_string(bsp_.textures[i].size()) +
-                                                 " bytes of the level: expected 'skip' on its sides, or one that is "
-                                                 "seen");
+                warnings_.add(names[i].line, "no visible face has the texture '" + names[i].name + "', which is " +
+                                                 std::to_string(bsp_.textures[i].size()) +
+                                                 " bytes of the level: expected 'skip' on its sides");
     }
 
   private:
@@ -172,7 +172,7 @@ void find_unused_wads(const std::vector<Wad>& wads, const std::vector<TextureUse
     }
     for (const Wad& wad : wads)
         if (wad.line > 0 && !used.contains(&wad))
-            warnings.add(wad.line, "no texture of '" + wad.source + "' is used, expected it left out of \"wad\"");
+            warnings.add(wad.line, "no texture of '" + wad.source + "' is used: remove it from \"wad\"");
 }
 
 }  // namespace oblong::map

@@ -60,10 +60,10 @@ void move_out_of_walls(std::vector<LightSource>& sources, const Tracer& tracer, 
         if (const auto place = place_beside_wall(source.origin, tracer))
             source.origin = *place;
         else if (warnings != nullptr)
-            warnings->add(source.entity->line, "the " + source.entity->value("classname") + " at " +
-                                                   source.entity->value("origin") +
-                                                   " is in a wall and lights nothing, expected open air within " +
-                                                   std::to_string(kNudge) + " units");
+            warnings->add(source.entity->line,
+                          "the " + source.entity->value("classname") + " at " + source.entity->value("origin") +
+                              " is inside a wall and lights nothing, expected an open place within " +
+                              std::to_string(kNudge) + " units");
     }
 }
 
@@ -130,11 +130,10 @@ class LightPass {
             if (seen[i]) shining.insert(lights_.sources[i].entity);
         for (const LightSource& source : lights_.sources)
             if (shining.insert(source.entity).second && !tracer_.is_solid(source.origin))
-                options_.warnings->add(source.entity->line,
-                                       "the " + source.entity->value("classname") + " at " +
-                                           source.entity->value("origin") +
-                                           " lights no face by a shade that can be seen, expected more \"light\", or "
-                                           "it nearer to what it lights");
+                options_.warnings->add(
+                    source.entity->line,
+                    "the " + source.entity->value("classname") + " at " + source.entity->value("origin") +
+                        " lights no face visibly, expected a larger \"light\", or a place nearer to a face");
     }
 
     // The first pass is for sky, dirt and the first bounce; each further pass is for a bounce.

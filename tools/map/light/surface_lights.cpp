@@ -102,7 +102,7 @@ void spread_surface_lights(std::vector<LightSource>& sources, const BspFile& bsp
         for (const std::vector<int>& faces : surfaces) add_lights_of_surface(spread, source, bsp, faces);
         if (surfaces.empty() && warnings != nullptr)
             warnings->add(source.entity->line,
-                          "\"_surface\" is '" + source.surface + "', but no face that can be seen has that texture");
+                          "\"_surface\" is '" + source.surface + "', but no visible face has that texture");
     }
     sources = std::move(spread);
 }

@@ -121,7 +121,8 @@ class Checker {
         for (const MapEntity& entity : entities_) check_entity(entity);
         const auto is_start = [](const MapEntity& entity) { return role_of(entity) == ClassRole::Start; };
         if (std::none_of(entities_.begin(), entities_.end(), is_start))
-            warnings_.add(entities_.front().line, "no info_player_start: nobody can play the level");
+            warnings_.add(entities_.front().line,
+                          "no info_player_start, expected one: the player has no place to start");
     }
 
   private:
@@ -137,7 +138,7 @@ class Checker {
         const EntityClass* const its_class = find_entity_class(name);
         if (its_class == nullptr || its_class->is_family())
             return warnings_.add(entity.line, "the class " + quoted(name) + " is unknown" + nearest_class(name) +
-                                                  ": the entity is written as it stands");
+                                                  ": the entity is kept unchanged");
         check_shape(entity, *its_class, with_article(name));
         for (const auto& keys : its_class->keys)
             for (const EntityKey& row : keys)
@@ -150,9 +151,9 @@ class Checker {
     void check_shape(const MapEntity& entity, const EntityClass& its_class, const std::string& name) {
         const bool is_layer = entity.has("_tb_type");  // TrenchBroom's: it may hold only point entities
         if (its_class.shape == ClassShape::Brush && entity.brushes.empty() && !is_layer)
-            warnings_.add(entity.line, name + " without brushes, expected some: it is not there");
+            warnings_.add(entity.line, name + " without brushes, expected at least one: it has no shape");
         if (its_class.shape == ClassShape::Point && entity.value("origin").empty())
-            warnings_.add(entity.line, name + " without an origin, expected its place");
+            warnings_.add(entity.line, name + " without an 'origin', expected its position");
     }
 
     void check_pair(const MapPair& pair, const EntityClass& its_class, const std::string& class_name) {
@@ -195,7 +196,7 @@ void Warnings::add(int line, const std::string& what) {
 std::vector<Warning> Warnings::take() {
     for (Warning& warning : warnings_) {
         const int others = known_[warning.what] - 1;
-        if (others > 0) warning.what += " (so " + std::to_string(others) + " more)";
+        if (others > 0) warning.what += " (and " + std::to_string(others) + " more like this)";
     }
     constexpr std::size_t kMost = 200;
     known_.clear();
@@ -204,7 +205,7 @@ std::vector<Warning> Warnings::take() {
     if (warnings_.size() > kMost) {
         const std::size_t more = warnings_.size() - kMost;
         warnings_.resize(kMost + 1);
-        warnings_.back().what = "this and " + std::to_string(more - 1) + " more warnings, which are left out";
+        warnings_.back().what = "this and " + std::to_string(more - 1) + " more warnings, which are not shown";
     }
     return std::exchange(warnings_, {});
 }

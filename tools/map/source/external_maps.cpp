@@ -43,7 +43,8 @@ Rotation rotation_of(const std::vector<double>& pitch_yaw_roll) {
 struct Placement {
     explicit Placement(const MapEntity& entity) : origin(origin_of(entity).value_or(Point{})) {
         for (int axis = 0; axis < 3; ++axis)
-            if (!(std::abs(origin[axis]) <= kFarthestOrigin)) refuse(entity, "\"origin\" is too far, expected 65536");
+            if (!(std::abs(origin[axis]) <= kFarthestOrigin))
+                refuse(entity, "\"origin\" is too far away, expected at most 65536 on each axis");
         rotation = rotation_of(entity.has("_external_map_angles")
                                    ? numbers_of(entity, "_external_map_angles", 3)
                                    : std::vector<double>{0, number_of(entity, "_external_map_angle", 0), 0});
@@ -82,7 +83,9 @@ void check_brush(const MapBrush& brush) {
     for (const MapSide& side : brush.sides) {
         const auto& [a, b, c] = side.points;
         if (length(cross(a - b, c - b)) < 1e-6)
-            throw InputError("line " + std::to_string(side.line), "the three points of a plane are one in this scale");
+            throw InputError(
+                "line " + std::to_string(side.line),
+                "the three points of a plane coincide after scaling, expected a larger \"_external_map_scale\"");
     }
     PlaneList planes;
     TextureList textures;
@@ -104,8 +107,9 @@ class Includer {
   private:
     void fill(MapEntity& entity, const std::string& path) {
         const std::string name = entity.value("_external_map");
-        if (name.empty()) refuse(entity, "a misc_external_map without '_external_map', expected a map source");
-        if (!entity.brushes.empty()) refuse(entity, "a misc_external_map with brushes, expected an origin");
+        if (name.empty())
+            refuse(entity, "a misc_external_map without '_external_map', expected the file name of a map source");
+        if (!entity.brushes.empty()) refuse(entity, "a misc_external_map with brushes, expected none, only an origin");
         const ExternalSource source = read_(name, path, entity.line);
         if (std::find(paths_.begin(), paths_.end(), source.path) != paths_.end())
             refuse(entity, "'" + name + "' includes itself, expected another map source");

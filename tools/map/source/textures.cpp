@@ -105,7 +105,8 @@ std::vector<std::string> collect_textures(const std::vector<TextureUse>& uses, c
         const std::string* texture = find_in(wads, use.name);
         if (texture == nullptr)
             throw InputError("line " + std::to_string(use.line),
-                             "texture '" + use.name + "' is in none of the WAD files, expected one (see --wad)");
+                             "texture '" + use.name +
+                                 "' is not in any of the WAD files: add its WAD to worldspawn's 'wad', or see --wad");
         textures.push_back(*texture);
         names.push_back(use.name);
     }

@@ -48,7 +48,7 @@ class Lump {
 
     void check(int value, int lowest, int highest) const {
         if (value < lowest || value > highest)
-            throw InputError(name_, "the level is too large for the format: " + std::to_string(value) +
+            throw InputError(name_, "the level is too large for the file format: " + std::to_string(value) +
                                         ", expected at most " + std::to_string(highest));
     }
 
@@ -99,7 +99,7 @@ std::vector<LumpCount> lump_counts(const BspFile& bsp) {
     return {{"planes", bsp.planes.size(), kMostI16, less},
             {"vertices", bsp.vertices.size(), kMostU16, less},
             {"nodes", bsp.nodes.size(), kMostI16, uncut},
-            {"texinfos", bsp.texinfos.size(), kMostI16, "by textures that lie alike"},
+            {"texinfos", bsp.texinfos.size(), kMostI16, "by aligning textures the same way"},
             {"faces", bsp.faces.size(), kMostU16, larger},
             {"clip nodes", bsp.clip_nodes.size(), kMostI16, "by 'clip' brushes around fine shapes"},
             {"leaves", bsp.leaves.size(), kMostI16, uncut},
