@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
 #include <numeric>
 #include <set>
 #include <sstream>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -124,43 +124,54 @@ TEST(Overlay, StaysInTheCanvas) {
     }
 }
 
-// Whether a word stands in a canvas, whole: each pixel of its letters bright, and none between them.
-bool is_written(std::string_view word, std::int32_t scale, Framebuffer canvas) {
-    const std::int32_t width = text_width_px(word) * scale, height = kGlyphHeight_px * scale;
-    std::vector<bool> lit(pixel_count(width, height));
-    for (std::int32_t y = 0; y < height; ++y)
-        for (std::int32_t x = 0; x < width; ++x) {
+using Rows = std::vector<std::string>;
+
+// '#' where a pixel is bright.
+Rows bright_rows(Framebuffer canvas) {
+    Rows rows;
+    for (std::int32_t y = 0; y < canvas.height_px; ++y) {
+        std::string& row = rows.emplace_back(canvas.row(y), canvas.row(y) + canvas.width_px);
+        for (char& pixel : row) pixel = static_cast<std::uint8_t>(pixel) == kColours.bright ? '#' : ' ';
+    }
+    return rows;
+}
+
+Rows rows_of_word(std::string_view word, std::int32_t scale) {
+    Rows rows;
+    for (std::int32_t y = 0; y < kGlyphHeight_px * scale; ++y) {
+        std::string& row = rows.emplace_back();
+        for (std::int32_t x = 0; x < text_width_px(word) * scale; ++x) {
             const std::int32_t column = x / scale % kGlyphAdvance_px;
             const Glyph& glyph = glyph_of(word[static_cast<std::size_t>(x / scale / kGlyphAdvance_px)]);
-            lit[static_cast<std::size_t>(y * width + x)] =
-                column < kGlyphWidth_px && is_drawn(glyph, y / scale, column);
-        }
-    const auto first = static_cast<std::int32_t>(std::find(lit.begin(), lit.end(), true) - lit.begin());
-    const auto stands_at = [&](std::int32_t left, std::int32_t top) {
-        for (std::int32_t i = 0; i < width * height; ++i)
-            if ((canvas.row(top + i / width)[left + i % width] == kColours.bright) != lit[static_cast<std::size_t>(i)])
-                return false;
-        return true;
-    };
-    const std::int32_t first_x = first % width, first_y = first / width;
-    for (std::int32_t top = 0; top + height <= canvas.height_px; ++top) {
-        const std::uint8_t* const row = canvas.row(top + first_y);
-        const std::uint8_t* const end = row + canvas.width_px - width + first_x + 1;
-        for (const std::uint8_t* at = row + first_x; at < end; ++at) {
-            at = static_cast<const std::uint8_t*>(std::memchr(at, kColours.bright, static_cast<std::size_t>(end - at)));
-            if (at == nullptr) break;
-            if (stands_at(static_cast<std::int32_t>(at - row) - first_x, top)) return true;
+            row += column < kGlyphWidth_px && is_drawn(glyph, y / scale, column) ? '#' : ' ';
         }
     }
+    return rows;
+}
+
+// Whether a word stands in a canvas, whole: each pixel of its letters bright, and none between them.
+bool is_written(std::string_view word, std::int32_t scale, const Rows& canvas) {
+    const Rows rows = rows_of_word(word, scale);
+    std::size_t row = 0;  // the first one with a bright pixel
+    while (rows[row].find('#') == std::string::npos) ++row;
+    const std::size_t column = rows[row].find('#'), width = rows[row].size();
+    const std::string searched = rows[row].substr(column);
+    for (std::size_t top = 0; top + rows.size() <= canvas.size(); ++top)
+        for (std::size_t at = canvas[top + row].find(searched, column); at != std::string::npos;
+             at = canvas[top + row].find(searched, at + 1)) {
+            std::size_t same = 0;
+            while (same < rows.size() && canvas[top + same].compare(at - column, width, rows[same]) == 0) ++same;
+            if (same == rows.size()) return true;
+        }
     return false;
 }
 
 void expect_written(const std::string& text, std::int32_t scale, const GuardedCanvas& guarded) {
+    const Rows canvas = bright_rows(guarded.canvas());
     std::istringstream words(text);
     for (std::string word; words >> word;)
-        EXPECT_TRUE(is_written(word, scale, guarded.canvas()))
-            << word << " at scale " << scale << " in " << guarded.canvas().width_px << "x"
-            << guarded.canvas().height_px;
+        EXPECT_TRUE(is_written(word, scale, canvas)) << word << " at scale " << scale << " in "
+                                                     << guarded.canvas().width_px << "x" << guarded.canvas().height_px;
     EXPECT_TRUE(guarded.is_border_whole());
 }
 
@@ -222,9 +233,10 @@ TEST_P(TextOverPictures, TheCostOfAFrameIsWholeOnItsPages) {
             pages = layout.cost_table.pages;
             expect_written(cost.frame, scale_, guarded);
             EXPECT_LE(size_.height_px - layout.cost.top, panel_room_px(guarded.canvas(), scale_));
+            const Rows canvas = bright_rows(guarded.canvas());
             for (const std::vector<PlanLine>& lines : {cost.passes, cost.effects})
                 for (const PlanLine& line : lines)
-                    if (is_written(line.name, scale_, guarded.canvas())) seen.insert(std::string(line.name));
+                    if (is_written(line.name, scale_, canvas)) seen.insert(std::string(line.name));
         }
         for (const std::vector<PlanLine>& lines : {cost.passes, cost.effects})
             for (const PlanLine& line : lines)
