@@ -31,6 +31,7 @@ def wait_until_still(display, seconds):
 def walk(display, build, recorded, picture):
     game = look.Game(display, build + '/bin/oblong', '--title', '--replay', build + '/assets/walk.demo', '--record',
                      recorded, '--window', '640x480', '--game-speed', '1600', '--volume', '0')
+    time.sleep(3)  # the title is there
     game.press('Return')
     wait_until_still(display, LONGEST_WALK_S)
     display.output('import', '-window', game.window, picture)

@@ -98,7 +98,6 @@ class Game:
         self.process = display.start(*command)
         self.window = self.wait_for_window()
         self.tool('windowfocus', self.window)
-        time.sleep(3)  # the first message goes away
 
     def tool(self, *words):
         return self.display.output('xdotool', *words).decode()
@@ -215,6 +214,7 @@ def check_four_aspects(game, report):
 def check_arrows(start, report):
     """By the upper half, which the lab leaves open; its message covers little of the sphere."""
     game = start()
+    time.sleep(3)  # the first message goes away
     game.resize(SIZES[0])
     upper = (SIZES[0][0], SIZES[0][1] * 45 // 100)
     before = game.look_at(0, 0, upper).middle_x()
