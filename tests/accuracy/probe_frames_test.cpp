@@ -5,39 +5,20 @@
 
 #include <cmath>
 #include <random>
-#include <sstream>
 
+#include "tests/accuracy/probed_texels.h"
 #include "tests/accuracy/scenes_fixture.h"
+#include "tests/support/random.h"
 #include "tools/accuracy/scene_map.h"
 #include "tools/map/compile.h"
-#include "tools/measure/texel_error.h"
-#include "tools/probe/probe.h"
 
 namespace oblong::test {
 namespace {
 
 using map::Point;
-using Triangle = std::array<reference::TexturedCorner, 3>;
 
 /// The rounding of a texture coordinate alone (engine/fixed/README.md): closer no texel can be to its place.
 constexpr double kRounding_texels = 1.0 / 4096;
-
-/// The texels that the probe answers for a row.
-std::vector<reference::ScreenPoint> ask_for_texels(const Accuracy& accuracy, const Triangle& triangle, int row,
-                                                   int first, int end) {
-    std::ostringstream query;
-    query.precision(15);
-    query << "texspanq bounded 320 200 4 3 90";
-    for (const reference::TexturedCorner& corner : triangle)
-        query << ' ' << corner.position.x << ' ' << corner.position.y << ' ' << corner.position.z << ' ' << corner.u
-              << ' ' << corner.v;
-    query << ' ' << row << ' ' << first << ' ' << end;
-    std::istringstream answer(Probe(accuracy).answer(query.str()));
-    std::vector<reference::ScreenPoint> texels;
-    for (double u, v; answer >> u >> v;) texels.push_back({u, v});
-    EXPECT_EQ(texels.size(), static_cast<std::size_t>(end - first)) << query.str();
-    return texels;
-}
 
 /// Where the triangle's plane shows a texel, pixels.
 reference::ScreenPoint place_of(const Triangle& triangle, const reference::ScreenPoint& texel) {
@@ -63,23 +44,17 @@ std::pair<int, int> columns_of(const Triangle& triangle, int row) {
             std::min(static_cast<int>(std::floor(greatest - 0.01 - 0.5)) + 1, 320)};
 }
 
-double part(std::mt19937& random, double least, double greatest) {
-    return std::uniform_real_distribution<double>(least, greatest)(random);
-}
-
-double snapped(double value) {
-    return std::nearbyint(value * 256) / 256;
-}
-
 /// Corners in view, 4 to 400 units away, of texels that are 1/64 to 512 pixels wide.
 Triangle random_triangle(std::mt19937& random) {
-    const double near = std::exp2(part(random, 2, 8)), texels_a_unit = 160 / near / std::exp2(part(random, -6, 9));
+    const double near = std::exp2(random_between(random, 2, 8)),
+                 texels_a_unit = 160 / near / std::exp2(random_between(random, -6, 9));
     Triangle triangle;
     for (reference::TexturedCorner& corner : triangle) {
-        const double z = snapped(near * std::exp2(part(random, 0, 1.5)));
-        corner.position = {snapped(z * part(random, -1, 1)), snapped(z * part(random, -0.75, 0.75)), z};
+        const double z = snapped(near * std::exp2(random_between(random, 0, 1.5)));
+        corner.position = {snapped(z * random_between(random, -1, 1)), snapped(z * random_between(random, -0.75, 0.75)),
+                           z};
     }
-    const double turn = part(random, 0, 6.28);
+    const double turn = random_between(random, 0, 6.28);
     for (reference::TexturedCorner& corner : triangle) {
         const auto& [x, y, z] = corner.position;
         corner.u = snapped((x * std::cos(turn) + y * std::sin(turn) + z / 4) * texels_a_unit);
@@ -99,7 +74,7 @@ TEST(ProbeBound, NoTexelIsFartherFromItsPlaceThanTheBoundOnAnyTriangle) {
         const auto [first, end] = columns_of(triangle, row);
         if (end - first < 2) continue;
         reference::ScreenPoint centre{first + 0.5, row + 0.5};
-        for (const reference::ScreenPoint& texel : ask_for_texels(accuracy, triangle, row, first, end)) {
+        for (const reference::ScreenPoint& texel : ask_for_texels("bounded", accuracy, triangle, row, first, end)) {
             const reference::Texel exact = texel_at(triangle, {}, centre);
             const auto place = place_of(triangle, texel);
             const double error = std::hypot(place.x - centre.x, place.y - centre.y) * 256 / accuracy.pixel_bound_256;
@@ -117,12 +92,13 @@ struct Wedge {
     std::array<Point, 3> corners;  ///< clockwise as the eye sees them
     double scale = 1;
 
-    explicit Wedge(std::mt19937& random) : scale(std::exp2(std::floor(part(random, -1, 4)))) {
+    explicit Wedge(std::mt19937& random) : scale(std::exp2(std::floor(random_between(random, -1, 4)))) {
         // Before the eye at (0, 0, 128), which looks along x: no whole numbers of 16 texels, where surfaces begin.
-        const double far = std::round(part(random, 8, 90));
+        const double far = std::round(random_between(random, 8, 90));
         const auto corner = [&](double across, double up) {
-            const double x = far + std::round(part(random, 0, far / 2));
-            return Point{x, std::round(across * x * part(random, 0.3, 0.9)), 128 + std::round(up * x / 2) + 1};
+            const double x = far + std::round(random_between(random, 0, far / 2));
+            return Point{x, std::round(across * x * random_between(random, 0.3, 0.9)),
+                         128 + std::round(up * x / 2) + 1};
         };
         corners = {corner(1, -0.8), corner(0.1, 0.9), corner(-1, -0.6)};
     }
@@ -187,7 +163,7 @@ std::pair<double, int> compare_row(const WedgeFrame& frame, int row, const Accur
     const Triangle triangle = frame.triangle_at(first, row);
     double most_apart = 0;
     int column = first;
-    for (const reference::ScreenPoint& probed : ask_for_texels(accuracy, triangle, row, first, end)) {
+    for (const reference::ScreenPoint& probed : ask_for_texels("bounded", accuracy, triangle, row, first, end)) {
         const PixelRecord& pixel = frame.pixel(column++, row);
         const reference::ScreenPoint drawn{number_of(pixel.u), number_of(pixel.v)};
         if (std::hypot(probed.x - drawn.x, probed.y - drawn.y) <= kRounding_texels) continue;

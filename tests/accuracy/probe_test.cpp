@@ -7,19 +7,16 @@
 
 #include <cmath>
 #include <random>
-#include <sstream>
 
+#include "tests/accuracy/probed_texels.h"
 #include "tests/accuracy/scenes_fixture.h"
-#include "tools/measure/texel_error.h"
 
 namespace oblong::test {
 namespace {
 
-using Corners = std::array<reference::TexturedCorner, 3>;
-
 /// Columns of a row on the plane through three corners in viewspace.
 struct QueriedSpan {
-    Corners corners;
+    Triangle corners;
     int row = 0, first = 0, end = 0;
 };
 
@@ -49,17 +46,9 @@ class RowMapping {
 
 /// The u that the probe samples at each column.
 std::vector<double> ask_for_u(const std::string& mode, const QueriedSpan& span, const Accuracy& accuracy = {}) {
-    std::ostringstream query;
-    query.precision(12);
-    query << "texspanq " << mode << " 320 200 4 3 90";
-    for (const reference::TexturedCorner& corner : span.corners)
-        query << ' ' << corner.position.x << ' ' << corner.position.y << ' ' << corner.position.z << ' ' << corner.u
-              << ' ' << corner.v;
-    query << ' ' << span.row << ' ' << span.first << ' ' << span.end;
-    std::istringstream answer(Probe(accuracy).answer(query.str()));
     std::vector<double> found;
-    for (double u, v; answer >> u >> v;) found.push_back(u);
-    EXPECT_EQ(found.size(), static_cast<std::size_t>(span.end - span.first)) << query.str();
+    for (const auto& texel : ask_for_texels(mode, accuracy, span.corners, span.row, span.first, span.end))
+        found.push_back(texel.x);
     return found;
 }
 
@@ -71,10 +60,6 @@ std::vector<float> probed_displacements(const std::string& mode, const QueriedSp
     for (const double u : ask_for_u(mode, span))
         displacements.push_back(static_cast<float>(std::abs(row.place_of(u) - centre++)));
     return displacements;
-}
-
-double snapped(double value) {
-    return std::nearbyint(value * 256) / 256;
 }
 
 /// A corner near a place on the screen, on whole 1/256 units, with its texel.

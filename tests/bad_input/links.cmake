@@ -1,2 +1,1 @@
 set(LINKS oblong_level oblong_files)
-set(APART render_test.cpp)

@@ -5,7 +5,7 @@
 #include "tests/support/folders.h"
 
 // oblong-render against files and arguments that it must refuse: each names the file and what is wrong with it.
-namespace oblong::test {
+namespace oblong::test::render_test {
 namespace {
 
 const std::string kProgram = "oblong-render";
@@ -233,4 +233,4 @@ TEST(Programs, HelpAndVersionExitWith0) {
 }
 
 }  // namespace
-}  // namespace oblong::test
+}  // namespace oblong::test::render_test

@@ -1,2 +1,1 @@
 set(LINKS oblong_tool_map oblong_files oblong_game)
-set(APART walk_test.cpp)

@@ -5,7 +5,7 @@
 #include "tests/demo/visitor.h"
 #include "tests/support/folders.h"
 
-namespace oblong {
+namespace oblong::test::walk_test {
 namespace {
 
 class DemoWalk : public testing::Test {
@@ -66,4 +66,4 @@ TEST_F(DemoWalk, WhoFallsIntoTheLavaCanClimbOutAtBothEndsOfBothPits) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test::walk_test

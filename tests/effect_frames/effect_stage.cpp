@@ -1,9 +1,9 @@
 #include "tests/effect_frames/effect_stage.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "engine/level/bsp_read.h"
+#include "tests/support/palettes.h"
 #include "tools/map/compile.h"
 
 namespace oblong::test {
@@ -24,11 +24,8 @@ const std::vector<StripedTexture>& textures() {
 }
 
 Palette greys() {
-    Palette palette;
-    for (std::size_t i = 0; i < 256; ++i) {
-        const auto grey = static_cast<std::uint8_t>(i);
-        palette.colours[i] = i < kFirstFullbright ? Rgb8{grey, grey, grey} : Rgb8{grey, 0, 0};
-    }
+    Palette palette = grey_palette();
+    for (std::size_t i = kFirstFullbright; i < 256; ++i) palette.colours[i] = {static_cast<std::uint8_t>(i), 0, 0};
     return palette;
 }
 
@@ -44,36 +41,16 @@ Level compile_effects(const MapText& text) {
 }
 
 Colormap effect_colours() {
-    Colormap map;
+    Colormap map = unshaded();
     map.palette = greys();
-    for (std::size_t shade = 0; shade < map.shades.size(); ++shade)
-        for (std::size_t i = 0; i < 256; ++i)
-            map.shades[shade][i] = static_cast<std::uint8_t>(shade == kShadowShade && i < kFirstFullbright ? i / 2 : i);
+    for (std::size_t i = 0; i < kFirstFullbright; ++i) map.shades[kShadowShade][i] = static_cast<std::uint8_t>(i / 2);
     return map;
 }
 
 Colormap shades_as_colours() {
-    Colormap map;
+    Colormap map = numbered_shades();
     map.palette = greys();
-    for (std::size_t shade = 0; shade < map.shades.size(); ++shade)
-        map.shades[shade].fill(static_cast<std::uint8_t>(shade));
     return map;
-}
-
-Vec3<World> place(double x, double y, double z) {
-    const auto world = [](double value) {
-        return World::from_raw(static_cast<World::Raw>(std::lround(std::ldexp(value, World::kFractionBits))));
-    };
-    return {world(x), world(y), world(z)};
-}
-
-Camera camera_at(const Vec3<World>& eye, double yaw, double pitch) {
-    const auto angle = [](double degrees) { return Angle::from_bam(std::llround(degrees / 360 * 65536)); };
-    Camera camera;
-    camera.eye = eye;
-    camera.yaw = angle(yaw);
-    camera.pitch = angle(pitch);
-    return camera;
 }
 
 EffectStage::EffectStage(Level its_level, const Camera& its_camera, Colormap colours,

@@ -12,6 +12,7 @@
 #include "engine/frame/frame.h"
 #include "tests/map/map_source.h"
 #include "tests/support/observed_workspace.h"
+#include "tests/support/views.h"
 
 /// Frames of small levels that call for effects, compiled on the spot.
 namespace oblong::test {
@@ -36,10 +37,6 @@ Level compile_effects(const MapText& text);
 Colormap effect_colours();
 /// The same palette; a surface shows the number of its shade.
 Colormap shades_as_colours();
-
-Vec3<World> place(double x, double y, double z);
-/// Degrees; pitch positive looks down.
-Camera camera_at(const Vec3<World>& eye, double yaw, double pitch = 0);
 
 using Picture = std::vector<std::uint8_t>;
 inline constexpr int kPictureWidth = 320, kPictureHeight = 200, kPicturePixels = kPictureWidth * kPictureHeight;

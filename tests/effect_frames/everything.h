@@ -33,15 +33,15 @@ inline EffectStage everything(const Camera& camera) {
     const std::vector<map::Wad> wads{map::Wad(text_of(assets / "demo.wad"))};
     const std::string bytes = map::to_bytes(map::compile_map(map::parse_map(source), wads, {true}));
     return {read_bsp({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}), camera,
-            make_colormap(read_palette(read_file_bytes(assets / "palette.lmp"))), ball_at(place(60, 40, 60))};
+            make_colormap(read_palette(read_file_bytes(assets / "palette.lmp"))), ball_at(point_at(60, 40, 60))};
 }
 
 inline Camera in_tank() {
-    return camera_at(place(-310, 0, 120), 0, 8);
+    return camera_at(point_at(-310, 0, 120), 0, 8);
 }
 
 inline Camera before_tank() {
-    return camera_at(place(-280, 0, 120), 0, 8);
+    return camera_at(point_at(-280, 0, 120), 0, 8);
 }
 
 }  // namespace oblong::test

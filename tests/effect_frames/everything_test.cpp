@@ -18,8 +18,8 @@ TEST(Everything, OwnsPixelsInOneFrame) {
 
 TEST(Everything, IsTheSameInAUsedWorkspace) {
     EffectStage stage = everything(in_tank());
-    const std::array cameras{in_tank(), before_tank(), camera_at(place(300, -200, 90), 135, 10),
-                             camera_at(place(-310, 60, 40), -20), camera_at(place(200, 200, 60), 200, 20)};
+    const std::array cameras{in_tank(), before_tank(), camera_at(point_at(300, -200, 90), 135, 10),
+                             camera_at(point_at(-310, 60, 40), -20), camera_at(point_at(200, 200, 60), 200, 20)};
     std::int64_t time_ms = 0;
     for (int i = 0; i < 40; ++i) {
         stage.camera = cameras[static_cast<std::size_t>(i) % cameras.size()];
@@ -31,12 +31,12 @@ TEST(Everything, IsTheSameInAUsedWorkspace) {
 
 TEST(Everything, IsTheSameByAnyNumberOfThreads) {
     EffectStage stage = everything(in_tank());
-    const MovingLight torch{place(-250, 0, 120), World::from_int(200)};
+    const MovingLight torch{point_at(-250, 0, 120), World::from_int(200)};
     for (const int threads : {2, 3, 8}) {
         WorkerThreads workers(threads);
         FrameWorkspace shared(stage.level, {}, &workers);
         for (int i = 0; i < 20; ++i) {
-            stage.camera = i % 2 ? in_tank() : camera_at(place(300, -200, 90), 135, 10);
+            stage.camera = i % 2 ? in_tank() : camera_at(point_at(300, -200, 90), 135, 10);
             stage.moving_lights.assign(i % 5 / 2, torch);
             stage.settings.allowed_effects = i % 7 ? EffectSet::all() : EffectSet{};
             ASSERT_EQ(stage.draw_in(shared, i * 137), stage.draw_afresh(i * 137)) << "frame " << i;

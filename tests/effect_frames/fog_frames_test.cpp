@@ -22,7 +22,7 @@ MapText corridor(const std::string& fog) {
 }
 
 Camera along_corridor() {
-    return camera_at(place(kEyeX, kEyeY, kEyeZ), 0);
+    return camera_at(point_at(kEyeX, kEyeY, kEyeZ), 0);
 }
 
 /// How far along x the wall of a pixel is. The camera looks along x: 160 pixels across are a depth of 1, and 160 * 4/3

@@ -44,13 +44,13 @@ TEST(Coplanar, HardCaseE11_TheFaceOfAModelInTheWallsPlaneIsShownAlikeFromEverywh
     text.brushes = room({-256, -256, 0}, {256, 256, 192}) + box({128, -200, 0}, {144, 200, 160});
     text.entities = entity_at("info_player_start", {-100, 0, 64}) +
                     entity("func_wall", {}, box({128, -60, 40}, {140, 60, 120}, "other"));
-    EffectStage stage(text, camera_at(place(-100, 0, 64), 0));
+    EffectStage stage(text, camera_at(point_at(-100, 0, 64), 0));
     std::set<std::uint8_t> shown;
     int looks = 0;
     for (int x = -150; x <= 100; x += 50)
         for (int y = -60; y <= 60; y += 24)
             for (int z = 40; z <= 140; z += 33, ++looks) {
-                stage.camera = camera_at(place(x + 0.25, y + 0.5, z), y / 4.0, (z - 80) / 6.0);
+                stage.camera = camera_at(point_at(x + 0.25, y + 0.5, z), y / 4.0, (z - 80) / 6.0);
                 const Picture picture = stage.draw();
                 // What is at the model's place: its middle and points near its corners, by the record of the plane.
                 for (std::size_t i = 0; i < picture.size(); ++i) {
@@ -79,7 +79,7 @@ TEST(Plan, HardCaseP5_EffectsThatTheFrameDoesNotCallForTakeNoOperation) {
     MapText plain;
     plain.brushes = room({-256, -256, 0}, {256, 256, 192});
     plain.entities = entity_at("info_player_start", {0, 0, 64}) + entity_at("light", {0, 0, 120});
-    EffectStage empty(plain, camera_at(place(0, 0, 64), 30));
+    EffectStage empty(plain, camera_at(point_at(0, 0, 64), 30));
     empty.draw(2'900);  // lights its surfaces
     empty.draw(2'900);
     EXPECT_EQ(empty.work.plan.effects, EffectSet{});
@@ -93,7 +93,7 @@ TEST(Plan, HardCaseP5_EffectsThatTheFrameDoesNotCallForTakeNoOperation) {
     EffectStage stage = everything(in_tank());
     std::set<std::size_t> sizes;
     for (int yaw = 0; yaw < 360; yaw += 30) {
-        stage.camera = camera_at(place(300, -200, 90), yaw, yaw % 60 - 30);
+        stage.camera = camera_at(point_at(300, -200, 90), yaw, yaw % 60 - 30);
         stage.settings.allowed_effects = allowed;
         stage.draw(2'900);  // lights its surfaces
         const Picture with = stage.draw(2'900);

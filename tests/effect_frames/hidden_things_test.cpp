@@ -27,18 +27,18 @@ constexpr HiddenThing kThings[]{
 class HiddenThings : public testing::TestWithParam<HiddenThing> {};
 
 TEST_P(HiddenThings, AreComputedOnlyFromWhereTheyMayShow) {
-    EffectStage stage(room_with_hidden(GetParam()), camera_at(place(-150, 0, 90), 0));
+    EffectStage stage(room_with_hidden(GetParam()), camera_at(point_at(-150, 0, 90), 0));
     const bool is_rain = std::string_view(GetParam().name) == "rain";
     const auto is_computed = [&] { return stage.work.view.depth.is_wanted(); };
     stage.draw();
     EXPECT_FALSE(is_computed());
     EXPECT_EQ(stage.work.counts.stages.particles, 0);
-    stage.camera = camera_at(place(-150, 200, 90), -45);  // past the wall
+    stage.camera = camera_at(point_at(-150, 200, 90), -45);  // past the wall
     stage.draw();
     EXPECT_TRUE(is_computed());
     EXPECT_EQ(stage.work.counts.stages.particles, is_rain ? 200 : 0);
     EXPECT_GT(stage.pixels(Effect::Particles) + stage.pixels(Effect::Sprites), 0);
-    stage.camera = camera_at(place(120, 0, 90), 180);  // the wall is behind them
+    stage.camera = camera_at(point_at(120, 0, 90), 180);  // the wall is behind them
     stage.draw();
     EXPECT_TRUE(is_computed());
 }
@@ -48,10 +48,10 @@ INSTANTIATE_TEST_SUITE_P(Of, HiddenThings, testing::ValuesIn(kThings),
 
 /// From eyes all around: where it is left out, each dot that it would have lies on pixels of the wall before it.
 TEST(RainBehindAWall, IsLeftOutWhereTheWallHidesAllOfItsDots) {
-    EffectStage stage(room_with_hidden(kThings[0]), camera_at(place(-150, 0, 90), 0));
+    EffectStage stage(room_with_hidden(kThings[0]), camera_at(point_at(-150, 0, 90), 0));
     int hidden = 0, shown = 0;
     for (int y = -240; y <= 240; y += 4) {
-        stage.camera = camera_at(place(-150, y, 90), -y / 5.0);
+        stage.camera = camera_at(point_at(-150, y, 90), -y / 5.0);
         stage.draw();
         const bool is_computed = stage.work.counts.stages.particles > 0;
         (is_computed ? shown : hidden) += 1;

@@ -9,7 +9,7 @@ namespace oblong::test {
 namespace {
 
 Camera in_room() {
-    return camera_at(place(-200, 3, 100), 0, 10);
+    return camera_at(point_at(-200, 3, 100), 0, 10);
 }
 
 MapText plain_box() {
@@ -47,7 +47,7 @@ TEST(Hostile, TenThousandMovingLights) {
     const Picture dark = stage.draw();
     for (int i = 0; i < 10'000; ++i)
         stage.moving_lights.push_back(
-            {place(i % 100 * 5 - 250, i / 100 * 5 - 250, 10 + i % 170), World::from_int(i % 300), i % 1000});
+            {point_at(i % 100 * 5 - 250, i / 100 * 5 - 250, 10 + i % 170), World::from_int(i % 300), i % 1000});
     EXPECT_NE(stage.draw(), dark);
     expect_same_afresh(stage);
     const World far = World::highest(), near = World::lowest();
@@ -114,7 +114,7 @@ TEST(Hostile, FourThousandBrushModels) {
     EXPECT_EQ(stage.draw(), stage.draw_afresh());
     EXPECT_GT(stage.pixels(Effect::BrushModels), 20'000);
     for (int i = 0; i < 4'096; ++i)  // all into each other
-        stage.models[static_cast<std::size_t>(i)].offset = place(i % 7 - i % 16 * 24, i % 5 - i / 16 % 16 * 30, 0);
+        stage.models[static_cast<std::size_t>(i)].offset = point_at(i % 7 - i % 16 * 24, i % 5 - i / 16 % 16 * 30, 0);
     EXPECT_EQ(stage.draw(), stage.draw_afresh());
 }
 
@@ -205,7 +205,7 @@ TEST(Hostile, EyesInThePlaneOfAMirrorAndOfASheetOfWater) {
     EffectStage stage(text, in_room());
     for (const double x : {-0.001, 0.0, 0.001, 4.0})
         for (const double z : {99.999, 100.0, 100.001}) {
-            stage.camera = camera_at(place(x, 3, z), 170, 1);
+            stage.camera = camera_at(point_at(x, 3, z), 170, 1);
             expect_same_afresh(stage);
         }
 }

@@ -27,7 +27,7 @@ MapText pool(const std::string& liquid, const std::vector<std::array<std::string
 }
 
 Camera above() {
-    return camera_at(place(-200, 3, 120), 0, 30);
+    return camera_at(point_at(-200, 3, 120), 0, 30);
 }
 
 TEST(Liquids, MoveOnTheirOwnPixelsAndRepeat) {
@@ -127,11 +127,11 @@ TEST(Translucency, NotAllowedIsOpaque) {
 }
 
 TEST(Underwater, OnlyWhereTheEyeIsInALiquid) {
-    EffectStage stage(pool("*water"), camera_at(place(-200, 3, 33), 0, 10));
+    EffectStage stage(pool("*water"), camera_at(point_at(-200, 3, 33), 0, 10));
     stage.draw();
     EXPECT_FALSE(stage.has("underwater"));
     EXPECT_EQ(stage.pixels(Effect::Underwater), 0);
-    stage.camera.eye = place(-200, 3, 31);
+    stage.camera.eye = point_at(-200, 3, 31);
     const Picture start = stage.draw();
     EXPECT_TRUE(stage.has("underwater"));
     EXPECT_EQ(stage.pixels(Effect::Underwater), kPicturePixels);
@@ -143,7 +143,7 @@ TEST(Underwater, OnlyWhereTheEyeIsInALiquid) {
 
 /// Waves move pixels by a few, and invent no colour.
 TEST(Underwater, ShowsPixelsFromNearby) {
-    EffectStage stage(pool("*water"), camera_at(place(-200, 3, 16), 0, 10));
+    EffectStage stage(pool("*water"), camera_at(point_at(-200, 3, 16), 0, 10));
     const Picture waving = stage.draw(500), still = stage.draw_without(Effect::Underwater, 500);
     constexpr int kReach = 9;  // twice the amplitude of 3 to and fro, and the part that is cut off for it
     for (int y = 0; y < kPictureHeight; ++y)
@@ -162,7 +162,7 @@ TEST(Sky, DriftsOnItsOwnPixelsAndRepeats) {
     text.brushes = box({-272, -272, -16}, {272, 272, 0}) + box({-272, -272, 192}, {272, 272, 208}, "sky") +
                    box({-272, -272, 0}, {-256, 272, 192}) + box({256, -272, 0}, {272, 272, 192}) +
                    box({-256, -272, 0}, {256, -256, 192}) + box({-256, 256, 0}, {256, 272, 192});
-    EffectStage stage(text, camera_at(place(-200, 3, 100), 0, -20));
+    EffectStage stage(text, camera_at(point_at(-200, 3, 100), 0, -20));
     const Picture start = stage.draw(0), later = stage.draw(1'500);
     EXPECT_GT(stage.pixels("sky"), 5'000);
     EXPECT_GT(changed_pixels(start, later), 200);

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <bitset>
 #include <cmath>
-#include <numbers>
 
 #include "engine/accuracy/accuracy.h"
 #include "engine/effects/colour_tables.h"
@@ -90,7 +89,7 @@ std::vector<PlacedMesh> placed_balls(const Meeting& meeting) {
     for (const Whole& at : meeting.balls) {
         placed.emplace_back();
         placed.back().mesh = &mesh;
-        placed.back().position = place(at[0], at[1], at[2]);
+        placed.back().position = point_at(at[0], at[1], at[2]);
         placed.back().least_light = 256;  // all shades but the shadows' are the colour itself
     }
     return placed;
@@ -182,7 +181,7 @@ Colours thing_colours(const Point& eye, const Point& ray, const Meeting& meeting
     const auto passes = [&](const Whole& at, double reach) {
         const Point to{at[0] - eye.x, at[1] - eye.y, at[2] - eye.z};
         const double along = std::max(0.0, dot(to, ray) / dot(ray, ray));
-        const Point off{to.x - along * ray.x, to.y - along * ray.y, to.z - along * ray.z};
+        const Point off = to - ray * along;
         return dot(off, off) < reach * reach;
     };
     for (const Whole& at : meeting.balls)
@@ -218,34 +217,6 @@ Colours allowed_colours(const Sight& sight, const Point& eye, const Point& ray, 
     return colours;
 }
 
-/// Directions through the screen of a camera without roll.
-struct Rays {
-    Point eye, ahead, left, up;
-
-    explicit Rays(const Camera& camera)
-        : eye{camera.eye.x.raw / 4096.0, camera.eye.y.raw / 4096.0, camera.eye.z.raw / 4096.0} {
-        const auto radians = [](Angle angle) { return angle.bam * std::numbers::pi / 32768; };
-        const double yaw = radians(camera.yaw), pitch = radians(camera.pitch);
-        ahead = {std::cos(yaw) * std::cos(pitch), std::sin(yaw) * std::cos(pitch), -std::sin(pitch)};
-        left = {-std::sin(yaw), std::cos(yaw), 0};
-        up = {std::cos(yaw) * std::sin(pitch), std::sin(yaw) * std::sin(pitch), std::cos(pitch)};
-    }
-    Point through(double column, double row) const {
-        const double x = (160 - column) / 160, y = (100 - row) / (160 / 1.2);
-        return {ahead.x + x * left.x + y * up.x, ahead.y + x * left.y + y * up.y, ahead.z + x * left.z + y * up.z};
-    }
-};
-
-/// What is met by the rays through a pixel's centre and `margin` pixels beside it; nothing where these differ.
-std::optional<Sight> sight_of_pixel(const Rays& rays, int column, int row, double margin, const Meeting& meeting) {
-    const Sight sight = sight_along(rays.eye, rays.through(column + 0.5, row + 0.5), meeting);
-    for (const double dx : {-margin, margin})
-        for (const double dy : {-margin, margin})
-            if (sight_along(rays.eye, rays.through(column + 0.5 + dx, row + 0.5 + dy), meeting) != sight)
-                return std::nullopt;
-    return sight;
-}
-
 std::string text_of(const Whole& at) {
     return std::to_string(at[0]) + " " + std::to_string(at[1]) + " " + std::to_string(at[2]);
 }
@@ -263,15 +234,16 @@ std::string text_of(const Meeting& meeting) {
 
 /// Every eleventh pixel, another one in each row.
 void expect_allowed_colours(const Picture& picture, const EffectStage& stage, const Meeting& meeting) {
-    const Rays rays(stage.camera);
+    const TrueCamera camera(stage.camera);
     constexpr double kMargin = 0.1;  // of vertices on the screen
     for (int pixel = 0; pixel < kPicturePixels; pixel += 11) {
         const int column = pixel % kPictureWidth, row = pixel / kPictureWidth;
-        const std::optional<Sight> sight = sight_of_pixel(rays, column, row, kMargin, meeting);
+        const auto sight = at_all_rays(camera, column, row, kMargin,
+                                       [&](const Point& ray) { return sight_along(camera.eye, ray, meeting); });
         if (!sight || shows_mirror(*sight)) continue;
-        const Point ray = rays.through(column + 0.5, row + 0.5);
+        const Point ray = camera.through_pixel(column, row);
         const std::uint8_t colour = picture[static_cast<std::size_t>(pixel)];
-        if (!allowed_colours(*sight, rays.eye, ray, meeting, stage.colormap)[colour])
+        if (!allowed_colours(*sight, camera.eye, ray, meeting, stage.colormap)[colour])
             RC_FAIL("pixel " + std::to_string(column) + ", " + std::to_string(row) + " has colour " +
                     std::to_string(colour) + " before " +
                     (sight->opaque.empty() ? "the room" : sight->opaque.front()->texture) + " and " +
@@ -293,7 +265,7 @@ RC_GTEST_PROP(PropertyMeetings, EachPixelHasAColourThatRaysAllow, ()) {
     EffectStage stage(compile_meeting(meeting), {}, effect_colours(), placed_balls(meeting));
     for (int frame = 0; frame < 4; ++frame) {
         const Whole eye = {*rc::gen::inRange(-250, 250), *rc::gen::inRange(-250, 250), *rc::gen::inRange(3, 188)};
-        stage.camera = camera_at(place(eye[0] + 0.3, eye[1] + 0.7, eye[2] + 0.1), *rc::gen::inRange(0, 360),
+        stage.camera = camera_at(point_at(eye[0] + 0.3, eye[1] + 0.7, eye[2] + 0.1), *rc::gen::inRange(0, 360),
                                  *rc::gen::inRange(-80, 80));
         const std::int64_t time_ms = *rc::gen::element<std::int64_t>(0, 137, 2'900, std::int64_t{1} << 33);
         stage.settings.accuracy = accuracy_of(*rc::gen::elementOf(kPresets));

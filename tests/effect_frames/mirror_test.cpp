@@ -3,7 +3,7 @@
 #include "tests/effect_frames/effect_stage.h"
 #include "tools/gallery/mesh_scene.h"
 
-namespace oblong::test {
+namespace oblong::test::mirror_test {
 namespace {
 
 /// A room with a mirror on its far wall, a lantern near the eye, and lamps at both sides.
@@ -16,7 +16,7 @@ MapText mirror_room(const std::string& entities = "") {
 }
 
 Camera toward_mirror() {
-    return camera_at(place(-100, 3, 90), 0);
+    return camera_at(point_at(-100, 3, 90), 0);
 }
 
 TEST(Mirrors, ShowWhatIsBehindTheEye) {
@@ -46,7 +46,7 @@ TEST(Mirrors, ShowMeshesBeforeThemAndNoneBehind) {
     placed.least_light = 256;
     EffectStage stage(mirror_room(), toward_mirror());
     const Picture bare = stage.draw();
-    placed.position = place(-200, 30, 90);
+    placed.position = point_at(-200, 30, 90);
     stage.meshes = {placed};
     const Picture with = stage.draw();
     EXPECT_FALSE(stage.has(Effect::Models)) << "none of the frame's own";
@@ -55,7 +55,7 @@ TEST(Mirrors, ShowMeshesBeforeThemAndNoneBehind) {
         if (with[i] == kBall) ++(i % kPictureWidth < kPictureWidth / 2 ? left : right);
     EXPECT_GT(left, 50) << "on the side of +y, as a mirror shows it";
     EXPECT_GT(left, right);
-    stage.meshes[0].position = place(300, 0, 90);
+    stage.meshes[0].position = point_at(300, 0, 90);
     EXPECT_EQ(stage.draw(), bare);
 }
 
@@ -88,4 +88,4 @@ TEST(Mirrors, WithLightsOnOneSideOnlyBuildNoSurfaceAgain) {
 }
 
 }  // namespace
-}  // namespace oblong::test
+}  // namespace oblong::test::mirror_test

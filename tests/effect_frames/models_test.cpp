@@ -7,7 +7,7 @@
 #include "tests/effect_frames/effect_stage.h"
 #include "tools/gallery/mesh_scene.h"
 
-namespace oblong::test {
+namespace oblong::test::models_test {
 namespace {
 
 constexpr std::uint8_t kBall = 220;  // no texture's
@@ -25,10 +25,6 @@ PlacedMesh ball_at(const Vec3<World>& position) {
     return placed;
 }
 
-Point point_of(const Vec3<World>& p) {
-    return {p.x.raw / 4096.0, p.y.raw / 4096.0, p.z.raw / 4096.0};
-}
-
 /// A room with a pillar in the middle.
 MapText pillared_room(const std::string& entities = "") {
     MapText text;
@@ -38,27 +34,19 @@ MapText pillared_room(const std::string& entities = "") {
 }
 
 Camera before_pillar() {
-    return camera_at(place(-200, 3, 90), 0, 0);
-}
-
-/// The direction of a ray through a place on the screen, 1 along the view, from a camera that looks along +x.
-Point ray_through(double column, double row) {
-    return {1, -(column - 160) / 160, -(row - 100) / (160 / 1.2)};
+    return camera_at(point_at(-200, 3, 90), 0, 0);
 }
 
 /// How far along the view a ray meets the mesh where it stands; infinite if it does not.
 double mesh_distance(const PlacedMesh& placed, const Point& eye, const Point& ray) {
-    const auto cross = [](Point p, Point q) {
-        return Point{p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
-    };
     double nearest = INFINITY;
-    const Point middle = point_of(placed.position) - eye, aside = cross(middle, ray);
+    const Point middle = to_point(placed.position) - eye, aside = cross(middle, ray);
     if (dot(aside, aside) > 41 * 41 * dot(ray, ray)) return INFINITY;
     for (const MeshTriangle& triangle : placed.mesh->triangles) {
         std::array<Point, 3> corners;
         for (std::size_t i = 0; i < 3; ++i) {
             const Vec3<World> p = placed.mesh->frames[0].vertices[triangle.vertices[i]].position + placed.position;
-            corners[i] = point_of(p) - eye;
+            corners[i] = to_point(p) - eye;
         }
         const auto& [a, b, c] = corners;
         const double whole = dot(a, cross(b, c));
@@ -75,23 +63,15 @@ void for_each_pixel(auto visit) {
             visit(column, row, static_cast<std::size_t>(row * kPictureWidth + column));
 }
 
-/// What holds for the rays through a pixel's centre and 1/50 pixel beside it; nothing where it differs.
-std::optional<bool> at_all_rays(std::int32_t column, std::int32_t row, auto holds) {
-    const bool in_middle = holds(ray_through(column + 0.5, row + 0.5));
-    for (const double dx : {-0.02, 0.02})
-        for (const double dy : {-0.02, 0.02})
-            if (holds(ray_through(column + 0.5 + dx, row + 0.5 + dy)) != in_middle) return std::nullopt;
-    return in_middle;
-}
+constexpr double kMargin = 0.02;  // of the rays through a pixel
 
 /// How far along the view the face is that a pixel shows.
 double face_distance(const EffectStage& stage, std::size_t pixel, const Point& eye, const Point& ray) {
     const Face* face = stage.face_at(pixel);
     if (!face) return INFINITY;
     const LevelPlane& plane = stage.level.planes[face->plane];
-    const Point normal{std::ldexp(plane.normal.x.raw, -30), std::ldexp(plane.normal.y.raw, -30),
-                       std::ldexp(plane.normal.z.raw, -30)};
-    return (std::ldexp(static_cast<double>(plane.distance.raw), -42) - dot(normal, eye)) / dot(normal, ray);
+    const Point normal = to_point(plane.normal);
+    return (number_of(plane.distance) - dot(normal, eye)) / dot(normal, ray);
 }
 
 TEST(Models, AreDrawnWhereTheyAreNearerThanFaces) {
@@ -99,20 +79,21 @@ TEST(Models, AreDrawnWhereTheyAreNearerThanFaces) {
     for (const auto& [x, y, z] : {std::array{-60, 0, 90}, std::array{0, 20, 90}, std::array{60, 30, 80},
                                   std::array{40, 230, 90}, std::array{-80, -60, 0}}) {
         EffectStage stage(pillared_room(), before_pillar());
-        stage.meshes = {ball_at(place(x, y, z))};
+        stage.meshes = {ball_at(point_at(x, y, z))};
         const Picture picture = stage.draw();
         const Picture bare = stage.draw_without(Effect::Models);
-        const Point eye = point_of(stage.camera.eye);
+        const TrueCamera camera(stage.camera);
         std::int64_t ball = 0, covered = 0;
         for_each_pixel([&](std::int32_t column, std::int32_t row, std::size_t pixel) {
             const auto is_nearer = [&](const Point& ray) {
-                return mesh_distance(stage.meshes[0], eye, ray) < face_distance(stage, pixel, eye, ray);
+                return mesh_distance(stage.meshes[0], camera.eye, ray) < face_distance(stage, pixel, camera.eye, ray);
             };
-            const std::optional<bool> nearer = at_all_rays(column, row, is_nearer);
+            const std::optional<bool> nearer = at_all_rays(camera, column, row, kMargin, is_nearer);
             if (!nearer) return;
             ASSERT_EQ(picture[pixel], *nearer ? kBall : bare[pixel]) << x << ", " << y << ": " << column << ", " << row;
             ball += *nearer;
-            covered += !*nearer && mesh_distance(stage.meshes[0], eye, ray_through(column + 0.5, row + 0.5)) < INFINITY;
+            covered +=
+                !*nearer && mesh_distance(stage.meshes[0], camera.eye, camera.through_pixel(column, row)) < INFINITY;
         });
         EXPECT_GT(ball, 300) << x << ", " << y;
         if (x == 0 || x == 60) {
@@ -123,14 +104,14 @@ TEST(Models, AreDrawnWhereTheyAreNearerThanFaces) {
 
 TEST(Models, BehindAWallAreNotOnThePlan) {
     EffectStage stage(pillared_room(), before_pillar());
-    stage.meshes = {ball_at(place(60, 0, 90))};
+    stage.meshes = {ball_at(point_at(60, 0, 90))};
     stage.meshes[0].scale = {Entry::from_raw(1 << 28), Entry::from_raw(1 << 28), Entry::from_raw(1 << 28)};
     const Picture picture = stage.draw();
     EXPECT_FALSE(stage.has(Effect::Models));
     EXPECT_FALSE(stage.has("models"));
     stage.meshes.clear();
     EXPECT_EQ(stage.draw(), picture);
-    for (const Vec3<World>& place_of_ball : {place(-400, 0, 90), place(60, 0, 5000), place(0, 600, 90)}) {
+    for (const Vec3<World>& place_of_ball : {point_at(-400, 0, 90), point_at(60, 0, 5000), point_at(0, 600, 90)}) {
         stage.meshes = {ball_at(place_of_ball)};
         EXPECT_EQ(stage.draw(), picture);
         EXPECT_FALSE(stage.has("models"));
@@ -140,7 +121,7 @@ TEST(Models, BehindAWallAreNotOnThePlan) {
 TEST(Models, NotAllowedAreNotDrawn) {
     EffectStage stage(pillared_room(), before_pillar());
     const Picture bare = stage.draw();
-    stage.meshes = {ball_at(place(-60, 0, 90))};
+    stage.meshes = {ball_at(point_at(-60, 0, 90))};
     EXPECT_NE(stage.draw(), bare);
     EXPECT_TRUE(stage.has(Effect::Models));
     EXPECT_GT(stage.pixels(Effect::Models), 1000);
@@ -154,18 +135,19 @@ TEST(Models, StandOutOfTranslucentWater) {
     text.brushes = room({-256, -256, 0}, {256, 256, 192}) + box({-256, -256, 0}, {256, 256, 60}, "*water");
     text.entities = entity_at("info_player_start", {-100, 0, 164});
     text.world_keys = {{"wateralpha", "0.5"}};
-    EffectStage stage(text, camera_at(place(-200, 3, 120), 0, 0));
-    stage.meshes = {ball_at(place(0, 0, 60))};
+    EffectStage stage(text, camera_at(point_at(-200, 3, 120), 0, 0));
+    stage.meshes = {ball_at(point_at(0, 0, 60))};
     const Picture picture = stage.draw(1'000);
     EXPECT_TRUE(stage.has(Effect::Translucency));
-    const Point eye = point_of(stage.camera.eye);
+    const TrueCamera camera(stage.camera);
     std::int64_t above = 0, below = 0;
     for_each_pixel([&](std::int32_t column, std::int32_t row, std::size_t pixel) {
-        const auto meets = [&](const Point& ray) { return mesh_distance(stage.meshes[0], eye, ray) < INFINITY; };
+        const auto meets = [&](const Point& ray) { return mesh_distance(stage.meshes[0], camera.eye, ray) < INFINITY; };
         const auto is_before = [&](const Point& ray) {
-            return mesh_distance(stage.meshes[0], eye, ray) < (ray.z < 0 ? -60 / ray.z : INFINITY);
+            return mesh_distance(stage.meshes[0], camera.eye, ray) < (ray.z < 0 ? -60 / ray.z : INFINITY);
         };
-        const auto is_met = at_all_rays(column, row, meets), is_above = at_all_rays(column, row, is_before);
+        const auto is_met = at_all_rays(camera, column, row, kMargin, meets),
+                   is_above = at_all_rays(camera, column, row, kMargin, is_before);
         if (!is_met || !*is_met || !is_above) return;
         const int colour = picture[pixel];
         if (*is_above) {
@@ -187,9 +169,9 @@ TEST(Models, ShowInTheHolesOfAFenceBeforeThem) {
     text.brushes = room({-256, -256, 0}, {256, 256, 192});
     text.entities = entity("func_wall", {}, box({-4, -256, 0}, {4, 256, 192}, "{bars")) +
                     entity_at("info_player_start", {-100, 0, 64});
-    EffectStage stage(text, camera_at(place(-150, 3, 90), 0, 0));
+    EffectStage stage(text, camera_at(point_at(-150, 3, 90), 0, 0));
     for (const int x : {-60, 60}) {
-        stage.meshes = {ball_at(place(x, 0, 90))};
+        stage.meshes = {ball_at(point_at(x, 0, 90))};
         const PlacedModel fence = stage.models[0];
         stage.models.clear();
         const Picture open = stage.draw();
@@ -210,10 +192,10 @@ TEST(Models, MayHideAllOfAFence) {
     text.entities =
         entity("func_wall", {}, box({0, -8, 82}, {2, 8, 98}, "{bars")) + entity_at("info_player_start", {-100, 0, 64});
     for (const Preset preset : kPresets) {
-        EffectStage stage(text, camera_at(place(-150, 3, 90), 0, 0));
+        EffectStage stage(text, camera_at(point_at(-150, 3, 90), 0, 0));
         stage.settings.accuracy = accuracy_of(preset);
         EXPECT_GT(count_of(stage.draw(), kBars), 0);
-        stage.meshes = {ball_at(place(-60, 0, 90))};
+        stage.meshes = {ball_at(point_at(-60, 0, 90))};
         EXPECT_EQ(count_of(stage.draw(), kBars), 0);
     }
 }
@@ -223,7 +205,7 @@ TEST(Models, AreLitByTheFloorBelowAndByWhatMoves) {
     const auto mean_shade = [&](const std::string& light, std::vector<MovingLight> moving) {
         MapText text = pillared_room(entity_at("light", {-60, 0, 150}, {{"light", light}}));
         EffectStage stage(text, before_pillar(), shades_as_colours());
-        stage.meshes = {ball_at(place(-60, 0, 60))};
+        stage.meshes = {ball_at(point_at(-60, 0, 60))};
         stage.meshes[0].mesh = &plain;
         stage.meshes[0].least_light = 0;
         stage.moving_lights = std::move(moving);
@@ -234,10 +216,10 @@ TEST(Models, AreLitByTheFloorBelowAndByWhatMoves) {
         return sum / count;
     };
     const double dim = mean_shade("100", {}), bright = mean_shade("300", {});
-    const double torch = mean_shade("100", {{place(-150, 0, 90), World::from_int(200), 256}});
+    const double torch = mean_shade("100", {{point_at(-150, 0, 90), World::from_int(200), 256}});
     EXPECT_GT(dim, bright + 3);
     EXPECT_GT(dim, torch + 3);
 }
 
 }  // namespace
-}  // namespace oblong::test
+}  // namespace oblong::test::models_test

@@ -16,7 +16,7 @@ MapText fenced_room(const std::string& entities = "") {
 }
 
 Camera before_fence() {
-    return camera_at(place(-150, 3, 90), 0, 0);
+    return camera_at(point_at(-150, 3, 90), 0, 0);
 }
 
 std::string lamp_at(const Whole& origin, const std::string& scale = "2") {
@@ -124,7 +124,7 @@ TEST(Shadows, FallOnTheirFloorAndOnNothingElse) {
     text.brushes = room({-256, -256, 0}, {256, 256, 192}) + box({10, -100, 0}, {60, 100, 40}, "other");
     text.entities = entity_at("misc_sprite", {0, 0, 40}, {{"texture", "{lamp"}, {"shadow", "40"}}) +
                     entity_at("info_player_start", {-100, 0, 64});
-    EffectStage stage(text, camera_at(place(-150, 3, 120), 0, 30));
+    EffectStage stage(text, camera_at(point_at(-150, 3, 120), 0, 30));
     const Picture with = stage.draw();
     EXPECT_TRUE(stage.has("shadows"));
     EXPECT_TRUE(stage.has(Effect::Shadows));

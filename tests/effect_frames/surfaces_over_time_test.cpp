@@ -21,7 +21,7 @@ std::uint8_t sign_at(std::int64_t time_ms) {
 }
 
 TEST(AnimatedTextures, ShowTheFrameOfTheTime) {
-    EffectStage stage(sign_room(), camera_at(place(-150, 3, 90), 0));
+    EffectStage stage(sign_room(), camera_at(point_at(-150, 3, 90), 0));
     ASSERT_EQ(stage.models.size(), 1u);
     for (const std::int64_t time_ms : {0, 199, 200, 400, 599, 600, 200, 1'000'000'000}) {
         SCOPED_TRACE(time_ms);
@@ -57,7 +57,7 @@ bool has_style(const Face* face) {
 }
 
 TEST(LightStyles, RelightOnlyFacesThatHaveThem) {
-    EffectStage stage(lit_room("aazz"), camera_at(place(200, 3, 100), 180), shades_as_colours());
+    EffectStage stage(lit_room("aazz"), camera_at(point_at(200, 3, 100), 180), shades_as_colours());
     const Picture dark = stage.draw(0);
     const std::int64_t all = stage.work.counts.stages.lit_texels;
     EXPECT_TRUE(stage.has(Effect::Styles));
@@ -83,7 +83,7 @@ TEST(LightStyles, RelightOnlyFacesThatHaveThem) {
 }
 
 TEST(LightStyles, OutOfSightCostNothing) {
-    EffectStage stage(lit_room("aazz"), camera_at(place(200, 3, 100), 0), shades_as_colours());
+    EffectStage stage(lit_room("aazz"), camera_at(point_at(200, 3, 100), 0), shades_as_colours());
     const Picture away = stage.draw(0);
     EXPECT_FALSE(stage.has(Effect::Styles));
     EXPECT_EQ(stage.draw(200), away);
@@ -92,15 +92,15 @@ TEST(LightStyles, OutOfSightCostNothing) {
 }
 
 TEST(LightStyles, NotAllowedAreAsStored) {
-    EffectStage stage(lit_room("aazz"), camera_at(place(200, 3, 100), 180), shades_as_colours());
-    EffectStage plain(lit_room("m"), camera_at(place(200, 3, 100), 180), shades_as_colours());
+    EffectStage stage(lit_room("aazz"), camera_at(point_at(200, 3, 100), 180), shades_as_colours());
+    EffectStage plain(lit_room("m"), camera_at(point_at(200, 3, 100), 180), shades_as_colours());
     for (const std::int64_t time_ms : {0, 200})
         EXPECT_EQ(stage.draw_without(Effect::Styles, time_ms), plain.draw(time_ms));
     EXPECT_FALSE(plain.has(Effect::Styles));
 }
 
 TEST(LightStyles, FlashesOffAreOneBrightnessAtAllTimes) {
-    EffectStage stage(lit_room("aazz"), camera_at(place(200, 3, 100), 180), shades_as_colours());
+    EffectStage stage(lit_room("aazz"), camera_at(point_at(200, 3, 100), 180), shades_as_colours());
     stage.settings.flashes = Flashes::Off;
     const Picture first = stage.draw(0);
     for (std::int64_t time_ms = 100; time_ms < 1'000; time_ms += 100) EXPECT_EQ(stage.draw(time_ms), first);
@@ -109,10 +109,10 @@ TEST(LightStyles, FlashesOffAreOneBrightnessAtAllTimes) {
 }
 
 TEST(MovingLights, BrightenWhatTheyReachAndLeaveNothingBehind) {
-    EffectStage stage(lit_room("m"), camera_at(place(200, 3, 100), 180), shades_as_colours());
+    EffectStage stage(lit_room("m"), camera_at(point_at(200, 3, 100), 180), shades_as_colours());
     const Picture without = stage.draw();
     EXPECT_FALSE(stage.has(Effect::Lights));
-    stage.moving_lights = {{place(-400, 100, 20), World::from_int(150)}};
+    stage.moving_lights = {{point_at(-400, 100, 20), World::from_int(150)}};
     const Picture with = stage.draw();
     EXPECT_TRUE(stage.has(Effect::Lights));
     const std::int64_t touched = stage.pixels(Effect::Lights);
@@ -126,7 +126,7 @@ TEST(MovingLights, BrightenWhatTheyReachAndLeaveNothingBehind) {
     EXPECT_LE(brighter, touched);
     EXPECT_EQ(stage.draw_without(Effect::Lights), without);
     EXPECT_EQ(stage.pixels(Effect::Lights), 0);
-    stage.moving_lights[0].position = place(900, 0, 100);  // behind the eye
+    stage.moving_lights[0].position = point_at(900, 0, 100);  // behind the eye
     EXPECT_EQ(stage.draw(), without);
     EXPECT_FALSE(stage.has(Effect::Lights));
     stage.moving_lights.clear();

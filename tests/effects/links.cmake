@@ -1,2 +1,1 @@
 set(LINKS oblong_effects)
-set(APART ALL)

@@ -9,7 +9,7 @@
 
 #include "tests/support/views.h"
 
-namespace oblong::test {
+namespace oblong::test::particle_dots_test {
 
 namespace {
 
@@ -156,4 +156,4 @@ TEST(ParticleDots, ARectangleHoldsThemAll) {
     EXPECT_TRUE(touches([](const auto& dot) { return dot.end_row; }, around.end_row));
 }
 
-}  // namespace oblong::test
+}  // namespace oblong::test::particle_dots_test

@@ -11,7 +11,7 @@
 #include "engine/surface/palette.h"
 #include "tests/support/views.h"
 
-namespace oblong::test {
+namespace oblong::test::sprites_test {
 
 namespace {
 
@@ -179,4 +179,4 @@ TEST(Sprites, OfAnySizeAndPlaceReadTheirOwnTexelsOnly) {
     EXPECT_GT(drawn, 1000);
 }
 
-}  // namespace oblong::test
+}  // namespace oblong::test::sprites_test

@@ -7,7 +7,7 @@
 
 #include "engine/effects/warp.h"
 
-namespace oblong::test {
+namespace oblong::test::underwater_test {
 
 namespace {
 
@@ -112,4 +112,4 @@ TEST(Underwater, ReachesTheEdgesOfThePicture) {
     EXPECT_EQ(*std::max_element(drawn.end() - 320, drawn.end()), 2);
 }
 
-}  // namespace oblong::test
+}  // namespace oblong::test::underwater_test

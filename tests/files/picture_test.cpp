@@ -10,6 +10,7 @@
 #include "engine/base/input_error.h"
 #include "tests/files/png_writer.h"
 #include "tests/support/bsp_writer.h"
+#include "tests/support/refusal.h"
 
 namespace oblong::test {
 namespace {
@@ -89,12 +90,7 @@ Bytes bmp(int width, int height) {
 }
 
 std::string complaint_of(const Bytes& file) {
-    try {
-        decode_picture(file);
-        return "";
-    } catch (const InputError& error) {
-        return error.where + ": " + error.what();
-    }
+    return refusal([&] { decode_picture(file); });
 }
 
 void expect_the_colours(const PngImage& image, int width, int height) {

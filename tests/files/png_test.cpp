@@ -7,8 +7,9 @@
 #include "tests/files/png_writer.h"
 #include "tests/support/folders.h"
 #include "tests/support/pictures.h"
+#include "tests/support/refusal.h"
 
-namespace oblong::test {
+namespace oblong::test::png_test {
 namespace {
 
 /// Colour i is (i, 255 - i, i xor 90): all different.
@@ -108,12 +109,7 @@ TEST(Png, TrueColoursAlphaGreysAnd16BitsAreRead) {
 }
 
 std::string complaint_of(const PngBytes& file) {
-    try {
-        decode_png(file);
-        return "";
-    } catch (const InputError& error) {
-        return error.where + ": " + error.what();
-    }
+    return refusal([&] { decode_png(file); });
 }
 
 TEST(Png, FaultsAreNamed) {
@@ -242,4 +238,4 @@ TEST(SamePicture, SaysWhereItDiffersAndWritesBothPictures) {
 }
 
 }  // namespace
-}  // namespace oblong::test
+}  // namespace oblong::test::png_test

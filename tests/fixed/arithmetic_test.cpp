@@ -10,7 +10,7 @@
 #include "engine/fixed/reciprocal.h"
 #include "engine/fixed/share.h"
 
-namespace oblong {
+namespace oblong::test {
 
 namespace {
 
@@ -198,14 +198,6 @@ TEST(HardCaseA5, ReciprocalNeverRisesWhereAPartOfTheTableEnds) {
                 << static_cast<int>(method) << " " << part;
         }
 }
-
-}  // namespace
-
-}  // namespace oblong
-
-namespace oblong::test {
-
-namespace {
 
 using Number = Fixed<std::int64_t, 41>;
 

@@ -9,7 +9,7 @@
 #include "engine/fixed/power.h"
 #include "engine/methods/square_root.h"
 
-namespace oblong {
+namespace oblong::test::root_test {
 
 namespace {
 
@@ -124,4 +124,4 @@ TEST(Power, OfTheEndsIsExact) {
 
 }  // namespace
 
-}  // namespace oblong
+}  // namespace oblong::test::root_test

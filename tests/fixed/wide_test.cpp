@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-namespace oblong {
+namespace oblong::test::wide_test {
 namespace {
 
 __extension__ using Int128 = __int128;
@@ -128,4 +128,4 @@ TEST(Wide, ProductsCompareAsTheirExactValues) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test::wide_test

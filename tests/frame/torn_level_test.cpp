@@ -7,27 +7,16 @@
 #include "engine/platform/worker_threads.h"
 #include "tests/frame/holes.h"
 #include "tests/support/pictures.h"
-#include "tests/support/point.h"
+#include "tests/support/random.h"
+#include "tests/support/views.h"
 
-namespace oblong::test {
+namespace oblong::test::torn_level_test {
 namespace {
 
-Camera camera_at(std::int32_t x, std::int32_t y, std::int32_t z, std::int64_t yaw_degrees) {
-    Camera camera;
-    camera.eye = {World::from_int(x), World::from_int(y), World::from_int(z)};
-    camera.yaw = Angle::from_bam(yaw_degrees * 65536 / 360);
-    return camera;
-}
-
-/// Where the ray through the middle of a pixel of 320x200 on 4:3, 90 degrees across, meets a plane; no pitch, no roll.
-Point meeting(const Camera& camera, int column, int row, const LevelPlane& plane) {
-    const double yaw = camera.yaw.bam * 6.283185307179586 / 65536;
-    const double right = (column + 0.5 - 160) / 160, up = -(row + 0.5 - 100) / 100 * 0.75;
-    const Point eye = to_point(camera.eye), normal = to_point(plane.normal);
-    const Point ray{std::cos(yaw) + right * std::sin(yaw), std::sin(yaw) - right * std::cos(yaw), up};
-    const double distance = static_cast<double>(plane.distance.raw) / std::pow(2.0, 42);
-    const double t = (distance - dot(normal, eye)) / dot(normal, ray);
-    return eye + ray * t;
+/// Where the ray through the middle of a pixel meets a plane.
+Point meeting(const TrueCamera& camera, int column, int row, const LevelPlane& plane) {
+    const Point ray = camera.through_pixel(column, row), normal = to_point(plane.normal);
+    return camera.eye + ray * ((number_of(plane.distance) - dot(normal, camera.eye)) / dot(normal, ray));
 }
 
 /// Whether solid begins behind a place of a wall and the open ends before it; `depth` units off it.
@@ -70,16 +59,8 @@ Stage torn_stage(std::mt19937& random) {
     return stage;
 }
 
-Camera random_camera(const Level& level, std::mt19937& random) {
-    for (;;) {
-        const LevelBox& box = level.world().box;
-        const auto within = [&](std::size_t axis) {
-            return box.mins[axis] + static_cast<int>(random() % static_cast<unsigned>(box.maxs[axis] - box.mins[axis]));
-        };
-        Camera camera = camera_at(within(0), within(1), within(2), static_cast<std::int64_t>(random() % 360));
-        camera.eye.x.raw += 1234, camera.eye.y.raw += 2345, camera.eye.z.raw += 3456;
-        if (is_open(level, camera.eye)) return camera;
-    }
+Camera random_level_camera(const Level& level, std::mt19937& random) {
+    return {random_open_point(level, random), random_angle(random), {}, {}};
 }
 
 struct Tally {
@@ -90,7 +71,7 @@ struct Tally {
 void check_torn_spans(const Stage& stage, const Camera& camera, const Claims& claims, Tally& tally) {
     for (const TornSpan& torn : claims.torn) {
         const int column = (torn.span.first + torn.span.end) / 2, row = torn.span.y;
-        const Point place = meeting(camera, column, row, stage.level.planes[torn.plane]);
+        const Point place = meeting(TrueCamera(camera), column, row, stage.level.planes[torn.plane]);
         ++tally.pixels;
         tally.off_walls += !is_wall_at(stage.level, place, torn, 0.125);
         tally.off_textures += !is_shade_there(stage, stage.level.faces[torn.face], place,
@@ -107,7 +88,7 @@ TEST(TornLevel, WhereAFaceIsMissingItsWallIsDrawnWithTheTextureOfTheNextOne) {
         const auto work = counting_workspace(stage);
         EXPECT_GT(work->cache.faces.torn_edges, 20u);
         for (int frames = 0; frames < 50; ++frames) {
-            const Camera camera = random_camera(stage.level, random);
+            const Camera camera = random_level_camera(stage.level, random);
             expect_each_pixel_once(stage, camera, *work);
             check_torn_spans(stage, camera, work->view.claims, tally);
         }
@@ -126,7 +107,7 @@ TEST(TornLevel, AFreshWorkspaceDrawsTheSameBytes) {
     WorkerThreads workers(1);
     FrameWorkspace shared(stage.level, stage.mode, &workers);
     for (int frames = 0; frames < 20; ++frames) {
-        const Camera camera = random_camera(stage.level, random);
+        const Camera camera = random_level_camera(stage.level, random);
         FrameWorkspace fresh(stage.level, stage.mode);
         stage.draw(camera, used);
         const std::vector<std::uint8_t> pixels = stage.pixels;
@@ -156,4 +137,4 @@ TEST(TornLevel, EveryEdgeThatOneFaceAloneWalksIsCounted) {
 }
 
 }  // namespace
-}  // namespace oblong::test
+}  // namespace oblong::test::torn_level_test

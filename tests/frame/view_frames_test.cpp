@@ -6,13 +6,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "engine/view/views.h"
 #include "tests/frame/holes.h"
 #include "tests/support/random.h"
+#include "tests/support/views.h"
 
-namespace oblong::test {
+namespace oblong::test::view_frames_test {
 
 namespace {
 
@@ -76,6 +76,8 @@ bool contains(const TrueFace& face, const Point& p) {
 struct Hit {
     const TrueFace* face = nullptr;
     Point at{};
+
+    bool operator==(const Hit& other) const { return face == other.face; }
 };
 
 Hit first_hit(const std::vector<TrueFace>& faces, const Ray& ray, const ViewSpec& view) {
@@ -99,17 +101,6 @@ struct Tally {
     double texel_error = 0;
 };
 
-/// The face that all rays within 1/64 pixel of a pixel's middle meet; none where they do not agree.
-std::optional<Hit> surely_hit(const std::vector<TrueFace>& faces, const TrueView& truth, const ViewSpec& view,
-                              int column, int row) {
-    const Hit middle = first_hit(faces, truth.through(column + 0.5, row + 0.5), view);
-    for (const double dx : {-1 / 64.0, 1 / 64.0})
-        for (const double dy : {-1 / 64.0, 1 / 64.0})
-            if (first_hit(faces, truth.through(column + 0.5 + dx, row + 0.5 + dy), view).face != middle.face)
-                return std::nullopt;
-    return middle;
-}
-
 double texel(const Vec3<TexelAxis>& axis, Texel offset, const Point& p) {
     return dot(to_point(axis), p) + number_of(offset);
 }
@@ -127,7 +118,8 @@ class ViewFrames {
         draw(view);
         for (int i = 0; i < pixels; ++i) {
             const int column = random_below(random, 320), row = random_below(random, 200);
-            const std::optional<Hit> hit = surely_hit(faces_, truth, view, column, row);
+            const auto hit =
+                at_all_rays(truth, column, row, 1 / 64.0, [&](const Ray& ray) { return first_hit(faces_, ray, view); });
             if (hit)
                 compare(*hit, work_.record.pixels[static_cast<std::size_t>(row * 320 + column)], column, row, tally);
             else
@@ -297,4 +289,4 @@ TEST_P(ViewFramesOfLevels, OffCentreOnesArePartsOfLargerPictures) {
 
 OBLONG_FOR_REAL_LEVELS(ViewFramesOfLevels);
 
-}  // namespace oblong::test
+}  // namespace oblong::test::view_frames_test

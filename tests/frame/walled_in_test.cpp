@@ -10,7 +10,7 @@
 #include "tests/support/random.h"
 #include "tests/support/views.h"
 
-namespace oblong::test {
+namespace oblong::test::walled_in_test {
 
 namespace {
 
@@ -109,4 +109,4 @@ TEST(OutOfTheWorld, LookingAwayIsColour0FromEdgeToEdge) {
     EXPECT_EQ(std::count(stage.pixels.begin(), stage.pixels.end(), 0), 320 * 200);
 }
 
-}  // namespace oblong::test
+}  // namespace oblong::test::walled_in_test

@@ -20,9 +20,9 @@ endif()
 # A program for each, with Clang's libFuzzer. It includes the parts of the game that read files and play.
 find_package(ZLIB REQUIRED)
 file(GLOB SOURCES CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/common/*.cpp)
-add_library(fuzzed STATIC ${SOURCES} ${CMAKE_CURRENT_LIST_DIR}/../map/map_source.cpp)
+add_library(fuzzed STATIC ${SOURCES})
 target_link_libraries(fuzzed PUBLIC oblong_frame oblong_platform_sdl oblong_game_saves oblong_game_options oblong_game_sound
-                                    oblong_tool_map oblong_tool_probe oblong_tool_cameras test_support GTest::gtest ZLIB::ZLIB)
+                                    test_levels oblong_tool_probe oblong_tool_cameras test_support GTest::gtest ZLIB::ZLIB)
 foreach(SOURCE ${FUZZ_TARGETS})
     get_filename_component(NAME ${SOURCE} NAME_WE)
     add_executable(fuzz_${NAME} ${SOURCE})

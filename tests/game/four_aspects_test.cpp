@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace oblong {
+namespace oblong::test::four_aspects_test {
 namespace {
 
 // Width to height of the picture as the window shows it.
@@ -45,4 +45,4 @@ TEST(FourAspects, SayWhatEachIs) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test::four_aspects_test

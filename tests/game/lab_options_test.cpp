@@ -4,7 +4,7 @@
 
 #include "game/program/view_options.h"
 
-namespace oblong {
+namespace oblong::test::lab_options_test {
 namespace {
 
 constexpr ScreenMode kMode{};
@@ -131,4 +131,4 @@ TEST(Controls, KeysOfPanelsWalk) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test::lab_options_test

@@ -7,7 +7,7 @@
 #include "game/simulation/step.h"
 #include "tests/game/logic_level.h"
 
-namespace oblong {
+namespace oblong::test::movers_test {
 namespace {
 
 using test::floor_and;
@@ -235,4 +235,4 @@ TEST(GameLevel, TooManyMoversAreRefused) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test::movers_test

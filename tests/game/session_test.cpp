@@ -9,7 +9,7 @@
 #include "engine/platform/headless/headless.h"
 #include "tests/support/folders.h"
 
-namespace oblong {
+namespace oblong::test::session_test {
 namespace {
 
 using Picture = std::vector<std::uint8_t>;
@@ -121,4 +121,4 @@ TEST_F(SessionOfTheDemo, ArrowsWalkUnlessTheLabIsOpen) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test::session_test

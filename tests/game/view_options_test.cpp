@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace oblong {
+namespace oblong::test::view_options_test {
 namespace {
 
 std::string press(Action command, ViewOptions& options) {
@@ -55,4 +55,4 @@ TEST(ViewOptions, FlashesReachTheFrame) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test::view_options_test

@@ -9,6 +9,7 @@
 
 #include "engine/methods/axes.h"
 #include "engine/view/screen_polygon.h"
+#include "tests/support/random.h"
 #include "tools/probe/probe.h"
 #include "tools/reference/view.h"
 
@@ -42,10 +43,6 @@ std::string join(const Values&... values) {
 /// The nearest multiple of 1/256: what lengths of queries are.
 inline double snapped(double value) {
     return std::nearbyint(value * 256) / 256;
-}
-
-inline double random_between(std::mt19937& random, double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random);
 }
 
 inline std::int32_t random_integer(std::mt19937& random, std::int32_t low, std::int32_t high) {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-namespace oblong {
+namespace oblong::test::bsp_floats_test {
 namespace {
 
 FloatBits bits_of(float value) {
@@ -159,4 +159,4 @@ TEST(BspFloats, OddOnesAreNamed) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test::bsp_floats_test

@@ -1,2 +1,1 @@
 set(LINKS oblong_level)
-set(APART ALL)

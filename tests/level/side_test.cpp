@@ -10,7 +10,7 @@
 #include "tests/support/levels.h"
 #include "tests/support/random.h"
 
-namespace oblong {
+namespace oblong::test::side_test {
 namespace {
 
 __extension__ typedef __int128 Int128;
@@ -165,4 +165,4 @@ TEST(PlaneSide, DistanceKeepsItsStatedBound) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test::side_test

@@ -1,3 +1,2 @@
 find_package(rapidcheck REQUIRED)
 set(LINKS oblong_methods rapidcheck)
-set(APART ALL)

@@ -9,7 +9,7 @@
 
 #include "engine/draw/font.h"
 
-namespace oblong {
+namespace oblong::test::menu_layout_test {
 namespace {
 
 std::string random_text(std::mt19937& random, int longest) {
@@ -110,4 +110,4 @@ TEST(MenuLayout, LongLinesAreCut) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test::menu_layout_test

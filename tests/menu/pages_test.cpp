@@ -6,7 +6,7 @@
 #include "game/menu/menu_pages.h"
 #include "tests/support/palettes.h"
 
-namespace oblong {
+namespace oblong::test::pages_test {
 namespace {
 
 constexpr CanvasSize kCanvas{320, 200};
@@ -367,4 +367,4 @@ TEST_F(EveryPage, CanBeDrawnAtAnySize) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test::pages_test

@@ -14,7 +14,7 @@
 #include "engine/methods/transforms.h"
 #include "tests/mesh/mesh_picture.h"
 
-namespace oblong::test {
+namespace oblong::test::draw_mesh_test {
 namespace {
 
 /// Draws a mesh by its stages, each of them whole. Not Shading::Flat.
@@ -56,10 +56,6 @@ void draw_by_stages(const PlacedMesh& placed, const Colormap& colormap, const Me
                 {picture.depth, {picture.pixels.data(), picture.width, picture.height, picture.width}, all});
         }
     }
-}
-
-double number_of(Unit part) {
-    return std::ldexp(part.raw, -30);
 }
 
 Skin checked_skin() {
@@ -227,4 +223,4 @@ TEST(DrawMesh, WeightsAreTheNearestQuotients) {
 }
 
 }  // namespace
-}  // namespace oblong::test
+}  // namespace oblong::test::draw_mesh_test

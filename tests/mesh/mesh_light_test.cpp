@@ -16,10 +16,6 @@ namespace oblong::test {
 
 namespace {
 
-Point unit_point(const Vec3<Unit>& v) {
-    return {std::ldexp(v.x.raw, -30), std::ldexp(v.y.raw, -30), std::ldexp(v.z.raw, -30)};
-}
-
 Vec3<Unit> random_direction(std::mt19937& random) {
     std::normal_distribution<double> part;
     return unit_vector(part(random), part(random), part(random));
@@ -29,7 +25,7 @@ TEST(MeshLight, OfADirectionIsTheDotProduct) {
     std::mt19937 random(1);
     for (int i = 0; i < 1000; ++i) {
         const Vec3<Unit> normal = random_direction(random), toward = random_direction(random);
-        const double expected = 200 * std::max(0.0, dot(unit_point(normal), unit_point(toward)));
+        const double expected = 200 * std::max(0.0, dot(to_point(normal), to_point(toward)));
         EXPECT_NEAR(diffuse_light(normal, DirectionalLight{toward, 200}) / 256.0, expected, 1 / 256.0);
     }
     EXPECT_EQ(diffuse_light(unit_vector(0, 0, 1), DirectionalLight{unit_vector(0, 0, 1), 128}), 128 * 256);
@@ -46,7 +42,7 @@ TEST(MeshLight, OfAPlaceIsTheDotProductTimesWhatIsLeftOfItsRadius) {
         const MovingLight light{to_world({10, 20, 30}), World::from_int(300), 128};
         const Point q = to_point(to_world(p)), way{10 - q.x, 20 - q.y, 30 - q.z};
         const double distance = std::sqrt(dot(way, way));
-        const double cosine = dot(unit_point(normal), {way.x / distance, way.y / distance, way.z / distance});
+        const double cosine = dot(to_point(normal), {way.x / distance, way.y / distance, way.z / distance});
         const double expected = distance >= 300 ? 0 : std::max(0.0, (300 - distance) / 2 * cosine);
         EXPECT_NEAR(diffuse_light(to_world(p), normal, light) / 256.0, expected, 0.01);
         lit += expected > 0;
@@ -113,7 +109,7 @@ TEST(Shading, GouraudsShadeGoesEvenlyOverTheScreen) {
     MeshPicture picture(view_from({}));
     picture.draw(placed, numbered_shades(), {20, kFromEye, {}, 100});
     std::array<double, 4> shades;
-    for (std::size_t i = 0; i < 4; ++i) shades[i] = shade_of_light(20 + 100 * -unit_point(normals[i]).x);
+    for (std::size_t i = 0; i < 4; ++i) shades[i] = shade_of_light(20 + 100 * -to_point(normals[i]).x);
     for (std::int32_t y = 50; y < 150; ++y)
         for (std::int32_t x = 98; x < 222; ++x) {
             const Point at = place_on_square(x, y);
@@ -148,14 +144,6 @@ TEST(Shading, PhongsNormalGoesEvenlyAndItsHighlightWithIt) {
             brightest = std::min<double>(brightest, picture.at(x, y));
         }
     EXPECT_NEAR(brightest, shade_of_light(180), 1.1);
-}
-
-double number_of(Unit value) {
-    return std::ldexp(static_cast<double>(value.raw), -30);
-}
-
-double dot_of(const Vec3<Unit>& a, const Vec3<Unit>& b) {
-    return number_of(a.x) * number_of(b.x) + number_of(a.y) * number_of(b.y) + number_of(a.z) * number_of(b.z);
 }
 
 /// A mesh of one vertex, whose normal goes from one direction to another.
@@ -197,12 +185,12 @@ TEST(HardCaseT5, ABlendIsOfLengthOneEndsExactlyAndStaysOnTheShorterArc) {
         double nearness = 1.1;
         for (int blend = 0; blend <= 256; blend += 8) {
             const Vec3<Unit> between = blended(mesh, blend);
-            const double length = std::sqrt(dot_of(between, between));
+            const double length = std::sqrt(dot(to_point(between), to_point(between)));
             ASSERT_NEAR(length, 1, 0x1p-24) << i << ' ' << blend;
             // From `from` on, ever farther away: never back, never round the other side.
-            ASSERT_LE(dot_of(between, from), nearness + 0x1p-24) << i << ' ' << blend;
-            nearness = dot_of(between, from);
-            ASSERT_GE(nearness, dot_of(from, to) - 0x1p-24) << i << ' ' << blend;
+            ASSERT_LE(dot(to_point(between), to_point(from)), nearness + 0x1p-24) << i << ' ' << blend;
+            nearness = dot(to_point(between), to_point(from));
+            ASSERT_GE(nearness, dot(to_point(from), to_point(to)) - 0x1p-24) << i << ' ' << blend;
         }
     }
 }

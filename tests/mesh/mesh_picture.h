@@ -4,27 +4,12 @@
 #include <vector>
 
 #include "engine/mesh/draw_mesh.h"
+#include "tests/support/palettes.h"
 #include "tests/support/views.h"
 #include "tools/gallery/mesh_scene.h"
 #include "tools/gallery/row.h"
 
 namespace oblong::test {
-
-/// Every shade shows the colours themselves.
-inline Colormap unshaded() {
-    Colormap colormap;
-    for (auto& shade : colormap.shades)
-        for (std::size_t colour = 0; colour < 256; ++colour) shade[colour] = static_cast<std::uint8_t>(colour);
-    return colormap;
-}
-
-/// A pixel shows the number of its shade.
-inline Colormap numbered_shades() {
-    Colormap colormap;
-    for (std::size_t shade = 0; shade < Colormap::kShades; ++shade)
-        colormap.shades[shade].fill(static_cast<std::uint8_t>(shade));
-    return colormap;
-}
 
 /// A picture with the depth of its pixels, at first infinitely far and of colour 255.
 struct MeshPicture {

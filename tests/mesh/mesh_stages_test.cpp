@@ -11,7 +11,7 @@
 #include "tests/mesh/mesh_picture.h"
 #include "tests/support/point.h"
 
-namespace oblong::test {
+namespace oblong::test::mesh_stages_test {
 namespace {
 
 constexpr double kTurn = 2 * 3.14159265358979323846;
@@ -30,10 +30,6 @@ Axes axes_of(double yaw, double pitch, double roll) {
             {cr * sp * cy + sr * sy, cr * sp * sy - sr * cy, cr * cp}};
 }
 
-Point unit_point(const Vec3<Unit>& v) {
-    return {std::ldexp(v.x.raw, -30), std::ldexp(v.y.raw, -30), std::ldexp(v.z.raw, -30)};
-}
-
 PlacedMesh random_place(const Mesh& mesh, std::mt19937& random) {
     std::uniform_real_distribution<double> anywhere(-2000, 2000), size(0.2, 3);
     PlacedMesh placed = placed_at(mesh, world_point(anywhere(random), anywhere(random), anywhere(random)));
@@ -43,10 +39,6 @@ PlacedMesh random_place(const Mesh& mesh, std::mt19937& random) {
     const auto entry = [&] { return Entry::from_raw(std::llround(std::ldexp(size(random), 32))); };
     placed.scale = {entry(), entry(), entry()};
     return placed;
-}
-
-double number_of(Entry entry) {
-    return std::ldexp(static_cast<double>(entry.raw), -32);
 }
 
 double turns(Angle angle) {
@@ -67,7 +59,7 @@ TEST(MeshStages, PointsAndNormalsGoToTheWorld) {
         const Point origin = to_point(placed.position);
         for (std::size_t v = 0; v < world.size(); ++v) {
             const Point p = to_point(mesh.frames[0].vertices[v].position);
-            const Point n = unit_point(mesh.frames[0].vertices[v].normal);
+            const Point n = to_point(mesh.frames[0].vertices[v].normal);
             const auto turned = [&](double x, double y, double z) {
                 return Point{axes.ahead.x * x + axes.left.x * y + axes.up.x * z,
                              axes.ahead.y * x + axes.left.y * y + axes.up.y * z,
@@ -80,7 +72,7 @@ TEST(MeshStages, PointsAndNormalsGoToTheWorld) {
             // The inverse transpose of R S is R S^-1.
             Point normal = turned(n.x / sx, n.y / sy, n.z / sz);
             const double length = std::sqrt(dot(normal, normal));
-            const Point is = unit_point(world[v].normal);
+            const Point is = to_point(world[v].normal);
             ASSERT_NEAR(is.x, normal.x / length, 1e-7);
             ASSERT_NEAR(is.y, normal.y / length, 1e-7);
             ASSERT_NEAR(is.z, normal.z / length, 1e-7);
@@ -101,7 +93,7 @@ TEST(MeshStages, NormalsStayAtRightAnglesWhenAMeshIsSqueezed) {
     ASSERT_TRUE(transform);
     std::vector<WorldVertex> world;
     transform_to_world(mesh.frames[0].vertices, *transform, world);
-    const Point along = to_point(world[1].position), right = unit_point(world[0].normal);
+    const Point along = to_point(world[1].position), right = to_point(world[0].normal);
     EXPECT_NEAR(along.x, 40, 1e-3);
     EXPECT_NEAR(dot(along, right), 0, 1e-3);
     EXPECT_NEAR(right.x, 1 / std::sqrt(17.0), 1e-8);
@@ -151,7 +143,7 @@ TEST(MeshStages, APoseIsBetweenTwoFrames) {
         placed.blend_256 = blend;
         const double radius = 10 + 20 * std::clamp(blend, 0, 256) / 256.0;
         for (const MeshVertex& vertex : pose_of(placed, scratch)) {
-            const Point p = to_point(vertex.position), n = unit_point(vertex.normal);
+            const Point p = to_point(vertex.position), n = to_point(vertex.normal);
             ASSERT_NEAR(std::sqrt(dot(p, p)), radius, 1e-3);
             ASSERT_NEAR(dot(p, n), radius, 1e-3);
         }
@@ -240,4 +232,4 @@ TEST(MeshStages, ABoxHoldsAllVertices) {
 }
 
 }  // namespace
-}  // namespace oblong::test
+}  // namespace oblong::test::mesh_stages_test

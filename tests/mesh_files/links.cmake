@@ -1,2 +1,1 @@
 set(LINKS oblong_files)
-set(APART obj_test.cpp)

@@ -9,7 +9,7 @@
 #include "engine/files/files.h"
 #include "engine/files/obj_check.h"
 
-namespace oblong {
+namespace oblong::test::obj_test {
 namespace {
 
 double number(World value) {
@@ -324,4 +324,4 @@ TEST_F(ObjFiles, AHundredThousandFacesAtOneCornerAreRead) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test::obj_test

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <random>
 
+#include "engine/files/doubles.h"
 #include "engine/methods/transforms.h"
 #include "engine/view/project.h"
 
@@ -13,10 +14,6 @@ namespace oblong {
 namespace {
 
 using Real4 = std::array<double, 4>;
-
-double number(Entry value) {
-    return std::ldexp(static_cast<double>(value.raw), -32);
-}
 
 Entry entry(double value) {
     return Entry::from_raw(static_cast<std::int64_t>(std::ldexp(value, 32)));
@@ -28,7 +25,7 @@ Vec4 corner(double x, double y, double z = 0.5, double w = 1) {
 
 /// The coordinates that the six sides of the volume compare, without the engine's function.
 std::array<double, 6> distances(const Vec4& p) {
-    const double x = number(p.x), y = number(p.y), z = number(p.z), w = number(p.w);
+    const double x = number_of(p.x), y = number_of(p.y), z = number_of(p.z), w = number_of(p.w);
     return {w + x, w - x, w + y, w - y, z, w - z};
 }
 
@@ -36,8 +33,8 @@ double doubled_area(const std::vector<Vec4>& polygon) {
     double sum = 0;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const Vec4 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-        const double ax = number(a.x) / number(a.w), ay = number(a.y) / number(a.w);
-        sum += ax * number(b.y) / number(b.w) - number(b.x) / number(b.w) * ay;
+        const double ax = number_of(a.x) / number_of(a.w), ay = number_of(a.y) / number_of(a.w);
+        sum += ax * number_of(b.y) / number_of(b.w) - number_of(b.x) / number_of(b.w) * ay;
     }
     return sum;
 }
@@ -82,7 +79,7 @@ std::vector<Vec4> any_triangle(std::mt19937& random, double size) {
 }
 
 Real4 numbers_of(const Vec4& p) {
-    return {number(p.x), number(p.y), number(p.z), number(p.w)};
+    return {number_of(p.x), number_of(p.y), number_of(p.z), number_of(p.w)};
 }
 
 /// Points of a triangle, by weights in twelfths.
@@ -154,10 +151,10 @@ TEST(VolumeMatrix, PutsTheViewsCornersOnTheVolumesCornersAndDepthsOn0And1) {
     const Matrix4 matrix = volume_matrix(projection, entry(4), entry(1000));
     // At depth 40 the view is 40 wide to each side, and 30 high: 4:3.
     const Vec4 at_corner = matrix * corner(40, 30, 40);
-    EXPECT_NEAR(number(at_corner.x) / number(at_corner.w), 1, 1e-8);
-    EXPECT_NEAR(number(at_corner.y) / number(at_corner.w), 1, 1e-8);
-    EXPECT_NEAR(number(point_of(matrix * corner(0, 0, 4))->z), 0, 1e-8);
-    EXPECT_NEAR(number(point_of(matrix * corner(0, 0, 1000))->z), 1, 1e-7);
+    EXPECT_NEAR(number_of(at_corner.x) / number_of(at_corner.w), 1, 1e-8);
+    EXPECT_NEAR(number_of(at_corner.y) / number_of(at_corner.w), 1, 1e-8);
+    EXPECT_NEAR(number_of(point_of(matrix * corner(0, 0, 4))->z), 0, 1e-8);
+    EXPECT_NEAR(number_of(point_of(matrix * corner(0, 0, 1000))->z), 1, 1e-7);
 }
 
 TEST(VolumeMatrix, LeadsToTheScreenPositionsThatProjectGives) {
@@ -173,8 +170,8 @@ TEST(VolumeMatrix, LeadsToTheScreenPositionsThatProjectGives) {
             const VolumeScreenPoint by_matrix =
                 volume_to_screen(matrix * homogeneous(p), mode.width_px, mode.height_px);
             const ScreenPosition by_multipliers = project(p, projection);
-            ASSERT_NEAR(number(by_matrix.x), std::ldexp(static_cast<double>(by_multipliers.x.raw), -8), 0.003);
-            ASSERT_NEAR(number(by_matrix.y), std::ldexp(static_cast<double>(by_multipliers.y.raw), -8), 0.003);
+            ASSERT_NEAR(number_of(by_matrix.x), std::ldexp(static_cast<double>(by_multipliers.x.raw), -8), 0.003);
+            ASSERT_NEAR(number_of(by_matrix.y), std::ldexp(static_cast<double>(by_multipliers.y.raw), -8), 0.003);
         }
     }
 }

@@ -12,7 +12,7 @@
 #include "engine/methods/clip_line.h"
 #include "engine/view/project.h"
 
-namespace oblong::test {
+namespace oblong::test::clip_line_test {
 namespace {
 
 using Point = Vec3<View>;
@@ -197,4 +197,4 @@ RC_GTEST_PROP(ProjectLine, StaysOnTheScreen, ()) {
 }
 
 }  // namespace
-}  // namespace oblong::test
+}  // namespace oblong::test::clip_line_test

@@ -6,68 +6,43 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <numbers>
 
 #include "engine/level/bsp_read.h"
 #include "engine/level/side.h"
 #include "engine/platform/worker_threads.h"
 #include "tests/effect_frames/effect_stage.h"
 #include "tests/support/folders.h"
+#include "tests/support/views.h"
 #include "tools/render/camera_list.h"
 
 namespace oblong::test {
 namespace {
 
-map::Point point_of(const Vec3<World>& p) {
-    return {p.x.raw / 4096., p.y.raw / 4096., p.z.raw / 4096.};
-}
-
-/// A camera in doubles, independent of the engine's.
-struct TrueView {
-    map::Point eye, right, up, forward;
-    double multiplier_x = 160, multiplier_y = 400 / 3.;  // 90 degrees across at 320x200 on 4:3
-
-    explicit TrueView(const Camera& camera) {
-        const auto radians = [](Angle angle) { return angle.bam * 2 * std::numbers::pi / 65536; };
-        const double yaw = radians(camera.yaw), pitch = radians(camera.pitch);
-        eye = point_of(camera.eye);
-        forward = {std::cos(pitch) * std::cos(yaw), std::cos(pitch) * std::sin(yaw), -std::sin(pitch)};
-        right = {std::sin(yaw), -std::cos(yaw), 0};
-        up = map::cross(right, forward);
-    }
-
-    map::Point ray(double x, double y) const {
-        return forward + right * ((x - 160) / multiplier_x) + up * ((100 - y) / multiplier_y);
-    }
-};
-
 /// A face of a stage in doubles.
 struct TrueFace {
-    map::Point normal;
+    Point normal;
     double distance = 0;
-    std::vector<map::Point> corners;
+    std::vector<Point> corners;
 
     TrueFace(const EffectStage& stage, const PixelRecord& record) {
         const Face& face = stage.level.faces[record.face];
-        const map::Point offset =
-            record.model.is_none() ? map::Point{} : point_of(stage.models[record.model.position()].offset);
+        const Point offset = record.model.is_none() ? Point{} : to_point(stage.models[record.model.position()].offset);
         for (const SurfEdge step : stage.level.edges_of(face))
-            corners.push_back(point_of(stage.level.vertices[stage.level.start_of(step)]) + offset);
+            corners.push_back(to_point(stage.level.vertices[stage.level.start_of(step)]) + offset);
         for (std::size_t i = 0; i < corners.size(); ++i)
-            normal = normal + map::cross(corners[i] - corners[0], corners[(i + 1) % corners.size()] - corners[0]);
-        distance = map::dot(normal, corners[0]);
+            normal = normal + cross(corners[i] - corners[0], corners[(i + 1) % corners.size()] - corners[0]);
+        distance = dot(normal, corners[0]);
     }
-    double depth(const TrueView& view, double x, double y) const {
-        return (distance - map::dot(normal, view.eye)) / map::dot(normal, view.ray(x, y));
+    double depth(const TrueCamera& view, double x, double y) const {
+        return (distance - dot(normal, view.eye)) / dot(normal, view.through(x, y));
     }
     /// How far a point of the screen is from the line of the nearest edge, pixels.
-    double pixels_to_edge(const TrueView& view, double x, double y) const {
+    double pixels_to_edge(const TrueCamera& view, double x, double y) const {
         double nearest = 1e9;
         for (std::size_t i = 0; i < corners.size(); ++i) {
-            const map::Point line = map::cross(corners[i] - view.eye, corners[(i + 1) % corners.size()] - view.eye);
-            const double a = map::dot(line, view.right) / view.multiplier_x,
-                         b = map::dot(line, view.up) / view.multiplier_y;
-            nearest = std::min(nearest, std::abs(map::dot(line, view.ray(x, y))) / std::hypot(a, b));
+            const Point line = cross(corners[i] - view.eye, corners[(i + 1) % corners.size()] - view.eye);
+            const double a = dot(line, view.right) / view.kAcross, b = dot(line, view.up) / view.kDown;
+            nearest = std::min(nearest, std::abs(dot(line, view.through(x, y))) / std::hypot(a, b));
         }
         return nearest;
     }
@@ -77,7 +52,7 @@ struct TrueFace {
 constexpr double kSnap_px = 1. / 256;
 
 /// Whether two faces are equally deep within kSnap_px of a point of the screen.
-bool may_be_equally_deep(const TrueFace& a, const TrueFace& b, const TrueView& view, double x, double y) {
+bool may_be_equally_deep(const TrueFace& a, const TrueFace& b, const TrueCamera& view, double x, double y) {
     double least = 1e9, most = -1e9;
     for (const double dx : {-kSnap_px, kSnap_px})
         for (const double dy : {-kSnap_px, kSnap_px}) {
@@ -114,8 +89,8 @@ MapText random_world(std::mt19937& random) {
 
 Camera random_camera(const Level& level, std::mt19937& random) {
     while (true) {
-        const Vec3<World> eye = place(random_between(random, -240, 240), random_between(random, -240, 240),
-                                      random_between(random, 16, 240));
+        const Vec3<World> eye = point_at(random_between(random, -240, 240), random_between(random, -240, 240),
+                                         random_between(random, 16, 240));
         if (level.leaves[find_leaf(level, level.world(), eye)].contents == contents::kEmpty)
             return camera_at(eye, random_between(random, 0, 360), random_between(random, -40, 40));
     }
@@ -142,7 +117,7 @@ bool is_same(const PixelRecord& a, const PixelRecord& b) {
 /// A pixel at which a method shows another face than the span buffer.
 struct Difference {
     TrueFace expected, found;
-    TrueView view;
+    TrueCamera view;
     double x, y;
 
     bool is_tie() const { return may_be_equally_deep(expected, found, view, x, y); }
@@ -158,7 +133,7 @@ std::vector<Difference> differences_of(HiddenSurfaces method, const Camera& came
     for (int pixel = 0; pixel < kPicturePixels; ++pixel) {
         const PixelRecord &a = item(expected.records, pixel), &b = item(found.records, pixel);
         if (is_same(a, b)) continue;
-        differences.push_back({TrueFace(stage, a), TrueFace(stage, b), TrueView(camera), pixel % kPictureWidth + 0.5,
+        differences.push_back({TrueFace(stage, a), TrueFace(stage, b), TrueCamera(camera), pixel % kPictureWidth + 0.5,
                                pixel / kPictureWidth + 0.5});
     }
     return differences;

@@ -9,6 +9,7 @@
 #include "engine/methods/line_and_plane.h"
 #include "engine/view/projection.h"
 #include "tests/support/point.h"
+#include "tests/support/random.h"
 
 namespace oblong::test {
 namespace {
@@ -44,10 +45,6 @@ class Scene {
 /// The true ray through the centre of a pixel.
 Point ray_of(int column, int row) {
     return {1, -(column + 0.5 - 32) / 32, (20 - row - 0.5) / (32 * (4 / 3.) * 40 / 64)};
-}
-
-double random_between(std::mt19937& random, double low, double high) {
-    return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
 }
 
 std::array<Point, 4> square(double x, double half, double left = 0) {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace oblong::test {
+namespace oblong::test::triangles_test {
 namespace {
 
 constexpr std::array<TriangleMethod, 3> kMethods{TriangleMethod::FlatParts, TriangleMethod::EdgeWalking,
@@ -246,4 +246,4 @@ TEST(QuantityOver, OfATriangleWithoutAreaIsNothing) {
 }
 
 }  // namespace
-}  // namespace oblong::test
+}  // namespace oblong::test::triangles_test

@@ -1,2 +1,1 @@
 set(LINKS oblong_game_options)
-set(APART tables.cpp)

@@ -9,7 +9,7 @@
 
 #include "tests/support/random.h"
 
-namespace oblong::test {
+namespace oblong::test::depth_test {
 
 namespace {
 
@@ -126,4 +126,4 @@ TEST(DepthBuffer, SpansTouchItOnlyWhereTheyReachIntoItsRows) {
         EXPECT_FALSE(touches(span)) << span.y << ", " << span.first;
 }
 
-}  // namespace oblong::test
+}  // namespace oblong::test::depth_test

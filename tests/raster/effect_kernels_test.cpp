@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "tests/support/random.h"
+#include "tests/raster/random_blocks.h"
 
 namespace oblong::test {
 
@@ -31,21 +31,6 @@ struct RandomTexels {
     }
 };
 
-/// Coordinates that go anywhere within 65,535 texels.
-std::vector<TexelBlock> random_blocks(std::mt19937& random, std::uint32_t pixels) {
-    std::vector<TexelBlock> blocks;
-    for (std::uint32_t pixel = 0; pixel < pixels;) {
-        const std::int32_t count = 1 + static_cast<std::int32_t>(random() % 90);
-        const auto coordinate = [&] { return static_cast<std::int64_t>(random() % 0xffff0000u); };
-        const std::int64_t u = coordinate(), v = coordinate();
-        blocks.push_back({pixel, count, static_cast<std::uint32_t>(u), static_cast<std::uint32_t>(v),
-                          static_cast<std::int32_t>((coordinate() - u) / count / (random() % 2 ? 1 : 4096)),
-                          static_cast<std::int32_t>((coordinate() - v) / count / (random() % 2 ? 1 : 4096))});
-        pixel += static_cast<std::uint32_t>(count + static_cast<std::int32_t>(random() % 3));
-    }
-    return blocks;
-}
-
 /// One pixel, by the definition, in 64 bits and by division.
 std::uint8_t defined(const EffectTexels& texels, TexelTraits traits, std::int64_t u_16, std::int64_t v_16,
                      std::uint8_t below) {
@@ -59,8 +44,9 @@ std::uint8_t defined(const EffectTexels& texels, TexelTraits traits, std::int64_
 }
 
 void expect_the_definition(std::mt19937& random, const RandomTexels& texels, TexelTraits traits) {
-    const std::vector<TexelBlock> blocks = random_blocks(random, 3000);
-    std::vector<std::uint8_t> behind(3100);
+    std::uint32_t pixel_count = 0;
+    const std::vector<TexelBlock> blocks = random_blocks(random, pixel_count);
+    std::vector<std::uint8_t> behind(pixel_count + 16);
     fill_at_random(behind, random);
     std::vector<std::uint8_t> expected = behind;
     for (const TexelBlock& block : blocks)

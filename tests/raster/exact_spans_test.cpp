@@ -8,7 +8,7 @@
 #include "engine/raster/perspective_range.h"
 #include "tests/support/random.h"
 
-namespace oblong::test {
+namespace oblong::test::exact_spans_test {
 namespace {
 
 constexpr std::int32_t kWidth = 320, kHeight = 4, kSize = 256;
@@ -178,4 +178,4 @@ TEST(ExactSpans, DrawTheBytesOfWarpedBlocksOfOnePixel) {
 }
 
 }  // namespace
-}  // namespace oblong::test
+}  // namespace oblong::test::exact_spans_test

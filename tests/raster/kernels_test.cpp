@@ -9,13 +9,13 @@
 #include <utility>
 #include <vector>
 
-#include "tests/support/random.h"
+#include "tests/raster/random_blocks.h"
 
 #if __has_include(<sys/mman.h>)
 #include <sys/mman.h>
 #endif
 
-namespace oblong::test {
+namespace oblong::test::kernels_test {
 
 namespace {
 
@@ -40,22 +40,7 @@ struct RandomSurface {
     }
 };
 
-constexpr std::int32_t kLongestBlock = 600;
 constexpr std::int64_t kGreatest_16 = (std::int64_t{65535} << 16) + 0xffff;
-
-/// A block whose coordinates stay within [0, 65,535] texels on the way, as the span cutter makes them.
-TexelBlock random_block(std::mt19937& random, std::uint32_t pixel) {
-    const auto longest = static_cast<std::uint32_t>(random() % 4 ? 64 : kLongestBlock);
-    const auto count = static_cast<std::int32_t>(1 + random() % longest);
-    const auto coordinate = [&] { return static_cast<std::uint32_t>(random() % 0xffff0000u); };
-    const std::uint32_t u = coordinate(), v = coordinate();
-    const auto step = [&](std::uint32_t from) {
-        const std::int64_t to = coordinate();
-        const std::int64_t whole = (to - from) / (random() % 2 ? 1 : 1 << 12);
-        return static_cast<std::int32_t>(whole / count);
-    };
-    return {pixel, count, u, v, step(u), step(v)};
-}
 
 /// A block from one limit of its coordinates to the other, or along one of them.
 TexelBlock block_at_limits(std::mt19937& random, std::uint32_t pixel, std::int32_t count) {
@@ -69,17 +54,6 @@ TexelBlock block_at_limits(std::mt19937& random, std::uint32_t pixel, std::int32
     const auto [u, u_step] = from_to();
     const auto [v, v_step] = from_to();
     return {pixel, count, u, v, u_step, v_step};
-}
-
-/// Blocks in any order, pixels that belong to none of them between: a kernel that writes beyond a block shows.
-std::vector<TexelBlock> random_blocks(std::mt19937& random, std::uint32_t& pixel_count) {
-    std::vector<TexelBlock> blocks;
-    for (pixel_count = 0; pixel_count < 5000; pixel_count += static_cast<std::uint32_t>(random() % 3)) {
-        blocks.push_back(random_block(random, pixel_count));
-        pixel_count += static_cast<std::uint32_t>(blocks.back().count);
-    }
-    std::shuffle(blocks.begin(), blocks.end(), random);
-    return blocks;
 }
 
 std::vector<std::uint8_t> drawn(BlockKernel kernel, const std::vector<TexelBlock>& blocks, const SurfaceView& surface,
@@ -205,4 +179,4 @@ TEST(Kernels, HardCaseX8_SizesThatAreNoPowersOfTwo) {
     }
 }
 
-}  // namespace oblong::test
+}  // namespace oblong::test::kernels_test

@@ -9,7 +9,7 @@
 #include "engine/raster/edge_walker.h"
 #include "tests/support/random.h"
 
-namespace oblong::test {
+namespace oblong::test::scan_test {
 
 namespace {
 
@@ -217,4 +217,4 @@ TEST(Scan, OfTooFewCornersIsEmpty) {
     }
 }
 
-}  // namespace oblong::test
+}  // namespace oblong::test::scan_test

@@ -10,7 +10,7 @@
 #include "engine/raster/texture_blocks.h"
 #include "tests/support/random.h"
 
-namespace oblong::test {
+namespace oblong::test::span_cutting_test {
 
 namespace {
 
@@ -218,4 +218,4 @@ TEST(SpanCutting, StopsWhereTheListIsFullAndGoesOnFromThere) {
     EXPECT_EQ(cut(rows, cutting, block_cutter(accuracy)).size(), 12000u);
 }
 
-}  // namespace oblong::test
+}  // namespace oblong::test::span_cutting_test

@@ -4,10 +4,9 @@
 
 #include "tests/reference/made_level.h"
 
-namespace oblong {
+namespace oblong::reference::colour_test {
 namespace {
 
-using namespace reference;
 using namespace test;
 
 /// Palette entry i is (i, 2 i mod 256, 100).
@@ -156,4 +155,4 @@ TEST(ReferenceColours, SkyAndPixelsWithoutAFaceAreExcluded) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::reference::colour_test

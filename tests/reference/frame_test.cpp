@@ -7,10 +7,9 @@
 
 #include "tests/reference/made_level.h"
 
-namespace oblong {
+namespace oblong::reference::frame_test {
 namespace {
 
-using namespace reference;
 using namespace test;
 
 /// Left, top, right and bottom of the pixels that show a face, which must fill that rectangle.
@@ -96,7 +95,7 @@ TEST(ReferenceFrame, NearerFacesHideFartherOnesInAnyOrder) {
 
 TEST(ReferenceFrame, FacesThatFaceAwayAreNotDrawn) {
     Level level = make_level();
-    add_face(level, {point_at(20, 40, 160), point_at(40, 40, 160), point_at(40, 20, 160), point_at(20, 20, 160)});
+    add_face(level, {shown_at(20, 40, 160), shown_at(40, 40, 160), shown_at(40, 20, 160), shown_at(20, 20, 160)});
     EXPECT_EQ(rectangle_of(draw(level, {}, make_plain_view()), 0), (Box{320, 200, 0, 0}));
 }
 
@@ -104,9 +103,9 @@ TEST(ReferenceFrame, DepthStaysWithinTheCorners) {
     // A plane through the corners on the left that misses those on the right by far.
     Level level = make_level();
     Face& face = add_face(
-        level, {point_at(100, 50, 100), point_at(200, 50, 120), point_at(200, 150, 120), point_at(100, 150, 100)});
+        level, {shown_at(100, 50, 100), shown_at(200, 50, 120), shown_at(200, 150, 120), shown_at(100, 150, 100)});
     face.plane.normal = {-0.5, -0.8, 0};
-    face.plane.offset = dot(face.plane.normal, point_at(100, 50, 100));
+    face.plane.offset = dot(face.plane.normal, shown_at(100, 50, 100));
     const Frame frame = draw(level, {}, make_plain_view());
     EXPECT_NEAR(frame.at(100, 100).z, 100, 0.5);
     EXPECT_NEAR(frame.at(199, 100).z, 120, 1e-9);
@@ -255,4 +254,4 @@ TEST(ReferenceFrame, EachPixelNamesThePlaneThatItShows) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::reference::frame_test

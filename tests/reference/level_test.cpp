@@ -5,7 +5,7 @@
 #include "tests/support/bsp_writer.h"
 #include "tools/reference/polygon.h"
 
-namespace oblong {
+namespace oblong::reference::level_test {
 namespace {
 
 using test::join_lumps;
@@ -125,4 +125,4 @@ TEST(ReferenceTJunctions, VerticesOnAnEdgeBecomeCornersOfBothSides) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::reference::level_test

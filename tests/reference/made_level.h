@@ -19,7 +19,7 @@ inline reference::View make_plain_view() {
 }
 
 /// The point of the plain view that shows at a place on the screen.
-inline Vec point_at(double column, double row, double depth) {
+inline Vec shown_at(double column, double row, double depth) {
     return {depth, (160 - column) * depth / 160, (100 - row) * depth / 160};
 }
 
@@ -50,8 +50,8 @@ inline reference::Face& add_face(reference::Level& level, const std::vector<Vec>
 /// A rectangle of the screen of the plain view, at right angles to it.
 inline reference::Face& add_rectangle(reference::Level& level, double left, double top, double right, double bottom,
                                       double depth = 160) {
-    return add_face(level, {point_at(left, top, depth), point_at(right, top, depth), point_at(right, bottom, depth),
-                            point_at(left, bottom, depth)});
+    return add_face(level, {shown_at(left, top, depth), shown_at(right, top, depth), shown_at(right, bottom, depth),
+                            shown_at(left, bottom, depth)});
 }
 
 }  // namespace oblong::test

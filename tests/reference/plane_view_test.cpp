@@ -5,16 +5,12 @@
 #include <random>
 
 #include "tests/reference/made_level.h"
+#include "tests/support/random.h"
 
-namespace oblong {
+namespace oblong::reference::plane_view_test {
 namespace {
 
-using namespace reference;
 using namespace test;
-
-double random_between(std::mt19937& random, double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random);
-}
 
 /// A plane through the middle of the screen at a depth of 20 to 1000, inclined by up to some 80 degrees, with skewed
 /// axes.
@@ -142,4 +138,4 @@ TEST(PlaneView, AxesAcrossThePlaneHaveNoPlaces) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::reference::plane_view_test

@@ -6,10 +6,8 @@
 
 #include "tools/reference/polygon.h"
 
-namespace oblong {
+namespace oblong::reference::rays_test {
 namespace {
-
-using namespace reference;
 
 std::int64_t random_integer(std::mt19937& random, std::int64_t low, std::int64_t high) {
     return std::uniform_int_distribution<std::int64_t>(low, high)(random);
@@ -115,4 +113,4 @@ TEST(Rays, CornersTooFarForExactDeterminantsAreRefused) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::reference::rays_test

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numeric>
 
 #include "engine/accuracy/accuracy.h"
 #include "engine/frame/frame.h"
@@ -10,6 +9,7 @@
 #include "engine/scene/placed_models.h"
 #include "engine/visibility/eye.h"
 #include "tests/support/folders.h"
+#include "tests/support/palettes.h"
 #include "tools/reference/frame.h"
 #include "tools/render/camera_list.h"
 
@@ -96,16 +96,9 @@ bool shows_nearby(const reference::Texture& texture, double u, double v, std::ui
     return false;
 }
 
-/// Draws texels without light.
-Colormap make_unlit_colormap() {
-    Colormap colormap;
-    for (auto& shade : colormap.shades) std::iota(shade.begin(), shade.end(), std::uint8_t{0});
-    return colormap;
-}
-
 TEST(ReferenceRealLevels, TheExactPresetShowsTheReferencesTexels) {
     OBLONG_NEEDS_SHARED_LEVELS();
-    const Colormap colormap = make_unlit_colormap();
+    const Colormap colormap = test::unshaded();
     const ScreenMode mode;
     Settings settings;
     settings.accuracy = accuracy_of(Preset::Exact);

@@ -1,2 +1,1 @@
 set(LINKS oblong_game)
-set(APART waves_test.cpp)

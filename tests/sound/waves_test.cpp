@@ -12,7 +12,7 @@
 #include "game/sound/sound_table.h"
 #include "tests/support/folders.h"
 
-namespace oblong {
+namespace oblong::test::waves_test {
 namespace {
 
 constexpr double kRate_hz = 22'050;
@@ -106,4 +106,4 @@ TEST(Waves, OfLoopsHaveNoSeam) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test::waves_test

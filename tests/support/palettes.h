@@ -1,6 +1,8 @@
 #pragma once
 
-#include "engine/surface/palette.h"
+#include <numeric>
+
+#include "engine/surface/colormap.h"
 
 namespace oblong::test {
 
@@ -12,6 +14,20 @@ inline Palette grey_palette() {
         palette.colours[i] = {grey, grey, grey};
     }
     return palette;
+}
+
+/// Every shade of a colour is the colour itself.
+inline Colormap unshaded() {
+    Colormap colormap;
+    for (auto& shade : colormap.shades) std::iota(shade.begin(), shade.end(), std::uint8_t{0});
+    return colormap;
+}
+/// Every colour becomes the number of its shade.
+inline Colormap numbered_shades() {
+    Colormap colormap;
+    std::uint8_t number = 0;
+    for (auto& shade : colormap.shades) shade.fill(number++);
+    return colormap;
 }
 
 }  // namespace oblong::test

@@ -57,15 +57,14 @@ struct TrueCamera {
     }
 };
 
-/// Whether something holds for the rays through a pixel's centre and those `margin` pixels beside it; none where they
-/// differ.
-auto at_all_rays(const TrueCamera& camera, int column, int row, double margin, auto of_ray)
-    -> std::optional<decltype(of_ray(Point{}))> {
-    const auto middle = of_ray(camera.through_pixel(column, row));
+/// What is found along the rays through a pixel's centre and those `margin` pixels beside it; none where they differ.
+auto at_all_rays(const auto& camera, int column, int row, double margin, auto of_ray) {
+    const auto middle = of_ray(camera.through(column + 0.5, row + 0.5));
+    std::optional found(middle);
     for (const double dx : {-margin, margin})
         for (const double dy : {-margin, margin})
-            if (of_ray(camera.through(column + 0.5 + dx, row + 0.5 + dy)) != middle) return std::nullopt;
-    return middle;
+            if (found && of_ray(camera.through(column + 0.5 + dx, row + 0.5 + dy)) != middle) found.reset();
+    return found;
 }
 
 }  // namespace oblong::test

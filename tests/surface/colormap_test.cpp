@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/support/folders.h"
+#include "tests/support/palettes.h"
 #include "tests/surface/true_oklab.h"
 
 namespace oblong::test {
@@ -35,15 +36,6 @@ Palette ramp_palette() {
         const int hue = i / 16, light = i % 16 * 17;
         const auto part = [light](int weight) { return static_cast<std::uint8_t>(light * weight / 3); };
         palette.colours[static_cast<std::size_t>(i)] = {part(hue & 3), part(hue >> 2), part((hue ^ hue >> 2) & 3)};
-    }
-    return palette;
-}
-
-Palette grey_palette() {
-    Palette palette;
-    for (std::size_t i = 0; i < 256; ++i) {
-        const auto grey = static_cast<std::uint8_t>(i);
-        palette.colours[i] = {grey, grey, grey};
     }
     return palette;
 }
@@ -174,9 +166,7 @@ TEST(Colormap, DarkShadesStayOnTheirRamp) {
 }
 
 TEST(Colormap, FewerShadesReachFromTheBrightestToTheDarkest) {
-    Colormap map;
-    for (std::size_t shade = 0; shade < Colormap::kShades; ++shade)
-        map.shades[shade].fill(static_cast<std::uint8_t>(shade));
+    const Colormap map = numbered_shades();
     for (const std::int32_t count : {16, 32, 64}) {
         const Colormap fewer = with_shades(map, count);
         std::set<int> shades;

@@ -10,18 +10,11 @@
 #include <vector>
 
 #include "engine/base/table.h"
+#include "tests/support/palettes.h"
 
 namespace oblong::test {
 
 namespace {
-
-/// A colormap that shows its own shade, whatever the colour.
-Colormap shade_showing_map() {
-    Colormap map;
-    for (std::size_t shade = 0; shade < Colormap::kShades; ++shade)
-        map.shades[shade].fill(static_cast<std::uint8_t>(shade));
-    return map;
-}
 
 /// Twice full light is shade 0, full light 32, none 63.
 double shade_of(double light) {
@@ -73,7 +66,7 @@ struct Patch {
 
 TEST(LitSurface, ShadesAreThoseBetweenTheSamples) {
     std::mt19937 random(6);
-    const Colormap map = shade_showing_map();
+    const Colormap map = numbered_shades();
     for (int mip = 0; mip < 4; ++mip) {
         Patch patch(random, 5, 4);
         const auto lit = patch.build(map, mip, {patch.texels.data(), 64, 64, 0, 0});
@@ -89,7 +82,7 @@ TEST(LitSurface, LightJustBelowTheBrightestIsTheFirstShadeForEveryScale) {
     // No step on the way may be rounded past the brightest shade: before it there is none.
     constexpr std::uint32_t kBrightest_8 = 2 * kFullLight * 256;
     std::mt19937 random(10);
-    Colormap map = shade_showing_map();
+    Colormap map = numbered_shades();
     map.shades[0].fill(200);
     for (int mip = 0; mip < 4; ++mip)
         for (std::uint32_t scale = 258; scale < 2048; ++scale) {
@@ -108,7 +101,7 @@ TEST(LitSurface, FullLightIsTheTextureItself) {
     std::mt19937 random(7);
     Patch patch(random, 3, 3);
     std::fill(patch.samples.begin(), patch.samples.end(), static_cast<std::uint8_t>(kFullLight));
-    Colormap map = shade_showing_map();
+    Colormap map = numbered_shades();
     for (std::size_t colour = 0; colour < 256; ++colour)
         map.shades[Colormap::kOwnShade][colour] = static_cast<std::uint8_t>(colour);
     for (const std::int32_t origin : {0, 16, -16, 1600, -1616}) {
@@ -126,7 +119,7 @@ TEST(LitSurface, AStyleScalesItsLight) {
     std::mt19937 random(8);
     Patch patch(random, 2, 2);
     std::fill(patch.samples.begin(), patch.samples.end(), std::uint8_t{100});
-    const Colormap map = shade_showing_map();
+    const Colormap map = numbered_shades();
     const auto shade = [&](std::uint16_t scale) {
         return patch.build(map, 0, {patch.texels.data(), 64, 64, 0, 0}, scale)[0];
     };
@@ -147,7 +140,7 @@ TEST(LitSurface, BrightnessMultipliesAllLightUpToTheBrightestShade) {
             LightQuality quality;
             quality.brightness_100 = brightness_100;
             const double shade = shade_of(std::floor(light * 256.0 * brightness_100 / 100) / 256);
-            EXPECT_EQ(patch.build(shade_showing_map(), 0, texture, 256, quality)[0], std::floor(shade))
+            EXPECT_EQ(patch.build(numbered_shades(), 0, texture, 256, quality)[0], std::floor(shade))
                 << light << " at " << brightness_100;
         }
 }
@@ -159,14 +152,14 @@ TEST(LitSurface, ALevelWithoutLightShowsItsOwnColours) {
     light.columns = light.rows = 2;
     light.is_fullbright = true;
     std::vector<std::uint8_t> out(256);
-    build_lit_surface({patch.texels.data(), 64, 64, 0, 0}, light, shade_showing_map(), {}, 0, 16, patch.scratch.data(),
+    build_lit_surface({patch.texels.data(), 64, 64, 0, 0}, light, numbered_shades(), {}, 0, 16, patch.scratch.data(),
                       out.data());
     EXPECT_EQ(std::count(out.begin(), out.end(), std::uint8_t{Colormap::kOwnShade}), 256);
 }
 
 TEST(LitSurface, WithoutExtentIsOneColourAndWritesAllOfIt) {
     std::mt19937 random(9);
-    const Colormap map = shade_showing_map();
+    const Colormap map = numbered_shades();
     for (const auto& [columns, rows] : {std::pair{1, 1}, {1, 5}, {5, 1}}) {
         Patch patch(random, columns, rows);
         LightmapView light;
@@ -255,7 +248,7 @@ TEST(LightQuality, NearestTakesTheSampleOnTheNearerSide) {
     for (int mip = 0; mip < 4; ++mip) {
         Patch patch(random, 4, 3);
         const std::int32_t cell = 16 >> mip, width = lit_size(4, mip);
-        const auto lit = patch.build(shade_showing_map(), mip, {patch.texels.data(), 64, 64, 0, 0}, 256,
+        const auto lit = patch.build(numbered_shades(), mip, {patch.texels.data(), 64, 64, 0, 0}, 256,
                                      {LightSampling::Nearest, 64, false});
         for (std::int32_t y = 0; y < lit_size(3, mip); ++y)
             for (std::int32_t x = 0; x < width; ++x) {
@@ -277,7 +270,7 @@ TEST(LightQuality, DitheredLightIsRightOnAverage) {
         const TextureView texture{patch.texels.data(), 64, 64, 0, 0};
         const auto mean_of = [&](bool dithers) {
             const auto lit =
-                patch.build(shade_showing_map(), 0, texture, 256, {LightSampling::Interpolated, 64, dithers});
+                patch.build(numbered_shades(), 0, texture, 256, {LightSampling::Interpolated, 64, dithers});
             return std::accumulate(lit.begin(), lit.end(), 0.0) / static_cast<double>(lit.size());
         };
         const double shade = shade_of(light);

@@ -1,3 +1,2 @@
 find_package(rapidcheck REQUIRED)
 set(LINKS oblong_view oblong_methods rapidcheck)
-set(APART views_test.cpp)

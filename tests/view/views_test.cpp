@@ -13,7 +13,7 @@
 #include "engine/fixed/trig.h"
 #include "tests/support/random.h"
 
-namespace oblong::test {
+namespace oblong::test::views_test {
 namespace {
 
 struct Pixel {
@@ -331,4 +331,4 @@ TEST(ViewContexts, HaveRaysThatAreTheInverseOfTheirAxes) {
 }
 
 }  // namespace
-}  // namespace oblong::test
+}  // namespace oblong::test::views_test

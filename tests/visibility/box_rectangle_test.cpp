@@ -5,7 +5,7 @@
 #include "engine/visibility/box_culler.h"
 #include "tests/visibility/visibility_fixture.h"
 
-namespace oblong::test {
+namespace oblong::test::box_rectangle_test {
 
 namespace {
 
@@ -87,4 +87,4 @@ TEST(BoxRectangle, AroundTheEyeIsAnywhere) {
     EXPECT_FALSE(rectangle_of(box, view));
 }
 
-}  // namespace oblong::test
+}  // namespace oblong::test::box_rectangle_test

@@ -10,7 +10,7 @@
 #include "tests/visibility/rays.h"
 #include "tests/visibility/visibility_fixture.h"
 
-namespace oblong::test {
+namespace oblong::test::brush_models_test {
 
 namespace {
 
@@ -232,4 +232,4 @@ TEST_P(BrushModel, OneThatIsOnlySwitchedIsNotCutAgain) {
 
 OBLONG_FOR_LEVELS(BrushModel, testing::Values("demo", "e1m7", "end"));
 
-}  // namespace oblong::test
+}  // namespace oblong::test::brush_models_test

@@ -10,7 +10,7 @@
 #include "tests/visibility/rays.h"
 #include "tests/visibility/visibility_fixture.h"
 
-namespace oblong::test {
+namespace oblong::test::front_to_back_test {
 
 namespace {
 
@@ -137,4 +137,4 @@ TEST(FrontToBackWalk, NothingIsHandedOutWhereNoPixelIsFree) {
     EXPECT_TRUE(walker.hands_out_nothing_when_full(random_view(walker.level, random)));
 }
 
-}  // namespace oblong::test
+}  // namespace oblong::test::front_to_back_test

@@ -1,2 +1,1 @@
 set(LINKS oblong_visibility)
-set(APART ALL)
