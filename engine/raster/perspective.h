@@ -101,7 +101,7 @@ struct Depth {
     static constexpr bool kClamps = Range == PerspectiveRange::MayOverflow;
 
 #if defined(__i386__)
-    /// The mantissa is only what it is above DividedReciprocal::kLeast.
+    /// The mantissa is only what it is above DividedReciprocal::kLeast, as times() with limits takes it.
     static constexpr bool kIsShort = !kClamps && std::is_same_v<Reciprocal, DividedReciprocal>;
 #endif
 
