@@ -63,9 +63,8 @@ FogDepths make_fog_depths(FogDensity density, View start, View end) {
 }
 
 void append_fog_run(const FogRun& run, std::vector<FogRun>& runs) {
-    if (!runs.empty() && runs.back().level == run.level && runs.back().span.y == run.span.y &&
-        runs.back().span.end == run.span.first)
-        runs.back().span.end = run.span.end;
+    if (!runs.empty() && runs.back().level == run.level && runs.back().y == run.y && runs.back().end == run.first)
+        runs.back().end = run.end;
     else
         runs.push_back(run);
 }
@@ -86,8 +85,8 @@ void draw_fog(std::span<const FogRun> runs, const FogTable& table, Framebuffer o
     for (const FogRun& run : runs) {
         if (run.level == 0) continue;
         const ColourRow& row = item(table.levels, run.level);
-        std::uint8_t* const end = out.row(run.span.y) + run.span.end;
-        for (std::uint8_t* pixel = out.row(run.span.y) + run.span.first; pixel != end; ++pixel) *pixel = row[*pixel];
+        std::uint8_t* const end = out.row(run.y) + run.end;
+        for (std::uint8_t* pixel = out.row(run.y) + run.first; pixel != end; ++pixel) *pixel = row[*pixel];
     }
 }
 

@@ -29,11 +29,18 @@ struct FogDepths {
 /// above 0 everything is clear; a negative start counts as 0.
 FogDepths make_fog_depths(FogDensity density, View start = {}, View end = View::highest());
 
-/// Pixels with one level of fog.
+/// Pixels with one level of fog: a span of the screen, in half its size, as fog may fill the screen with runs.
 struct FogRun {
-    Span span;
-    std::int32_t level;
+    std::int16_t y, first, end, level;
+
+    FogRun(const Span& span, std::int32_t level_of_fog)
+        : y(static_cast<std::int16_t>(span.y)),
+          first(static_cast<std::int16_t>(span.first)),
+          end(static_cast<std::int16_t>(span.end)),
+          level(static_cast<std::int16_t>(level_of_fog)) {}
+    Span span() const { return {y, first, end}; }
 };
+static_assert(kLargestMode_px <= std::numeric_limits<std::int16_t>::max());
 
 /// Appends a run, or extends the last one if the run continues it.
 void append_fog_run(const FogRun& run, std::vector<FogRun>& runs);

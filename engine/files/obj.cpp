@@ -170,6 +170,7 @@ class ObjMeshBuilder {
         std::vector<PlaceRange> ranges(used);
         for (const ObjVertex& vertex : vertices_.records())
             if (has_place(vertex)) item(ranges, vertex.skin).include(place_of(vertex));
+        mesh_.texels.reserve(vertices_.records().size());
         std::vector<SkinScale> scales;
         for (std::size_t i = 0; i < mesh_.skins.size(); ++i)
             scales.push_back(repeat_skin(mesh_.skins[i], ranges[i % used], warnings));

@@ -1,6 +1,7 @@
 #include "engine/frame/face_cover.h"
 
 #include <algorithm>
+#include <array>
 
 #include "engine/frame/frame_context.h"
 #include "engine/visibility/box_culler.h"
@@ -57,7 +58,11 @@ InverseDepth farthest_depth_of(const VisibleFace& face) {
 }  // namespace
 
 void FaceCover::list_faces() {
+    constexpr std::array kLists{FaceList::Sky, FaceList::Walls, FaceList::Flat, FaceList::Liquid, FaceList::Mirror};
+    std::size_t count = 0;
+    for (const FaceList list : kLists) count += claims_.list(list).size();
     faces_.clear();
+    faces_.reserve(count);
     const auto add = [&](FaceList list, const VisibleFace& face) {
         const std::span<const Span> spans = claims_.spans_of(face);
         const ScreenRectangle& bounds = face.bounds;
@@ -65,7 +70,7 @@ void FaceCover::list_faces() {
         const bool is_sky = list == FaceList::Sky;
         faces_.push_back({is_sky ? 0 : farthest_depth_of(face), around, is_sky ? nullptr : &face, spans});
     };
-    for (const FaceList list : {FaceList::Sky, FaceList::Walls, FaceList::Flat, FaceList::Liquid, FaceList::Mirror})
+    for (const FaceList list : kLists)
         for (const VisibleFace& face : claims_.list(list)) add(list, face);
     farthest_ = InverseDepth(-1);
     for (const CoveringFace& face : faces_) farthest_ = std::min(farthest_, face.farthest);

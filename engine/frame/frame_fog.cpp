@@ -92,11 +92,10 @@ void find_fog(const FrameContext& frame, ViewScratch& scratch) {
     const std::int32_t sky_level = fog.height ? 0 : sky_fog_level(frame.cache.effects.sky_fog_256);
     if (sky_level > 0)
         for (const VisibleFace& claimed : claims.list(FaceList::Sky))
-            for (const Span& span : claims.spans_of(claimed)) claims.fog_runs.push_back({span, sky_level});
+            for (const Span& span : claims.spans_of(claimed)) claims.fog_runs.emplace_back(span, sky_level);
     std::erase_if(claims.fog_runs, [](const FogRun& run) { return run.level == 0; });
     if (frame.observers.counts)
-        for (const FogRun& run : claims.fog_runs)
-            frame.observers.counts->of(Effect::Fog) += run.span.end - run.span.first;
+        for (const FogRun& run : claims.fog_runs) frame.observers.counts->of(Effect::Fog) += run.end - run.first;
     if (!claims.fog_runs.empty()) claims.effects = claims.effects.with(Effect::Fog);
 }
 

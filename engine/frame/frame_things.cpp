@@ -86,7 +86,7 @@ void keep_visible(const FrameContext& frame, ViewScratch& scratch) {
 }
 
 void colour_by_fog(const FrameFog& fog, const Vec3<World>& eye, ViewScratch& scratch) {
-    std::vector<FogRun>& runs = scratch.effects.thing_runs;
+    std::vector<FogRun>& runs = scratch.effects->thing_runs;
     FrameThings& things = scratch.claims.things;
     for (OwningThing& thing : things.owning) {
         if (is_clear(thing.lowest, fog, eye)) continue;
@@ -115,11 +115,11 @@ std::int64_t pixels_within(std::span<const Span> spans, const ScanlineExtents& r
 
 /// Whether a shadow covers a pixel of its floor.
 bool is_seen(const Shadow& shadow, const FrameContext& frame, ViewScratch& scratch) {
-    if (!scan_shadow(shadow, kWholeRadius_8, frame.scene.level, frame.view, scratch.effects.shadows)) return false;
+    if (!scan_shadow(shadow, kWholeRadius_8, frame.scene.level, frame.view, scratch.effects->shadows)) return false;
     std::int64_t pixels = 0;
     for (const VisibleFace& claimed : scratch.claims.list(FaceList::Walls))
         if (frame.scene.level.faces[claimed.face].plane == shadow.floor.plane && !claimed.fragment)
-            pixels += pixels_within(scratch.claims.spans_of(claimed), scratch.effects.shadows.rows);
+            pixels += pixels_within(scratch.claims.spans_of(claimed), scratch.effects->shadows.rows);
     if (frame.observers.counts) frame.observers.counts->of(Effect::Shadows) += pixels;
     return pixels > 0;
 }
@@ -154,7 +154,7 @@ void find_things(const FrameContext& frame, ViewScratch& scratch) {
     scratch.depth.start_frame();
     if (frame.cache.things.is_empty() && frame.scene.meshes.empty()) return;
     ThingsInView& in_view = scratch.claims.things.in_view;
-    FaceCover cover(frame, scratch.claims, scratch.effects.covering);
+    FaceCover cover(frame, scratch.claims, scratch.effects->covering);
     const Sight sight{leaves_in_sight(frame, scratch), frame.view, frame.mirror ? &frame.mirror->pixels : nullptr,
                       &cover};
     const std::int64_t time_ms = frame.scene.time_ms;
@@ -182,10 +182,10 @@ void draw_shadows(const FrameContext& frame, ViewScratch& scratch) {
     const std::uint8_t* const shade = frame.scene.colormap.shades[kShadowShade].data();
     for (const Shadow& shadow : scratch.claims.things.shadows)
         for (const std::int32_t share_8 : {kWholeRadius_8, kCoreRadius_8}) {
-            if (!scan_shadow(shadow, share_8, level, frame.view, scratch.effects.shadows)) continue;
+            if (!scan_shadow(shadow, share_8, level, frame.view, scratch.effects->shadows)) continue;
             for (const VisibleFace& claimed : scratch.claims.list(FaceList::Walls))
                 if (level.faces[claimed.face].plane == shadow.floor.plane && !claimed.fragment)
-                    darken_spans(scratch.claims.spans_of(claimed), scratch.effects.shadows.rows, shade, frame.out);
+                    darken_spans(scratch.claims.spans_of(claimed), scratch.effects->shadows.rows, shade, frame.out);
         }
 }
 

@@ -128,9 +128,7 @@ void draw_mirrors(const FrameContext& frame, ViewScratch& scratch) {
     if (frame.shared) frame.shared->end();  // mirrors are drawn by one thread
     const Framebuffer& out = frame.out;
     MirrorScratch& mirrors = scratch.mirror;
-    if (!mirrors.view)
-        mirrors.view = std::make_unique<ViewScratch>(frame.scene.level, frame.cache.faces,
-                                                     ScreenMode{out.width_px, out.height_px}, scratch.claiming);
+    if (!mirrors.view) mirrors.view = std::make_unique<ViewScratch>(scratch, ScreenMode{out.width_px, out.height_px});
     mirrors.picture.resize(pixel_count(out.width_px, out.height_px));
 
     std::vector<VisibleFace> left = scratch.claims.list(FaceList::Mirror);
@@ -145,6 +143,7 @@ void draw_mirrors(const FrameContext& frame, ViewScratch& scratch) {
         for (const VisibleFace& face : faces) note_spans(face, scratch.claims.spans_of(face), out, frame.observers);
         left.erase(left.begin(), others);
     }
+    if (scratch.effects->meshes) scratch.effects->meshes->begun = nullptr;
     restore_light(frame, scratch);
     draw_surfaces(left, {}, frame, scratch);
 }

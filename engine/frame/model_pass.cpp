@@ -85,10 +85,10 @@ WorldWide reach_of(const LevelBox& box) {
 void gather_mesh_lights(const MeshInView& mesh, ViewScratch& scratch) {
     const Vec3<World> middle = middle_of(mesh.box);
     const WorldWide reach = reach_of(mesh.box);
-    scratch.effects.mesh_lights.clear();
+    scratch.effects->mesh_lights.clear();
     for (const MovingLight& light : scratch.light.moving) {
         const auto way = saturating_convert<World>(widening_difference(light.position, middle));
-        if (length(way) < convert<WorldWide>(light.radius) + reach) scratch.effects.mesh_lights.push_back(light);
+        if (length(way) < convert<WorldWide>(light.radius) + reach) scratch.effects->mesh_lights.push_back(light);
     }
 }
 
@@ -100,7 +100,7 @@ MeshLight light_on(const MeshInView& mesh, const FrameContext& frame, const View
     MeshLight light;
     light.ambient = std::max(level * 5 / 8, mesh.placed->least_light);
     light.directional = {normalised(kTowardLight), level * 5 / 8};
-    light.points = scratch.effects.mesh_lights;
+    light.points = scratch.effects->mesh_lights;
     light.brightness_100 = frame.settings.brightness_100;
     return light;
 }
@@ -111,7 +111,7 @@ const std::uint8_t* fog_over(const MeshInView& mesh, const FrameContext& frame, 
     const View z = to_view(middle_of(mesh.box), frame.view.eye, frame.view.axes).z;
     const ScreenRectangle& pixels = mesh.box_pixels;
     return fog_colours((pixels.first_column + pixels.end_column) / 2, (pixels.first_row + pixels.end_row) / 2,
-                       reciprocal<InverseZ>(std::max(z, View::from_int(1))), frame.fog, scratch.effects.thing_runs)
+                       reciprocal<InverseZ>(std::max(z, View::from_int(1))), frame.fog, scratch.effects->thing_runs)
         .data();
 }
 
@@ -141,11 +141,11 @@ void find_meshes(const FrameContext& frame, const Sight& sight, ViewScratch& scr
 void keep_seen_meshes(const FrameContext& frame, ViewScratch& scratch) {
     FrameThings& things = scratch.claims.things;
     if (things.meshes.empty()) return;
-    if (!scratch.effects.meshes) scratch.effects.meshes = std::make_unique<MeshScratch>(frame.out.height_px);
+    if (!scratch.effects->meshes) scratch.effects->meshes = std::make_unique<MeshScratch>(frame.out.height_px);
     const auto seen = std::find_if(things.meshes.begin(), things.meshes.end(), [&](const MeshInView& mesh) {
         const MeshTarget target{scratch.depth, frame.out, mesh.pixels};
         return !is_hidden(mesh, scratch.depth) &&
-               is_seen(*mesh.placed, things.parts_of(mesh), frame.view, target, *scratch.effects.meshes);
+               is_seen(*mesh.placed, things.parts_of(mesh), frame.view, target, *scratch.effects->meshes);
     });
     things.meshes.erase(things.meshes.begin(), seen);
     if (!things.meshes.empty()) scratch.claims.effects = scratch.claims.effects.with(Effect::Models);
@@ -163,7 +163,7 @@ void draw_meshes(const FrameContext& frame, ViewScratch& scratch) {
                                   frame.accuracy().texturing == Texturing::Affine,
                                   scratch.claims.things.parts_of(mesh)};
         pixels +=
-            draw_mesh(*mesh.placed, drawing, {scratch.depth, frame.out, mesh.pixels}, *scratch.effects.meshes).pixels;
+            draw_mesh(*mesh.placed, drawing, {scratch.depth, frame.out, mesh.pixels}, *scratch.effects->meshes).pixels;
     }
     if (frame.observers.counts) frame.observers.counts->of(Effect::Models) += pixels;
 }

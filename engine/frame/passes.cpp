@@ -68,7 +68,7 @@ void draw_liquids(const FrameContext& frame, ViewScratch& scratch) {
 }
 
 void draw_sky_faces(const FrameContext& frame, ViewScratch& scratch) {
-    std::vector<Span>& all = scratch.effects.sky_spans;
+    std::vector<Span>& all = scratch.effects->sky_spans;
     all.clear();
     for (const VisibleFace& claimed : scratch.claims.list(FaceList::Sky)) {
         const std::span<const Span> spans = scratch.claims.spans_of(claimed);
@@ -93,7 +93,7 @@ void draw_fog_runs(const FrameContext& frame, ViewScratch& scratch) {
 void draw_waves(const FrameContext& frame, ViewScratch& scratch) {
     if (frame.observers.counts)
         frame.observers.counts->of(Effect::Underwater) = std::int64_t{frame.out.width_px} * frame.out.height_px;
-    draw_underwater(frame.scene.time_ms, scratch.effects.underwater, frame.out);
+    draw_underwater(frame.scene.time_ms, scratch.effects->underwater, frame.out);
 }
 
 void end_sharing(const FrameContext& frame) {

@@ -59,7 +59,7 @@ void draw_in_fog(const VisibleFace& claimed, SurfaceOptions drawing, const Frame
     for (auto run = runs.begin(); run != runs.end();) {
         const std::int32_t level = run->level;
         of_level.clear();
-        for (; run != runs.end() && run->level == level; ++run) of_level.push_back(run->span);
+        for (; run != runs.end() && run->level == level; ++run) of_level.push_back(run->span());
         drawing.colours = &fog.tables->colours(level);
         draw_surface(claimed, of_level, drawing, frame, scratch);
     }

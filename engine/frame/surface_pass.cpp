@@ -77,8 +77,9 @@ TexturedFace textured_face(const VisibleFace& face, int mip, std::span<const Spa
                                     face.inverse_z, frame.view, frame.inverse_projection);
     if (accuracy.inverse_z_bits != InverseZ::kFractionBits || accuracy.over_z_bits != TexelOverZ::kFractionBits)
         gradients = rounded_to(gradients, accuracy.inverse_z_bits, accuracy.over_z_bits);
-    textured.texels_per_pixel = texels_across(face.nearest_z, frame.cache.faces[face.face].least_density,
-                                              frame.inverse_projection.least_pixel_width);
+    textured.texels_per_pixel =
+        texels_across(face.nearest_z, convert<TexelDensity>(frame.cache.faces[face.face].least_density),
+                      frame.inverse_projection.least_pixel_width);
     set_cutting(textured, spans, frame.texturing);
     return textured;
 }
@@ -90,14 +91,14 @@ void draw_mip(const VisibleFace& face, int mip, std::span<const Span> spans, con
     if (is_shared(frame)) return frame.shared->add(textured, spans);
     const FrameObservers observers = options.is_noted ? frame.observers : FrameObservers{};
     if (observers.counts) ++observers.counts->stages.surfaces;
-    draw_textured(textured, spans, {frame.texturing, frame.out, scratch.surfaces.spans, observers});
+    draw_textured(textured, spans, {frame.texturing, frame.out, scratch.surfaces->spans, observers});
 }
 
 /// Draws each span at the mip level of its nearest pixel.
 void draw_by_span_mips(const VisibleFace& claimed, std::span<const Span> whole, const SurfaceOptions& options,
                        const FrameContext& frame, ViewScratch& scratch) {
     const auto inverse_z = inverse_z_of(claimed, frame);
-    auto& of_mip = scratch.surfaces.of_mip;
+    auto& of_mip = scratch.surfaces->of_mip;
     for (std::vector<Span>& spans : of_mip) spans.clear();
     for (const Span& span : whole) {
         const InverseZ first = inverse_z.at(span.first, span.y), last = inverse_z.at(span.end - 1, span.y);

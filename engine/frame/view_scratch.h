@@ -54,21 +54,23 @@ struct ClaimScratch {
 
 /// Scratch for one view of a level in one mode. A mirror's view has another.
 struct ViewScratch {
-    /// Level and faces must outlive it. `claiming` may be shared with a view whose pixels are claimed before; null: not
-    /// shared.
-    ViewScratch(const Level& level, const FaceTable& faces, const ScreenMode& mode,
-                std::shared_ptr<ClaimScratch> claiming = nullptr);
+    /// Level and faces must outlive it.
+    ViewScratch(const Level& level, const FaceTable& faces, const ScreenMode& mode);
+    /// For a mirror in the view of `eye`, drawn after its pixels are claimed: shares what is kept within a stage.
+    ViewScratch(const ViewScratch& eye, const ScreenMode& mode);
     ViewScratch(const ViewScratch&) = delete;
     ~ViewScratch();
 
     VisibleSet visible;  ///< from the eye's leaf
-    std::shared_ptr<ClaimScratch> claiming;
-    Claims claims;      ///< of the view's faces
-    DepthBuffer depth;  ///< around the things in view
+    Claims claims;       ///< of the view's faces
+    DepthBuffer depth;   ///< around the things in view
     FrameLight light;
-    SurfaceScratch surfaces;
-    EffectScratch effects;
     MirrorScratch mirror;
+
+    // Shared by a view and the mirrors in it.
+    std::shared_ptr<ClaimScratch> claiming;
+    std::shared_ptr<SurfaceScratch> surfaces;
+    std::shared_ptr<EffectScratch> effects;
 };
 
 }  // namespace oblong

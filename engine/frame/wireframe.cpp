@@ -23,7 +23,8 @@ std::vector<WireEdge> edges_of_claims(const Level& level, const FrameWorkspace& 
     for (const auto& list : work.view.claims.lists)
         for (const VisibleFace& claimed : list) {
             const Vec3<World> offset = work.cache.brush_models.offset_of(claimed.fragment);
-            for (const SurfEdge& step : level.edges_of(level.faces[claimed.face])) edges.push_back({step.edge, offset});
+            for (const SurfEdge& step : level.edges_of(level.faces[claimed.face]))
+                edges.push_back({step.edge(), offset});
         }
     std::sort(edges.begin(), edges.end(), [](const WireEdge& a, const WireEdge& b) { return a.edge < b.edge; });
     const auto end =

@@ -42,6 +42,7 @@ class EntityParser {
             entity.pairs.emplace_back(std::move(key), std::move(value));
         }
         ++position_;
+        entity.pairs.shrink_to_fit();
         return entity;
     }
 

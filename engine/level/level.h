@@ -21,7 +21,7 @@ struct Leaf;
 struct ClipNode;
 struct SubModel;
 struct Edge;
-struct SurfEdge;
+class SurfEdge;
 struct Vertex;    // a Vec3<World> of Level::vertices
 struct MarkFace;  // a FaceIndex of Level::mark_faces
 
@@ -48,8 +48,8 @@ inline constexpr std::int32_t kEmpty = -1, kSolid = -2, kWater = -3, kSlime = -4
 /// units of 2^-60; the distance in units of 2^-42 and 2^-72. See plane_side() (level/side.h).
 struct LevelPlane {
     Vec3<Unit> normal;
-    PlaneDistance distance;
     std::array<std::int32_t, 3> normal_rest_60{};
+    PlaneDistance distance;
     std::int32_t distance_rest_72 = 0;
     std::uint8_t axis = 3;  ///< 0, 1, 2: the normal is exactly +x, +y, +z; 3: other
 
@@ -185,11 +185,18 @@ struct Edge {
 };
 
 /// An edge in the direction in which a face uses it.
-struct SurfEdge {
-    EdgeIndex edge;
-    bool is_reversed = false;  ///< goes from `to` to `from`
+class SurfEdge {
+  public:
+    constexpr SurfEdge() = default;
+    constexpr SurfEdge(EdgeIndex edge, bool is_reversed) : number_(is_reversed ? -1 - edge.number() : edge.number()) {}
 
-    bool operator==(const SurfEdge&) const = default;
+    constexpr EdgeIndex edge() const { return EdgeIndex(is_reversed() ? -1 - number_ : number_); }
+    /// Whether it goes from `to` to `from`.
+    constexpr bool is_reversed() const { return number_ < 0; }
+    constexpr bool operator==(const SurfEdge&) const = default;
+
+  private:
+    std::int32_t number_ = 0;  ///< of the edge, or -1 minus that
 };
 
 /// An entity's key/value pairs, in the file's order.
@@ -228,7 +235,9 @@ struct Level {
     std::span<const FaceIndex> faces_at(const Leaf& leaf) const { return mark_faces[leaf.mark_faces]; }
     std::span<const SurfEdge> edges_of(const Face& face) const { return surf_edges[face.edges]; }
     /// The vertex at which a surfedge starts.
-    VertexIndex start_of(SurfEdge step) const { return step.is_reversed ? edges[step.edge].to : edges[step.edge].from; }
+    VertexIndex start_of(SurfEdge step) const {
+        return step.is_reversed() ? edges[step.edge()].to : edges[step.edge()].from;
+    }
 
     bool operator==(const Level&) const = default;
 };

@@ -68,7 +68,7 @@ class VertexGrid {
     void find_used() {
         Table<std::uint8_t, Vertex> is_used(level_.vertices.size());
         for (const SurfEdge edge : level_.surf_edges)
-            is_used[level_.edges[edge.edge].from] = is_used[level_.edges[edge.edge].to] = true;
+            is_used[level_.edges[edge.edge()].from] = is_used[level_.edges[edge.edge()].to] = true;
         for (const VertexIndex vertex : level_.vertices.indices())
             if (is_used[vertex]) vertices_.push_back(vertex);
     }

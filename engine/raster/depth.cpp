@@ -55,9 +55,17 @@ void DepthBuffer::want(ScreenRectangle wanted) {
 }
 
 void DepthBuffer::allocate() {
-    if (depths_) return;
-    depths_.reset(new InverseDepth[pixel_count(width_px_, height_px_)]);  // uninitialised: clear() sets what is read
+    std::int32_t end_row = 0;
+    first_row_ = height_px_;
+    for (const ScreenRectangle& rectangle : rectangles_) {
+        first_row_ = std::min(first_row_, rectangle.first_row);
+        end_row = std::max(end_row, rectangle.end_row);
+    }
     hulls_.resize(as_size(height_px_));
+    if (end_row - first_row_ <= rows_there_) return;
+    rows_there_ = end_row - first_row_;
+    depths_.reset();
+    depths_.reset(new InverseDepth[pixel_count(width_px_, rows_there_)]);  // uninitialised: clear() sets what is read
 }
 
 void DepthBuffer::clear() {

@@ -46,7 +46,8 @@ class DepthBuffer {
     /// Appends the parts of spans on a plane where nothing is nearer, including all pixels outside the rectangles.
     void append_seen(std::span<const Span> spans, const LinearQuantity<InverseZ>& inverse_z, std::vector<Span>& seen);
 
-    InverseDepth* row(std::int32_t y) { return depths_.get() + std::int64_t{y} * width_px_; }
+    /// Row y, which must be in a rectangle.
+    InverseDepth* row(std::int32_t y) { return depths_.get() + std::int64_t{y - first_row_} * width_px_; }
     std::span<const ScreenRectangle> rectangles() const { return rectangles_; }
 
   private:
@@ -62,7 +63,8 @@ class DepthBuffer {
 
     std::int32_t width_px_, height_px_;
     std::vector<ScreenRectangle> rectangles_;
-    std::unique_ptr<InverseDepth[]> depths_;  ///< of the screen, used inside the rectangles only; null until needed
+    std::unique_ptr<InverseDepth[]> depths_;       ///< of whole rows, used inside the rectangles only
+    std::int32_t first_row_ = 0, rows_there_ = 0;  ///< of `depths_`: what frames so far needed
     std::vector<Hull> hulls_;
 };
 

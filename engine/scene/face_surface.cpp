@@ -148,7 +148,8 @@ int FaceSurfaces::mip_level(FaceIndex face, View nearest_z, const ProjectionAxis
                             std::int32_t bias) const {
     const CoarseMultiplier multiplier = floor_shift(projection_x.coarse, std::max(bias, 0));
     const auto density_times_z =
-        floor_shift(product<CoarseMultiplier>(nearest_z, faces_[face].density, Rounding::Floor), std::max(-bias, 0));
+        floor_shift(product<CoarseMultiplier>(nearest_z, convert<TexelDensity>(faces_[face].density), Rounding::Floor),
+                    std::max(-bias, 0));
     note_range<"texels per pixel, doubled">(density_times_z * 2);
     return (density_times_z > multiplier) + (density_times_z * 2 > multiplier * 5) + (density_times_z > multiplier * 5);
 }

@@ -17,9 +17,9 @@ namespace {
 void append_corners(const Level& level, const Face& face, const TJunctions& junctions,
                     std::vector<VertexIndex>& corners) {
     for (const SurfEdge step : level.edges_of(face)) {
-        const std::span<const VertexIndex> inside = junctions.on_edge(step.edge);
+        const std::span<const VertexIndex> inside = junctions.on_edge(step.edge());
         corners.push_back(level.start_of(step));
-        if (step.is_reversed)
+        if (step.is_reversed())
             corners.insert(corners.end(), inside.rbegin(), inside.rend());
         else
             corners.insert(corners.end(), inside.begin(), inside.end());
@@ -35,17 +35,17 @@ EffectSet effects_of(const TexInfo& texinfo, const std::string& texture) {
 }
 
 /// Texels per unit along the denser axis of each texinfo.
-Table<TexelDensity, TexInfo> densities_of(const Table<TexInfo>& texinfos) {
-    Table<TexelDensity, TexInfo> densities;
+Table<StoredDensity, TexInfo> densities_of(const Table<TexInfo>& texinfos) {
+    Table<StoredDensity, TexInfo> densities;
     densities.reserve(texinfos.size());
     for (const TexInfo& texinfo : texinfos)
-        densities.push_back(convert<TexelDensity>(std::max(length(texinfo.s), length(texinfo.t)), Rounding::Floor));
+        densities.push_back(convert<StoredDensity>(std::max(length(texinfo.s), length(texinfo.t)), Rounding::Floor));
     return densities;
 }
 
 /// The texture's axes map the face's plane to texels. The smallest stretch of this map is its change of area divided by
 /// its greatest stretch, which is at most the root of the sum of both axes' squares.
-TexelDensity least_density(const LevelPlane& plane, const TexInfo& texinfo) {
+StoredDensity least_density(const LevelPlane& plane, const TexInfo& texinfo) {
     using Coarse = Fixed<std::int32_t, 12>;
     using Area = Fixed<std::int64_t, 30>;
     const auto s = convert<Coarse>(texinfo.s), t = convert<Coarse>(texinfo.t);
@@ -53,10 +53,10 @@ TexelDensity least_density(const LevelPlane& plane, const TexInfo& texinfo) {
     const auto area = convert<Area>(absolute(dot(across, convert<Fixed<std::int32_t, 14>>(plane.normal))));
     const auto squares = (dot(s, s) + dot(t, t)).bits();
     const auto greatest = Fixed<std::int64_t, 12>::from_raw(static_cast<std::int64_t>(integer_root(squares)) + 2);
-    return bounded_quotient<TexelDensity>(area, greatest);
+    return convert<StoredDensity>(bounded_quotient<TexelDensity>(area, greatest));
 }
 
-void add_face(const Level& level, const Face& face, const TJunctions& junctions, TexelDensity density,
+void add_face(const Level& level, const Face& face, const TJunctions& junctions, StoredDensity density,
               FaceTable& table) {
     const TexInfo& texinfo = level.texinfos[face.texinfo];
     const std::size_t first = table.corners.size();
@@ -139,9 +139,12 @@ std::size_t count_torn_edges(const Level& level, const FaceTable& table) {
 FaceTable make_face_table(const Level& level) {
     FaceTable table;
     const TJunctions junctions(level);
-    const Table<TexelDensity, TexInfo> densities = densities_of(level.texinfos);
+    const Table<StoredDensity, TexInfo> densities = densities_of(level.texinfos);
     table.faces.reserve(level.faces.size());
-    table.corners.reserve(level.surf_edges.size());
+    std::size_t corner_count = 0;
+    for (const Face& face : level.faces)
+        for (const SurfEdge step : level.edges_of(face)) corner_count += 1 + junctions.on_edge(step.edge()).size();
+    table.corners.reserve(corner_count);
     for (const Face& face : level.faces) add_face(level, face, junctions, densities[face.texinfo], table);
     table.torn_edges = count_torn_edges(level, table);
     return table;

@@ -11,12 +11,14 @@ namespace oblong {
 
 /// Texels per world unit: 48.16.
 using TexelDensity = Fixed<std::int64_t, 16>;
+/// The same of a face: 16.16, as components of texture axes are below 256.
+using StoredDensity = Fixed<std::int32_t, 16>;
 
 /// Data of a face, precomputed for all frames.
 struct PreparedFace {
     std::uint32_t first_corner = 0, corner_count = 0;  ///< in FaceTable::corners
-    TexelDensity density;                              ///< texels of mip level 0 per unit, along the denser axis
-    TexelDensity least_density;                        ///< a lower bound for all directions on the face
+    StoredDensity density;                             ///< texels of mip level 0 per unit, along the denser axis
+    StoredDensity least_density;                       ///< a lower bound for all directions on the face
     Material material = Material::Lit;
     bool is_above_fog = false;  ///< certainly, while its model has not moved
     EffectSet effects;          ///< needed to draw it

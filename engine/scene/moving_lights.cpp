@@ -221,9 +221,19 @@ bool MovingLights::touches(const MovingLight& light, const Face& face, TexelDens
            seen.v < Texel::from_int(face.texel_extent_v) + reach;
 }
 
+MovingLights::FaceTouch& MovingLights::last_touch(FaceIndex face) {
+    if (touch_of_.empty()) touch_of_.resize(level_.faces.size(), Index<FaceTouch>::none());
+    Index<FaceTouch>& known = touch_of_[face];
+    if (known.is_none()) {
+        known = Index<FaceTouch>(touches_.count());
+        touches_.push_back({});
+    }
+    return touches_[known];
+}
+
 LightTouch MovingLights::touch(FaceIndex index, const Vec3<World>& offset) {
     const Face& face = level_.faces[index];
-    const TexelDensity density = faces_[index].density + TexelDensity::ulp();
+    const TexelDensity density = convert<TexelDensity>(faces_[index].density) + TexelDensity::ulp();
     FaceTouch now;
     for_each_bit(active_, [&](int light) {
         const Known& known = item(known_, light);
@@ -232,8 +242,7 @@ LightTouch MovingLights::touch(FaceIndex index, const Vec3<World>& offset) {
         now.newest = std::max(now.newest, known.version);
     });
     if (now.lights == 0) return {};
-    if (touch_of_.empty()) touch_of_.resize(level_.faces.size());
-    FaceTouch& last = touch_of_[index];
+    FaceTouch& last = last_touch(index);
     if (last.lights != now.lights || last.newest != now.newest || last.offset != offset)
         last = {now.lights, last.version + 1, now.newest, offset};
     return {last.lights, last.version};

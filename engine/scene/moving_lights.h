@@ -67,6 +67,7 @@ class MovingLights {
     void choose(std::span<const MovingLight> lights, const Vec3<World>& eye);
     void keep_known();
     void add_new();
+    FaceTouch& last_touch(FaceIndex face);
     bool touches(const MovingLight& light, const Face& face, TexelDensity density, const Vec3<World>& offset) const;
 
     const Level& level_;
@@ -74,8 +75,9 @@ class MovingLights {
     std::array<Known, kMost> known_;
     std::uint32_t active_ = 0;  ///< the known lights of this frame, one bit each
     std::uint64_t version_ = 0;
-    std::vector<MovingLight> chosen_;  ///< scratch
-    Table<FaceTouch, Face> touch_of_;  ///< allocated when a light first touches a face
+    std::vector<MovingLight> chosen_;         ///< scratch
+    Table<FaceTouch> touches_;                ///< of all faces ever touched
+    Table<Index<FaceTouch>, Face> touch_of_;  ///< none: never touched; allocated when a light first touches a face
 };
 
 }  // namespace oblong

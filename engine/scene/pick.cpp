@@ -83,9 +83,9 @@ class RayWalk {
     bool is_through(const Face& face) const {
         const std::span<const SurfEdge> edges = level_.edges_of(face);
         return std::all_of(edges.begin(), edges.end(), [this](SurfEdge edge) {
-            const Edge& ends = level_.edges[edge.edge];
+            const Edge& ends = level_.edges[edge.edge()];
             const int turn = turn_about(ends.from, ends.to);
-            return (edge.is_reversed ? -turn : turn) <= 0;
+            return (edge.is_reversed() ? -turn : turn) <= 0;
         });
     }
 

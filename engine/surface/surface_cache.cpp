@@ -9,10 +9,14 @@ namespace {
 /// How many frames surfaces are kept if possible, and always. Most surfaces of the last frame are used again.
 constexpr std::uint32_t kFramesKept = 2, kFramesHeld = 1;
 
+/// There is room for blocks of this size at first: levels with smaller surfaces need more.
+constexpr std::size_t kUsualBlockBytes = 640;
+
 }  // namespace
 
 SurfaceCache::SurfaceCache(std::size_t slot_count, std::size_t piece_bytes)
     : block_of_slot_(slot_count, kNone), frame_(kFramesKept), piece_bytes_(static_cast<std::uint32_t>(piece_bytes)) {
+    blocks_.reserve(piece_bytes / kUsualBlockBytes);
     grow(piece_bytes_);
 }
 
@@ -127,6 +131,7 @@ SurfaceCache::Block SurfaceCache::free_block(std::uint8_t* texels, std::uint32_t
 
 SurfaceCache::BlockIndex SurfaceCache::add_block(const Block& block) {
     if (spare_.empty()) {
+        if (blocks_.size() == blocks_.capacity()) blocks_.reserve(blocks_.size() + blocks_.size() / 4 + 64);
         blocks_.push_back(block);
         return static_cast<BlockIndex>(blocks_.size() - 1);
     }

@@ -4,24 +4,26 @@
 
 namespace oblong {
 
-VisibleSet::VisibleSet(const Level& level)
-    : node_parents_(level.nodes.size(), NodeIndex::none()),
-      leaf_parents_(level.leaves.size(), NodeIndex::none()),
-      node_marks_(level.nodes.size()),
-      leaf_set_(level.leaves.size()),
-      unpacked_(visible_set_size(level)) {
+std::shared_ptr<const VisibleSet::Parents> VisibleSet::parents_in(const Level& level) {
+    const auto parents = std::make_shared<Parents>(
+        Parents{{level.nodes.size(), NodeIndex::none()}, {level.leaves.size(), NodeIndex::none()}});
     for (const NodeIndex node : level.nodes.indices())
         for (const NodeChild child : level.nodes[node].children)
-            (child.is_leaf() ? leaf_parents_[child.leaf()] : node_parents_[child.node()]) = node;
-    leaves_.reserve(level.leaves.size());
+            (child.is_leaf() ? parents->of_leaves[child.leaf()] : parents->of_nodes[child.node()]) = node;
+    return parents;
 }
+
+VisibleSet::VisibleSet(const Level& level)
+    : parents_(parents_in(level)),
+      node_marks_(level.nodes.size()),
+      leaf_set_(level.leaves.size()),
+      unpacked_(visible_set_size(level)) {}
 
 void VisibleSet::see_from(const Level& level, LeafIndex leaf) {
     if (leaf == seen_from_) return;
     seen_from_ = leaf;
     ++mark_;
     leaf_set_.clear();
-    leaves_.clear();
     const std::int32_t fills = level.leaves[leaf].contents;
     is_from_open_ = fills != contents::kSolid && fills != contents::kSky;
     unpack_visible_set(level, is_from_open_ ? leaf : kSolidOutside, unpacked_);
@@ -30,9 +32,9 @@ void VisibleSet::see_from(const Level& level, LeafIndex leaf) {
 }
 
 void VisibleSet::mark_upward(LeafIndex leaf) {
-    leaves_.push_back(leaf);
     leaf_set_.add(leaf);
-    for (NodeIndex node = leaf_parents_[leaf]; !node.is_none() && !has_node(node); node = node_parents_[node])
+    for (NodeIndex node = parents_->of_leaves[leaf]; !node.is_none() && !has_node(node);
+         node = parents_->of_nodes[node])
         node_marks_[node] = mark_;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "engine/level/level.h"
@@ -12,6 +13,7 @@ namespace oblong {
 /// leaf.
 class VisibleSet {
   public:
+    /// Copies share what the level alone decides.
     explicit VisibleSet(const Level& level);
 
     /// Marks what may be visible from `leaf`; from solid and sky everything, as their PVS holds only themselves.
@@ -21,17 +23,19 @@ class VisibleSet {
     const LeafSet& leaf_set() const { return leaf_set_; }
     /// Whether the eye's leaf is neither solid nor sky.
     bool is_from_open() const { return is_from_open_; }
-    const std::vector<LeafIndex>& leaves() const { return leaves_; }
 
   private:
+    struct Parents {
+        Table<NodeIndex, Node> of_nodes;
+        Table<NodeIndex, Leaf> of_leaves;
+    };
+    static std::shared_ptr<const Parents> parents_in(const Level& level);
     void mark_upward(LeafIndex leaf);
 
-    Table<NodeIndex, Node> node_parents_;
-    Table<NodeIndex, Leaf> leaf_parents_;
+    std::shared_ptr<const Parents> parents_;
     Table<std::uint32_t, Node> node_marks_;
     LeafSet leaf_set_;
     std::vector<std::uint8_t> unpacked_;
-    std::vector<LeafIndex> leaves_;
     std::uint32_t mark_ = 0;
     LeafIndex seen_from_ = LeafIndex::none();
     bool is_from_open_ = false;

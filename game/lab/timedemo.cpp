@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cinttypes>
 #include <cstdio>
+#include <utility>
 #include <vector>
 
 #include "game/input/tick_input_source.h"
@@ -16,11 +17,12 @@ using Clock = std::chrono::steady_clock;
 
 }  // namespace
 
-TimedemoResult run_timedemo(const LoadedLevel& loaded, const Demo& demo, GameRenderer& renderer,
-                            const Settings& settings, Degrees field_of_view) {
+TimedemoResult run_timedemo(const LoadedLevel& loaded, Demo demo, GameRenderer& renderer, const Settings& settings,
+                            Degrees field_of_view) {
     GameState state = start_of(loaded.level);
-    TickInputSource input(state, demo, false, loaded.data.rules_hash);
     std::vector<std::int64_t> times_ns;
+    times_ns.reserve(demo.ticks.size());
+    TickInputSource input(state, std::move(demo), false, loaded.data.rules_hash);
     while (input.is_replaying()) {
         input.play_tick(loaded.level, state);
         const InterpolatedState frame{state, state, 0};

@@ -17,8 +17,8 @@ struct TimedemoResult {
 };
 
 /// Draws each tick of a demo. Throws InputError if the demo was recorded on another level.
-TimedemoResult run_timedemo(const LoadedLevel& loaded, const Demo& demo, GameRenderer& renderer,
-                            const Settings& settings, Degrees field_of_view);
+TimedemoResult run_timedemo(const LoadedLevel& loaded, Demo demo, GameRenderer& renderer, const Settings& settings,
+                            Degrees field_of_view);
 
 /// "123 frames, 0.456 seconds, 269.7 frames a second, median 3700 microseconds".
 std::string describe(const TimedemoResult& result);

@@ -22,12 +22,12 @@ std::unique_ptr<Platform> open_platform(const Options& options) {
 }
 
 void time_demo(const Options& options, const LoadedLevel& loaded, Workers& workers) {
-    const Demo demo = read_parsed(options.timedemo, decode_demo);
+    Demo demo = read_parsed(options.timedemo, decode_demo);
     GameRenderer renderer(loaded.data, loaded.level, options.preferences.mode, &workers);
     warn_of_torn_edges("oblong", loaded.data.level_file, renderer.torn_edges());
     const Settings settings = settings_of(options.preferences);
     const auto result = naming_file(options.timedemo, [&] {
-        return run_timedemo(loaded, demo, renderer, settings, options.preferences.field_of_view);
+        return run_timedemo(loaded, std::move(demo), renderer, settings, options.preferences.field_of_view);
     });
     std::cout << describe(result) << '\n';
 }

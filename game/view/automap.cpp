@@ -30,7 +30,7 @@ std::vector<MapLine> lowest_edges(const Level& level, const Face& face) {
     std::vector<MapLine> edges;
     World lowest = World::highest();
     for (const SurfEdge& step : level.edges_of(face)) {
-        const Edge& edge = level.edges[step.edge];
+        const Edge& edge = level.edges[step.edge()];
         edges.push_back({level.vertices[edge.from], level.vertices[edge.to]});
         lowest = std::min({lowest, edges.back().from.z, edges.back().to.z});
     }
@@ -121,8 +121,10 @@ Automap::Automap(const GameData& data, const GameLevel& level, ColourScheme sche
 void Automap::draw_world(const Plotter& plotter, const Vec3<World>& eye) {
     visible_.see_from(bsp_, find_leaf(bsp_, bsp_.world(), eye));
     is_visible_.assign(is_visible_.size(), 0);
-    for (const LeafIndex leaf : visible_.leaves())
+    for (const LeafIndex leaf : bsp_.visible_leaves()) {
+        if (!visible_.has_leaf(leaf)) continue;
         for (const FaceIndex face : bsp_.faces_at(bsp_.leaves[leaf])) is_visible_[face] = 1;
+    }
     for (const bool shown : {false, true})  // visible lines over hidden ones
         for (const FaceIndex face : bsp_.world().faces) {
             if ((is_visible_[face] != 0) != shown) continue;

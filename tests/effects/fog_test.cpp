@@ -88,9 +88,9 @@ TEST(Fog, RunsHaveTheLevelOfEachPixelAndLeaveNoGap) {
         append_fog_runs(span, inverse_z, depths, runs);
         std::int32_t column = span.first;
         for (const FogRun& run : runs) {
-            ASSERT_EQ(run.span.y, span.y);
-            ASSERT_EQ(run.span.first, column);
-            for (; column < run.span.end; ++column)
+            ASSERT_EQ(run.y, span.y);
+            ASSERT_EQ(run.first, column);
+            for (; column < run.end; ++column)
                 ASSERT_EQ(run.level, depths.level_at(std::clamp(inverse_z.at(column, span.y), InverseZ{},
                                                                 InverseZ::from_raw(std::int64_t{1} << 59))))
                     << trial << ", " << column;
@@ -106,7 +106,7 @@ TEST(Fog, ARunOfOneLevelIsNotCut) {
     append_fog_runs({7, 10, 200}, wall, depths, runs);
     append_fog_runs({7, 200, 300}, wall, depths, runs);
     ASSERT_EQ(runs.size(), 1u);
-    EXPECT_EQ(runs[0].span.end, 300);
+    EXPECT_EQ(runs[0].end, 300);
     EXPECT_GT(runs[0].level, 0);
 }
 

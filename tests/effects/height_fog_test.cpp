@@ -79,8 +79,8 @@ TEST(HeightFog, IsTheSumAlongEachRay) {
         const FoggyView view = random_view(random);
         std::int32_t column = 0;
         for (const FogRun& run : view.runs({row, 0, 320})) {
-            ASSERT_EQ(run.span.first, column);
-            for (; column < run.span.end; ++column) {
+            ASSERT_EQ(run.first, column);
+            for (; column < run.end; ++column) {
                 const double off = std::abs(run.level - view.hidden_63(column, row));
                 ASSERT_LT(off, 1) << trial << ": " << column << ", " << row << " level " << run.level;
                 wrong += off > 0.55;  // half a level is rounding, the rest what 1,000 points are off the integral
@@ -101,7 +101,7 @@ TEST(HeightFog, AboveItIsClearAndInItIsDistanceFog) {
         EXPECT_EQ(above[0].level, 0);
         view.top = 40'000;
         for (const FogRun& run : view.runs({50, 3, 320}))
-            for (const std::int32_t column : {run.span.first, run.span.end - 1})
+            for (const std::int32_t column : {run.first + 0, run.end - 1})
                 ASSERT_EQ(run.level, depths().level_at(view.inverse_z.at(column, 50)));
     }
 }
@@ -116,9 +116,9 @@ TEST(HeightFog, ExtremesAreHeld) {
                     view.inverse_z = {InverseZ::from_raw(origin), InverseZ::from_raw(step), {}};
                     std::int32_t pixels = 0;
                     for (const FogRun& run : view.runs({199, 0, 4096})) {
-                        ASSERT_EQ(run.span.first, pixels);
+                        ASSERT_EQ(run.first, pixels);
                         ASSERT_TRUE(run.level >= 0 && run.level <= 63);
-                        pixels = run.span.end;
+                        pixels = run.end;
                     }
                     ASSERT_EQ(pixels, 4096);
                 }

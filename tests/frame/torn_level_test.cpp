@@ -124,12 +124,12 @@ TEST(TornLevel, EveryEdgeThatOneFaceAloneWalksIsCounted) {
     ASSERT_EQ(make_face_table(stage.level).torn_edges, 0u);
     const Face& face = stage.level.faces[stage.level.world().faces.first];
     SurfEdge& last = stage.level.surf_edges[face.edges.first];
-    const Edge torn = stage.level.edges[last.edge];
-    stage.level.vertices.push_back(stage.level.vertices[last.is_reversed ? torn.to : torn.from] +
+    const Edge torn = stage.level.edges[last.edge()];
+    stage.level.vertices.push_back(stage.level.vertices[last.is_reversed() ? torn.to : torn.from] +
                                    Vec3<World>{World::from_int(3), World::from_int(1), World::from_int(2)});
     const VertexIndex moved(static_cast<std::int32_t>(stage.level.vertices.size()) - 1);
-    stage.level.edges.push_back(last.is_reversed ? Edge{torn.from, moved} : Edge{moved, torn.to});
-    last.edge = EdgeIndex(static_cast<std::int32_t>(stage.level.edges.size()) - 1);
+    stage.level.edges.push_back(last.is_reversed() ? Edge{torn.from, moved} : Edge{moved, torn.to});
+    last = {EdgeIndex(static_cast<std::int32_t>(stage.level.edges.size()) - 1), last.is_reversed()};
     const std::size_t torn_edges = make_face_table(stage.level).torn_edges;
     // The moved ends of two edges, and those edges' other faces; more where other vertices lie on them.
     EXPECT_GE(torn_edges, 4u);

@@ -42,7 +42,7 @@ TEST(WireframeOfTheDemo, IsTheEdgesOfFacesThatOwnPixels) {
         constexpr int kSteps = 3'000;
         for (const FaceIndex face : faces)
             for (const SurfEdge& step : stage.level.edges_of(stage.level.faces[face])) {
-                const Edge& edge = stage.level.edges[step.edge];
+                const Edge& edge = stage.level.edges[step.edge()];
                 const Point from = to_point(stage.level.vertices[edge.from]),
                             to = to_point(stage.level.vertices[edge.to]);
                 for (int i = 0; i <= kSteps; ++i) {

@@ -29,7 +29,7 @@ Level level_with_wall(std::int32_t block_height, std::int32_t face_bottom = 0, s
         level.vertices.push_back(world_vector(64, y, z));
         const std::int32_t corner = level.vertices.count() - 1;
         level.edges.push_back({VertexIndex(corner), VertexIndex((corner + 1) % 4)});
-        level.surf_edges.push_back({EdgeIndex(corner)});
+        level.surf_edges.push_back({EdgeIndex(corner), false});
     }
     level.texinfos.resize(1);
     Face face;

@@ -42,7 +42,7 @@ struct Scatter {
 
     bool is_used(VertexIndex vertex) const {
         return std::any_of(level.surf_edges.begin(), level.surf_edges.end(), [&](const SurfEdge& step) {
-            const Edge& edge = level.edges[step.edge];
+            const Edge& edge = level.edges[step.edge()];
             return edge.from == vertex || edge.to == vertex;
         });
     }

@@ -64,6 +64,7 @@ OneFace random_face(std::mt19937& random) {
         return Unit::from_raw(static_cast<std::int32_t>(std::lround(part * (1 << 30))));
     };
     scene.plane() = {{unit(n.x), unit(n.y), unit(n.z)},
+                     {},
                      PlaneDistance::from_raw(std::llround(coordinate(random) * std::pow(2.0, 42)))};
     const auto axis = [&](const Point& v, double scale) {
         const auto part = [&](double p) {

@@ -27,9 +27,9 @@ struct Met {
 double depth_in(const Level& level, const Face& face, Point normal, Point p) {
     double least = 1e9;
     for (const SurfEdge step : level.edges_of(face)) {
-        const Edge& edge = level.edges[step.edge];
-        const Point a = test::to_point(level.vertices[step.is_reversed ? edge.to : edge.from]);
-        const Point b = test::to_point(level.vertices[step.is_reversed ? edge.from : edge.to]);
+        const Edge& edge = level.edges[step.edge()];
+        const Point a = test::to_point(level.vertices[step.is_reversed() ? edge.to : edge.from]);
+        const Point b = test::to_point(level.vertices[step.is_reversed() ? edge.from : edge.to]);
         const Point along = b - a, inward = cross(along, normal);  // clockwise: the inside is on the right
         const double size = std::sqrt(dot(inward, inward));
         if (size > 0) least = std::min(least, dot(p - a, inward) / size);

@@ -159,8 +159,9 @@ void collect_walls(const BenchLevel& level, FrameWorkspace& work, StageInputs& i
         wall.face.surface = work.cache.surfaces.get(face, mip, {work.view.light.styles, TextureIndex::none(), offset});
         wall.face.cutting.gradients = make_face_gradients(level.level, level.level.faces[face], wall.face.surface,
                                                           offset, claimed.inverse_z, inputs.view, inverse_projection);
-        wall.face.texels_per_pixel = texels_across(claimed.nearest_z, work.cache.faces[face].least_density,
-                                                   inverse_projection.least_pixel_width);
+        wall.face.texels_per_pixel =
+            texels_across(claimed.nearest_z, convert<TexelDensity>(work.cache.faces[face].least_density),
+                          inverse_projection.least_pixel_width);
         inputs.walls.push_back(std::move(wall));
         for (const Span& span : spans) inputs.pixels += span.end - span.first;
     }

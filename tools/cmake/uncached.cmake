@@ -10,7 +10,7 @@ if(NOT CMAKE_CXX_COMPILER_LAUNCHER)
         set(CMAKE_UNITY_BUILD_BATCH_SIZE 0)
     endif()
 endif()
-# GCC does not collect garbage below 1 GB (it needs 700 MB at most): a tenth of the time.
+# GCC does not collect garbage below 1 GB (it rarely needs more): a tenth of the time.
 if(NOT CMAKE_CXX_COMPILER_LAUNCHER AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
     add_compile_options("SHELL:--param ggc-min-heapsize=1000000")
 endif()

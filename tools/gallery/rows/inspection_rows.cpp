@@ -25,9 +25,9 @@ double distance_in_double(const Level& level, const Face& face, const Vec& eye, 
     if (above <= 0 || approach <= 0) return -1;
     const double t = above / approach;
     for (const SurfEdge step : level.edges_of(face)) {
-        const Edge& edge = level.edges[step.edge];
-        const Vec a = vec_of(level.vertices[step.is_reversed ? edge.to : edge.from]);
-        const Vec b = vec_of(level.vertices[step.is_reversed ? edge.from : edge.to]);
+        const Edge& edge = level.edges[step.edge()];
+        const Vec a = vec_of(level.vertices[step.is_reversed() ? edge.to : edge.from]);
+        const Vec b = vec_of(level.vertices[step.is_reversed() ? edge.from : edge.to]);
         if (dot(eye + direction * t - a, cross(b - a, n)) < 0) return -1;
     }
     return t;
