@@ -44,7 +44,7 @@ class Heights {
             many_.resize(winding.size());
             heights_ = many_.data();
         }
-        const auto [x, y, z] = plane.normal;
+        const double x = plane.normal.x, y = plane.normal.y, z = plane.normal.z;
         if (y == 0 && z == 0)
             measure(winding, [&](const Point& point) { return x * point.x - plane.distance; });
         else if (x == 0 && z == 0)
