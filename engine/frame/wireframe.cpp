@@ -54,8 +54,13 @@ class WirePen {
 
 void draw_path(std::span<const Vec3<World>> points, const ViewSpec& view, const ScreenMode& mode,
                const Settings& settings, const LineStyle& style, Framebuffer out) {
+    constexpr World kAside = World::from_int(4);
     const WirePen pen(view, mode, settings);
-    for (std::size_t i = 1; i < points.size(); ++i) pen.draw(points[i - 1], points[i], style, out);
+    for (const Vec3<World>& aside : {Vec3<World>{kAside, {}, {}}, {{}, kAside, {}}, {{}, {}, kAside}})
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            pen.draw(points[i - 1] + aside, points[i] + aside, style, out);
+            pen.draw(points[i - 1] - aside, points[i] - aside, style, out);
+        }
 }
 
 void draw_wireframe(const Level& level, const ViewSpec& view, const ScreenMode& mode, const Settings& settings,

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
+#include <vector>
 
 #include "engine/view/views.h"
 #include "tests/frame/frame_fixture.h"
@@ -68,6 +70,23 @@ TEST(WireframeOfTheDemo, IsTheEdgesOfFacesThatOwnPixels) {
         for (std::size_t i = 0; i < stage.pixels.size(); ++i) beside += stage.pixels[i] != 0 && !is_near_edge[i];
         EXPECT_EQ(beside, 0) << degrees;
     }
+}
+
+// The eye of a player who stands where a leak's path begins looks along it: 4 units aside, 32 ahead, are 4 / 32 of half
+// the width of a view of 90 degrees.
+TEST(Path, IsSeenByAnEyeThatLooksAlongIt) {
+    const ScreenMode mode{};
+    std::vector<std::uint8_t> pixels(static_cast<std::size_t>(mode.width_px * mode.height_px));
+    const std::vector<Vec3<World>> path{point_at(32, 0, 0), point_at(2048, 0, 0)};
+    draw_path(path, first_person_view(camera_at(point_at(0, 0, 0), 0, 0)), mode, {}, {LineMethod::Bresenham, kLine},
+              {pixels.data(), mode.width_px, mode.height_px, mode.width_px});
+    std::int32_t first = mode.width_px, last = -1;
+    for (std::int32_t y = 0; y < mode.height_px; ++y)
+        for (std::int32_t x = 0; x < mode.width_px; ++x)
+            if (pixels.at(static_cast<std::size_t>(y * mode.width_px + x)) == kLine)
+                first = std::min(first, x), last = std::max(last, x);
+    EXPECT_NEAR(first, 160 - 20, 1);
+    EXPECT_NEAR(last, 160 + 20, 1);
 }
 
 }  // namespace
