@@ -143,7 +143,7 @@ void draw_mirrors(const FrameContext& frame, ViewScratch& scratch) {
         for (const VisibleFace& face : faces) note_spans(face, scratch.claims.spans_of(face), out, frame.observers);
         left.erase(left.begin(), others);
     }
-    if (scratch.effects->meshes) scratch.effects->meshes->begun = nullptr;
+    if (scratch.effects->meshes) scratch.effects->meshes->begun = nullptr;  // the mirrored views used its scratch
     restore_light(frame, scratch);
     draw_surfaces(left, {}, frame, scratch);
 }

@@ -69,9 +69,9 @@ TEST(Consistency, WhatTheGameCanNotGoOnFromIsFound) {
         {"no items", [](GameState& state) { state.items.clear(); }},
         {"an active mover that is not listed", [](GameState& state) { state.active_movers.clear(); }},
         {"an active mover that is none", [](GameState& state) { state.active_movers.push_back(99); }},
-        {"a leg that a door has not", [](GameState& state) { state.movers[0].leg = 1; }},
-        {"beyond the end of its way", [](GameState& state) { state.movers[0].travelled = World::from_int(121); }},
-        {"before the start of its way", [](GameState& state) { state.movers[1].travelled = World::from_int(-1); }},
+        {"a leg that a door does not have", [](GameState& state) { state.movers[0].leg = 1; }},
+        {"beyond the end of its path", [](GameState& state) { state.movers[0].travelled = World::from_int(121); }},
+        {"before the start of its path", [](GameState& state) { state.movers[1].travelled = World::from_int(-1); }},
         {"a wait below none for ever", [](GameState& state) { state.movers[1].wait_ticks = -2; }},
         {"no phase", [](GameState& state) { state.movers[1].phase = static_cast<Phase>(9); }},
         {"touched before the start of time", [](GameState& state) { state.movers[1].next_touch = -1; }},
@@ -82,7 +82,7 @@ TEST(Consistency, WhatTheGameCanNotGoOnFromIsFound) {
         {"delayed by a wall", [](GameState& state) { state.delayed[0].by.kind = EntityRef::Kind::Wall; }},
         {"delayed by no kind", [](GameState& state) { state.delayed[0].by.kind = static_cast<EntityRef::Kind>(9); }},
         {"delayed until now", [](GameState& state) { state.delayed[0].tick = state.tick; }},
-        {"delays out of their order",
+        {"delays out of order",
          [](GameState& state) {
              state.delayed.insert(state.delayed.begin(), {state.delayed[0].tick + 1, {}});
          }},
@@ -90,7 +90,7 @@ TEST(Consistency, WhatTheGameCanNotGoOnFromIsFound) {
         {"less than no message", [](GameState& state) { state.message.shown = -2; }},
         {"an exit that is none", [](GameState& state) { state.exit = 9; }},
         {"more secrets than there are", [](GameState& state) { state.progress.found_secrets = 2; }},
-        {"keys that there are not", [](GameState& state) { state.progress.keys = 4; }},
+        {"keys that do not exist", [](GameState& state) { state.progress.keys = 4; }},
         {"before the start", [](GameState& state) { state.tick = -1; }},
         {"a respawn outside the world", [](GameState& state) { state.progress.respawn.position.x = World::lowest(); }},
         {"a player outside the world", [](GameState& state) { state.player.position.z = World::highest(); }},
@@ -99,14 +99,14 @@ TEST(Consistency, WhatTheGameCanNotGoOnFromIsFound) {
         {"an eye too far behind", [](GameState& state) { state.player.eye_lag = World::from_int(19); }},
         {"ground that is none", [](GameState& state) { state.player.ground = 99; }},
         {"no depth", [](GameState& state) { state.player.depth = static_cast<Depth>(4); }},
-        {"a lift beyond the end of its way",
+        {"a lift beyond the end of its path",
          [](GameState& state) { state.movers[1].travelled = World::from_int(30'000); }},
         {"a wait of years", [](GameState& state) { state.movers[1].wait_ticks = 1 << 30; }},
         {"a mover that is active twice",
          [](GameState& state) {
              state.active_movers = {0, 0};
          }},
-        {"active movers out of their order",
+        {"active movers out of order",
          [](GameState& state) {
              state.active_movers = {1, 0};
          }},

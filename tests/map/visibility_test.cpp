@@ -82,6 +82,12 @@ TEST(Visibility, LongRunsOfZeroesAreCut) {
     EXPECT_EQ(map::unpacked_row(row, 0, 300 * 8 + 1), leaves);
 }
 
+// The bits behind the last leaf of a row are of no leaf.
+TEST(Visibility, ARowHasNoMoreLeavesThanTheLevel) {
+    EXPECT_EQ(map::unpacked_row("", -1, 13).count(), 13);
+    EXPECT_EQ(map::unpacked_row("\xff\xff", 0, 13).count(), 13);
+}
+
 TEST(Visibility, WhatALineOfSightMeetsIsInTheSet) {
     EXPECT_EQ(first_fault_of_rays(compile(level(two_rooms())), 5000, 2), "");
     const auto hall = room({-256, -256, 0}, {256, 256, 256}) + prism({-100, 0, 0}, 60, 256, 6) +

@@ -18,20 +18,17 @@ LightReach::LightReach(const BspFile& bsp, const Tracer& tracer, const std::vect
     : world_face_count_(static_cast<std::size_t>(bsp.models.front().face_count)),
       reached_(sources.size(), BitSet(world_face_count_)) {
     const auto leaf_count = static_cast<std::size_t>(bsp.models.front().visible_leaf_count);
-    const BitSet no_leaves(leaf_count);
     sharing.for_each(sources.size(), [&](std::size_t i) {
         const FileLeaf& home = item(bsp.leaves, tracer.leaf_at(sources[i].origin));
         bool sees_sky = home.contents == contents::kSky;
-        unpacked_row(bsp.visibility, home.visibility_offset, leaf_count)
-            .for_each_beyond(no_leaves, [&](std::size_t leaf) {
-                if (leaf >= leaf_count) return;
-                const FileLeaf& marks = bsp.leaves[leaf + 1];
-                for (int k = 0; k < marks.mark_face_count; ++k) {
-                    const int face = item(bsp.mark_faces, marks.first_mark_face + k);
-                    reached_[i].add(as_size(face));
-                    sees_sky = sees_sky || is_sky(bsp, item(bsp.faces, face));
-                }
-            });
+        unpacked_row(bsp.visibility, home.visibility_offset, leaf_count).for_each([&](std::size_t leaf) {
+            const FileLeaf& marks = bsp.leaves[leaf + 1];
+            for (int k = 0; k < marks.mark_face_count; ++k) {
+                const int face = item(bsp.mark_faces, marks.first_mark_face + k);
+                reached_[i].add(as_size(face));
+                sees_sky = sees_sky || is_sky(bsp, item(bsp.faces, face));
+            }
+        });
         if (!sees_sky) return;
         for (std::size_t face = 0; face < world_face_count_; ++face)
             reached_[i].add(face);  // faces behind a sky are in no set

@@ -44,6 +44,7 @@ class Heights {
             many_.resize(winding.size());
             heights_ = many_.data();
         }
+        // Most planes lie along an axis.
         const double x = plane.normal.x, y = plane.normal.y, z = plane.normal.z;
         if (y == 0 && z == 0)
             measure(winding, [&](const Point& point) { return x * point.x - plane.distance; });

@@ -28,6 +28,11 @@ class BitSet {
                 use(64 * i + static_cast<std::size_t>(std::countr_zero(rest)));
     }
 
+    template <class Use>
+    void for_each(Use use) const {
+        for_each_beyond(BitSet(64 * words_.size()), use);
+    }
+
     /// Elements 8 i to 8 i + 7, the first in the lowest bit.
     std::uint8_t byte(std::size_t i) const { return static_cast<std::uint8_t>(words_[i / 8] >> (i % 8 * 8)); }
     /// Adds them; none of them may be in the set.

@@ -167,10 +167,9 @@ void narrow_might_see(VisGraph& graph, const WorkSharing& sharing) {
     std::vector<BitSet> sets(graph.portals.size());
     sharing.for_each(sets.size(), [&](std::size_t i) { sets[i] = narrowed(graph, graph.portals[i]); });
     // Lines of sight run in both directions: portal i ^ 1 is portal i in the other direction.
-    const BitSet none(sets.size());
     sharing.for_each(sets.size(), [&](std::size_t i) {
         BitSet& both = graph.portals[i].might_see = sets[i];
-        sets[i].for_each_beyond(none, [&](std::size_t k) {
+        sets[i].for_each([&](std::size_t k) {
             if (!sets[k ^ 1].has(i ^ 1)) both.remove(k);
         });
     });

@@ -64,8 +64,7 @@ BitSet clusters_seen_from(int cluster, const VisGraph& graph, const std::vector<
         portals.add(static_cast<std::size_t>(out));
         portals.add_all(item(seen, out));
     }
-    portals.for_each_beyond(BitSet(graph.portals.size()),
-                            [&](std::size_t i) { clusters.add(as_size(graph.portals[i].cluster)); });
+    portals.for_each([&](std::size_t i) { clusters.add(as_size(graph.portals[i].cluster)); });
     return clusters;
 }
 
@@ -100,7 +99,7 @@ std::vector<std::vector<std::size_t>> leaves_of_clusters(const Clusters& cluster
 std::string row_of(const BitSet& clusters, const std::vector<std::vector<std::size_t>>& leaves_of_cluster,
                    std::size_t leaf_count) {
     BitSet leaves(leaf_count);
-    clusters.for_each_beyond(BitSet(leaves_of_cluster.size()), [&](std::size_t cluster) {
+    clusters.for_each([&](std::size_t cluster) {
         for (const std::size_t leaf : leaves_of_cluster[cluster]) leaves.add(leaf);
     });
     return packed_row(leaves, leaf_count);
@@ -163,11 +162,12 @@ std::string packed_row(const BitSet& leaves, std::size_t leaf_count) {
 
 BitSet unpacked_row(const std::string& visibility, int offset, std::size_t leaf_count) {
     const std::size_t size = (leaf_count + 7) / 8;
-    BitSet leaves(8 * size);
+    BitSet leaves(leaf_count);
+    const std::uint32_t last = 255u >> (8 * size - leaf_count);  // the leaves of the last byte
     auto at = static_cast<std::size_t>(offset);
     for (std::size_t i = 0; i < size; ++i) {
         const std::uint8_t byte = offset < 0 ? 255 : static_cast<std::uint8_t>(visibility[at++]);
-        leaves.add_byte(i, byte);
+        leaves.add_byte(i, static_cast<std::uint8_t>(i + 1 < size ? byte : byte & last));
         if (byte == 0) i += static_cast<std::uint8_t>(visibility[at++]) - std::size_t{1};
     }
     return leaves;
