@@ -8,7 +8,7 @@
 
 #include "tests/support/random.h"
 
-namespace oblong::test {
+namespace oblong::test::bit_set_test {
 namespace {
 
 constexpr int kSize = 300;
@@ -61,4 +61,4 @@ TEST(ThinSet, IsTheIntersectionEachTimeItIsUsed) {
 }
 
 }  // namespace
-}  // namespace oblong::test
+}  // namespace oblong::test::bit_set_test

@@ -130,9 +130,9 @@ struct Stretch {
     double end = 0;
 };
 
-class Level {
+class CheckedLevel {
   public:
-    explicit Level(const BspFile& bsp) : bsp_(bsp), marked_(bsp.leaves.size()) {
+    explicit CheckedLevel(const BspFile& bsp) : bsp_(bsp), marked_(bsp.leaves.size()) {
         const auto& world = bsp.models.front();
         for (int i = 0; i < world.face_count; ++i) {
             const auto& face = bsp.faces[static_cast<std::size_t>(i)];
@@ -227,7 +227,7 @@ Point random_direction(std::mt19937& random) {
 }
 
 // A point of a random leaf; nothing if the box of the leaf did not yield one.
-std::optional<Point> random_open_point(const Level& level, std::mt19937& random) {
+std::optional<Point> random_open_point(const CheckedLevel& level, std::mt19937& random) {
     const auto count = static_cast<unsigned>(level.bsp().models.front().visible_leaf_count);
     const int index = 1 + static_cast<int>(random() % count);
     const auto& box = level.bsp().leaves[static_cast<std::size_t>(index)].box;
@@ -250,13 +250,13 @@ std::string described(const char* fault, const Ray& ray, double distance) {
 }
 
 // At a grazing angle the rounding of a corner shifts the meeting point along the ray.
-double shift_at(const Level& level, const Ray& ray, int face) {
+double shift_at(const CheckedLevel& level, const Ray& ray, int face) {
     if (face < 0) return 0;
     const FacingPlane plane = facing_plane(level.bsp(), level.bsp().faces[static_cast<std::size_t>(face)]);
     return 0.02 + 2 * kTooNear / std::abs(dot(ray.direction, plane.normal));
 }
 
-std::string fault_of(const Level& level, const Ray& ray) {
+std::string fault_of(const CheckedLevel& level, const Ray& ray) {
     const std::vector<Stretch> stretches = level.walk(ray);
     const double open_until = stretches.size() < 2 ? 0 : stretches[stretches.size() - 2].end;
     if (!level.is_blocking(stretches.back().leaf)) return described("the ray leaves the level", ray, kFar);
@@ -277,7 +277,7 @@ std::string fault_of(const Level& level, const Ray& ray) {
 }  // namespace
 
 std::string first_fault_of_rays(const BspFile& bsp, int ray_count, unsigned seed) {
-    const Level level(bsp);
+    const CheckedLevel level(bsp);
     std::mt19937 random(seed);
     for (int i = 0; i < ray_count; ++i) {
         const auto from = random_open_point(level, random);

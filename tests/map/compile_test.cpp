@@ -12,7 +12,7 @@
 #include "tools/map/source/geometry.h"
 #include "tools/render/renderer.h"
 
-namespace oblong::test {
+namespace oblong::test::compile_test {
 namespace {
 
 Level as_engine_level(const map::BspFile& bsp) {
@@ -176,4 +176,4 @@ TEST(Compile, ErrorsSayWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace oblong::test
+}  // namespace oblong::test::compile_test

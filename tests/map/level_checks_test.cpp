@@ -4,7 +4,7 @@
 
 #include "tests/map/map_source.h"
 
-namespace oblong::test {
+namespace oblong::test::level_checks_test {
 namespace {
 
 using Said = std::vector<std::string>;
@@ -143,4 +143,4 @@ TEST(LevelChecks, NameWadsOfWhichNothingIsUsed) {
 }
 
 }  // namespace
-}  // namespace oblong::test
+}  // namespace oblong::test::level_checks_test

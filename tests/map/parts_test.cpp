@@ -11,7 +11,7 @@
 #include "tests/support/folders.h"
 #include "tools/map/tree/bsp_read.h"
 
-namespace oblong::test {
+namespace oblong::test::parts_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -177,4 +177,4 @@ TEST_F(MapWatchTest, FollowsWhatTheSourceNames) {
 }
 
 }  // namespace
-}  // namespace oblong::test
+}  // namespace oblong::test::parts_test

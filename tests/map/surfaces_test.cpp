@@ -6,7 +6,7 @@
 #include "tests/map/bsp_checks.h"
 #include "tests/map/map_source.h"
 
-namespace oblong::test {
+namespace oblong::test::surfaces_test {
 
 namespace {
 
@@ -117,4 +117,4 @@ TEST(Mesh, NoVertexLiesNearAnEdgeOfSlantedWalls) {
 
 }  // namespace
 
-}  // namespace oblong::test
+}  // namespace oblong::test::surfaces_test
