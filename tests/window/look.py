@@ -26,12 +26,13 @@ FIELD_OF_VIEW = '40'  # degrees: the sphere then takes two thirds of the height
 
 
 class Display:
-    """An X server without a screen; ends what it has started."""
+    """An X server without a screen; ends what it has started. It does not start anew when its last client goes, as a
+    game that starts then finds no display."""
 
     def __init__(self):
         read, write = os.pipe()
         self.server = subprocess.Popen(['Xvfb', '-displayfd', str(write), '-screen', '0', '%dx%dx24' % SCREEN,
-                                        '-nolisten', 'tcp'], pass_fds=[write], stderr=subprocess.DEVNULL)
+                                        '-nolisten', 'tcp', '-noreset'], pass_fds=[write], stderr=subprocess.DEVNULL)
         os.close(write)
         with os.fdopen(read) as pipe:
             number = pipe.readline().strip()
@@ -105,6 +106,8 @@ class Game:
     def wait_for_window(self):
         for _ in range(1000):
             time.sleep(0.2)
+            if self.process.poll() is not None:
+                raise SystemExit('look.py: the game ended with %d before it had a window' % self.process.returncode)
             found = subprocess.run(['xdotool', 'search', '--onlyvisible', '--name', 'Oblong'],
                                    env=self.display.environment, stdout=subprocess.PIPE).stdout.split()
             if found:
