@@ -128,6 +128,7 @@ inline constexpr std::array kWorld{
     number("_dirtgain", "1", "exponent of that darkening"),
     number("_bounce", "0", "how many times light is reflected; `--bounce`: once"),
     number("_bouncescale", "1", "factor of reflected light"),
+    number("_bouncestyled", "0", "1: flickering and switchable light is reflected, too"),
     numbers("_sun_mangle", 2, 3, "0 -90 0", "direction of the sun's light: yaw pitch roll; negative pitch is down"),
     numbers("fog", 4, 9, "", "density red green blue [alpha mindist maxdist [top fadedepth]]"),
     number("skyfog", "0.5", "share of fog on the sky, 0 to 1"),

@@ -7,6 +7,7 @@
 
 #include "tests/map/bsp_checks.h"
 #include "tests/map/map_source.h"
+#include "tools/map/light/face_sampler.h"
 
 namespace oblong::test {
 namespace {
@@ -161,6 +162,39 @@ TEST(HemisphereLight, OnlySteadyLightBounces) {
     };
     EXPECT_EQ(lighting_of("5", true), lighting_of("5", false));
     EXPECT_NE(lighting_of("0", true), lighting_of("0", false));
+}
+
+// With `_bouncestyled` the light of each lamp is the same, direct and bounced, whatever its style: each style's layer
+// is the lightmap of a level that has only that lamp, as a steady one.
+TEST(HemisphereLight, StyledLightBouncesInItsOwnLayer) {
+    const std::string hall = room({0, 0, 0}, {256, 256, 128}) + box({64, 64, 48}, {192, 192, 56});
+    const auto bsp_of = [&](const std::vector<std::pair<int, const char*>>& lamps) {  // x, style
+        std::string entities = entity_at("info_player_start", {32, 32, 28});
+        for (const auto& [x, style] : lamps) entities += entity_at("light", {x, 96, 96}, {{"style", style}});
+        return compile(world_with({{"_bounce", "2"}, {"_bouncestyled", "1"}, {"_dirt", "1"}}, hall) + entities,
+                       {.is_fast = true});
+    };
+    const auto steady_west = bsp_of({{80, "0"}}), steady_east = bsp_of({{176, "0"}});
+    const auto both = bsp_of({{80, "0"}, {176, "5"}});
+    EXPECT_EQ(bsp_of({{176, "5"}}).lighting, steady_east.lighting);
+    ASSERT_EQ(both.faces.size(), steady_west.faces.size());
+    const auto layer = [](const map::BspFile& bsp, std::size_t face, int style) {
+        const auto& styles = bsp.faces[face].styles;
+        const auto at = std::find(styles.begin(), styles.end(), style);
+        if (at == styles.end() || bsp.faces[face].light_offset < 0) return std::string();
+        const auto [width, height] = map::light_grid(bsp, bsp.faces[face]).count;
+        const auto size = static_cast<std::size_t>(width * height);
+        return bsp.lighting.substr(static_cast<std::size_t>(bsp.faces[face].light_offset) +
+                                       static_cast<std::size_t>(at - styles.begin()) * size,
+                                   size);
+    };
+    int with_both = 0;
+    for (std::size_t face = 0; face < both.faces.size(); ++face) {
+        with_both += both.faces[face].styles[1] == 5 ? 1 : 0;
+        EXPECT_EQ(layer(both, face, 0), layer(steady_west, face, 0)) << face;
+        EXPECT_EQ(layer(both, face, 5), layer(steady_east, face, 0)) << face;
+    }
+    EXPECT_GE(with_both, 6);
 }
 
 // A round pillar of 12 faces: at the corners the light is that of a cylinder, whose normal points away from the axis.

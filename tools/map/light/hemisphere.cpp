@@ -18,9 +18,8 @@ std::array<Point, 2> tangents(const Point& normal) {
 
 }  // namespace
 
-Hemisphere HemisphereRays::gather(
-    const Point& point, const Point& normal, int pattern, double dirt_depth, const Tracer& tracer,
-    const std::function<double(const Point&, const RayHit&, const Point&)>& light_at) const {
+Hemisphere HemisphereRays::gather(const Point& point, const Point& normal, int pattern, double dirt_depth,
+                                  const Tracer& tracer, const AddLight& add_reflected) const {
     const auto [right, up] = tangents(normal);
     const double shift = (pattern + 0.5) / patterns_, turn = static_cast<double>(2 * pattern % patterns_) / patterns_;
     const double share = 1.0 / (rings_ * rings_);
@@ -35,7 +34,7 @@ Hemisphere HemisphereRays::gather(
             if (hit.contents == contents::kSky) (direction.z >= 0 ? seen.sky_above : seen.sky_below) += share;
             if (hit.contents != contents::kSolid) continue;
             seen.shut += share * std::max(1 - hit.share * kFar / dirt_depth, 0.0);
-            if (light_at) seen.light += share * light_at(point + direction * (kFar * hit.share), hit, direction);
+            if (add_reflected) add_reflected(point + direction * (kFar * hit.share), hit, direction, share, seen.light);
         }
     }
     return seen;

@@ -139,35 +139,47 @@ class LightPass {
     // The first pass is for sky, dirt and the first bounce; each further pass is for a bounce.
     void add_hemisphere_light() {
         const HemisphereSettings& settings = lights_.hemisphere;
-        std::vector<Samples> last(samplers_.size()), next(samplers_.size()), shut(samplers_.size());
-        for (std::size_t i = 0; i < samplers_.size(); ++i)
-            if (const auto steady = styles_[i].find(0); steady != styles_[i].end()) last[i] = steady->second;
+        std::vector<StyleSamples> last = styles_;
+        if (!settings.is_bounce_styled)
+            for (StyleSamples& styles : last) std::erase_if(styles, [](const auto& style) { return style.first != 0; });
         const std::vector<double> reflected = reflectances(bsp_, options_.palette);
         for (int bounce = 0; bounce < std::max(settings.bounces, 1); ++bounce) {
-            const auto light_at = [&](const Point& point, const RayHit& hit, const Point& direction) {
-                return light_of_surface(point, hit, direction, last, reflected) * settings.bounce_scale;
+            const AddLight add_reflected = [&](const Point& point, const RayHit& hit, const Point& direction,
+                                               double share, StyleLight& light) {
+                add_light_of_surface(point, hit, direction, last, reflected, share, light);
             };
+            std::vector<StyleSamples> next(samplers_.size());
             sharing_.begin("bounced light", samplers_.size());
             sharing_.for_each(samplers_.size(), [&](std::size_t i) {
                 if (!samplers_[i]) return;
                 const std::vector<Hemisphere> seen =
-                    seen_from(*samplers_[i], settings.bounces > 0 ? SurfaceLight(light_at) : SurfaceLight());
-                next[i].assign(seen.size(), 0);
-                Samples& steady = styles_[i][0];
-                steady.resize(seen.size(), 0);
-                for (std::size_t k = 0; k < seen.size(); ++k) next[i][k] = seen[k].light;
-                if (bounce > 0) return;
-                for (std::size_t k = 0; k < seen.size(); ++k) darken(i, k, seen[k]);
+                    seen_from(*samplers_[i], settings.bounces > 0 ? add_reflected : AddLight());
+                if (bounce == 0) add_sky_and_dirt(i, seen);
                 for (std::size_t k = 0; k < seen.size(); ++k)
-                    steady[k] += settings.sunlight2 * seen[k].sky_above + settings.sunlight3 * seen[k].sky_below;
+                    for (const auto& [style, light] : seen[k].light) sample_of(next[i], style, k, seen.size()) = light;
             });
             for (std::size_t i = 0; i < next.size(); ++i)
-                for (std::size_t k = 0; k < next[i].size(); ++k) styles_[i][0][k] += next[i][k];
-            std::swap(last, next);
+                for (const auto& [style, samples] : next[i])
+                    for (std::size_t k = 0; k < samples.size(); ++k)
+                        sample_of(styles_[i], style, k, samples.size()) += samples[k];
+            last = std::move(next);
         }
     }
 
-    using SurfaceLight = std::function<double(const Point&, const RayHit&, const Point&)>;
+    static double& sample_of(StyleSamples& styles, int style, std::size_t sample, std::size_t count) {
+        Samples& samples = styles[style];
+        samples.resize(count, 0);
+        return samples[sample];
+    }
+
+    void add_sky_and_dirt(std::size_t face, const std::vector<Hemisphere>& seen) {
+        const HemisphereSettings& settings = lights_.hemisphere;
+        for (std::size_t k = 0; k < seen.size(); ++k) {
+            darken(face, k, seen[k]);
+            sample_of(styles_[face], 0, k, seen.size()) +=
+                settings.sunlight2 * seen[k].sky_above + settings.sunlight3 * seen[k].sky_below;
+        }
+    }
 
     void darken(std::size_t face, std::size_t sample, const Hemisphere& seen) {
         const HemisphereSettings& settings = lights_.hemisphere;
@@ -178,7 +190,7 @@ class LightPass {
 
     // Light is nearly the same at neighbouring samples, so that each traces a ninth of the rays, and the mean of nine
     // neighbours covers all.
-    std::vector<Hemisphere> seen_from(const FaceSampler& sampler, const SurfaceLight& light_at) const {
+    std::vector<Hemisphere> seen_from(const FaceSampler& sampler, const AddLight& add_reflected) const {
         const HemisphereRays rays(options_.is_fast ? 4 : 8, 9);
         const auto [width, height] = sampler.grid().count;
         std::vector<Hemisphere> alone;
@@ -186,7 +198,7 @@ class LightPass {
             for (int u = 0; u < width; ++u) {
                 const Point point = sampler.point_at(u, v);
                 alone.push_back(rays.gather(point, sampler.normal_at(point), u % 3 + 3 * (v % 3),
-                                            lights_.hemisphere.dirt_depth, tracer_, light_at));
+                                            lights_.hemisphere.dirt_depth, tracer_, add_reflected));
             }
         }
         std::vector<Hemisphere> smooth;
@@ -204,15 +216,18 @@ class LightPass {
                 sum.sky_above += each.sky_above;
                 sum.sky_below += each.sky_below;
                 sum.shut += each.shut;
-                sum.light += each.light;
+                for (const auto& [style, light] : each.light) sum.light[style] += light;
             }
         }
-        return {sum.sky_above / count, sum.sky_below / count, sum.shut / count, sum.light / count};
+        for (auto& [style, light] : sum.light) light /= count;
+        return {sum.sky_above / count, sum.sky_below / count, sum.shut / count, std::move(sum.light)};
     }
 
-    double light_of_surface(const Point& point, const RayHit& hit, const Point& direction,
-                            const std::vector<Samples>& light, const std::vector<double>& reflected) const {
-        if (hit.node < 0) return 0;
+    // Adds the light that the face at a ray's end reflects, times `share`.
+    void add_light_of_surface(const Point& point, const RayHit& hit, const Point& direction,
+                              const std::vector<StyleSamples>& light, const std::vector<double>& reflected,
+                              double share, StyleLight& sum) const {
+        if (hit.node < 0) return;
         const FileNode& node = item(bsp_.nodes, hit.node);
         const bool is_back = dot(to_point(item(bsp_.planes, node.plane).normal), direction) > 0;
         for (int i = node.first_face; i < node.first_face + node.face_count; ++i) {
@@ -220,10 +235,11 @@ class LightPass {
             if ((face.is_back != 0) != is_back || !item(samplers_, i)) continue;
             const auto sample = item(samplers_, i)->sample_at(point);
             if (!sample) continue;
-            const Samples& samples = item(light, i);
-            return samples.empty() ? 0 : samples[*sample] * item(reflected, item(bsp_.texinfos, face.texinfo).texture);
+            const double reflectance = item(reflected, item(bsp_.texinfos, face.texinfo).texture);
+            for (const auto& [style, samples] : item(light, i))
+                sum[style] += share * (samples[*sample] * reflectance * lights_.hemisphere.bounce_scale);
+            return;
         }
-        return 0;
     }
 
     void store() {

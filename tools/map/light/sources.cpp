@@ -153,6 +153,7 @@ HemisphereSettings hemisphere_of(const MapEntity& world) {
     constexpr double kMostBounces = 8;
     settings.bounces = static_cast<int>(std::clamp(value("_bounce"), 0.0, kMostBounces));
     settings.bounce_scale = std::max(value("_bouncescale"), 0.0);
+    settings.is_bounce_styled = value("_bouncestyled") > 0;
     return settings;
 }
 

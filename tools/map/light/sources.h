@@ -56,6 +56,7 @@ struct HemisphereSettings {
     double dirt_depth = 128, dirt_scale = 1, dirt_gain = 1;
     int bounces = 0;  ///< of light from surface to surface
     double bounce_scale = 1;
+    bool is_bounce_styled = false;  ///< light of other styles than 0 is reflected, too
 
     bool is_needed() const { return sunlight2 > 0 || sunlight3 > 0 || has_dirt || bounces > 0; }
 };
