@@ -1,5 +1,3 @@
-#include "engine/files/assets_folder.h"
-
 #include <filesystem>
 
 #include "engine/files/files.h"

@@ -1,5 +1,3 @@
-#include "engine/files/flac.h"
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -7,6 +5,7 @@
 
 #include "engine/base/input_error.h"
 #include "engine/base/table.h"
+#include "engine/files/sound_file.h"
 
 namespace oblong {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/files/flac.h"
+#include "engine/files/sound_file.h"
 #include "engine/level/level.h"
 
 namespace oblong {

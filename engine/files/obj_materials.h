@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/files/quantise.h"
+#include "engine/files/picture.h"
 #include "engine/mesh/mesh.h"
 
 namespace oblong {

@@ -1,9 +1,8 @@
-#include "engine/files/quantise.h"
-
 #include <algorithm>
 #include <array>
 
 #include "engine/base/table.h"
+#include "engine/files/picture.h"
 #include "engine/view/screen.h"
 
 namespace oblong {

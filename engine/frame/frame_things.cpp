@@ -6,7 +6,6 @@
 #include "engine/frame/frame_context.h"
 #include "engine/frame/frame_counts.h"
 #include "engine/frame/frame_fog.h"
-#include "engine/frame/model_pass.h"
 #include "engine/frame/view_scratch.h"
 
 namespace oblong {

@@ -1,11 +1,10 @@
-#include "engine/frame/model_pass.h"
-
 #include <algorithm>
 
 #include "engine/frame/face_cover.h"
 #include "engine/frame/frame_context.h"
 #include "engine/frame/frame_counts.h"
 #include "engine/frame/frame_fog.h"
+#include "engine/frame/frame_things.h"
 #include "engine/frame/view_scratch.h"
 #include "engine/scene/light_styles.h"
 #include "engine/visibility/box_culler.h"

@@ -7,7 +7,7 @@
 #include "engine/frame/frame_context.h"
 #include "engine/frame/frame_counts.h"
 #include "engine/frame/frame_record.h"
-#include "engine/frame/model_pass.h"
+#include "engine/frame/frame_things.h"
 #include "engine/frame/see_through_pass.h"
 #include "engine/frame/shared_drawing.h"
 #include "engine/frame/torn_pixels.h"

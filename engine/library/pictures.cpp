@@ -4,7 +4,6 @@
 #include "engine/base/table.h"
 #include "engine/files/files.h"
 #include "engine/files/picture.h"
-#include "engine/files/quantise.h"
 #include "engine/library/oblong.h"
 
 namespace oblong {

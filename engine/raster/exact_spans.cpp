@@ -6,8 +6,8 @@
 #include <cstdlib>
 
 #include "engine/raster/block_steps.h"
+#include "engine/raster/kernels/by_eights.h"
 #include "engine/raster/kernels/kernels.h"
-#include "engine/raster/kernels/octave_by_eights.h"
 #include "engine/raster/octave_row.h"
 #include "engine/raster/perspective.h"
 

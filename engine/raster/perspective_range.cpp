@@ -1,7 +1,7 @@
-#include "engine/raster/perspective_range.h"
-
 #include <algorithm>
 #include <cstdint>
+
+#include "engine/raster/texture_blocks.h"
 
 namespace oblong {
 

@@ -5,7 +5,7 @@
 
 #include "engine/base/table.h"
 #include "engine/raster/block_steps.h"
-#include "engine/raster/kernels/cut_by_eights.h"
+#include "engine/raster/kernels/by_eights.h"
 #include "engine/raster/perspective.h"
 #include "engine/raster/row_repeater.h"
 #include "engine/raster/span_cutter.h"
@@ -187,7 +187,7 @@ OBLONG_TARGET_BMI2 std::span<const Span> append_bounded_bmi2(std::span<const Spa
     return cut_in_range<Texturing::Bounded>(spans, pitch, cutting, DividedReciprocal{}, blocks);
 }
 
-/// The same for processors with AVX-512, with cut_by_eights.h where it applies.
+/// The same for processors with AVX-512, with by_eights.h where it applies.
 OBLONG_TARGET_BMI2 std::span<const Span> append_bounded_avx512(std::span<const Span> spans, std::int32_t pitch,
                                                                const BlockCutting& cutting, BlockList& blocks) {
     const bool repeats_rows = RowRepeater<DividedReciprocal>::serves(cutting.gradients);

@@ -8,7 +8,6 @@
 #include "engine/raster/block_rule.h"
 #include "engine/raster/block_steps.h"
 #include "engine/raster/kernels/kernels.h"
-#include "engine/raster/perspective_range.h"
 #include "engine/view/gradients.h"
 #include "engine/view/screen.h"
 
@@ -43,7 +42,7 @@ class BlockList {
 
   private:
     static constexpr std::size_t kBatch = 2048;
-    static constexpr std::size_t kWrittenAtOnce = 8;  ///< may be written beyond the list's end (cut_by_eights.h)
+    static constexpr std::size_t kWrittenAtOnce = 8;  ///< may be written beyond the list's end (by_eights.h)
 
     std::vector<TexelBlock> blocks_;
     std::size_t used_ = 0;
@@ -76,5 +75,17 @@ std::int64_t divisions_of(std::span<const Span> spans, const BlockCutting& cutti
 /// The exact texel at the centre of a pixel.
 TexelPosition texel_at(const TextureGradients& gradients, const TexelLimits& limits, std::int32_t column,
                        std::int32_t row);
+
+/// 1/z is clamped to these: z from 2^-15 unit to beyond any world.
+inline constexpr auto kGreatestInverseZ = InverseZ::from_raw(std::int64_t{1} << 59);
+inline constexpr auto kLeastInverseZ = InverseZ::from_raw(std::int64_t{1} << 24);
+
+/// Whether 1/z is within its limits and |u|, |v| are below 114,000 texels at every pixel of a rectangle around a
+/// polygon's spans: then cutters give the same results without clamping. The quantities are linear, so their extremes
+/// are at the corners.
+bool fits_range(const TextureGradients& gradients, const ScreenRectangle& rectangle);
+
+/// The least 1/z in the rectangle.
+InverseZ least_inverse_z(const LinearQuantity<InverseZ>& inverse_z, const ScreenRectangle& rectangle);
 
 }  // namespace oblong

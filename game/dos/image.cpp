@@ -11,7 +11,7 @@
 #include "engine/files/arguments.h"
 #include "engine/files/command_line.h"
 #include "engine/files/files.h"
-#include "engine/files/flac.h"
+#include "engine/files/sound_file.h"
 #include "engine/platform/dos/layout.h"
 #include "engine/platform/small_mixer.h"
 #include "game/dos/prepared_game.h"

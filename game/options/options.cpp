@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include "engine/files/arguments.h"
-#include "engine/files/assets_folder.h"
 #include "engine/files/command_line.h"
+#include "engine/files/files.h"
 #include "game/options/preference_table.h"
 
 namespace oblong {

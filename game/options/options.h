@@ -7,10 +7,22 @@
 #include "engine/files/log_channels.h"
 #include "engine/raster/lines.h"
 #include "engine/view/present_rect.h"
-#include "game/options/player_folders.h"
 #include "game/options/preferences_store.h"
 
 namespace oblong {
+
+/// Where a player's files are kept; empty if the system names no folder for them.
+struct PlayerFolders {
+    std::string config_file;  ///< preferences
+    std::string data;         ///< the folder of saved games
+};
+
+/// $XDG_CONFIG_HOME/oblong/oblong.cfg and $XDG_DATA_HOME/oblong, by the XDG Base Directory Specification; if these are
+/// unset or not absolute, below ~/.config and ~/.local/share.
+PlayerFolders desktop_folders();
+
+/// Both in the folder oblong-data below the program's folder.
+PlayerFolders portable_folders(const std::string& program_folder);
 
 /// The level to play, from the command line; empty strings: not given.
 struct LevelOptions {

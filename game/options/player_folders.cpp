@@ -1,7 +1,7 @@
-#include "game/options/player_folders.h"
-
 #include <cstdlib>
 #include <filesystem>
+
+#include "game/options/options.h"
 
 namespace oblong {
 namespace {

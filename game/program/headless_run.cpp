@@ -1,5 +1,3 @@
-#include "game/program/headless_run.h"
-
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -9,6 +7,7 @@
 #include "engine/platform/headless/headless.h"
 #include "engine/view/screen.h"
 #include "game/input/actions.h"
+#include "game/program/program.h"
 #include "game/simulation/tick_input.h"
 
 namespace oblong {

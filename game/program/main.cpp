@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "engine/files/arguments.h"
-#include "engine/files/assets_folder.h"
 #include "engine/files/files.h"
 #include "engine/platform/sdl/sdl.h"
 #include "engine/platform/worker_threads.h"
@@ -11,7 +10,6 @@
 #include "game/lab/timedemo.h"
 #include "game/options/options.h"
 #include "game/program/error_window.h"
-#include "game/program/headless_run.h"
 #include "game/program/program.h"
 
 namespace oblong {

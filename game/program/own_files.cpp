@@ -1,5 +1,3 @@
-#include "game/program/own_files.h"
-
 #include <filesystem>
 #include <optional>
 #include <vector>
@@ -7,6 +5,7 @@
 #include "engine/base/table.h"
 #include "engine/files/files.h"
 #include "engine/files/picture.h"
+#include "game/program/program_files.h"
 
 namespace oblong {
 namespace {

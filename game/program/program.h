@@ -1,8 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <string>
 
+#include "engine/platform/platform.h"
 #include "game/input/input_mapper.h"
+#include "game/options/options.h"
 #include "game/program/screens.h"
 
 namespace oblong {
@@ -44,5 +47,9 @@ class Program {
     bool is_stale_ = true;           // the window does not show the current state
     WindowSize shown_size_;
 };
+
+/// The platform of --headless: as many pictures as it says, a tick each, written as PNGs into the folder of --out. Its
+/// input is a short walk, or the replayed demo. The options outlive it.
+std::unique_ptr<Platform> open_headless(const Options& options);
 
 }  // namespace oblong

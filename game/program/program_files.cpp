@@ -6,7 +6,6 @@
 
 #include "engine/files/files.h"
 #include "game/level/level_search.h"
-#include "game/program/own_files.h"
 
 namespace oblong {
 namespace {

@@ -3,10 +3,13 @@
 #include <memory>
 #include <string>
 
+#include "engine/files/game_definition.h"
+#include "engine/platform/platform.h"
 #include "game/input/tick_input_source.h"
 #include "game/level/loaded_level.h"
 #include "game/options/options.h"
 #include "game/program/map_watch.h"
+#include "game/sound/game_sound.h"
 
 namespace oblong {
 
@@ -32,5 +35,11 @@ std::string game_name(const std::string& folder);
 
 /// The folder of a game's saves, separate for each game, so that no title offers walks of another game.
 std::string saves_folder_of(const Options& options);
+
+/// The sounds and captions of a game's folder. Throws FileError for a caption of an unknown sound.
+OwnSounds own_sounds_of(const GameDefinition& game);
+
+/// Sets the window's icon to the game's, if it has one. Throws FileError.
+void show_icon(const GameDefinition& game, Platform& platform);
 
 }  // namespace oblong

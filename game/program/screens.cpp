@@ -5,7 +5,7 @@
 
 #include "engine/files/arguments.h"
 #include "engine/files/files.h"
-#include "game/program/own_files.h"
+#include "game/program/program_files.h"
 
 namespace oblong {
 namespace {

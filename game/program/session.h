@@ -11,7 +11,7 @@
 #include "game/program/shown_overlays.h"
 #include "game/program/view_options.h"
 #include "game/program/walk_ticks.h"
-#include "game/saves/thumbnail.h"
+#include "game/saves/saved_game.h"
 #include "game/sound/game_sound.h"
 #include "game/view/game_renderer.h"
 #include "game/view/messages.h"

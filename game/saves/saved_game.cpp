@@ -6,7 +6,6 @@
 
 #include "engine/base/fnv.h"
 #include "engine/base/little_endian.h"
-#include "game/saves/state_bytes.h"
 #include "game/simulation/state_check.h"
 
 namespace oblong {

@@ -1,16 +1,32 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "game/saves/thumbnail.h"
+#include "engine/base/little_endian.h"
+#include "engine/base/table.h"
+#include "engine/surface/palette.h"
+#include "engine/view/screen.h"
 #include "game/simulation/game_level.h"
 #include "game/simulation/items.h"
 #include "game/simulation/state.h"
 
 namespace oblong {
+
+/// A small picture of the view at the moment of a save, in the colours shown.
+struct Thumbnail {
+    static constexpr std::int32_t kWidth_px = 80, kHeight_px = 50;
+
+    std::array<Rgb8, as_size(kWidth_px) * kHeight_px> pixels{};  ///< row by row
+
+    bool operator==(const Thumbnail&) const = default;
+};
+
+/// Scales a picture of any mode down: each pixel is the mean of those that it covers.
+Thumbnail make_thumbnail(Framebuffer picture, const Palette& palette);
 
 /// The level of a saved game and how it was shown: load_game()'s arguments, as paths that do not depend on the current
 /// folder. A name has at most 4,096 bytes; empty: load_game()'s default.
@@ -62,5 +78,16 @@ SaveHead decode_save_head(std::span<const std::uint8_t> bytes);
 
 /// Throws InputError unless the game was saved in this level and can be continued in it.
 void check_level(const SavedGame& game, std::uint64_t level_hash, const GameLevel& level);
+
+/// The fields of a state as bytes, in the order of visit_fields() (game/simulation/state_fields.h): each number in its
+/// own width, each list after its length (u32).
+void append_state(std::vector<std::uint8_t>& bytes, const GameState& state);
+
+/// Reads such fields. Throws InputError if they end early, or for an impossible list or bool; is_consistent() checks
+/// the state against a level.
+GameState read_state(LittleEndianReader& reader);
+
+/// A hash of the kinds of all fields. It differs if a build's state has other fields.
+std::uint64_t state_layout();
 
 }  // namespace oblong

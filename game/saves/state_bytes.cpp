@@ -1,8 +1,7 @@
-#include "game/saves/state_bytes.h"
-
 #include <type_traits>
 
 #include "engine/base/fnv.h"
+#include "game/saves/saved_game.h"
 #include "game/simulation/state_fields.h"
 
 namespace oblong {

@@ -1,8 +1,7 @@
-#include "game/saves/thumbnail.h"
-
 #include <algorithm>
 
 #include "engine/base/table.h"
+#include "game/saves/saved_game.h"
 
 namespace oblong {
 namespace {

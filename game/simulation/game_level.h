@@ -97,7 +97,7 @@ enum class TriggerKind : std::uint8_t {
     Push,        ///< gives the player a velocity
     Checkpoint,  ///< the player respawns here
     Exit,        ///< ends the level
-    Lightning,   ///< Chthon's: see monster_places.h
+    Lightning,   ///< Chthon's: see entity_specs.h
 };
 
 /// A volume that affects a player who enters it, or a trigger without a volume, which can only be activated.
@@ -179,7 +179,7 @@ struct GameLevel {
 ///   trigger_relay, trigger_push, trigger_teleport, trigger_changelevel; trigger_hurt, trigger_setskill and
 ///   trigger_monsterjump do nothing: the player has no health and there are no monsters;
 /// - lights with a targetname and a style from 32 on;
-/// - item_key1, item_key2; of monsters and other items only what they fire is left: see monster_places.h. Of Oblong's
+/// - item_key1, item_key2; of monsters and other items only what they fire is left: see entity_specs.h. Of Oblong's
 ///   own there are item_lens and info_checkpoint ("origin", "angle", "size" of its volume, 128 128 112): the respawn
 ///   button leads back to the one passed last. Throws InputError for more than kMostMovers movers: doors that overlap
 ///   are compared in pairs.

@@ -13,7 +13,6 @@
 #include "game/simulation/entity_keys.h"
 #include "game/simulation/entity_specs.h"
 #include "game/simulation/items.h"
-#include "game/simulation/monster_places.h"
 
 namespace oblong {
 namespace {

@@ -1,7 +1,6 @@
-#include "game/simulation/monster_places.h"
-
 #include "engine/level/entity_classes.h"
 #include "game/simulation/entity_keys.h"
+#include "game/simulation/entity_specs.h"
 
 namespace oblong {
 namespace {

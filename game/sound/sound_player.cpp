@@ -5,7 +5,7 @@
 
 #include "engine/base/table.h"
 #include "engine/files/files.h"
-#include "engine/files/flac.h"
+#include "engine/files/sound_file.h"
 
 namespace oblong {
 namespace {

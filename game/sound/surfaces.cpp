@@ -1,5 +1,3 @@
-#include "game/sound/surfaces.h"
-
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -7,6 +5,7 @@
 
 #include "engine/level/entity_classes.h"
 #include "engine/scene/pick.h"
+#include "game/sound/sound_starts.h"
 
 namespace oblong {
 namespace {

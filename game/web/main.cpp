@@ -5,7 +5,6 @@
 #include "engine/files/arguments.h"
 #include "engine/platform/web/web.h"
 #include "game/options/options.h"
-#include "game/program/headless_run.h"
 #include "game/program/program.h"
 
 namespace oblong {

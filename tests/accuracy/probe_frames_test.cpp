@@ -109,9 +109,12 @@ struct Wedge {
         const auto& [a, b, c] = corners;
         const Point back{a.x + b.x + c.x, (a.y + b.y + c.y) / 3, (a.z + b.z + c.z) / 3};
         const Point inside{(a.x + b.x + c.x) * 0.4, back.y, back.z};
-        room.add_detail(make_solid({{a, b, c}, {a, back, b}, {b, back, c}, {c, back, a}}, inside, "stone", scale));
+        std::vector<map::MapEntity> entities = room.entities();
+        entities.push_back(
+            {{{"classname", "func_detail"}},
+             {make_solid({{a, b, c}, {a, back, b}, {b, back, c}, {c, back, a}}, inside, "stone", scale)}});
         const std::string bytes =
-            map::to_bytes(map::compile_map(room.entities(), {map::Wad(make_scene_wad(palette))}, {true}));
+            map::to_bytes(map::compile_map(entities, {map::Wad(make_scene_wad(palette))}, {true}));
         Camera camera;
         camera.eye = {World::from_int(0), World::from_int(0), World::from_int(128)};
         return make_measured_level("wedge", "", std::vector<std::uint8_t>(bytes.begin(), bytes.end()), {camera});

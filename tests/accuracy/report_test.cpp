@@ -9,8 +9,6 @@
 #include "tests/accuracy/scenes_fixture.h"
 #include "tools/accuracy/configurations.h"
 #include "tools/accuracy/errors.h"
-#include "tools/accuracy/notes.h"
-#include "tools/accuracy/report_files.h"
 
 namespace oblong::test {
 

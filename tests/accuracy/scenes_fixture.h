@@ -2,7 +2,6 @@
 
 #include "engine/files/files.h"
 #include "tests/support/folders.h"
-#include "tools/accuracy/hard_scenes.h"
 #include "tools/accuracy/measured_level.h"
 #include "tools/accuracy/report.h"
 

@@ -1,5 +1,3 @@
-#include "engine/files/flac.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <string>
 
 #include "engine/files/files.h"
+#include "engine/files/sound_file.h"
 #include "tests/sound/md5.h"
 #include "tests/support/folders.h"
 #include "tests/support/refusal.h"

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "engine/base/little_endian.h"
-#include "game/saves/state_bytes.h"
+#include "game/saves/saved_game.h"
 #include "game/simulation/collision.h"
 #include "game/simulation/state_check.h"
 #include "tests/game/hostile_levels.h"

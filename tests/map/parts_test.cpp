@@ -9,7 +9,7 @@
 #include "game/program/map_watch.h"
 #include "tests/map/map_source.h"
 #include "tests/support/folders.h"
-#include "tools/map/tree/bsp_read.h"
+#include "tools/map/tree/bsp_file.h"
 
 namespace oblong::test::parts_test {
 namespace {

@@ -1,11 +1,11 @@
-#include "tools/map/vis/sight.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <optional>
 #include <random>
+
+#include "tools/map/vis/visibility.h"
 
 namespace oblong::test {
 namespace {

@@ -1,3 +1,5 @@
+#include "tools/map/trenchbroom.h"
+
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -11,7 +13,6 @@
 #include "engine/level/entity_classes.h"
 #include "tests/map/editor_formats.h"
 #include "tests/support/folders.h"
-#include "tools/map/source/fgd.h"
 
 namespace oblong::test {
 namespace {

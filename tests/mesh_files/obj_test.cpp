@@ -7,7 +7,6 @@
 #include <random>
 
 #include "engine/files/files.h"
-#include "engine/files/obj_check.h"
 
 namespace oblong::test::obj_test {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/raster/perspective_range.h"
+#include "engine/raster/texture_blocks.h"
 #include "tests/support/random.h"
 
 namespace oblong::test::exact_spans_test {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <string>
 
-#include "game/saves/state_bytes.h"
 #include "game/simulation/state_check.h"
 #include "tests/saves/saved_walk.h"
 #include "tests/support/refusal.h"

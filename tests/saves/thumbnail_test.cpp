@@ -1,11 +1,10 @@
-#include "game/saves/thumbnail.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <utility>
 #include <vector>
 
+#include "game/saves/saved_game.h"
 #include "tests/support/palettes.h"
 
 namespace oblong::test {

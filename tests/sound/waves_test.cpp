@@ -8,7 +8,7 @@
 #include <set>
 
 #include "engine/files/files.h"
-#include "engine/files/flac.h"
+#include "engine/files/sound_file.h"
 #include "game/sound/sound_table.h"
 #include "tests/support/folders.h"
 

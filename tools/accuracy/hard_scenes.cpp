@@ -1,8 +1,7 @@
-#include "tools/accuracy/hard_scenes.h"
-
 #include <cmath>
 #include <numbers>
 
+#include "tools/accuracy/measured_level.h"
 #include "tools/accuracy/scene_map.h"
 #include "tools/map/compile.h"
 

@@ -6,13 +6,11 @@
 
 #include "engine/base/input_error.h"
 #include "engine/files/arguments.h"
-#include "engine/files/assets_folder.h"
 #include "engine/files/command_line.h"
 #include "engine/files/files.h"
-#include "tools/accuracy/hard_scenes.h"
 #include "tools/accuracy/machine.h"
+#include "tools/accuracy/measured_level.h"
 #include "tools/accuracy/report.h"
-#include "tools/accuracy/report_files.h"
 #include "tools/render/camera_list.h"
 
 namespace {

@@ -10,6 +10,7 @@
 #include "engine/frame/workspace.h"
 #include "engine/level/level.h"
 #include "engine/scene/placed_models.h"
+#include "engine/surface/palette.h"
 #include "engine/view/projection.h"
 #include "tools/reference/level.h"
 
@@ -65,5 +66,10 @@ class LevelFrames {
     FrameRecord record_;
     std::vector<std::uint8_t> pixels_;
 };
+
+/// Small levels compiled at run time, each hard for approximations, in the demo level's colours: a wall with depths of
+/// 1:10 and 1:1000 across the screen, a wall close by, a floor to the horizon, a tilted plane, slivers, a tower far
+/// away, a sphere of many facets from several sides. At most `most_cameras` of each.
+std::vector<MeasuredLevel> make_hard_scenes(const Palette& palette, std::size_t most_cameras);
 
 }  // namespace oblong

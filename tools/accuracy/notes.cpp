@@ -1,8 +1,8 @@
-#include "tools/accuracy/notes.h"
-
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+
+#include "tools/accuracy/report.h"
 
 namespace oblong {
 

@@ -10,7 +10,6 @@
 #include "tools/accuracy/frame_times.h"
 #include "tools/accuracy/measured_level.h"
 #include "tools/measure/operations.h"
-#include "tools/measure/processors.h"
 
 namespace oblong {
 
@@ -78,5 +77,35 @@ struct MeasuredPlace {
 };
 Report measure_all(const Configurations& configurations, std::span<const MeasuredPlace> places, const Effort& effort,
                    Progress& progress);
+
+/// A number for readers: three significant digits without exponent, "0.0213", "375", "12,400"; "0" for 0.
+std::string number_text(double value);
+
+/// Sentences on each setting of a dial whose rms error is larger than that of the coarser setting before it by more
+/// than 2 %: by how much, and why, from the measurements.
+std::vector<std::string> notes_on_order(const Report& report, const Configurations::DialRows& dial);
+
+/// The error with a division for each pixel and all other dials at their defaults: no setting of a dial of displacement
+/// has less. For other dials, the error of the most exact setting.
+const ErrorSummary& floor_of(const Report& report, const Configurations::DialRows& dial);
+
+/// Sentences on presets that are less exact than another one and slower here, by more than half of the spread of their
+/// times.
+std::vector<std::string> notes_on_presets(const Report& report);
+
+/// accuracy.json: `dials` and `tiers` (the presets), each with settings by name, their errors and costs; then the
+/// levels, and how they were measured. Costs are of a mean frame. Pictures of errors are PNG files in hexadecimal
+/// digits.
+std::string report_json(const Report& report);
+
+/// accuracy.html: page.html with accuracy.json in it, which its script draws; a single file.
+std::string report_page(std::string json);
+
+/// A table of the presets in Markdown: errors and modelled frame rates, which are the same on every machine.
+std::string preset_table(const Report& report);
+
+/// A page with the text between its lines `<!-- oblong-accuracy -->` and `<!-- end -->` replaced. Throws InputError
+/// that names the file if it lacks these lines.
+std::string with_table(const std::string& page, const std::string& file, const std::string& table);
 
 }  // namespace oblong

@@ -1,5 +1,3 @@
-#include "tools/accuracy/report_files.h"
-
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -7,8 +5,8 @@
 
 #include "engine/base/input_error.h"
 #include "tools/accuracy/errors.h"
-#include "tools/accuracy/notes.h"
 #include "tools/accuracy/page.h"
+#include "tools/accuracy/report.h"
 
 namespace oblong {
 

@@ -192,10 +192,6 @@ SceneMap::SceneMap(const map::Box& room) {
     add(make_box({{outer_low.x, low.y, low.z}, {low.x, high.y, high.z}}, "stone"));
 }
 
-void SceneMap::add_detail(MapBrush brush) {
-    entities_.push_back({{{"classname", "func_detail"}}, {std::move(brush)}});
-}
-
 void SceneMap::add_light(const Point& origin, int brightness) {
     add_point("light", origin, {{"light", std::to_string(brightness)}, {"wait", "1.5"}});
 }

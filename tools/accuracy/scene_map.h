@@ -28,7 +28,6 @@ class SceneMap {
     explicit SceneMap(const map::Box& room);
 
     void add(map::MapBrush brush) { entities_.front().brushes.push_back(std::move(brush)); }
-    void add_detail(map::MapBrush brush);
     void add_start(const map::Point& origin) { add_point("info_player_start", origin, {}); }
     void add_light(const map::Point& origin, int brightness);
 

@@ -2,7 +2,7 @@
 
 #include "engine/files/files.h"
 #include "engine/level/bsp_read.h"
-#include "tools/accuracy/hard_scenes.h"
+#include "tools/accuracy/measured_level.h"
 #include "tools/render/camera_list.h"
 
 namespace oblong {

@@ -2,8 +2,8 @@
 #include <vector>
 
 #include "engine/files/arguments.h"
-#include "engine/files/assets_folder.h"
 #include "engine/files/command_line.h"
+#include "engine/files/files.h"
 #include "tools/bench/benchmarks.h"
 
 namespace {

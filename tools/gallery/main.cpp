@@ -2,7 +2,6 @@
 #include <cstdio>
 
 #include "engine/files/arguments.h"
-#include "engine/files/assets_folder.h"
 #include "engine/files/command_line.h"
 #include "engine/files/files.h"
 #include "engine/files/picture.h"

@@ -7,7 +7,6 @@
 
 #include "engine/base/input_error.h"
 #include "engine/files/arguments.h"
-#include "engine/files/assets_folder.h"
 #include "engine/files/files.h"
 #include "engine/files/wad.h"
 #include "tools/texture/texture_files.h"

@@ -4,9 +4,7 @@
 #include <filesystem>
 #include <iostream>
 
-#include "engine/files/assets_folder.h"
 #include "engine/files/files.h"
-#include "tools/map/source/fgd.h"
 
 namespace oblong::map {
 namespace {

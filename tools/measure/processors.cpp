@@ -1,8 +1,7 @@
-#include "tools/measure/processors.h"
-
 #include <array>
 
 #include "engine/base/table.h"
+#include "tools/measure/operations.h"
 
 namespace oblong {
 

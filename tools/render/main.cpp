@@ -3,7 +3,6 @@
 
 #include "engine/effects/palette_effects.h"
 #include "engine/files/arguments.h"
-#include "engine/files/assets_folder.h"
 #include "engine/files/command_line.h"
 #include "engine/files/files.h"
 #include "engine/files/frame_log.h"

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/files/quantise.h"
+#include "engine/files/picture.h"
 #include "engine/level/level.h"
 #include "engine/surface/palette.h"
 

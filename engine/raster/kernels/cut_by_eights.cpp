@@ -1,10 +1,9 @@
-#include "engine/raster/kernels/cut_by_eights.h"
-
 #include <algorithm>
 #include <array>
 
 #include "engine/base/table.h"
 #include "engine/raster/block_steps.h"
+#include "engine/raster/kernels/by_eights.h"
 #include "engine/raster/kernels/eights.h"
 #include "engine/raster/row_repeater.h"
 

@@ -50,11 +50,9 @@ struct NamedKernel {
 std::span<const NamedKernel> block_kernels();
 BlockKernel best_block_kernel();
 
-/// One bit for each pixel of a block of up to 64, the first in the lowest bit: whether u or v is near a whole texel,
-/// less than `error_16` (2^-16 texel) above it or at most that below it. The error is below a quarter of a texel.
-using BorderKernel = std::uint64_t (*)(const TexelBlock& block, std::uint32_t error_16);
-
-/// The reference implementation, one pixel at a time.
+/// The reference implementation, one pixel at a time. One bit for each pixel of a block of up to 64, the first in the
+/// lowest bit: whether u or v is near a whole texel, less than `error_16` (2^-16 texel) above it or at most that below
+/// it. The error is below a quarter of a texel.
 std::uint64_t pixels_near_borders_plain(const TexelBlock& block, std::uint32_t error_16);
 /// Eight pixels at a time with SSE2; otherwise as plain.
 std::uint64_t pixels_near_borders(const TexelBlock& block, std::uint32_t error_16);

@@ -1,7 +1,6 @@
-#include "engine/raster/kernels/octave_by_eights.h"
-
 #include <array>
 
+#include "engine/raster/kernels/by_eights.h"
 #include "engine/raster/kernels/eights.h"
 
 namespace oblong {

@@ -9,7 +9,7 @@
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
 #include "engine/level/bsp_read.h"
-#include "game/saves/state_bytes.h"
+#include "game/saves/saved_game.h"
 #include "game/simulation/state_check.h"
 #include "game/simulation/step.h"
 #include "tests/map/map_source.h"

@@ -3,7 +3,6 @@
 #include "engine/base/fnv.h"
 #include "engine/base/little_endian.h"
 #include "game/saves/saved_game.h"
-#include "game/saves/state_bytes.h"
 #include "game/simulation/state_check.h"
 #include "tests/fuzz/common/played_level.h"
 #include "tests/support/bsp_writer.h"

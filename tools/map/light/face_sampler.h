@@ -1,10 +1,13 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "tools/map/light/tracer.h"
+#include "tools/map/tree/bsp_file.h"
 
 namespace oblong::map {
 
@@ -59,5 +62,18 @@ class FaceSampler {
     double radius_ = 0;
     Point base_, step_u_, step_v_;
 };
+
+/// The normals at each face's corners for light (the faces stay flat). If a face's texinfo has an angle above 0 in
+/// `degrees`, a corner's normal is the mean of the normals of all such faces at this corner, weighted by their angles
+/// there, except those that differ from this face's by more than the smaller of both faces' limits. Empty for all other
+/// faces.
+std::vector<std::vector<Point>> smooth_normals(const BspFile& bsp, const std::vector<double>& degrees);
+
+/// The name of a face's texture, in lower case.
+std::string texture_name(const BspFile& bsp, const FileFace& face);
+
+/// The groups of meant faces (as indices) that the compiler cut from one surface: they have the same plane, facing and
+/// texture alignment, and share edges. In the order of their first faces.
+std::vector<std::vector<int>> whole_surfaces(const BspFile& bsp, const std::function<bool(const FileFace&)>& is_meant);
 
 }  // namespace oblong::map

@@ -5,7 +5,6 @@
 #include <set>
 
 #include "tools/map/light/face_sampler.h"
-#include "tools/map/light/whole_surfaces.h"
 #include "tools/map/source/entities.h"
 
 namespace oblong::map {

@@ -8,10 +8,10 @@
 #include "engine/files/wad.h"
 #include "engine/surface/palette.h"
 #include "tools/map/light/direct_light.h"
+#include "tools/map/light/face_sampler.h"
 #include "tools/map/light/hemisphere.h"
 #include "tools/map/light/reach.h"
-#include "tools/map/light/smooth_normals.h"
-#include "tools/map/light/surface_lights.h"
+#include "tools/map/light/sources.h"
 
 namespace oblong::map {
 

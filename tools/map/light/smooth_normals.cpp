@@ -1,5 +1,3 @@
-#include "tools/map/light/smooth_normals.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -1,9 +1,7 @@
-#include "tools/map/light/surface_lights.h"
-
 #include <algorithm>
 
 #include "tools/map/light/face_sampler.h"
-#include "tools/map/light/whole_surfaces.h"
+#include "tools/map/light/sources.h"
 
 namespace oblong::map {
 namespace {

@@ -1,5 +1,3 @@
-#include "tools/map/light/whole_surfaces.h"
-
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -7,6 +5,7 @@
 #include <set>
 
 #include "engine/files/wad.h"
+#include "tools/map/light/face_sampler.h"
 
 namespace oblong::map {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -114,5 +115,9 @@ void check_size(const BspFile& bsp);
 
 /// The bytes of the file, of version 29 or, if required, BSP2. Throws InputError like check_size().
 std::string to_bytes(const BspFile& bsp);
+
+/// Reads a file of version 29 or BSP2 from to_bytes(), which would give the same bytes again. Throws InputError for any
+/// other file.
+BspFile from_bytes(const std::string& bytes);
 
 }  // namespace oblong::map

@@ -1,10 +1,10 @@
-#include "tools/map/tree/bsp_read.h"
+#include "engine/level/bsp_read.h"
 
 #include <cstdint>
 #include <cstring>
 
 #include "engine/base/input_error.h"
-#include "engine/level/bsp_read.h"
+#include "tools/map/tree/bsp_file.h"
 #include "tools/map/tree/bsp_rows.h"
 
 namespace oblong::map {

@@ -5,8 +5,8 @@
 #include <map>
 
 #include "tools/map/source/brush.h"
-#include "tools/map/tree/outline.h"
 #include "tools/map/tree/surfaces.h"
+#include "tools/map/tree/tree.h"
 
 namespace oblong::map {
 

@@ -1,7 +1,7 @@
-#include "tools/map/tree/outline.h"
-
 #include <algorithm>
 #include <numeric>
+
+#include "tools/map/tree/tree.h"
 
 namespace oblong::map {
 namespace {

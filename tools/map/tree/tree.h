@@ -49,4 +49,8 @@ int leaf_at(const Tree& tree, const PlaneList& planes, const Point& point);
 /// All leaves that contain a point or are within kOnEpsilon of it: on a plane, those on both sides.
 std::vector<int> leaves_at(const Tree& tree, const PlaneList& planes, const Point& point);
 
+/// The sides of the brushes without the parts inside other brushes: the boundary of their union, roughly. Where two
+/// brushes fill the same space, the contents of higher rank remain, and of equal ranks the later brush.
+std::vector<BoundaryPiece> outline(const std::vector<Brush>& brushes, const PlaneList& planes);
+
 }  // namespace oblong::map

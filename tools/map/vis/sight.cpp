@@ -1,11 +1,10 @@
-#include "tools/map/vis/sight.h"
-
 #include <algorithm>
 #include <deque>
 #include <numeric>
 #include <span>
 
 #include "tools/map/vis/separators.h"
+#include "tools/map/vis/visibility.h"
 
 namespace oblong::map {
 

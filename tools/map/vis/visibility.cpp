@@ -5,7 +5,6 @@
 #include <tuple>
 
 #include "tools/map/source/geometry.h"
-#include "tools/map/vis/sight.h"
 
 namespace oblong::map {
 
