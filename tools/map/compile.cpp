@@ -38,23 +38,33 @@ bool is_left_out(const MapBrush& brush, Warnings* warnings) {
     return is_origin || has_side_of(brush, is_hint_texture);
 }
 
-LevelBrushes make_brushes(const std::vector<MapEntity>& entities, Warnings* warnings) {
+LevelBrushes make_brushes(const std::vector<MapEntity>& entities, Warnings* warnings, const WorkSharing& sharing) {
+    struct Started {
+        std::size_t model = 0, brush = 0;
+        int line = 0;
+    };
+    std::vector<Started> started;
     LevelBrushes level;
     level.models.emplace_back();
     for (const MapEntity& entity : entities) {
         if (entity.brushes.empty()) continue;
         if (!belongs_to_world(entity)) level.models.emplace_back();
-        auto& model = belongs_to_world(entity) ? level.models.front() : level.models.back();
+        const std::size_t model = belongs_to_world(entity) ? 0 : level.models.size() - 1;
         for (const MapBrush& brush : entity.brushes) {
             if (is_left_out(brush, warnings)) continue;
-            model.push_back(make_brush(brush, level.planes, level.textures));
-            if (is_detail_entity(entity)) model.back().is_detail = true;
+            started.push_back({model, level.models[model].size(), brush.line});
+            level.models[model].push_back(start_brush(brush, level.planes, level.textures));
+            level.models[model].back().is_detail = is_detail_entity(entity);
         }
     }
     for (const TextureUse& use : shown_textures(entities)) level.textures.find_or_add_name(use);
     if (level.models.front().empty())
         throw InputError("line " + std::to_string(entities.front().line),
                          "the world has no brushes, expected a room that encloses the entities");
+    sharing.begin("tree", started.size());
+    sharing.for_each(started.size(), [&](std::size_t i) {
+        complete_brush(level.models[started[i].model][started[i].brush], started[i].line, level.planes);
+    });
     return level;
 }
 
@@ -206,7 +216,7 @@ BspFile compile_map(std::vector<MapEntity> entities, const std::vector<Wad>& wad
     set_smoothing(entities);
     bring_world_forward(entities);
     split_off_fences(entities);
-    LevelBrushes level = make_brushes(entities, options.warnings);
+    LevelBrushes level = make_brushes(entities, options.warnings, sharing);
     if (options.part == CompilePart::Entities || options.part == CompilePart::Light)
         return changed_level(entities, level, options, sharing);
     BspFile bsp;

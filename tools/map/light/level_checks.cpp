@@ -21,6 +21,7 @@ bool is_lit(const BspFile& bsp, const FileFace& face) {
 
 Winding winding_of_face(const BspFile& bsp, const FileFace& face) {
     Winding winding;
+    winding.reserve(as_size(face.edge_count));
     for (const Floats& corner : face_corners(bsp, face)) winding.push_back(to_point(corner));
     return winding;
 }
@@ -135,10 +136,11 @@ class LevelChecker {
     int least_samples(const FileFace& face) const {
         constexpr double kSlack = 1.0 / 64;  // of a step
         const FileTexInfo& texinfo = item(bsp_.texinfos, face.texinfo);
+        const Winding corners = winding_of_face(bsp_, face);
         int count = 1;
         for (const FileTexAxis& axis : texinfo.axes) {
             double low = Box::kFar, high = -Box::kFar;
-            for (const Point& corner : winding_of_face(bsp_, face)) {
+            for (const Point& corner : corners) {
                 low = std::min(low, dot(to_point(axis.direction), corner));
                 high = std::max(high, dot(to_point(axis.direction), corner));
             }

@@ -100,20 +100,31 @@ Plane plane_of(const MapSide& side) {
 }
 
 Brush make_brush(const MapBrush& source, PlaneList& planes, TextureList& textures) {
+    Brush brush = start_brush(source, planes, textures);
+    complete_brush(brush, source.line, planes);
+    return brush;
+}
+
+Brush start_brush(const MapBrush& source, PlaneList& planes, TextureList& textures) {
     Brush brush;
     for (const MapSide& side : source.sides) {
         const PlaneSide plane = planes.find_or_add(plane_of(side));
         if (!brush.has_side(plane))
             brush.sides.push_back({plane, textures.find_or_add(side, planes.facing(plane).normal), {}});
     }
-    if (!set_windings(brush, planes))
-        throw InputError("line " + std::to_string(source.line),
-                         "the sides of this brush enclose no volume, expected a closed convex solid");
+    if (source.sides.empty()) return brush;
     const std::string& name = source.sides[0].texture.name;
     brush.contents = contents_of_texture(name);
     brush.is_clip = name == "clip";
-    brush.is_detail = looks_like_detail(brush);
     return brush;
+}
+
+void complete_brush(Brush& brush, int line, const PlaneList& planes) {
+    if (!set_windings(brush, planes))
+        throw InputError("line " + std::to_string(line),
+                         "the sides of this brush enclose no volume, expected a closed convex solid, and each side's "
+                         "points clockwise seen from outside");
+    brush.is_detail = brush.is_detail || looks_like_detail(brush);
 }
 
 bool set_windings(Brush& brush, const PlaneList& planes) {

@@ -37,6 +37,10 @@ Plane plane_of(const MapSide& side);
 /// Reads a brush of the map source; throws InputError, with its line, if its sides enclose no volume.
 Brush make_brush(const MapBrush& source, PlaneList& planes, TextureList& textures);
 
+/// Its two halves: what adds to the lists, and what follows from the planes, for which brushes are independent.
+Brush start_brush(const MapBrush& source, PlaneList& planes, TextureList& textures);
+void complete_brush(Brush& brush, int line, const PlaneList& planes);
+
 /// Sets the windings of the sides, and the box, from the planes; drops redundant sides. False: the volume is empty or
 /// infinite.
 bool set_windings(Brush& brush, const PlaneList& planes);

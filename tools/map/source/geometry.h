@@ -76,6 +76,20 @@ struct Plane {
     Plane flipped() const { return {-normal, -distance}; }
 };
 
+/// The corner of a box that is farthest along a direction.
+inline Point farthest_corner(const Box& box, const Point& direction) {
+    return {(direction.x > 0 ? box.maxs : box.mins).x, (direction.y > 0 ? box.maxs : box.mins).y,
+            (direction.z > 0 ? box.maxs : box.mins).z};
+}
+
+/// Whether all of a box is on one side of a plane, at a distance far above all rounding.
+inline bool is_clearly_behind(const Box& box, const Plane& plane) {
+    return plane.height_of(farthest_corner(box, plane.normal)) < -1;
+}
+inline bool is_clearly_in_front(const Box& box, const Plane& plane) {
+    return plane.height_of(farthest_corner({box.maxs, box.mins}, plane.normal)) > 1;
+}
+
 /// The plane's kind in the level file: 0, 1, 2 if the normal is exactly +x, +y, +z, else 3 + its longest component's
 /// axis.
 int plane_type(const Plane& plane);

@@ -45,7 +45,7 @@ class MapTokens {
     MapToken next_;
 };
 
-constexpr double kFarthest = 65536;  // the largest number in a level
+constexpr int kFarthest = 65536;  // the largest number in a level
 
 bool is_blank(char letter) {
     return static_cast<unsigned char>(letter) <= ' ';
@@ -71,7 +71,7 @@ double MapTokens::take_number(std::string_view what) {
     const char* const end = token.text.data() + token.text.size();
     const auto [stop, error] = std::from_chars(token.text.data(), end, value);
     if (token.is_end || error != std::errc() || stop != end || !(std::abs(value) <= kFarthest))
-        fail(token, "a number for " + std::string(what));
+        fail(token, "a number for " + std::string(what) + ", at most " + std::to_string(kFarthest));
     return value;
 }
 
@@ -95,12 +95,12 @@ void MapTokens::advance() {
 
 void MapTokens::skip_blanks() {
     while (position_ < text_.size()) {
-        if (text_.substr(position_, 2) == "//") {
-            position_ = std::min(text_.find('\n', position_), text_.size());
+        if (is_blank(text_[position_])) {
+            if (text_[position_++] == '\n') ++line_;
             continue;
         }
-        if (!is_blank(text_[position_])) return;
-        if (text_[position_++] == '\n') ++line_;
+        if (text_[position_] != '/' || text_.substr(position_, 2) != "//") return;
+        position_ = std::min(text_.find('\n', position_), text_.size());
     }
 }
 
@@ -189,7 +189,8 @@ MapBrush take_brush(MapTokens& tokens) {
     brush.line = tokens.peek().line;
     tokens.expect("{", "before a brush");
     while (!tokens.peek().is("}")) {
-        if (!tokens.peek().is("(")) tokens.fail(tokens.peek(), "'(' of a brush's side or '}' after it");
+        if (!tokens.peek().is("("))
+            tokens.fail(tokens.peek(), "'(' of a side, or '}' after what begins in line " + std::to_string(brush.line));
         brush.sides.push_back(take_side(tokens));
     }
     tokens.expect("}", "after a brush");
@@ -213,7 +214,8 @@ MapEntity take_entity(MapTokens& tokens) {
         } else if (tokens.peek().is("{")) {
             entity.brushes.push_back(take_brush(tokens));
         } else {
-            tokens.fail(tokens.peek(), "a key in quotes, '{' of a brush or '}' after the entity");
+            tokens.fail(tokens.peek(), "a key in quotes, '{' of a brush, or '}' after the entity that begins in line " +
+                                           std::to_string(entity.line));
         }
     }
     tokens.expect("}", "after an entity");

@@ -19,7 +19,7 @@ class Lump {
   public:
     Lump(std::string name, bool is_bsp2) : name_(std::move(name)), is_bsp2_(is_bsp2) {}
 
-    void u8(int value) { bytes.push_back(static_cast<char>(value)); }
+    void u8(int value) { put(value, 1, 0, 255); }
     void i16(int value) { is_bsp2_ ? i32(value) : put(value, 2, -32768, 32767); }
     void u16(int value) { is_bsp2_ ? i32(value) : put(value, 2, 0, 65535); }
     void i32(int value) { put(value, 4, INT32_MIN, INT32_MAX); }
@@ -32,13 +32,18 @@ class Lump {
     void floats(const Floats& values) {
         for (const float value : values) number(value);
     }
-    void unused_i32(int count) { bytes.append(4 * static_cast<std::size_t>(count), '\0'); }
+    void unused_i32(int count) {
+        for (int i = 0; i < count; ++i) i32(0);
+    }
     void box(const FileBox& box) {
         for (const int value : box.mins) put_bound(value);
         for (const int value : box.maxs) put_bound(value);
     }
 
-    std::string bytes;
+    std::string take() {
+        bytes_.resize(used_);
+        return std::move(bytes_);
+    }
 
   private:
     void put_bound(int value) {
@@ -57,11 +62,15 @@ class Lump {
         const auto bits = static_cast<std::uint32_t>(value);
         const char all[] = {static_cast<char>(bits & 255), static_cast<char>(bits >> 8 & 255),
                             static_cast<char>(bits >> 16 & 255), static_cast<char>(bits >> 24)};
-        bytes.append(all, static_cast<std::size_t>(size));
+        if (used_ + sizeof all > bytes_.size()) bytes_.resize(2 * bytes_.size() + sizeof all);
+        std::memcpy(&bytes_[used_], all, sizeof all);
+        used_ += static_cast<std::size_t>(size);
     }
 
     std::string name_;
     bool is_bsp2_;
+    std::string bytes_;
+    std::size_t used_ = 0;
 };
 
 std::string texture_lump(const std::vector<std::string>& textures) {
@@ -72,8 +81,9 @@ std::string texture_lump(const std::vector<std::string>& textures) {
         lump.i32(static_cast<int>(offset));
         offset += texture.size();
     }
-    for (const std::string& texture : textures) lump.bytes += texture;
-    return std::move(lump.bytes);
+    std::string bytes = lump.take();
+    for (const std::string& texture : textures) bytes += texture;
+    return bytes;
 }
 
 std::array<std::string, kLumpCount> lumps_of(const BspFile& bsp, bool is_bsp2) {
@@ -85,7 +95,7 @@ std::array<std::string, kLumpCount> lumps_of(const BspFile& bsp, bool is_bsp2) {
     visit_rows(bsp, [&](std::size_t place, const char* name, const auto& rows, auto fields) {
         Lump lump(name, is_bsp2);
         for (const auto& row : rows) fields(lump, row);
-        item(lumps, place) = std::move(lump.bytes);
+        item(lumps, place) = lump.take();
     });
     return lumps;
 }
@@ -140,7 +150,7 @@ std::string to_bytes(const BspFile& bsp) {
         body += lump;
         body.resize((body.size() + 3) / 4 * 4);  // every lump begins at a multiple of 4
     }
-    return header.bytes + body;
+    return header.take() + body;
 }
 
 }  // namespace oblong::map

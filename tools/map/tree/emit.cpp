@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace oblong::map {
 namespace {
@@ -116,7 +117,10 @@ void Emitter::add_face(const Surface& surface, const Loop& loop, int first_verte
 
 // Two faces in opposite directions share an edge.
 int Emitter::surf_edge(int from, int to) {
-    const auto open = open_edges_.find({to, from});
+    const auto key = [](int first, int second) {
+        return static_cast<std::uint64_t>(first) << 32 | static_cast<std::uint64_t>(second);
+    };
+    const auto open = open_edges_.find(key(to, from));
     if (open != open_edges_.end()) {
         const int index = open->second;
         open_edges_.erase(open);
@@ -124,7 +128,7 @@ int Emitter::surf_edge(int from, int to) {
     }
     bsp_.edges.push_back({from, to});
     const int index = count(bsp_.edges) - 1;
-    open_edges_.insert_or_assign({from, to}, index);
+    open_edges_.insert_or_assign(key(from, to), index);
     return index;
 }
 

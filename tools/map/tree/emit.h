@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <unordered_map>
+
 #include "tools/map/tree/bsp_file.h"
 #include "tools/map/tree/mesh.h"
 
@@ -32,7 +35,7 @@ class Emitter {
     BspFile& bsp_;
     const PlaneList& planes_;
     std::vector<int> plane_indices_;
-    std::map<std::pair<int, int>, int> open_edges_;  // used by only one face so far
+    std::unordered_map<std::uint64_t, int> open_edges_;  // used by only one face so far, by both vertices
 };
 
 }  // namespace oblong::map

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <unordered_map>
 
 #include "tools/map/source/brush.h"
 #include "tools/map/tree/surfaces.h"
@@ -40,7 +40,8 @@ class EdgeCutter {
 
   private:
     const Loop& cut(int low, int high) {
-        const auto known = cuts_.find({low, high});
+        const std::uint64_t edge = static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint64_t>(high);
+        const auto known = cuts_.find(edge);
         if (known != cuts_.end()) return known->second;
         Loop inner;
         const int middle = nearest_on_edge(low, high);
@@ -49,18 +50,19 @@ class EdgeCutter {
             inner.erase(inner.begin());
             append_cut(middle, high, inner);
         }
-        return cuts_[{low, high}] = std::move(inner);
+        return cuts_[edge] = std::move(inner);
     }
 
     // The vertex nearest to the edge's line of those on the edge whose distance from either end is less than the edge's
-    // length.
-    int nearest_on_edge(int low, int high) const {
+    // length; of equally near ones, the first.
+    int nearest_on_edge(int low, int high) {
         int nearest = -1;
         double nearest_distance = kOnEdge;
-        for (const int vertex : candidates(pool_[low], pool_[high])) {
+        find_candidates(pool_[low], pool_[high]);
+        for (const int vertex : candidates_) {
             if (vertex == low || vertex == high) continue;
             const double distance = distance_from_edge(vertex, low, high);
-            if (distance >= nearest_distance) continue;
+            if (distance > nearest_distance || (distance == nearest_distance && vertex >= nearest)) continue;
             nearest = vertex;
             nearest_distance = distance;
         }
@@ -78,22 +80,20 @@ class EdgeCutter {
     }
 
     // Long edges are searched in pieces, since a slanted edge's box may contain much of the level.
-    std::vector<int> candidates(const Point& from, const Point& to) const {
-        std::vector<int> found;
+    void find_candidates(const Point& from, const Point& to) {
+        candidates_.clear();
         const int pieces = 1 + static_cast<int>(length(to - from) / 64);
         for (int i = 0; i < pieces; ++i) {
             Box box;
             box.add(from + (to - from) * (static_cast<double>(i) / pieces));
             box.add(from + (to - from) * (static_cast<double>(i + 1) / pieces));
-            pool_.add_near(box.grown(kOnEdge), found);
+            pool_.add_near(box.grown(kOnEdge), candidates_);
         }
-        std::sort(found.begin(), found.end());
-        found.erase(std::unique(found.begin(), found.end()), found.end());
-        return found;
     }
 
     const VertexPool& pool_;
-    std::map<std::pair<int, int>, Loop> cuts_;
+    std::vector<int> candidates_;                   // some more than once
+    std::unordered_map<std::uint64_t, Loop> cuts_;  // by both vertices
 };
 
 // Removes edges of length 0, and pairs of edges to a vertex and back.
@@ -174,19 +174,19 @@ int VertexPool::find_or_add(const Point& point) {
     const Point wanted{snapped(point.x), snapped(point.y), snapped(point.z)};
     int nearest = -1;
     double nearest_distance = kWeldDistance;
-    std::vector<int> known;
-    add_near(box_of(std::span(&wanted, 1)).grown(kWeldDistance), known);
-    std::sort(known.begin(), known.end());  // of equally near ones, the first
-    for (const int index : known) {
+    near_.clear();
+    add_near(box_of(std::span(&wanted, 1)).grown(kWeldDistance), near_);
+    for (const int index : near_) {
         const double distance = length((*this)[index] - wanted);
-        if (distance >= nearest_distance) continue;
+        if (distance > nearest_distance || (distance == nearest_distance && index >= nearest)) continue;
         nearest = index;
         nearest_distance = distance;
     }
     if (nearest >= 0) return nearest;
     points_.push_back(wanted);
     const int added = static_cast<int>(points_.size()) - 1;
-    cells_[cell_of(wanted)].push_back(added);
+    const Cell cell = cell_of(wanted);
+    cells_[key_of(cell[0], cell[1], cell[2])].push_back(added);
     return added;
 }
 
@@ -195,7 +195,7 @@ void VertexPool::add_near(const Box& box, std::vector<int>& found) const {
     for (int x = low[0]; x <= high[0]; ++x) {
         for (int y = low[1]; y <= high[1]; ++y) {
             for (int z = low[2]; z <= high[2]; ++z) {
-                const auto cell = cells_.find({x, y, z});
+                const auto cell = cells_.find(key_of(x, y, z));
                 if (cell != cells_.end()) found.insert(found.end(), cell->second.begin(), cell->second.end());
             }
         }
@@ -205,6 +205,13 @@ void VertexPool::add_near(const Box& box, std::vector<int>& found) const {
 VertexPool::Cell VertexPool::cell_of(const Point& point) {
     const auto cell = [](double value) { return static_cast<int>(std::floor(value / kCell)); };
     return {cell(point.x), cell(point.y), cell(point.z)};
+}
+
+// Levels are far less than 2^21 cells wide.
+std::uint64_t VertexPool::key_of(int x, int y, int z) {
+    constexpr std::uint64_t kMask = (1 << 21) - 1;
+    const auto bits = [](int cell) { return static_cast<std::uint64_t>(cell) & kMask; };
+    return bits(x) << 42 | bits(y) << 21 | bits(z);
 }
 
 void fix_t_junctions(std::vector<Loop>& loops, const VertexPool& pool) {

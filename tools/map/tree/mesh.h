@@ -1,7 +1,8 @@
 #pragma once
 
-#include <map>
+#include <cstdint>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "tools/map/source/geometry.h"
@@ -29,9 +30,11 @@ class VertexPool {
     static constexpr double kCell = 64;
     using Cell = std::array<int, 3>;
     static Cell cell_of(const Point& point);
+    static std::uint64_t key_of(int x, int y, int z);
 
     std::vector<Point> points_;
-    std::map<Cell, std::vector<int>> cells_;
+    std::unordered_map<std::uint64_t, std::vector<int>> cells_;  // by key_of() a cell
+    std::vector<int> near_;                                      // memory for reuse
 };
 
 /// A polygon as indices of vertices.

@@ -31,22 +31,13 @@ class Cutter {
         if (piece.plane.plane == index_) return Side::kOn;
         if (is_axial())
             return side_of_reach(piece.box.mins[type_] - plane_.distance, piece.box.maxs[type_] - plane_.distance);
-        if (plane_.height_of(lowest_corner(piece.box)) > kClear) return Side::kFront;
-        if (plane_.height_of(highest_corner(piece.box)) < -kClear) return Side::kBack;
+        if (is_clearly_in_front(piece.box, plane_)) return Side::kFront;
+        if (is_clearly_behind(piece.box, plane_)) return Side::kBack;
         const Reach far = reach(piece.winding, plane_);
         return side_of_reach(-far.back, far.front);
     }
 
   private:
-    static constexpr double kClear = 1;  // far above all rounding
-
-    Point highest_corner(const Box& box) const {
-        const Point& n = plane_.normal;
-        return {(n.x > 0 ? box.maxs : box.mins).x, (n.y > 0 ? box.maxs : box.mins).y,
-                (n.z > 0 ? box.maxs : box.mins).z};
-    }
-    Point lowest_corner(const Box& box) const { return highest_corner({box.maxs, box.mins}); }
-
     int index_, type_;
     const Plane& plane_;
 };
