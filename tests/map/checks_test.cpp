@@ -53,6 +53,8 @@ TEST(Checks, NameUnknownClassesAndKeysByTheirLines) {
               (Said{"line 4: the class 'fnuc_door' is unknown, perhaps 'func_door' is meant: the entity is kept "
                     "unchanged",
                     "line 10: nothing reads the key 'wiat' of a func_door, perhaps 'wait' is meant"}));
+    EXPECT_EQ(warnings_of(entity_at("light", {1, 2, 3}, {{"targetnmae", "x"}})),
+              Said{"line 6: nothing reads the key 'targetnmae' of a light, perhaps 'targetname' is meant"});
     EXPECT_EQ(warnings_of(entity("func_explobox", {{"angle", "90"}})),
               Said{"line 4: the class 'func_explobox' is unknown: the entity is kept unchanged"});
     EXPECT_EQ(warnings_of(entity_at("monster_knigth", {1, 2, 3})),
@@ -122,6 +124,33 @@ TEST(Checks, NameTargetsThatNobodyHas) {
               Said{"line 6: 'target' is 'gate', but no entity has that name"});
 }
 
+// A door with a name stays shut until it is activated.
+TEST(Checks, NameNamesThatNothingTargets) {
+    const std::string door = entity("func_door", {{"targetname", "gate"}}, kBrush);
+    EXPECT_EQ(warnings_of(door),
+              Said{"line 6: 'targetname' is 'gate', but no entity has that target: nothing activates it"});
+    EXPECT_EQ(warnings_of(door + entity("func_button", {{"target", "gate"}}, kBrush)), Said{});
+    EXPECT_EQ(warnings_of(door + entity("func_button", {{"killtarget", "gate"}}, kBrush)), Said{});
+}
+
+TEST(Checks, NameKeysThatAreSetTwice) {
+    EXPECT_EQ(warnings_of(entity("func_door", {{"angle", "90"}, {"lip", "4"}, {"angle", "0"}}, kBrush)),
+              Said{"line 8: 'angle' is already set in line 6, expected each key once: that one counts"});
+}
+
+TEST(Checks, NameBrushesOfTwoKinds) {
+    const auto warnings_of_pool = [](const std::string& top) {
+        const std::string pool = box({0, 0, 0}, {8, 8, 8}, "*water");
+        const std::size_t last = pool.rfind("*water");
+        return warnings_of(entity("func_wall", {}, pool.substr(0, last) + top + pool.substr(last + 6)));
+    };
+    EXPECT_EQ(warnings_of_pool("stone"),
+              Said{"line 12: a brush with both '*water' and 'stone' is made of the former, expected textures of one "
+                   "kind"});
+    EXPECT_EQ(warnings_of_pool("*water2"), Said{});
+    EXPECT_EQ(warnings_of_pool("skip"), Said{});
+}
+
 TEST(Checks, NameTeleportersToNowhere) {
     EXPECT_EQ(warnings_of(entity("trigger_teleport", {}, kBrush)),
               Said{"line 4: a trigger_teleport without 'target', expected the exit, an `info_teleport_destination`"});
@@ -136,7 +165,7 @@ TEST(Checks, NameWhatAClassNeedsAndAnEntityLacks) {
     EXPECT_EQ(
         warnings_of(entity("func_door", {}) + entity("func_door", {})),
         Said{"line 4: a func_door without brushes, expected at least one: it has no shape (and 1 more like this)"});
-    EXPECT_EQ(warnings_of(entity("info_teleport_destination", {{"targetname", "x"}})),
+    EXPECT_EQ(warnings_of(entity("info_teleport_destination", {})),
               Said{"line 4: an info_teleport_destination without an 'origin', expected its position"});
     EXPECT_EQ(warnings_of_source(entity("worldspawn", {}) + entity("info_player_start", {})),
               Said{"line 4: an info_player_start without an 'origin', expected its position"});

@@ -69,7 +69,7 @@ TEST_F(Program, WarnsAndWritesALevel) {
 
 TEST_F(Program, WarningsAreErrorsWithStrict) {
     EXPECT_EQ(run(path("odd.map") + " -o " + path("odd.bsp") + " --strict --wad " + path("t.wad")), 1);
-    EXPECT_NE(said_.find("--strict: 1 warnings, expected none"), std::string::npos) << said_;
+    EXPECT_NE(said_.find("--strict: 1 warning, expected none"), std::string::npos) << said_;
     EXPECT_EQ(files_beginning_with("odd.bsp"), 0);
     EXPECT_EQ(run(path("good.map") + " -o " + path("good.bsp") + " --strict --wad " + path("t.wad")), 0) << said_;
 }

@@ -22,6 +22,13 @@ TEST(MapFile, BadInputIsNamedWithItsLine) {
     expect_complaint(std::string(kHead) + "{\n( 0 0 0 ) ( 1 0 x )", "line 4: found 'x', expected a number for z");
     expect_complaint(std::string(kHead) + "{\n( 0 0 0 ) ( 1 0 0 ) ( 0 1 0 ) wall 0 0 0 1\n}", "line 5: found '}'");
     expect_complaint(std::string(kHead) + "{\n", "line 4: the file ends, expected '('");
+    expect_complaint(std::string(kHead) + "{\n\"classname\"",
+                     "line 4: found 'classname', expected '(' of a side, or '}' after what begins in line 3");
+    expect_complaint(std::string(kHead) + "\"a\" \"b\"\n",
+                     "line 4: the file ends, expected a key in quotes, '{' of a brush, or '}' after the entity that "
+                     "begins in line 1");
+    expect_complaint(std::string(kHead) + "{\n( 0 0 0 ) ( 1 0 65537 )",
+                     "line 4: found '65537', expected a number for z, at most 65536");
     expect_complaint(std::string(kHead) + "// a remark\n;", "line 4: found ';', expected a key in quotes");
     expect_complaint(std::string(kHead) + "{\n( 0 0 0 ) ( 1 0 nan ) ( 0 1 0 ) wall 0 0 0 1 1", "expected a number");
     expect_complaint(std::string(kHead) + "{\n( 0 0 0 ) ( 1 0 1e9 ) ( 0 1 0 ) wall 0 0 0 1 1", "expected a number");
@@ -171,7 +178,9 @@ TEST(Entities, ALevelNamesItsWadsWithoutTheirFolders) {
 
 TEST(Wad, UnknownTexturesAreNamed) {
     expect_complaint(level(room({0, 0, 0}, {64, 64, 64}, 16, "nothing")),
-                     "line 4: texture 'nothing' is not in any of the WAD files");
+                     "line 4: texture 'nothing' is not in any of the WAD files: add");
+    expect_complaint(level(room({0, 0, 0}, {64, 64, 64}, 16, "wlal")),
+                     "line 4: texture 'wlal' is not in any of the WAD files, perhaps 'wall' is meant: add");
 }
 
 TEST(Wad, BrokenOnesAreRefused) {

@@ -77,20 +77,20 @@ class Reporter {
             ++count_;
         }
         if (arguments_.is_strict && count_ > 0)
-            throw InputError(
-                "--strict",
-                std::to_string(count_) + " warnings, expected none: correct the level, or compile without --strict");
+            throw InputError("--strict", counted() + ", expected none: correct the level, or compile without --strict");
     }
 
     void print_summary(const map::BspFile& bsp, const map::PortalFile& portals) {
         std::cout << arguments_.output << ": " << map::summary_of(bsp) << ", " << portals.count << " portals; "
-                  << count_ << " warnings; " << progress.times() << '\n';
+                  << counted() << "; " << progress.times() << '\n';
     }
 
     map::Warnings warnings;
     map::ProgressLine progress;
 
   private:
+    std::string counted() const { return std::to_string(count_) + (count_ == 1 ? " warning" : " warnings"); }
+
     const Arguments& arguments_;
     int count_ = 0;
 };

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "engine/level/entities.h"
 #include "engine/level/entity_classes.h"
 #include "tools/map/source/brush.h"
 #include "tools/map/source/entities.h"
+#include "tools/map/source/nearest_name.h"
 
 namespace oblong::map {
 namespace {
@@ -22,44 +24,6 @@ std::string with_article(std::string_view name) {
     return (is_vowel ? "an " : "a ") + std::string(name);
 }
 
-// The number of letters to change, add, remove or swap with the next one (Damerau, Levenshtein).
-std::size_t typing_errors(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> before, last(b.size() + 1), now(b.size() + 1);
-    for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
-    for (std::size_t i = 1; i <= a.size(); ++i) {
-        now[0] = i;
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            now[j] = std::min({last[j] + 1, now[j - 1] + 1, last[j - 1] + (a[i - 1] != b[j - 1])});
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-                now[j] = std::min(now[j], before[j - 2] + 1);
-        }
-        before = std::exchange(last, now);
-    }
-    return last.back();
-}
-
-// Finds the name nearest to a misspelt one.
-class NearestName {
-  public:
-    explicit NearestName(std::string_view wanted) : wanted_(wanted) {}
-
-    void add(std::string_view name) {
-        constexpr std::size_t kLongest = 64;
-        if (name.ends_with('#')) name.remove_suffix(1);
-        if (name.ends_with('*') || wanted_.size() > kLongest) return;
-        const std::size_t errors = typing_errors(wanted_, name);
-        if (errors >= least_) return;
-        least_ = errors;
-        name_ = name;
-    }
-
-    std::string text() const { return name_.empty() ? "" : ", perhaps " + quoted(name_) + " is meant"; }
-
-  private:
-    std::string_view wanted_, name_;
-    std::size_t least_ = 3;
-};
-
 std::string nearest_class(std::string_view wanted) {
     NearestName nearest(wanted);
     for (const EntityClass& row : entity_classes()) nearest.add(row.name);
@@ -71,6 +35,7 @@ std::string nearest_key(const EntityClass& its_class, std::string_view wanted) {
     for (const auto& keys : its_class.keys)
         for (const EntityKey& row : keys)
             if (!row.does.empty()) nearest.add(row.name);
+    for (const EntityKey& row : keys_of_all()) nearest.add(row.name);
     return nearest.text();
 }
 
@@ -114,7 +79,11 @@ bool is_of_kind(const EntityKey& row, const std::string& value) {
 class Checker {
   public:
     Checker(const std::vector<MapEntity>& entities, Warnings& warnings) : entities_(entities), warnings_(warnings) {
-        for (const MapEntity& entity : entities) name(entity, entity.value("targetname"));
+        for (const MapEntity& entity : entities) {
+            name(entity, entity.value("targetname"));
+            for (const MapPair& pair : entity.pairs)
+                if (pair.key == "target" || pair.key == "killtarget") targets_.insert(pair.value);
+        }
     }
 
     void check() {
@@ -145,7 +114,27 @@ class Checker {
                 if (row.is_required && entity.value(row.name).empty())
                     warnings_.add(entity.line, with_article(name) + " without '" + std::string(row.name) +
                                                    "', expected " + std::string(row.does));
-        for (const MapPair& pair : entity.pairs) check_pair(pair, *its_class, name);
+        for (const MapPair& pair : entity.pairs) {
+            check_pair(pair, *its_class, name);
+            const auto same = std::find_if(entity.pairs.begin(), entity.pairs.end(),
+                                           [&](const MapPair& other) { return other.key == pair.key; });
+            if (&*same != &pair)
+                warnings_.add(pair.line, quoted(pair.key) + " is already set in line " + std::to_string(same->line) +
+                                             ", expected each key once: that one counts");
+        }
+        for (const MapBrush& brush : entity.brushes) check_textures(brush);
+    }
+
+    // The first side decides what a brush holds.
+    void check_textures(const MapBrush& brush) {
+        if (brush.sides.empty()) return;
+        const std::string& first = brush.sides.front().texture.name;
+        for (const MapSide& side : brush.sides) {
+            const std::string& own = side.texture.name;
+            if (contents_of_texture(own) == contents_of_texture(first) || is_undrawn_texture(own)) continue;
+            return warnings_.add(side.line, "a brush with both " + quoted(first) + " and " + quoted(own) +
+                                                " is made of the former, expected textures of one kind");
+        }
     }
 
     void check_shape(const MapEntity& entity, const EntityClass& its_class, const std::string& name) {
@@ -171,6 +160,9 @@ class Checker {
         if (!is_of_kind(row, pair.value))
             return warnings_.add(pair.line,
                                  quoted(pair.key) + " is " + quoted(pair.value) + ", expected " + expected_of(row));
+        if (row.kind == KeyKind::Name && !targets_.contains(pair.value))
+            warnings_.add(pair.line, quoted(pair.key) + " is " + quoted(pair.value) +
+                                         ", but no entity has that target: nothing activates it");
         if (row.name == "light" && row.most > 1 && count_words(pair.value) > 1)
             warnings_.add(pair.line, "the colour in " + quoted(pair.key) + " is not kept, only its brightness");
         if (row.kind != KeyKind::Target && row.kind != KeyKind::Place) return;
@@ -185,6 +177,7 @@ class Checker {
     const std::vector<MapEntity>& entities_;
     Warnings& warnings_;
     std::unordered_map<std::string, const MapEntity*> named_;  // the first with a name
+    std::unordered_set<std::string> targets_;
 };
 
 }  // namespace

@@ -43,6 +43,14 @@ const std::string* find_in(const std::vector<Wad>& wads, const std::string& name
     return nullptr;
 }
 
+[[noreturn]] void throw_missing(const TextureUse& use, const std::vector<Wad>& wads) {
+    NearestName nearest(use.name);
+    for (const Wad& wad : wads) wad.add_names(nearest);
+    throw InputError("line " + std::to_string(use.line), "texture '" + use.name + "' is not in any of the WAD files" +
+                                                             nearest.text() +
+                                                             ": add its WAD to worldspawn's 'wad', or see --wad");
+}
+
 bool is_animated(const std::string& name) {
     return name.size() > 2 && name[0] == '+';
 }
@@ -99,14 +107,15 @@ const std::string* Wad::find(const std::string& name) const {
     return found == textures_.end() ? nullptr : &found->second;
 }
 
+void Wad::add_names(NearestName& nearest) const {
+    for (const auto& [name, bytes] : textures_) nearest.add(name);
+}
+
 std::vector<std::string> collect_textures(const std::vector<TextureUse>& uses, const std::vector<Wad>& wads) {
     std::vector<std::string> textures, names;
     for (const TextureUse& use : uses) {
         const std::string* texture = find_in(wads, use.name);
-        if (texture == nullptr)
-            throw InputError("line " + std::to_string(use.line),
-                             "texture '" + use.name +
-                                 "' is not in any of the WAD files: add its WAD to worldspawn's 'wad', or see --wad");
+        if (texture == nullptr) throw_missing(use, wads);
         textures.push_back(*texture);
         names.push_back(use.name);
     }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tools/map/source/map_file.h"
+#include "tools/map/source/nearest_name.h"
 
 namespace oblong::map {
 
@@ -64,6 +65,7 @@ class Wad {
 
     /// The miptex's bytes, or null.
     const std::string* find(const std::string& name) const;
+    void add_names(NearestName& nearest) const;
 
     std::string source;  ///< its name in the map, at `line`; 0: not from the map
     int line = 0;
