@@ -83,7 +83,7 @@ def check_compare_peer(folder):
         check(ran.returncode == 1 and expected in ran.stderr, "without a peer: %d %s" % (ran.returncode, ran.stderr))
     path = os.path.join(folder, "compared.json")
     ran = run("compare-peer", "--render", RENDER, "--rounds", "2", "--mode", "64x40", "--setting", "bounded", "--setting", "1996",
-              "--json", path, *demo(folder), OBLONG_PEER=make_peer(folder, 1000000))
+              "--worst", "1", "--json", path, *demo(folder), OBLONG_PEER=make_peer(folder, 1000000))
     check(ran.returncode == 0, "compare-peer: " + ran.stderr)
     with open(path) as file:
         mode = json.load(file)["modes"]["64x40"]
@@ -93,6 +93,8 @@ def check_compare_peer(folder):
         check(abs(row["ratio_median"] * row["median_us"] - 1000000) < 1, "a ratio is not peer / Oblong: %s" % row)
         parts = list(row["ratio_quantiles"].values())
         check(parts == sorted(parts) and parts[0] > 1, "quantiles of the ratio: %s" % parts)
+        worst = [line.split() for line in ran.stdout.split(setting + ": frames by ratio")[1].splitlines() if "|" in line][1]
+        check(abs(float(worst[2]) - parts[0]) < 0.01, "the worst frame: %s, not of ratio %s" % (worst, parts[0]))
     slower = importlib.import_module("compare_peer").compare([10, 20, 30], [20, 20, 10])
     check(slower["slower"] == 1 and slower["ratio_mean"] == 60 / 50, "a slower frame: %s" % slower)
 

@@ -13,10 +13,12 @@ usage: OBLONG_PEER=PROGRAM tools/compare-peer [OPTIONS] [BUILD] [LEVEL CAMERAS [
   --rounds N         (default: 5)
   --most N           cameras of each level (default: all)
   --render PROGRAM   that oblong-render, as it is (default: BUILD's, built anew if sources changed)
+  --worst N          also a histogram of the frames' ratios, and the N frames with the least: where their time goes
   --instructions     also instructions a pixel of both, by callgrind: at most 35 cameras of each level
   --json FILE        (default: BUILD/bench/compare_peer.json)
 settings: bounded, no-bmi2, 1996, exact, threads-2
 """
+import itertools
 import json
 import os
 import re
@@ -81,27 +83,32 @@ def available_settings(program, wanted):
     return wanted or known
 
 
-def own_times(program, place, mode, setting):
-    report = runs.report_of(program, place, TIMED_REPEATS, mode, SETTINGS[setting])
-    return [frame["microseconds"] for frame in report["frames"]]
+def own_frames(program, place, mode, setting):
+    return runs.report_of(program, place, TIMED_REPEATS, mode, SETTINGS[setting])["frames"]
 
 
 def measure(peer, program, places, mode, settings, rounds, folder):
-    """For each level: name -> the times of its frames, the least of the rounds; the peer's name is `peer`."""
+    """For each level: name -> the times of its frames, the least of the rounds, with `peer` as the peer's name; and
+    name -> the report's frames of a round."""
     names = ["peer", *settings]
     taken = {place.name: {name: [] for name in names} for place in places}
+    frames = {place.name: {} for place in places}
     for turn in range(rounds):
         for place in places:
             for i in range(len(names)):
                 name = names[(turn + i) % len(names)]  # rotates which one is first
-                times = peer.times(place, mode, folder) if name == "peer" else own_times(program, place, mode, name)
+                if name == "peer":
+                    times = peer.times(place, mode, folder)
+                else:
+                    frames[place.name][name] = own_frames(program, place, mode, name)
+                    times = [frame["microseconds"] for frame in frames[place.name][name]]
                 if len(times) != place.camera_count():
                     runs.fail("%s: %d times of %d frames from %s" % (place.name, len(times), place.camera_count(), name))
                 taken[place.name][name].append(times)
         print("\r%s: round %d of %d" % (mode, turn + 1, rounds), end="", file=sys.stderr, flush=True)
     print(file=sys.stderr)
     return {level: {name: [min(frame) for frame in zip(*all_rounds)] for name, all_rounds in of.items()}
-            for level, of in taken.items()}
+            for level, of in taken.items()}, frames
 
 
 def quantile(values, part):
@@ -145,6 +152,25 @@ def report(mode, times, settings):
     return rows
 
 
+def report_worst(times, frames, setting, count):
+    """How the ratios of the frames are spread, and what the frames with the least have and spend."""
+    found = sorted((theirs / ours, theirs, ours, level, number) for level, of in times.items()
+                   for number, (theirs, ours) in enumerate(zip(of["peer"], of[setting])))
+    print("\n%s: frames by ratio" % setting)
+    for step, bin_of in itertools.groupby(found, lambda row: min(int(row[0] * 4), 24)):
+        frames_in_bin = len(list(bin_of))
+        print("%s %5.2f %5d %s" % ("from" if step == 24 else "    ", step / 4, frames_in_bin,
+                                   "#" * -(-60 * frames_in_bin // len(found))))
+    print("%-12s %5s %6s %6s | %7s %5s %6s %6s %9s | microseconds" % (
+        "frame", "ratio", "peer", "us", "visited", "drawn", "spans", "blocks", "divisions"))
+    for ratio, theirs, ours, level, number in found[:count]:
+        frame = frames[level][setting][number]
+        counts, passes = frame["counts"], sorted(frame["passes"], key=lambda one: -one["microseconds"])
+        print("%-12s %5.2f %6.0f %6.0f | %7d %5d %6d %6d %9d | %s" % (
+            "%s %d" % (level, number), ratio, theirs, ours, counts["faces_visited"], counts["faces_drawn"], counts["spans"],
+            counts["blocks"], counts["divisions"], ", ".join("%s %.0f" % (one["name"], one["microseconds"]) for one in passes[:4])))
+
+
 def count_instructions(peer, program, places, mode, settings, folder):
     """By level, the instructions a pixel of the peer and of every setting except those of several threads."""
     counts = {}
@@ -162,7 +188,7 @@ def count_instructions(peer, program, places, mode, settings, folder):
 
 
 def main():
-    options = runs.parse_arguments(__doc__, mode=[], setting=[], rounds=5, most=int, render=str, json=str, instructions=False)
+    options = runs.parse_arguments(__doc__, mode=[], setting=[], rounds=5, most=int, worst=0, render=str, json=str, instructions=False)
     peer = find_peer()
     places = runs.places(options.build, options.level_paths, with_demo=False)
     if not places:
@@ -175,8 +201,11 @@ def main():
     found = {}
     with tempfile.TemporaryDirectory() as scratch:
         for mode in options.mode or ["320x200", "1280x800"]:
-            times = measure(peer, program, places, mode, settings, options.rounds, scratch)
+            times, frames = measure(peer, program, places, mode, settings, options.rounds, scratch)
             found[mode] = {"levels": report(mode, times, settings), "times_us": times}
+            if options.worst:
+                for setting in settings:
+                    report_worst(times, frames, setting, options.worst)
             if options.instructions:
                 found[mode]["instructions"] = count_instructions(peer, program, places, mode, settings, scratch)
     with open(options.json or os.path.join(folder, "compare_peer.json"), "w") as out:
