@@ -5,6 +5,8 @@
 
 #include "engine/effects/entity_values.h"
 #include "engine/effects/shadows.h"
+#include "engine/fixed/arithmetic.h"
+#include "engine/fixed/trig.h"
 #include "engine/level/entity_classes.h"
 
 namespace oblong {
@@ -168,6 +170,13 @@ class ThingReader {
 
 Things read_things(const Level& level) {
     return ThingReader(level).read();
+}
+
+Sprite lantern_at(const Lantern& lantern, std::int64_t time_ms) {
+    const Angle angle = Angle::from_bam(time_ms % lantern.period_ms * 65536 / lantern.period_ms);
+    const Vec3<World> from_middle{
+        product<World>(lantern.radius, cosine(angle)), product<World>(lantern.radius, sine(angle)), {}};
+    return {lantern.middle + from_middle, lantern.texture, lantern.scale};
 }
 
 }  // namespace oblong

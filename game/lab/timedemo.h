@@ -4,7 +4,7 @@
 #include <string>
 
 #include "engine/frame/settings.h"
-#include "game/level/loaded_level.h"
+#include "game/level/load.h"
 #include "game/simulation/demo.h"
 #include "game/view/game_renderer.h"
 

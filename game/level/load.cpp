@@ -7,6 +7,7 @@
 #include "engine/base/fnv.h"
 #include "engine/effects/things.h"
 #include "engine/files/arguments.h"
+#include "engine/files/files.h"
 #include "engine/files/game_files.h"
 #include "engine/level/bsp_read.h"
 #include "game/simulation/entity_keys.h"
@@ -89,5 +90,12 @@ GameData load_game(const LevelFiles& files) {
     print_warnings("oblong", data.level_file, data.sounds.warnings);
     return data;
 }
+
+LoadedLevel::LoadedLevel(const LevelFiles& named)
+    : files(named), data(load_game(files)), level(naming_file(data.level_file, [&] {
+          GameLevel made = make_game_level(data.level);
+          if (files.game) made.lens_names = {own_words(*files.game, kOneLens), own_words(*files.game, kLenses)};
+          return made;
+      })) {}
 
 }  // namespace oblong

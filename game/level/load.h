@@ -12,6 +12,7 @@
 #include "engine/scene/level_effects.h"
 #include "engine/surface/colormap.h"
 #include "engine/surface/palette.h"
+#include "game/simulation/game_level.h"
 
 namespace oblong {
 
@@ -46,5 +47,17 @@ struct LevelFiles {
 /// in pak files: see engine/files/game_files.h. Prints on standard error the parts of the level that are ignored.
 /// Throws FileError.
 GameData load_game(const LevelFiles& files);
+
+/// A level, loaded to be played: its files, their contents, and the part of the game that never changes.
+struct LoadedLevel {
+    /// Throws FileError.
+    explicit LoadedLevel(const LevelFiles& named);
+    LoadedLevel(const LoadedLevel&) = delete;  // `level` points into `data`
+    LoadedLevel& operator=(const LoadedLevel&) = delete;
+
+    const LevelFiles files;
+    const GameData data;
+    const GameLevel level;
+};
 
 }  // namespace oblong

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/platform/platform.h"
-#include "game/level/loaded_level.h"
+#include "game/level/load.h"
 #include "game/program/game_screen.h"
 #include "game/program/session.h"
 #include "game/view/hud.h"

@@ -10,7 +10,7 @@
 #include "engine/view/screen.h"
 #include "game/input/controls.h"
 #include "game/input/key_names.h"
-#include "game/level/loaded_level.h"
+#include "game/level/load.h"
 #include "game/menu/menu_look.h"
 #include "game/menu/menu_pages.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "game/level/level_search.h"
-#include "game/level/loaded_level.h"
+#include "game/level/load.h"
 #include "game/menu/menu_host.h"
 #include "game/options/options.h"
 

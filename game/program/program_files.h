@@ -6,7 +6,7 @@
 #include "engine/files/game_definition.h"
 #include "engine/platform/platform.h"
 #include "game/input/tick_input_source.h"
-#include "game/level/loaded_level.h"
+#include "game/level/load.h"
 #include "game/options/options.h"
 #include "game/program/map_watch.h"
 #include "game/sound/game_sound.h"

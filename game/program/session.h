@@ -6,7 +6,7 @@
 
 #include "engine/platform/platform.h"
 #include "game/input/key_names.h"
-#include "game/level/loaded_level.h"
+#include "game/level/load.h"
 #include "game/program/game_screen.h"
 #include "game/program/shown_overlays.h"
 #include "game/program/view_options.h"

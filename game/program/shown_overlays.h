@@ -10,7 +10,7 @@
 #include "engine/platform/platform.h"
 #include "game/lab/four_aspects.h"
 #include "game/lab/lab.h"
-#include "game/level/loaded_level.h"
+#include "game/level/load.h"
 #include "game/program/view_options.h"
 #include "game/view/automap.h"
 #include "game/view/hud.h"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "game/level/loaded_level.h"
+#include "game/level/load.h"
 #include "game/saves/saved_game.h"
 
 namespace oblong {

@@ -8,7 +8,7 @@
 #include "engine/base/fnv.h"
 #include "engine/files/arguments.h"
 #include "engine/files/files.h"
-#include "game/level/loaded_level.h"
+#include "game/level/load.h"
 #include "game/simulation/demo.h"
 #include "game/simulation/step.h"
 #include "game/view/game_renderer.h"
