@@ -12,15 +12,12 @@
 #include "engine/level/trace.h"
 #include "game/simulation/game_level.h"
 #include "tests/support/folders.h"
+#include "tests/support/point.h"
 
 namespace oblong {
 namespace {
 
 using Corner = std::array<double, 3>;
-
-double units(World value) {
-    return static_cast<double>(value.raw) / (1 << World::kFractionBits);
-}
 
 class DemoLevel : public testing::Test {
   protected:
@@ -32,7 +29,7 @@ class DemoLevel : public testing::Test {
         std::vector<Corner> corners;
         for (const SurfEdge edge : level_.edges_of(face)) {
             const Vec3<World>& vertex = level_.vertices[level_.start_of(edge)];
-            corners.push_back({units(vertex.x), units(vertex.y), units(vertex.z)});
+            corners.push_back({number_of(vertex.x), number_of(vertex.y), number_of(vertex.z)});
         }
         return corners;
     }

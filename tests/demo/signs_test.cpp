@@ -8,6 +8,7 @@
 #include "engine/level/bsp_read.h"
 #include "engine/level/trace.h"
 #include "tests/support/folders.h"
+#include "tests/support/point.h"
 
 namespace oblong {
 namespace {
@@ -34,10 +35,7 @@ constexpr std::array kFirstSights{
 
 class DemoSigns : public testing::TestWithParam<FirstSight> {
   protected:
-    static Corner point(const Vec3<World>& at) {
-        const auto units = [](World value) { return static_cast<double>(value.raw) / (1 << World::kFractionBits); };
-        return {units(at.x), units(at.y), units(at.z)};
-    }
+    static Corner point(const Vec3<World>& at) { return {number_of(at.x), number_of(at.y), number_of(at.z)}; }
 
     /// The corners of each piece that the tree has cut the sign into.
     std::vector<Corner> corners_of_sign() const {
@@ -89,14 +87,14 @@ class DemoSigns : public testing::TestWithParam<FirstSight> {
 /// Letters are seven dots high: three quarters of a pixel a dot make them five pixels high, and still readable.
 TEST_P(DemoSigns, CanBeReadAtFirstSight) {
     constexpr double kFocalAcross = 160, kFocalDown = kFocalAcross * 5 / 6;  // of 320x200 at 90 degrees, on 4:3
-    const auto [sign, eye, texels_a_dot] = GetParam();
+    const auto& [sign, eye, texels_a_dot] = GetParam();
     const auto [low, high] = extent_of_sign();
     ASSERT_GT(high[2], low[2]) << "no such sign";
     const Corner middle{(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2};
     const double dx = middle[0] - eye[0], dy = middle[1] - eye[1], distance = std::hypot(dx, dy);
     const double incidence = std::abs(high[0] > low[0] ? dy : dx) / distance;
     const auto texture = std::find_if(level_.textures.begin(), level_.textures.end(),
-                                      [&](const MipTexture& one) { return one.name == sign; });
+                                      [&](const MipTexture& one) { return one.name == GetParam().sign; });
     const double dot = (high[2] - low[2]) / texture->height * texels_a_dot;
     EXPECT_GE(dot * kFocalDown / distance, 0.75) << "high";
     EXPECT_GE(dot * kFocalAcross / distance * incidence, 0.75) << "wide";

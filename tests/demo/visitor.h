@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "game/simulation/step.h"
+#include "tests/support/point.h"
 
 namespace oblong::test {
 
@@ -14,10 +15,6 @@ struct Waypoint {
     double x, y;
     double least_z = -1000;
 };
-
-inline double units(World value) {
-    return static_cast<double>(value.raw) / (1 << World::kFractionBits);
-}
 
 /// A visitor who turns towards the next waypoint at once and walks.
 class Visitor {
@@ -29,10 +26,10 @@ class Visitor {
     /// False if the waypoint is not reached in half a minute of game time.
     bool walk_to(const Waypoint& waypoint) {
         for (std::int64_t tick = 0; tick < 30 * kTicksPerSecond && !state_.has_ended; ++tick) {
-            const double dx = waypoint.x - units(state_.player.position.x),
-                         dy = waypoint.y - units(state_.player.position.y);
+            const double dx = waypoint.x - number_of(state_.player.position.x),
+                         dy = waypoint.y - number_of(state_.player.position.y);
             const bool is_there = std::hypot(dx, dy) < 14;
-            if (is_there && units(state_.player.position.z) >= waypoint.least_z) return true;
+            if (is_there && number_of(state_.player.position.z) >= waypoint.least_z) return true;
             step(level_, state_, is_there ? TickInput{} : step_towards(dx, dy));
         }
         return state_.has_ended;
@@ -42,14 +39,16 @@ class Visitor {
     void walk(const std::vector<Waypoint>& route) {
         for (const Waypoint& waypoint : route) {
             const Position& position = state_.player.position;
-            ASSERT_TRUE(walk_to(waypoint)) << "stuck at " << units(position.x) << ' ' << units(position.y) << ' '
-                                           << units(position.z) << " on the way to " << waypoint.x << ' ' << waypoint.y;
+            ASSERT_TRUE(walk_to(waypoint))
+                << "stuck at " << number_of(position.x) << ' ' << number_of(position.y) << ' ' << number_of(position.z)
+                << " on the way to " << waypoint.x << ' ' << waypoint.y;
         }
     }
 
     /// One tick towards a place. False from half a minute of them on.
     bool step_to(double x, double y, std::uint8_t buttons = 0) {
-        TickInput input = step_towards(x - units(state_.player.position.x), y - units(state_.player.position.y));
+        TickInput input =
+            step_towards(x - number_of(state_.player.position.x), y - number_of(state_.player.position.y));
         input.buttons = buttons;
         step(level_, state_, input);
         return ++lone_steps_ < 30 * kTicksPerSecond;

@@ -43,9 +43,9 @@ TEST_F(DemoWalk, ThroughTheRainAndTheFogAndByTheTeleporterToTheTower) {
     walk({{736, 416}, {736, 560}, {512, 760}, {512, 1160}, {512, 1360}});
     walk({{740, 1430}, {1000, 1616}, {1230, 1616}, {1230, 1776}, {1392, 1776}, {1392, 1870}, {1392, 2240}});
     constexpr double kInTheGarden = -208 + 24;
-    EXPECT_NEAR(test::units(visitor_.state().player.position.z), kInTheGarden, 1.5);
-    while (test::units(visitor_.state().player.position.y) > 1800) ASSERT_TRUE(visitor_.step_to(1392, 2600));
-    EXPECT_NEAR(test::units(visitor_.state().player.position.x), 40, 20) << "before the room of forced perspective";
+    EXPECT_NEAR(number_of(visitor_.state().player.position.z), kInTheGarden, 1.5);
+    while (number_of(visitor_.state().player.position.y) > 1800) ASSERT_TRUE(visitor_.step_to(1392, 2600));
+    EXPECT_NEAR(number_of(visitor_.state().player.position.x), 40, 20) << "before the room of forced perspective";
     walk({kCourtyardToTower.begin() + 2, kCourtyardToTower.end()});
 }
 
@@ -58,7 +58,7 @@ TEST_F(DemoWalk, WhoFallsIntoTheLavaCanClimbOutAtBothEndsOfBothPits) {
         for (const double x : {-780.0, -160.0}) {
             walk({{-472, 2320, kStandingOnTheFloor - 1}, {-472, y}});
             ASSERT_NE(visitor_.state().player.depth, Depth::Dry) << y;
-            ASSERT_LT(test::units(visitor_.state().player.position.z), kInLava) << y;
+            ASSERT_LT(number_of(visitor_.state().player.position.z), kInLava) << y;
             walk({{x, y, kStandingOnTheFloor - 1}, {x, 2320}});
             EXPECT_EQ(visitor_.state().player.depth, Depth::Dry) << x << ' ' << y;
         }

@@ -8,21 +8,12 @@
 #include "engine/mesh/mesh.h"
 #include "tests/mesh_files/mdl_writer.h"
 #include "tests/support/folders.h"
+#include "tests/support/point.h"
 
 namespace oblong {
 namespace {
 
 using namespace test;
-
-double number(World value) {
-    return value.raw / 4096.0;
-}
-double number(Unit value) {
-    return value.raw / double{1 << 30};
-}
-double number(Texel value) {
-    return static_cast<double>(value.raw) / 65536;
-}
 
 /// Six times the volume that the triangles enclose: positive if they run clockwise as seen from outside.
 double volume_6(const Mesh& mesh, const MeshFrame& frame) {
@@ -31,7 +22,7 @@ double volume_6(const Mesh& mesh, const MeshFrame& frame) {
         double p[3][3];
         for (int i = 0; i < 3; ++i) {
             const Vec3<World>& at = frame.vertices[triangle.vertices[static_cast<std::size_t>(i)]].position;
-            p[i][0] = number(at.x), p[i][1] = number(at.y), p[i][2] = number(at.z);
+            p[i][0] = number_of(at.x), p[i][1] = number_of(at.y), p[i][2] = number_of(at.z);
         }
         sum -= p[0][0] * (p[1][1] * p[2][2] - p[1][2] * p[2][1]) - p[0][1] * (p[1][0] * p[2][2] - p[1][2] * p[2][0]) +
                p[0][2] * (p[1][0] * p[2][1] - p[1][1] * p[2][0]);
@@ -80,11 +71,11 @@ TEST(MdlRead, FramesOfAGroupTakeTurnsByTime) {
 TEST(MdlRead, NormalsPointOutwardAndWeighTrianglesByTheirArea) {
     const Mesh mesh = read_mdl(write_mdl(tetrahedron_model()));
     const Vec3<Unit> corner = mesh.frames[0].vertices[0].normal;
-    for (const Unit part : {corner.x, corner.y, corner.z}) EXPECT_NEAR(number(part), -1 / std::sqrt(3), 1e-8);
+    for (const Unit part : {corner.x, corner.y, corner.z}) EXPECT_NEAR(number_of(part), -1 / std::sqrt(3), 1e-8);
     // At the x leg's end: two right-angled triangles, -y and -z, and the large one (1, 1, 1): (1, 0, 0) in sum.
     const Vec3<Unit> leg = mesh.frames[0].vertices[1].normal;
-    EXPECT_NEAR(number(leg.x), 1, 1e-8);
-    EXPECT_NEAR(number(leg.y), 0, 1e-8);
+    EXPECT_NEAR(number_of(leg.x), 1, 1e-8);
+    EXPECT_NEAR(number_of(leg.y), 0, 1e-8);
 }
 
 TEST(MdlRead, AVertexOnTheSeamIsAnotherOneOnTheBackHalf) {
@@ -92,9 +83,9 @@ TEST(MdlRead, AVertexOnTheSeamIsAnotherOneOnTheBackHalf) {
     ASSERT_EQ(mesh.texels.size(), 5u);
     EXPECT_EQ(mesh.triangles[3].vertices, (std::array<std::uint32_t, 3>{4, 3, 2}));
     EXPECT_EQ(mesh.triangles[0].vertices, (std::array<std::uint32_t, 3>{0, 1, 2}));
-    EXPECT_EQ(number(mesh.texels[1].u), 2.5);
-    EXPECT_EQ(number(mesh.texels[4].u), 6.5);  // half of the width of 8 further
-    EXPECT_EQ(number(mesh.texels[4].v), 1.5);
+    EXPECT_EQ(number_of(mesh.texels[1].u), 2.5);
+    EXPECT_EQ(number_of(mesh.texels[4].u), 6.5);  // half of the width of 8 further
+    EXPECT_EQ(number_of(mesh.texels[4].v), 1.5);
     for (const MeshFrame& frame : mesh.frames) {
         ASSERT_EQ(frame.vertices.size(), 5u);
         EXPECT_EQ(frame.vertices[4].position, frame.vertices[1].position);
@@ -106,8 +97,8 @@ TEST(MdlRead, PlacesBesideTheSkinArePutOntoItsBorder) {
     MdlModel model = tetrahedron_model();
     model.places[0] = {0, 8, -3};
     const Mesh mesh = read_mdl(write_mdl(model));
-    EXPECT_EQ(number(mesh.texels[0].u), 7.5);
-    EXPECT_EQ(number(mesh.texels[0].v), 0.5);
+    EXPECT_EQ(number_of(mesh.texels[0].u), 7.5);
+    EXPECT_EQ(number_of(mesh.texels[0].v), 0.5);
 }
 
 TEST(MdlRead, AScaleIsAppliedBeforeRounding) {
@@ -115,8 +106,8 @@ TEST(MdlRead, AScaleIsAppliedBeforeRounding) {
     model.scale = {0.0001F, 0.001F, 0.001F};
     model.origin = {0, -0.3F, 0};
     const Mesh mesh = read_mdl(write_mdl(model), World::from_int(1000));
-    EXPECT_NEAR(number(mesh.frames[0].vertices[1].position.x), 100 * double{0.0001F} * 1000, 1.0 / 8192);
-    EXPECT_NEAR(number(mesh.frames[0].vertices[0].position.y), double{-0.3F} * 1000, 1.0 / 8192);
+    EXPECT_NEAR(number_of(mesh.frames[0].vertices[1].position.x), 100 * double{0.0001F} * 1000, 1.0 / 8192);
+    EXPECT_NEAR(number_of(mesh.frames[0].vertices[0].position.y), double{-0.3F} * 1000, 1.0 / 8192);
 }
 
 TEST(MdlRead, LyingCountsAreRefusedAtTheirPlace) {

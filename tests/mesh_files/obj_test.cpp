@@ -7,29 +7,11 @@
 #include <random>
 
 #include "engine/files/files.h"
+#include "tests/support/palettes.h"
+#include "tests/support/point.h"
 
 namespace oblong::test::obj_test {
 namespace {
-
-double number(World value) {
-    return value.raw / 4096.0;
-}
-double number(Unit value) {
-    return value.raw / double{1 << 30};
-}
-double number(Texel value) {
-    return static_cast<double>(value.raw) / 65536;
-}
-
-/// Index i is grey i.
-Palette greys() {
-    Palette palette;
-    for (std::size_t i = 0; i < 256; ++i) {
-        const auto grey = static_cast<std::uint8_t>(i);
-        palette.colours[i] = {grey, grey, grey};
-    }
-    return palette;
-}
 
 class ObjFiles : public ::testing::Test {
   protected:
@@ -43,7 +25,7 @@ class ObjFiles : public ::testing::Test {
     std::string path(const std::string& name) const { return (folder_ / name).string(); }
     ObjModel read(const std::string& text, const ObjOptions& options = {.is_z_up = true}) const {
         write_file(path("model.obj"), text);
-        return read_obj(path("model.obj"), greys(), options);
+        return read_obj(path("model.obj"), grey_palette(), options);
     }
     std::string error_of(const std::string& text, const ObjOptions& options = {.is_z_up = true}) const {
         try {
@@ -72,7 +54,7 @@ std::array<double, 3> normal_of(const Mesh& mesh, std::size_t triangle) {
     double p[3][3];
     for (std::size_t i = 0; i < 3; ++i) {
         const Vec3<World>& at = mesh.frames[0].vertices[mesh.triangles[triangle].vertices[i]].position;
-        p[i][0] = number(at.x), p[i][1] = number(at.y), p[i][2] = number(at.z);
+        p[i][0] = number_of(at.x), p[i][1] = number_of(at.y), p[i][2] = number_of(at.z);
     }
     std::array<double, 3> normal{};
     for (int i = 0; i < 3; ++i) {
@@ -111,8 +93,8 @@ TEST_F(ObjFiles, AxesOfMostProgramsAreTurnedIntoTheWorlds) {
 
 TEST_F(ObjFiles, ScaleIsAppliedBeforeRounding) {
     const Mesh mesh = read("v 0.00012345 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", {.scale = 1000, .is_z_up = true}).mesh;
-    EXPECT_NEAR(number(mesh.frames[0].vertices[0].position.x), 0.12345, 1 / 8192.0);
-    EXPECT_EQ(number(mesh.frames[0].maxs.x), 1000);
+    EXPECT_NEAR(number_of(mesh.frames[0].vertices[0].position.x), 0.12345, 1 / 8192.0);
+    EXPECT_EQ(number_of(mesh.frames[0].maxs.x), 1000);
 }
 
 TEST_F(ObjFiles, NegativeNumbersCountBackwards) {
@@ -139,27 +121,27 @@ TEST_F(ObjFiles, MissingNormalsAreSmoothUnlessGroupsSayElse) {
     EXPECT_EQ(distinct(corners + "s 1\n" + faces), 8u);
     const Mesh smooth = read(kCube).mesh, flat = read(corners + "s 0\n" + faces).mesh;
     for (const MeshVertex& vertex : smooth.frames[0].vertices) {
-        EXPECT_NEAR(number(vertex.normal.x), number(vertex.position.x) / std::sqrt(3), 0.25);
-        EXPECT_GT(number(vertex.normal.x) * number(vertex.position.x), 0);
-        EXPECT_GT(number(vertex.normal.z) * number(vertex.position.z), 0);
+        EXPECT_NEAR(number_of(vertex.normal.x), number_of(vertex.position.x) / std::sqrt(3), 0.25);
+        EXPECT_GT(number_of(vertex.normal.x) * number_of(vertex.position.x), 0);
+        EXPECT_GT(number_of(vertex.normal.z) * number_of(vertex.position.z), 0);
     }
     for (const MeshVertex& vertex : flat.frames[0].vertices)
-        EXPECT_NEAR(
-            std::abs(number(vertex.normal.x)) + std::abs(number(vertex.normal.y)) + std::abs(number(vertex.normal.z)),
-            1, 1e-9);
+        EXPECT_NEAR(std::abs(number_of(vertex.normal.x)) + std::abs(number_of(vertex.normal.y)) +
+                        std::abs(number_of(vertex.normal.z)),
+                    1, 1e-9);
 }
 
 TEST_F(ObjFiles, NormalsOfTheFileAreMadeOneLong) {
     const Mesh mesh = read(kSquare + "vn 0 3 4\nvn 0 0 0\nf 1//1 2//1 3//2\n").mesh;
-    EXPECT_NEAR(number(mesh.frames[0].vertices[0].normal.y), 0.6, 1e-9);
+    EXPECT_NEAR(number_of(mesh.frames[0].vertices[0].normal.y), 0.6, 1e-9);
     bool has_computed = false;
-    for (const MeshVertex& vertex : mesh.frames[0].vertices) has_computed |= number(vertex.normal.z) == 1;
+    for (const MeshVertex& vertex : mesh.frames[0].vertices) has_computed |= number_of(vertex.normal.z) == 1;
     EXPECT_TRUE(has_computed) << "a normal of no direction counts as missing";
 }
 
 TEST_F(ObjFiles, MaterialsBecomeSkins) {
     std::vector<std::uint8_t> texels = {10, 20, 30, 40, 50, 60, 70, 80};
-    write_file(path("wood.png"), encode_indexed_png(texels, 4, 2, greys()));
+    write_file(path("wood.png"), encode_indexed_png(texels, 4, 2, grey_palette()));
     write_file(path("m.mtl"),
                std::string("newmtl wood\r\nmap_Kd wood.png\r\nnewmtl red\r\nKd 0.5 0.5 0.5\r\nnewmtl gone\r\n"
                            "Kd 1 1 1\r\nmap_Kd none.png\r\nnewmtl unused\r\nmap_Kd unused.png\r\n"));
@@ -174,15 +156,15 @@ TEST_F(ObjFiles, MaterialsBecomeSkins) {
     EXPECT_EQ(mesh.skins[2].texels, std::vector<std::uint8_t>{223});  // the lightest that does not glow
     EXPECT_EQ(mesh.triangles[1].skin, 1u);
     const MeshTexel& first = mesh.texels[mesh.triangles[0].vertices[0]];
-    EXPECT_EQ(number(first.u), 1);
-    EXPECT_EQ(number(first.v), 2);  // v goes up in the file, down in a skin
+    EXPECT_EQ(number_of(first.u), 1);
+    EXPECT_EQ(number_of(first.v), 2);  // v goes up in the file, down in a skin
     ASSERT_EQ(model.warnings.size(), 1u);
     EXPECT_NE(model.warnings[0].find("none.png"), std::string::npos) << model.warnings[0];
 }
 
 TEST_F(ObjFiles, OtherMaterialsStandForGlass) {
-    write_file(path("clear.png"), encode_indexed_png(std::vector<std::uint8_t>{1, 2, 3, 4}, 2, 2, greys()));
-    write_file(path("red.png"), encode_indexed_png(std::vector<std::uint8_t>(16, 9), 4, 4, greys()));
+    write_file(path("clear.png"), encode_indexed_png(std::vector<std::uint8_t>{1, 2, 3, 4}, 2, 2, grey_palette()));
+    write_file(path("red.png"), encode_indexed_png(std::vector<std::uint8_t>(16, 9), 4, 4, grey_palette()));
     write_file(path("m.mtl"), std::string("newmtl ring\nKd 0 0 0\nnewmtl glass\nmap_Kd clear.png\nnewmtl red\n"
                                           "map_Kd red.png\n"));
     const std::string text = "mtllib m.mtl\n" + kSquare +
@@ -201,14 +183,14 @@ TEST_F(ObjFiles, OtherMaterialsStandForGlass) {
 }
 
 TEST_F(ObjFiles, APictureIsRepeatedAsOftenAsFacesAsk) {
-    write_file(path("tile.png"), encode_indexed_png(std::vector<std::uint8_t>{1, 2, 3, 4}, 2, 2, greys()));
+    write_file(path("tile.png"), encode_indexed_png(std::vector<std::uint8_t>{1, 2, 3, 4}, 2, 2, grey_palette()));
     write_file(path("m.mtl"), std::string("newmtl tile\nmap_Kd tile.png\n"));
     const std::string head = "mtllib m.mtl\nusemtl tile\n" + kSquare;
     const ObjModel model = read(head + "vt -1 0\nvt 2 0\nvt 2 1\nf 1/1 2/2 3/3\n");
     const Mesh& mesh = model.mesh;
     EXPECT_EQ(mesh.skins[0].texels, (std::vector<std::uint8_t>{1, 2, 1, 2, 1, 2, 3, 4, 3, 4, 3, 4}));
-    EXPECT_EQ(number(mesh.texels[mesh.triangles[0].vertices[0]].u), 0);
-    EXPECT_EQ(number(mesh.texels[mesh.triangles[0].vertices[1]].u), 6);
+    EXPECT_EQ(number_of(mesh.texels[mesh.triangles[0].vertices[0]].u), 0);
+    EXPECT_EQ(number_of(mesh.texels[mesh.triangles[0].vertices[1]].u), 6);
     EXPECT_TRUE(model.warnings.empty());
 
     const ObjModel cut = read(head + "vt -1000 3.5\nvt 1000 3.75\nvt 2 3.999\nf 1/1 2/2 3/3\n");
@@ -216,7 +198,7 @@ TEST_F(ObjFiles, APictureIsRepeatedAsOftenAsFacesAsk) {
     EXPECT_EQ(cut.mesh.skins[0].height, 2);
     EXPECT_TRUE(cut.warnings.empty());
     EXPECT_EQ(read(head + "vt -1023 0\nvt 1023.5 0\nvt 2 1\nf 1/1 2/2 3/3\n").mesh.skins[0].width, 4094);
-    write_file(path("tile.png"), encode_indexed_png(std::vector<std::uint8_t>(12, 1), 6, 2, greys()));
+    write_file(path("tile.png"), encode_indexed_png(std::vector<std::uint8_t>(12, 1), 6, 2, grey_palette()));
     const ObjModel wide = read(head + "vt -1023 0\nvt 1023.5 0\nvt 2 1\nf 1/1 2/2 3/3\n");
     EXPECT_EQ(wide.mesh.skins[0].width, 4092);
     EXPECT_EQ(wide.warnings.size(), 1u);
@@ -235,7 +217,7 @@ TEST_F(ObjFiles, FilesWithOtherLineEndsAndNotesAreRead) {
         read("# a note\r\n\r\no thing\r\ng part one\r\nv +1.5e0 0 0\r\n v\t2. .5 -0\r\nv 0 1 0 1\r\nl 1 2\r\nf 1 2 3")
             .mesh;
     EXPECT_EQ(mesh.triangles.size(), 1u);
-    EXPECT_EQ(number(mesh.frames[0].maxs.x), 2);
+    EXPECT_EQ(number_of(mesh.frames[0].maxs.x), 2);
 }
 
 TEST_F(ObjFiles, BrokenOnesAreRefusedWithTheLine) {

@@ -2,16 +2,10 @@
 
 #include <string>
 
-#include "engine/level/bsp_read.h"
 #include "engine/scene/face_surface.h"
-#include "tests/support/bsp_writer.h"
+#include "tests/support/levels.h"
 
 namespace oblong::test {
-
-/// The tiny level: a lit floor at z = 8 that is 32 x 16 units, 4 x 2 light samples of 100 each, u = x + 4, v = -y.
-inline Level tiny_level() {
-    return read_bsp(join_lumps(29, make_tiny_lumps()));
-}
 
 /// Adds a texture of one colour, 16 x 16 texels unless told otherwise.
 inline TextureIndex add_texture(Level& level, const std::string& name, std::uint8_t colour = 7,

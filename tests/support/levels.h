@@ -17,6 +17,7 @@
 /// Levels of files, and places in them.
 namespace oblong::test {
 
+/// A lit floor at z = 8 that is 32 x 16 units, 4 x 2 light samples of 100 each, u = x + 4, v = -y.
 inline Level tiny_level() {
     return read_bsp(join_lumps(29, make_tiny_lumps()));
 }
