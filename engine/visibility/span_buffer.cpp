@@ -67,13 +67,10 @@ bool SpanBuffer::has_listed(std::int32_t y, const ScreenRectangle& rectangle) co
 }
 
 PixelRange SpanBuffer::rows_with_free(const ScreenRectangle& rectangle) const {
-    if (rectangle.first_row >= rectangle.end_row) return {0, 0};
-    const Row* const rows = rows_.data();
-    const Row* first = rows + rectangle.first_row;
-    const Row* end = rows + rectangle.end_row;
-    while (first < end && !first->may_be_free(rectangle)) ++first;
-    while (first < end && !end[-1].may_be_free(rectangle)) --end;
-    return {static_cast<std::int32_t>(first - rows), static_cast<std::int32_t>(end - rows)};
+    std::int32_t first = rectangle.first_row, end = rectangle.end_row;
+    while (first < end && !has_free_in_row(first, rectangle)) ++first;
+    while (first < end && !has_free_in_row(end - 1, rectangle)) --end;
+    return {first, end};
 }
 
 void SpanBuffer::claim(const ScanlineExtents& rows, SpanList& owned) {

@@ -38,14 +38,11 @@ class SpanBuffer {
     bool is_full() const { return free_spans_ == 0; }
     /// Whether a pixel of a rectangle is free; the rectangle has at least one column.
     bool has_free(const ScreenRectangle& rectangle) const {
-        for (std::int32_t y = rectangle.first_row; y < rectangle.end_row; ++y) {
-            const Row& row = item(rows_, y);
-            if (row.may_be_free(rectangle) && (row.listed == 0 || has_listed(y, rectangle))) return true;
-        }
+        for (std::int32_t y = rectangle.first_row; y < rectangle.end_row; ++y)
+            if (has_free_in_row(y, rectangle)) return true;
         return false;
     }
-    /// The rectangle's rows, without those at its top and bottom whose hulls are not in its columns. All its free
-    /// pixels are in these rows.
+    /// The rectangle's rows, without those at its top and bottom that have no free pixel in its columns.
     PixelRange rows_with_free(const ScreenRectangle& rectangle) const;
 
   private:
@@ -62,6 +59,10 @@ class SpanBuffer {
         }
     };
 
+    bool has_free_in_row(std::int32_t y, const ScreenRectangle& rectangle) const {
+        const Row& row = item(rows_, y);
+        return row.may_be_free(rectangle) && (row.listed == 0 || has_listed(y, rectangle));
+    }
     /// Whether a row's list has a free span in a rectangle's columns, which begin before the end of its hull.
     bool has_listed(std::int32_t y, const ScreenRectangle& rectangle) const;
     Span* claim_row(std::int32_t y, std::int32_t first, std::int32_t end, Span* owned);
