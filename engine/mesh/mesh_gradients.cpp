@@ -18,22 +18,25 @@ struct Way {
     Screen size() const { return std::max(absolute(x), absolute(y)); }
 };
 
-/// part / whole per pixel, both in the units of Way or of a product of two. Numbers as small as on a screen of 32,768
-/// pixels take two divisions to 32 bits, for 28 bits of the quotient each.
+/// part / whole per pixel, both in the units of Way or of a product of two; |part| <= whole. A whole as small as on a
+/// screen of 32,768 pixels takes two divisions to 32 bits, for 28 bits of the quotient each.
 WeightStep step_of(std::int32_t part, std::int64_t whole) {
     constexpr int kBits = 28;
     static_assert(WeightStep::from_int(256).raw == std::int64_t{1} << (2 * kBits));
-    const std::uint64_t size = detail::magnitude(part), whole_size = detail::magnitude(whole);
-    const auto divisor = static_cast<std::uint32_t>(whole_size);
-    if (size > whole_size || divisor == 0 || divisor != whole_size)
-        return WeightStep::from_raw(mul_div(part, WeightStep::from_int(256).raw, whole));
-    const ShortDivision high = divide_to_32(size << kBits, divisor);
+    const auto divisor = static_cast<std::uint32_t>(whole);
+    if (divisor != whole) return WeightStep::from_raw(mul_div(part, WeightStep::from_int(256).raw, whole));
+    const std::uint32_t size = part < 0 ? 0 - static_cast<std::uint32_t>(part) : static_cast<std::uint32_t>(part);
+    const ShortDivision high = divide_to_32(std::uint64_t{size} << kBits, divisor);
     const ShortDivision low = divide_to_32(std::uint64_t{high.remainder} << kBits, divisor);
-    const auto quotient = static_cast<std::int64_t>((std::uint64_t{high.quotient} << kBits) + low.quotient);
     // To nearest, ties up.
-    const std::uint32_t rest = divisor - low.remainder;
-    if ((part < 0) != (whole < 0)) return WeightStep::from_raw(-(quotient + (low.remainder > rest ? 1 : 0)));
-    return WeightStep::from_raw(quotient + (low.remainder >= rest ? 1 : 0));
+    const bool is_more = low.remainder + (part >= 0) > divisor - low.remainder;
+    const auto quotient = static_cast<std::int64_t>((std::uint64_t{high.quotient} << kBits) + low.quotient + is_more);
+    return WeightStep::from_raw(part < 0 ? -quotient : quotient);
+}
+
+/// 1 / way.
+WeightStep step_along(Screen way) {
+    return step_of(way < Screen{} ? -1 : 1, absolute(way).raw);
 }
 
 /// Changes along the side from `from` to `to` only.
@@ -41,9 +44,9 @@ Barycentric along(const ScreenCorner* from, const ScreenCorner* to) {
     const Way way(*from, *to);
     Barycentric result{{from, to, from}, {}, {}, {}, {}};
     if (absolute(way.x) >= absolute(way.y))
-        result.b_per_column = step_of(1, way.x.raw);
+        result.b_per_column = step_along(way.x);
     else
-        result.b_per_row = step_of(1, way.y.raw);
+        result.b_per_row = step_along(way.y);
     return result;
 }
 

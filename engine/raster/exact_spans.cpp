@@ -201,8 +201,10 @@ std::int64_t draw_exact_spans(std::span<const Span> spans, const BlockCutting& c
                draw_octaves(spans, cutting, surface, out, draw, colour_at);
     }
     PieceLengths lengths;
+    SurfaceView wrapping = surface;
+    wrapping.holds_blocks = false;  // pieces are not cut to limits
     const auto draw = [&](const Octave& octave, const OctaveRow& row, std::uint8_t* pixels) {
-        return draw_octave(octave, row, kernel, surface, lengths, by_eights, pixels);
+        return draw_octave(octave, row, kernel, wrapping, lengths, by_eights, pixels);
     };
     return draw_octaves(spans, cutting, surface, out, draw, colour_at);
 }

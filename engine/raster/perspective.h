@@ -47,14 +47,15 @@ constexpr Number clamp_value(Number value, Number least, Number greatest) {
 #endif
 }
 
-/// value * 2^shift / 2^32, floored; value * 2^shift fits 64 bits.
+/// value * 2^shift / 2^32, floored; value * 2^shift fits 64 bits. `shift` is below 32 unless MayBeLong.
+template <bool MayBeLong>
 [[gnu::always_inline]] inline std::int32_t upper_half(std::int64_t value, int shift) {
 #if defined(__i386__)
     // One `shldl`; the compiler's code would test again whether the shift is 32 or more.
     const auto low = static_cast<std::uint32_t>(value);
     auto high = static_cast<std::int32_t>(value >> 32);
-    if (shift >= 32) return static_cast<std::int32_t>(low << (shift & 31));
-    asm("shldl %%cl, %1, %0" : "+r"(high) : "r"(low), "c"(shift) : "cc");
+    if (MayBeLong && shift >= 32) return static_cast<std::int32_t>(low << (shift & 31));
+    asm("shldl %b2, %1, %0" : "+r"(high) : "r"(low), "cI"(shift) : "cc");
     return high;
 #else
     return static_cast<std::int32_t>(floor_shift(value * (std::int64_t{1} << shift), 32));
@@ -67,17 +68,18 @@ struct DividedReciprocal {
 
     [[gnu::always_inline]] static std::int64_t of(std::int64_t value, int shift) {
 #if defined(__i386__)
-        return kLeast + above_least(value, shift);
+        return kLeast + above_least<true>(value, shift);
 #else
         return static_cast<std::int64_t>(
-            divide(std::uint64_t{1} << 60, static_cast<std::uint64_t>(upper_half(value, shift))).quotient);
+            divide(std::uint64_t{1} << 60, static_cast<std::uint64_t>(upper_half<true>(value, shift))).quotient);
 #endif
     }
 
 #if defined(__i386__)
     /// of() - kLeast. With d from 2^27 to 2^28 - 1, that is (2^60 - 2^32 d - d) / d.
+    template <bool MayBeLong>
     [[gnu::always_inline]] static std::uint32_t above_least(std::int64_t value, int shift) {
-        const auto divisor = static_cast<std::uint32_t>(upper_half(value, shift));
+        const auto divisor = static_cast<std::uint32_t>(upper_half<MayBeLong>(value, shift));
         return divide_to_32(std::uint64_t{(1u << 28) - 1 - divisor} << 32 | (0 - divisor), divisor).quotient;
     }
 #endif
@@ -100,12 +102,15 @@ template <class Reciprocal, PerspectiveRange Range>
 struct Depth {
     static constexpr bool kClamps = Range == PerspectiveRange::MayOverflow;
 
+    /// The mantissa is only what it is above DividedReciprocal::kLeast.
 #if defined(__i386__)
-    /// The mantissa is only what it is above DividedReciprocal::kLeast, as times() with limits takes it.
     static constexpr bool kIsShort = !kClamps && std::is_same_v<Reciprocal, DividedReciprocal>;
+#else
+    static constexpr bool kIsShort = false;
 #endif
 
-    std::int64_t mantissa = 0;   ///< 2^60 / (the leading 28 bits of 1/z), in (2^32, 2^33]
+    /// 2^60 / (the leading 28 bits of 1/z), in (2^32, 2^33]
+    std::conditional_t<kIsShort, std::uint32_t, std::int64_t> mantissa = 0;
     TexelOverZ greatest_over_z;  ///< for larger u/z, u would exceed 65,535 texels
     int shift = 0;               ///< brings 1/z to 60 bits
 
@@ -114,21 +119,18 @@ struct Depth {
         const std::int64_t positive =
             kClamps ? clamp_value(inverse_z, kLeastInverseZ, kGreatestInverseZ).raw : inverse_z.raw;
         shift = std::countl_zero(static_cast<std::uint64_t>(positive)) - 4;
-#if defined(__i386__)
-        if constexpr (kIsShort) {
-            mantissa = reciprocal.above_least(positive, shift);
-            return;
-        }
-#endif
-        mantissa = reciprocal.of(positive, shift);
+        if constexpr (kIsShort)
+            mantissa = reciprocal.template above_least<false>(positive, shift);
+        else
+            mantissa = reciprocal.of(positive, shift);
         if constexpr (kClamps) greatest_over_z = TexelOverZ::from_raw(positive * 4 - 4);
     }
 
     /// (u/z) * z; clamped to 0 to 65,535 texels if it may overflow.
-    [[gnu::always_inline]] Texel times(TexelOverZ over_z) const {
+    [[gnu::always_inline]] Texel times(TexelOverZ over_z) const requires(!kIsShort) {
         using Scaled = Fixed<std::int64_t, 60>;
         if constexpr (kClamps) over_z = clamp_value(over_z, {}, greatest_over_z);
-        const std::int64_t product = std::int64_t{upper_half(over_z.raw, shift)} * mantissa;
+        const std::int64_t product = std::int64_t{upper_half<kClamps>(over_z.raw, shift)} * mantissa;
         note_range<"u/z, normalised">(Scaled::from_raw(over_z.raw * (std::int64_t{1} << shift)));
         note_range<"u/z x reciprocal">(Scaled::from_raw(product));
         return Texel::from_raw(floor_shift(product, 30));
@@ -138,7 +140,7 @@ struct Depth {
     [[gnu::always_inline]] std::uint32_t times(TexelOverZ over_z, Texel least, Texel greatest) const {
 #if defined(__i386__)
         if constexpr (!kClamps) {
-            const std::int32_t upper = upper_half(over_z.raw, shift);
+            const std::int32_t upper = upper_half<false>(over_z.raw, shift);
             if (upper < 0) return static_cast<std::uint32_t>(least.raw);
             const auto size = static_cast<std::uint32_t>(upper), low = static_cast<std::uint32_t>(mantissa);
             std::uint32_t lower = size, high = 0;
@@ -150,12 +152,13 @@ struct Depth {
                 lower = static_cast<std::uint32_t>(product);
                 high = size + (is_greatest ? size : static_cast<std::uint32_t>(product >> 32));
             }
-            if (high >> 30 != 0) return static_cast<std::uint32_t>(greatest.raw);
-            const std::uint32_t steps = high << 2 | lower >> 30;
+            if (high > ~std::uint32_t{0} >> 2) return static_cast<std::uint32_t>(greatest.raw);
+            const auto steps = static_cast<std::uint32_t>(
+                upper_half<false>(static_cast<std::int64_t>(std::uint64_t{high} << 32 | lower), 2));
             return clamp_value(steps, static_cast<std::uint32_t>(least.raw), static_cast<std::uint32_t>(greatest.raw));
-        }
+        } else
 #endif
-        return texel_within(times(over_z), least, greatest);
+            return texel_within(times(over_z), least, greatest);
     }
 };
 

@@ -7,7 +7,8 @@ namespace oblong {
 
 namespace {
 
-/// A linear quantity over a rectangle: its value at the first pixel, and its change over all columns and over all rows.
+/// A linear quantity over a rectangle of the screen: its value at the first pixel, and its change over all columns and
+/// over all rows.
 struct Slopes {
     std::int64_t first, columns, rows;
 
@@ -17,9 +18,10 @@ struct Slopes {
 
 template <class Value>
 Slopes slopes_over(const ScreenRectangle& rectangle, const LinearQuantity<Value>& quantity) {
-    return {quantity.at(rectangle.first_column, rectangle.first_row).raw,
-            stepped(Value{}, quantity.per_column, rectangle.end_column - rectangle.first_column - 1).raw,
-            stepped(Value{}, quantity.per_row, rectangle.end_row - rectangle.first_row - 1).raw};
+    const auto columns = static_cast<std::uint32_t>(rectangle.end_column - rectangle.first_column - 1);
+    const auto rows = static_cast<std::uint32_t>(rectangle.end_row - rectangle.first_row - 1);
+    return {quantity.at_shown(rectangle.first_column, rectangle.first_row).raw,
+            stepped(Value{}, quantity.per_column, columns).raw, stepped(Value{}, quantity.per_row, rows).raw};
 }
 
 /// Whether |over_z| is below 7 times 1/z everywhere, both in raw steps.
@@ -44,8 +46,8 @@ bool fits_range(const TextureGradients& gradients, const ScreenRectangle& rectan
     const Slopes z = slopes_over(rectangle, gradients.inverse_z);
     const Slopes u = slopes_over(rectangle, gradients.u_over_z), v = slopes_over(rectangle, gradients.v_over_z);
     return is_gentle(gradients.inverse_z, z) && is_gentle(gradients.u_over_z, u) && is_gentle(gradients.v_over_z, v) &&
-           InverseZ::from_raw(z.least()) >= kLeastInverseZ && InverseZ::from_raw(z.greatest()) < kGreatestInverseZ &&
-           is_below_7_times(u, z) && is_below_7_times(v, z);
+           InverseZ::from_raw(z.least()) >= kLeastFittingInverseZ &&
+           InverseZ::from_raw(z.greatest()) < kGreatestInverseZ && is_below_7_times(u, z) && is_below_7_times(v, z);
 }
 
 InverseZ least_inverse_z(const LinearQuantity<InverseZ>& inverse_z, const ScreenRectangle& rectangle) {

@@ -52,7 +52,7 @@ class RowRepeater {
   private:
     using FittingDepth = Depth<Reciprocal, PerspectiveRange::Fits>;
     struct BlockDepth {
-        std::int64_t mantissa;
+        decltype(FittingDepth::mantissa) mantissa;
         int shift;
     };
 

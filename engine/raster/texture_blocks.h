@@ -79,10 +79,12 @@ TexelPosition texel_at(const TextureGradients& gradients, const TexelLimits& lim
 /// 1/z is clamped to these: z from 2^-15 unit to beyond any world.
 inline constexpr auto kGreatestInverseZ = InverseZ::from_raw(std::int64_t{1} << 59);
 inline constexpr auto kLeastInverseZ = InverseZ::from_raw(std::int64_t{1} << 24);
+/// The least 1/z of a range that fits, of z below 65,536 units: Depth shifts it by less than 32.
+inline constexpr auto kLeastFittingInverseZ = InverseZ::from_raw(std::int64_t{1} << 28);
 
-/// Whether 1/z is within its limits and |u|, |v| are below 114,000 texels at every pixel of a rectangle around a
-/// polygon's spans: then cutters give the same results without clamping. The quantities are linear, so their extremes
-/// are at the corners.
+/// Whether 1/z is from kLeastFittingInverseZ to kGreatestInverseZ and |u|, |v| are below 114,000 texels at every pixel
+/// of a rectangle around a polygon's spans: then cutters give the same results without clamping. The quantities are
+/// linear, so their extremes are at the corners.
 bool fits_range(const TextureGradients& gradients, const ScreenRectangle& rectangle);
 
 /// The least 1/z in the rectangle.

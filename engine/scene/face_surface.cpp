@@ -62,6 +62,7 @@ SurfaceView shape_of(const Face& face, int mip) {
     surface.stride_log2 = std::countr_zero(stride);
     surface.u_mask = stride - 1;
     surface.v_mask = std::bit_ceil(static_cast<std::uint32_t>(surface.height)) - 1;
+    surface.holds_blocks = true;
     return surface;
 }
 

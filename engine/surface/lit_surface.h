@@ -15,6 +15,7 @@ struct SurfaceView {
     std::int32_t width = 0, height = 0;
     std::int32_t stride_log2 = 0;
     std::uint32_t u_mask = 0, v_mask = 0;
+    bool holds_blocks = false;  ///< blocks cut to its TexelLimits stay within it, so that kernels need not wrap
 };
 
 /// A face's lightmap: `columns` x `rows` samples for each style in use, one every 16 texels of mip level 0.

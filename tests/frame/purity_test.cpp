@@ -73,10 +73,21 @@ TEST(Purity, CountingMakesNoDifference) {
 struct DrawnBlocks {
     std::uint64_t hash = 14695981039346656037u;
     std::int64_t blocks = 0, pixels = 0;
+    std::int64_t held = 0, beyond = 0;  ///< on surfaces that hold their blocks, and of these those that leave them
     bool operator==(const DrawnBlocks&) const = default;
 
     void note(std::uint64_t value) { hash = (hash ^ value) * 1099511628211u; }
 } drawn_blocks;
+
+/// Whether both ends of a block, and so all between, are texels of the surface.
+bool stays_within(const TexelBlock& block, const SurfaceView& surface) {
+    const auto is_within = [&](std::int64_t from_16, std::int64_t step_16, std::int32_t size) {
+        const std::int64_t to_16 = from_16 + step_16 * (block.count - 1);
+        return from_16 >> 16 < size && to_16 >= 0 && to_16 >> 16 < size;
+    };
+    return is_within(block.u_16, block.u_step_16, surface.width) &&
+           is_within(block.v_16, block.v_step_16, surface.height);
+}
 
 void draw_and_note(std::span<const TexelBlock> blocks, const SurfaceView& surface, std::uint8_t* pixels) {
     for (const TexelBlock& block : blocks) {
@@ -84,6 +95,8 @@ void draw_and_note(std::span<const TexelBlock> blocks, const SurfaceView& surfac
             drawn_blocks.note(value);
         ++drawn_blocks.blocks;
         drawn_blocks.pixels += block.count;
+        drawn_blocks.held += surface.holds_blocks;
+        drawn_blocks.beyond += surface.holds_blocks && !stays_within(block, surface);
     }
     draw_blocks_plain(blocks, surface, pixels);
 }
@@ -103,6 +116,7 @@ TEST(Purity, WhatIsWatchedTakesThePathThatIsDrawn) {
     stage.settings.allowed_effects = {};  // which have kernels of their own
     ObservedWorkspace work(stage.level, stage.mode);
     work.cache.surfaces.kernel = draw_and_note;
+    std::int64_t held = 0;
     for (const Preset preset : kPresets) {
         stage.settings.accuracy = accuracy_of(preset);
         for (const Camera& camera : cameras_at_entities(stage.level, 40)) {
@@ -114,6 +128,8 @@ TEST(Purity, WhatIsWatchedTakesThePathThatIsDrawn) {
             };
             drawn();  // lights surfaces
             const DrawnBlocks unwatched = drawn();
+            held += unwatched.held;
+            EXPECT_EQ(unwatched.beyond, 0);
             work.count();
             EXPECT_EQ(drawn(), unwatched) << "counted";
             if (divides_no_pixel(stage.settings.accuracy)) {
@@ -129,6 +145,7 @@ TEST(Purity, WhatIsWatchedTakesThePathThatIsDrawn) {
             work.observers.times = nullptr;
         }
     }
+    EXPECT_GT(held, 0);
 }
 
 TEST(Purity, EveryKernelDrawsTheSameFrame) {

@@ -110,29 +110,38 @@ void draw_within(const TexelBlock& block, const SurfaceView& surface, std::uint8
     const TexelWalk walk{u_step << 16, v_step << 16, {whole + (std::int32_t{1} << row), whole}};
     const std::uint8_t* texel = surface.texels + ((block.v_16 >> 16 << row) + (block.u_16 >> 16));
     std::uint32_t u = block.u_16 << 16, v = block.v_16 << 16;
-    std::uint8_t* const end = out + block.count;
-    for (std::uint8_t* const last_four = end - 4; out <= last_four; out += 4) {
+    std::int32_t left = block.count;
+    for (; left >= 4; left -= 4, out += 4) {
         draw_next<0>(texel, u, v, walk, out);
         draw_next<1>(texel, u, v, walk, out);
         draw_next<2>(texel, u, v, walk, out);
         draw_next<3>(texel, u, v, walk, out);
     }
-    for (; out != end; ++out) draw_next<0>(texel, u, v, walk, out);
+    if (left & 2) {
+        draw_next<0>(texel, u, v, walk, out);
+        draw_next<1>(texel, u, v, walk, out);
+        out += 2;
+    }
+    if (left & 1) draw_next<0>(texel, u, v, walk, out);
+}
+
+/// Whether a block stays within a surface.
+bool is_within(const TexelBlock& block, const SurfaceView& surface) {
+    const std::uint32_t beyond_u = ~(surface.u_mask << 16 | 0xffff), beyond_v = ~(surface.v_mask << 16 | 0xffff);
+    const auto steps = static_cast<std::uint32_t>(block.count - 1);
+    const std::uint32_t u_end = block.u_16 + static_cast<std::uint32_t>(block.u_step_16) * steps;
+    const std::uint32_t v_end = block.v_16 + static_cast<std::uint32_t>(block.v_step_16) * steps;
+    return (((block.u_16 | u_end) & beyond_u) | ((block.v_16 | v_end) & beyond_v)) == 0;
 }
 
 }  // namespace
 
 void draw_blocks_by_fours(std::span<const TexelBlock> blocks, const SurfaceView& surface, std::uint8_t* pixels) {
-    const std::uint32_t beyond_u = ~(surface.u_mask << 16 | 0xffff), beyond_v = ~(surface.v_mask << 16 | 0xffff);
-    for (const TexelBlock& block : blocks) {
-        const auto steps = static_cast<std::uint32_t>(block.count - 1);
-        const std::uint32_t u_end = block.u_16 + static_cast<std::uint32_t>(block.u_step_16) * steps;
-        const std::uint32_t v_end = block.v_16 + static_cast<std::uint32_t>(block.v_step_16) * steps;
-        if ((((block.u_16 | u_end) & beyond_u) | ((block.v_16 | v_end) & beyond_v)) == 0)
+    for (const TexelBlock& block : blocks)
+        if (surface.holds_blocks || is_within(block, surface))
             draw_within(block, surface, pixels + block.pixel);
         else
             draw_any(block, surface, pixels);
-    }
 }
 
 #else

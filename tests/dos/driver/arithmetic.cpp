@@ -28,13 +28,18 @@ class Results {
     Fnv1a hash_;
 };
 
+template <PerspectiveRange Range>
+void add_texel(Results& results, std::int64_t depth, std::int64_t over_z) {
+    const Depth<DividedReciprocal, Range> at(InverseZ::from_raw(depth), {});
+    results.add(at.times(TexelOverZ::from_raw(over_z), Texel::from_raw(40), Texel::from_raw(0xffff0000)));
+}
+
 /// What a block of texels is made of: `depth` is 1/z, `over_z` u/z.
 void add_block(Results& results, std::int64_t depth, std::int64_t over_z, std::uint64_t bits) {
-    const Depth<DividedReciprocal, PerspectiveRange::Fits> at(InverseZ::from_raw(depth), {});
-    results.add(DividedReciprocal::of(depth, at.shift));
+    results.add(DividedReciprocal::of(depth, std::countl_zero(static_cast<std::uint64_t>(depth)) - 4));
     // Below 65,536 texels, as where the range fits; all that is below 0 is clamped.
-    const TexelOverZ fitting = TexelOverZ::from_raw(over_z % (4 * depth));
-    results.add(at.times(fitting, Texel::from_raw(40), Texel::from_raw(0xffff0000)));
+    add_texel<PerspectiveRange::Fits>(results, std::max(depth, kLeastFittingInverseZ.raw), over_z % (4 * depth));
+    add_texel<PerspectiveRange::MayOverflow>(results, depth, over_z);
     const int size = static_cast<int>(bits % 32);
     const TexelPosition from{static_cast<std::uint32_t>(depth) >> size, static_cast<std::uint32_t>(over_z) >> size};
     const TexelPosition to{static_cast<std::uint32_t>(bits >> 32), static_cast<std::uint32_t>(bits >> 8) >> size};
