@@ -149,7 +149,7 @@ TEST_P(RealHoles, NoneInAnyModeOrTier) {
             SCOPED_TRACE(std::to_string(mode.width_px) + " wide, " + std::string(name_of(preset)));
             Stage stage = real_stage(GetParam(), mode);
             stage.settings.accuracy = accuracy_of(preset);
-            expect_no_holes_around(stage, open_origins(stage.level), 40);
+            expect_no_holes_around(stage, open_origins(stage.level), 40, 4);
         }
 }
 
