@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <iostream>
 #include <sstream>
 
 #include "engine/files/arguments.h"
@@ -211,13 +212,18 @@ MapWatch::News MapWatch::finish(int status) {
     News news;
     news.has_level = WIFEXITED(status) && WEXITSTATUS(status) == 0;
     has_failed_ = !news.has_level;
+    std::istringstream lines(read_text(said_file_));
+    for (std::string line; std::getline(lines, line);) {
+        if (line.find(": warning: ") != std::string::npos)
+            std::cerr << line << '\n';
+        else if (line.find("% ") == std::string::npos)
+            news.fault = line;
+    }
     if (news.has_level) {
         text_ = tried_text_;
+        news.fault.clear();
         return news;
     }
-    std::istringstream lines(read_text(said_file_));
-    for (std::string line; std::getline(lines, line);)
-        if (line.find(": warning: ") == std::string::npos && line.find("% ") == std::string::npos) news.fault = line;
     const std::string named = "oblong-map: " + map_file_ + ": ";
     if (news.fault.starts_with(named)) news.fault.erase(0, named.size());
     if (news.fault.empty()) news.fault = "oblong-map ended without a message";

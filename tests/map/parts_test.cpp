@@ -134,6 +134,16 @@ TEST_F(MapWatchTest, FollowsTheSource) {
     EXPECT_TRUE(level_bytes() == first);
 }
 
+// The mapper sees them where the game was started.
+TEST_F(MapWatchTest, PassesOnTheWarningsOfLevelsThatCompile) {
+    write_file(path("t.wad"), wad_bytes({"wall"}));
+    write_file(path("my.map"), with_wad(two_rooms(kLamp + entity_at("lihgt", {32, 32, 32}))));
+    testing::internal::CaptureStderr();
+    watch.compile_first();
+    const std::string said = testing::internal::GetCapturedStderr();
+    EXPECT_NE(said.find("the class 'lihgt' is unknown, perhaps 'light' is meant"), std::string::npos) << said;
+}
+
 // The limit of five looks at files a second does not delay it.
 TEST_F(MapWatchTest, ReturnsALevelAsSoonAsItIsCompiled) {
     write_file(path("t.wad"), wad_bytes({"wall"}));
