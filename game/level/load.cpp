@@ -91,11 +91,4 @@ GameData load_game(const LevelFiles& files) {
     return data;
 }
 
-LoadedLevel::LoadedLevel(const LevelFiles& named)
-    : files(named), data(load_game(files)), level(naming_file(data.level_file, [&] {
-          GameLevel made = make_game_level(data.level);
-          if (files.game) made.lens_names = {own_words(*files.game, kOneLens), own_words(*files.game, kLenses)};
-          return made;
-      })) {}
-
 }  // namespace oblong
