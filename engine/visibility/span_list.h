@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "engine/base/table.h"
@@ -11,7 +12,8 @@
 namespace oblong {
 
 /// Spans in the order in which they were added. To add many, make room for the most there may be, then write them
-/// without a check each.
+/// without a check each. Spans also stay where they were when added, until clear(), for threads that read them
+/// meanwhile.
 class SpanList {
   public:
     const Span* begin() const { return spans_.data(); }
@@ -19,7 +21,10 @@ class SpanList {
     const Span* data() const { return spans_.data(); }
     std::size_t size() const { return used_; }
     bool empty() const { return used_ == 0; }
-    void clear() { used_ = 0; }
+    void clear() {
+        used_ = 0;
+        outgrown_.clear();
+    }
 
     /// The end, where `count` more spans may be written; call set_end() to keep them.
     Span* room_for(std::size_t count) {
@@ -36,10 +41,13 @@ class SpanList {
   private:
     void grow(std::size_t count) {
         capacity_ = std::max(used_ + count, 2 * capacity_);
-        spans_.resize(capacity_);
+        std::vector<Span> larger(capacity_);
+        std::copy_n(spans_.begin(), used_, larger.begin());
+        outgrown_.push_back(std::exchange(spans_, std::move(larger)));
     }
 
-    std::vector<Span> spans_;  ///< `used_` of them, then room for more
+    std::vector<Span> spans_;                  ///< `used_` of them, then room for more
+    std::vector<std::vector<Span>> outgrown_;  ///< were too short
     std::size_t used_ = 0, capacity_ = 0;
 };
 
