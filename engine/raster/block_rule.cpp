@@ -15,12 +15,13 @@ BlockRule make_block_rule(const Accuracy& accuracy) {
     rule.texturing = accuracy.texturing;
     rule.pixel_bound_256 = accuracy.pixel_bound_256;
     rule.texel_bound_256 = accuracy.texel_bound_256;
-    const std::int64_t error_4096 = accuracy.pixel_bound_256 * std::int64_t{15};
+    const std::int64_t error_4096 = accuracy.pixel_bound_256 * std::int64_t{15};  // E: 15/16 of the bound
     for (std::size_t k = 0; k < kBlockSizes; ++k) {
-        // A block no longer than the error allowed is always within it.
-        const std::int64_t reach_4096 = std::max((std::int64_t{4096} << k) - error_4096, std::int64_t{0});
-        const std::int64_t per_pixel = 4 * 16 * error_4096;
-        rule.factor_8[k] = static_cast<std::uint64_t>((reach_4096 * reach_4096 + per_pixel - 1) / per_pixel);
+        // n - E; a block no longer than E is always within the bound.
+        const std::int64_t beyond_4096 = std::max((std::int64_t{4096} << k) - error_4096, std::int64_t{0});
+        // (n - E)^2 has 24 fraction bits, and E has 12; divided by 16 more, the quotient has 8.
+        const std::int64_t divisor = 4 * 16 * error_4096;
+        rule.factor_8[k] = static_cast<std::uint64_t>((beyond_4096 * beyond_4096 + divisor - 1) / divisor);
         rule.step_end[k] = std::uint64_t{1} << (61 - std::bit_width(rule.factor_8[k]));
     }
     return rule;

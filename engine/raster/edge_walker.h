@@ -19,30 +19,31 @@ class ExactWalker {
         const ScreenWide dx = widening_difference(bottom.x, top.x), dy = widening_difference(bottom.y, top.y);
         const ScreenWide across = widening_difference(top.x, kHalf),
                          down = widening_difference(Screen::from_int(row), top.y - kHalf);
-        const ScreenArea whole = bounded_product(ScreenWide::from_int(1), dy);
+        // dy times one pixel, in the format of the numerator.
+        const ScreenArea divisor = bounded_product(ScreenWide::from_int(1), dy);
         const ScreenArea numerator =
-            bounded_product(across, dy) + bounded_product(down, dx) + whole - ScreenArea::ulp();
-        const FlooredDivision start = floored_division(numerator.raw, whole.raw);
+            bounded_product(across, dy) + bounded_product(down, dx) + divisor - ScreenArea::ulp();
+        const FlooredDivision start = floored_division(numerator.raw, divisor.raw);
         const FlooredDivision slope = floored_division(dx.raw, dy.raw);
-        whole_ = whole.raw;
+        divisor_ = divisor.raw;
         column_ = start.quotient;
-        rest_ = start.remainder;
+        remainder_ = start.remainder;
         step_ = slope.quotient;
-        step_rest_ = slope.remainder * 256;
+        step_remainder_ = slope.remainder * 256;
     }
 
     std::int32_t column() const { return static_cast<std::int32_t>(column_); }
 
     void next_row() {
         column_ += step_;
-        rest_ += step_rest_;
-        const std::int64_t carry = rest_ >= whole_;
+        remainder_ += step_remainder_;
+        const std::int64_t carry = remainder_ >= divisor_;
         column_ += carry;
-        rest_ -= whole_ & -carry;
+        remainder_ -= divisor_ & -carry;
     }
 
   private:
-    std::int64_t whole_, column_, rest_, step_, step_rest_;
+    std::int64_t divisor_, column_, remainder_, step_, step_remainder_;
 };
 
 /// The same columns for edges on a screen (coordinates from 0 to kLargestMode_px), with one division, and one addition

@@ -46,30 +46,30 @@ struct SideEdge {
     }
 };
 
-ScreenVertex within_limits(ScreenVertex v) {
+ScreenVertex clamped_vertex(ScreenVertex v) {
     return {std::clamp(v.x, -kLargestScreen, kLargestScreen), std::clamp(v.y, -kLargestScreen, kLargestScreen)};
 }
 
-/// Whether ScreenWalker is exact for it.
+/// Whether ScreenWalker is exact for it: on the screen of the largest mode.
 bool is_on_screen(ScreenVertex v) {
     constexpr auto kLargest = Screen::from_int(kLargestMode_px);
     return v.x >= Screen{} && v.y >= Screen{} && v.x <= kLargest && v.y <= kLargest;
 }
 
-/// Calls `keep(walker, edge, rows of the edge, columns of its side)` for each edge.
-template <class Walker, class Keep>
-void walk_edges(std::span<const ScreenVertex> vertices, ScanlineExtents& rows, const Keep& keep) {
-    const auto admitted = [](ScreenVertex v) { return std::is_same_v<Walker, ScreenWalker> ? v : within_limits(v); };
+/// Calls `use(walker, edge, rows of the edge, columns of its side)` for each edge.
+template <class Walker, class UseEdge>
+void walk_edges(std::span<const ScreenVertex> vertices, ScanlineExtents& rows, const UseEdge& use) {
+    const auto usable = [](ScreenVertex v) { return std::is_same_v<Walker, ScreenWalker> ? v : clamped_vertex(v); };
     std::int32_t* const left = rows.left.data();
     std::int32_t* const right = rows.right.data();
     const PixelRange all{rows.first, rows.end};
-    ScreenVertex from = admitted(vertices.back());
+    ScreenVertex from = usable(vertices.back());
     for (const ScreenVertex& vertex : vertices) {
-        const SideEdge edge(from, admitted(vertex));
-        from = admitted(vertex);
+        const SideEdge edge(from, usable(vertex));
+        from = usable(vertex);
         const PixelRange range = edge.rows(all);
         if (range.first >= range.end) continue;
-        keep(Walker(edge.top, edge.bottom, range.first), edge, range, edge.is_right ? right : left);
+        use(Walker(edge.top, edge.bottom, range.first), edge, range, edge.is_right ? right : left);
     }
 }
 
@@ -144,8 +144,8 @@ PolygonShape shape_of(std::span<const ScreenVertex> vertices, std::int32_t heigh
     const bool is_monotone = way_down == widening_difference(greatest.y, least.y);
     EdgeWalk walk = EdgeWalk::OnScreen;
     if (!is_on_screen(least) || !is_on_screen(greatest)) {
-        least = within_limits(least);
-        greatest = within_limits(greatest);
+        least = clamped_vertex(least);
+        greatest = clamped_vertex(greatest);
         walk = EdgeWalk::Exact;
     }
     ScreenRectangle bounds{first_centre_from(least.x), first_centre_from(greatest.x),

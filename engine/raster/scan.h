@@ -22,7 +22,7 @@ struct ScanlineExtents {
 /// The largest magnitude of a screen coordinate in scan_convex(); larger ones are clamped.
 inline constexpr Screen kLargestScreen = Screen::from_int(1 << 20);
 
-/// The first row or column whose centre is at or after `position`: ceil(position - 1/2).
+/// The first row or column whose centre is at or after `position`: ceil(position - 1/2). 127 is 1/2 less one step.
 constexpr std::int32_t first_centre_from(Screen position) {
     return floor_of(position + Screen::from_raw(127));
 }

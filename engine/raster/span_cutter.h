@@ -21,14 +21,15 @@ class SpanCutter {
         : gradients_(cutting.gradients), limits_(cutting.limits), reciprocal_(reciprocal), out_(out) {}
 
     [[gnu::always_inline]] void start(const Span& span, std::int32_t pitch) {
-        left_ = span.end - span.first;
+        remaining_px_ = span.end - span.first;
         pixel_ = static_cast<std::uint32_t>(span.y * pitch + span.first);
         here_ = Perspective(gradients_, span.first, span.y);
         depth_ = Depth<Reciprocal, Range>(here_.inverse_z, reciprocal_);
         texel_ = texel_of(here_, depth_, limits_);
     }
 
-    std::int32_t left() const { return left_; }
+    /// Pixels of the span not cut yet.
+    std::int32_t remaining() const { return remaining_px_; }
     InverseZ inverse_z() const { return here_.inverse_z; }
     TexelBlock* end() const { return out_; }
     void set_end(TexelBlock* end) { out_ = end; }
@@ -44,7 +45,7 @@ class SpanCutter {
     /// Cuts the last block, of the remaining pixels (1 or more). It ends at the span's last pixel: beyond may be the
     /// end of the surface, or the horizon of its plane.
     [[gnu::always_inline]] void cut_rest() {
-        const std::int32_t steps = left_ - 1;
+        const std::int32_t steps = remaining_px_ - 1;
         if (steps == 0) return append(1, texel_, {});
         const TexelPosition from = texel_;
         advance(steps);
@@ -54,7 +55,7 @@ class SpanCutter {
     /// Cuts a block of 2^log2 pixels, or the last one, if it keeps the error of u and v within `bound_256`, which
     /// blocks of one or two pixels always do. Returns whether it was cut.
     [[gnu::always_inline]] bool try_block(int log2, std::int32_t bound_256) {
-        const std::int32_t size = std::int32_t{1} << log2, steps = std::min(size, left_ - 1);
+        const std::int32_t size = std::int32_t{1} << log2, steps = std::min(size, remaining_px_ - 1);
         const auto start = std::tuple(here_, depth_, texel_);
         const TexelPosition from = texel_;
         advance(steps);
@@ -96,14 +97,14 @@ class SpanCutter {
     [[gnu::always_inline]] void append(std::int32_t count, TexelPosition from, TexelStep step) {
         *out_++ = {pixel_, count, from.u_16, from.v_16, step.u_16, step.v_16};
         pixel_ += static_cast<std::uint32_t>(count);
-        left_ -= count;
+        remaining_px_ -= count;
     }
 
     const TextureGradients gradients_;
     const TexelLimits limits_;
     [[no_unique_address]] const Reciprocal reciprocal_;
     TexelBlock* out_;
-    std::int32_t left_ = 0;
+    std::int32_t remaining_px_ = 0;
     std::uint32_t pixel_ = 0;
     Perspective here_;
     Depth<Reciprocal, Range> depth_;

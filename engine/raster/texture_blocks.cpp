@@ -23,7 +23,7 @@ namespace {
 
 template <class Cutter>
 [[gnu::always_inline]] inline void cut_every(Cutter& cutter, int log2) {
-    while (cutter.left() > 1 << log2) cutter.cut_power(log2);
+    while (cutter.remaining() > 1 << log2) cutter.cut_power(log2);
     cutter.cut_rest();
 }
 
@@ -34,7 +34,7 @@ template <class Cutter>
     while (true) {
         while (cutter.inverse_z() >= item(least, log2 + 1)) ++log2;
         while (cutter.inverse_z() < item(least, log2)) --log2;
-        if (cutter.left() <= 1 << log2) return cutter.cut_rest();
+        if (cutter.remaining() <= 1 << log2) return cutter.cut_rest();
         cutter.cut_power(static_cast<int>(log2));
     }
 }
@@ -43,11 +43,11 @@ template <class Cutter>
 template <class Cutter>
 [[gnu::always_inline]] inline void cut_bounded_texels(Cutter& cutter, std::int32_t bound_256) {
     int log2 = 3;
-    while (cutter.left() > 1) {
+    while (cutter.remaining() > 1) {
         while (!cutter.try_block(log2, bound_256)) --log2;
         log2 = std::min(log2 + 1, kBlockSizes - 1);
     }
-    if (cutter.left() == 1) cutter.cut_rest();
+    if (cutter.remaining() == 1) cutter.cut_rest();
 }
 
 template <Texturing Way, class Cutter>
@@ -67,11 +67,11 @@ template <Texturing Way, PerspectiveRange Range, class Reciprocal>
                                                               const BlockCutting& cutting, Reciprocal reciprocal,
                                                               BlockList& blocks) {
     SpanCutter<Reciprocal, Range> cutter(cutting, reciprocal, blocks.end());
-    const TexelBlock* const full = blocks.full();
+    const TexelBlock* const last_start = blocks.last_start();
     std::int64_t log2 = 0;
     const Span* span = spans.data();
     const Span* const end = span + spans.size();
-    for (; span != end && cutter.end() <= full; ++span) {
+    for (; span != end && cutter.end() <= last_start; ++span) {
         cutter.start(*span, pitch);
         cut_span<Way>(cutter, cutting, log2);
     }
@@ -96,17 +96,17 @@ template <class Reciprocal, class Repeat>
                                                                        Reciprocal reciprocal, Repeat repeat,
                                                                        BlockList& blocks) {
     SpanCutter<Reciprocal, PerspectiveRange::Fits> cutter(cutting, reciprocal, blocks.end());
-    const TexelBlock* const full = blocks.full();
+    const TexelBlock* const last_start = blocks.last_start();
     std::int64_t log2 = 0, divisions_saved = 0;
-    while (!spans.empty() && cutter.end() <= full) {
+    while (!spans.empty() && cutter.end() <= last_start) {
         const Span& above = spans.front();
         const TexelBlock* const first = cutter.end();
         cutter.start(above, pitch);
         cut_bounded(cutter, cutting.thresholds, log2);
         spans = spans.subspan(1);
         const std::span<const TexelBlock> row(first, cutter.end());
-        if (row.size() >= RowRepeater<Reciprocal>::kMostEnds || cutter.end() > full) continue;
-        const std::span<const Span> below = spans_in(above, spans, std::ssize(row), full - cutter.end());
+        if (row.size() >= RowRepeater<Reciprocal>::kMostEnds || cutter.end() > last_start) continue;
+        const std::span<const Span> below = spans_in(above, spans, std::ssize(row), last_start - cutter.end());
         if (below.empty()) continue;
         cutter.set_end(repeat(above, row, below, cutter.end()));
         divisions_saved += std::ssize(below) * (std::ssize(row) + (row.back().count > 1)) - (std::ssize(row) + 1);
@@ -124,7 +124,7 @@ template <class Ends>
     const Span* span = spans.data();
     const Span* const end = span + spans.size();
     TexelBlock* out = blocks.end();
-    for (const TexelBlock* const full = blocks.full(); span != end && out <= full; ++span) {
+    for (const TexelBlock* const last_start = blocks.last_start(); span != end && out <= last_start; ++span) {
         const std::int32_t steps = span->end - span->first - 1;
         const TexelPosition from = ends.first(*span);
         TexelStep step;
@@ -194,7 +194,7 @@ OBLONG_TARGET_BMI2 std::span<const Span> append_bounded_avx512(std::span<const S
     if (!can_cut_by_eights(cutting) || !(cutting.takes_whole_spans || repeats_rows))
         return append_bounded_bmi2(spans, pitch, cutting, blocks);
     if (cutting.takes_whole_spans) {
-        const std::size_t count = std::min(spans.size(), as_size(blocks.full() - blocks.end() + 1));
+        const std::size_t count = std::min(spans.size(), as_size(blocks.last_start() - blocks.end() + 1));
         blocks.set_end(cut_whole_spans_by_eights(spans.first(count), pitch, cutting, blocks.end()));
         return spans.subspan(count);
     }
@@ -255,7 +255,7 @@ std::int64_t repeated_ends(std::span<const Span> spans) {
 std::int64_t divisions_of(std::span<const Span> spans, const BlockCutting& cutting, const BlockList& blocks) {
     const TextureGradients& gradients = cutting.gradients;
     if (gradients.inverse_z.per_column == InverseZ{}) return std::ssize(spans);
-    std::int64_t divisions = std::ssize(spans) + blocks.more_divisions();
+    std::int64_t divisions = std::ssize(spans) + blocks.extra_divisions();
     const TexelBlock* block = blocks.waiting().data();
     for (const Span& span : spans)
         for (std::int32_t left = span.end - span.first; left > 0; left -= block++->count) divisions += left > 1;

@@ -28,14 +28,14 @@ class BlockList {
     /// For spans of up to `longest_px` pixels.
     explicit BlockList(std::int32_t longest_px) : blocks_(as_size(longest_px) + kBatch + kWrittenAtOnce) {}
 
-    /// If the end is beyond this, the blocks of another span might not fit.
-    const TexelBlock* full() const { return blocks_.data() + kBatch; }
+    /// The last place where a span's blocks may begin; from there on those of the longest span fit.
+    const TexelBlock* last_start() const { return blocks_.data() + kBatch; }
     std::span<const TexelBlock> waiting() const { return std::span(blocks_).first(used_); }
-    void clear() { used_ = 0, more_divisions_ = 0; }
+    void clear() { used_ = 0, extra_divisions_ = 0; }
     /// Divisions in addition to those counted by divisions_of(): for blocks that were tried (BoundedTexels). Negative:
     /// divisions saved by RowRepeater.
-    std::int64_t more_divisions() const { return more_divisions_; }
-    void add_divisions(std::int64_t count) { more_divisions_ += count; }
+    std::int64_t extra_divisions() const { return extra_divisions_; }
+    void add_divisions(std::int64_t count) { extra_divisions_ += count; }
 
     TexelBlock* end() { return blocks_.data() + used_; }
     void set_end(const TexelBlock* end) { used_ = as_size(end - blocks_.data()); }
@@ -46,7 +46,7 @@ class BlockList {
 
     std::vector<TexelBlock> blocks_;
     std::size_t used_ = 0;
-    std::int64_t more_divisions_ = 0;
+    std::int64_t extra_divisions_ = 0;
 };
 
 /// How to cut the spans of one surface.
