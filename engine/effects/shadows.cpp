@@ -40,7 +40,7 @@ bool scan_shadow(const Shadow& shadow, std::int32_t share_8, const Level& level,
     if (radius <= World{}) return false;
     const auto corners = corners_of_disc(level.planes[shadow.floor.plane], shadow.floor.position, radius);
     if (!project_polygon(corners, view, scratch.polygon)) return false;
-    scan_convex(scratch.polygon.screen, scratch.rows);
+    scan_convex(scratch.polygon.vertices, scratch.rows);
     return true;
 }
 

@@ -37,13 +37,13 @@ bool may_show_in_halves(const LevelBox& box, int cuts, const Sight& sight) {
     return may_show_in_halves(low, cuts - 1, sight) || may_show_in_halves(high, cuts - 1, sight);
 }
 
-InverseDepth nearest_depth(const ScreenSprite& sprite) {
+InverseDepth nearest_inverse_depth(const ScreenSprite& sprite) {
     const std::int64_t rows = sprite.pixels.end_row - sprite.pixels.first_row;
     const std::int64_t last_16 = sprite.inverse_depth_16 + rows * sprite.inverse_depth_step_16;
     return static_cast<InverseDepth>(std::max(sprite.inverse_depth_16, last_16) >> 16);
 }
 
-InverseDepth nearest_depth(std::span<const ParticleDot> dots) {
+InverseDepth nearest_inverse_depth(std::span<const ParticleDot> dots) {
     InverseDepth nearest = 0;
     for (const ParticleDot& dot : dots) nearest = std::max(nearest, dot.inverse_depth);
     return nearest;
@@ -52,8 +52,8 @@ InverseDepth nearest_depth(std::span<const ParticleDot> dots) {
 void add_sprite(const Sprite& sprite, const Level& level, const Sight& sight, ThingsInView& in_view,
                 DepthBuffer& depth) {
     const std::optional<ScreenSprite> screen = project_sprite(sprite, level.textures[sprite.texture], sight.view);
-    if (!screen || (sight.part && !overlap(screen->pixels, *sight.part))) return;
-    if (!sight.may_show(screen->pixels, nearest_depth(*screen))) return;
+    if (!screen || (sight.drawn_part && !overlap(screen->pixels, *sight.drawn_part))) return;
+    if (!sight.may_show(screen->pixels, nearest_inverse_depth(*screen))) return;
     in_view.sprites.push_back({*screen, sprite.position});
     depth.want(screen->pixels);
 }
@@ -67,10 +67,10 @@ void find_particles(const Things& things, std::int64_t time_ms, const Sight& sig
         const std::size_t first = in_view.dots.size();
         append_dots(placed.emitter, time_ms, sight.view, in_view.dots);
         in_view.particles_computed += placed.emitter.count;
-        if (sight.part) keep_dots_in(*sight.part, first, in_view.dots);
+        if (sight.drawn_part) keep_dots_in(*sight.drawn_part, first, in_view.dots);
         const std::span<const ParticleDot> dots = std::span(in_view.dots).subspan(first);
         const ScreenRectangle pixels = rectangle_around(dots);
-        if (dots.empty() || !sight.may_show(pixels, nearest_depth(dots))) {
+        if (dots.empty() || !sight.may_show(pixels, nearest_inverse_depth(dots))) {
             in_view.dots.resize(first);
             continue;
         }

@@ -20,7 +20,7 @@ struct SpriteInView {
 struct EmitterInView {
     std::size_t first_dot = 0, dot_count = 0;  ///< in ThingsInView::dots
     Vec3<World> middle;
-    World lowest;  ///< z of their box
+    World lowest_z;  ///< of their box
 };
 
 /// The things that may be visible in a frame. Kept from frame to frame to save allocations.
@@ -54,15 +54,15 @@ class Cover {
 struct Sight {
     const LeafSet& leaves;  ///< things in none of them are not visible
     const ViewContext& view;
-    const ScreenRectangle* part = nullptr;  ///< the part of the screen that is drawn; null: all
-    Cover* cover = nullptr;                 ///< or null
+    const ScreenRectangle* drawn_part = nullptr;  ///< the part of the screen that is drawn; null: all
+    Cover* cover = nullptr;                       ///< or null
     BoxCuller culler{view.frustum, view.eye};
 
     bool may_show(const PlacedBox& place) const {
         return may_be_seen(place, leaves, culler) && !(cover && cover->hides(place.box));
     }
     bool may_show(const LevelBox& box) const {
-        return culler.planes_crossed(box, kAllSides) != kOutside && !(cover && cover->hides(box));
+        return culler.sides_crossed(box, kAllSides) != kOutside && !(cover && cover->hides(box));
     }
     bool may_show(const ScreenRectangle& pixels, InverseDepth nearest) const {
         return !(cover && cover->hides(pixels, nearest));

@@ -22,9 +22,9 @@ std::span<const VertexIndex> corners_of(FaceIndex index, const FrameContext& fra
     return scratch.own;
 }
 
-/// Projects only the part of a projected face that is within the frame's limits. False if it is out of view. Faces in
-/// the plane of a limit are left out, so a mirror is not in its own picture.
-bool keep_within_limits(const VisibleFace& face, const FrameContext& frame, ClaimScratch& scratch) {
+/// Clips a projected face to the frame's limits, in the world, and if they cut it projects what is left. False if that
+/// is out of view or nothing. A face in the plane of a limit counts as outside, so a mirror is not in its own picture.
+bool clip_to_limits(const VisibleFace& face, const FrameContext& frame, ClaimScratch& scratch) {
     std::vector<Vec3<World>>& corners = scratch.corners.world;
     world_corners(face, frame, scratch.corners);
     bool is_cut = false;
@@ -33,27 +33,26 @@ bool keep_within_limits(const VisibleFace& face, const FrameContext& frame, Clai
         if (side == (limit.is_back ? PolygonSide::Back : PolygonSide::Front)) continue;
         if (side != PolygonSide::Both) return false;
         const auto count = static_cast<std::ptrdiff_t>(corners.size());
-        append_part(corners, 0, scratch.corners.distances, !limit.is_back);
+        append_part(corners, 0, scratch.corners.distances, !limit.is_back);  // after the old corners
         corners.erase(corners.begin(), corners.begin() + count);
         is_cut = true;
     }
     return !is_cut || project_polygon(corners, frame.view, scratch.polygon);
 }
 
-/// Transforms, clips and projects the corners. False if the face is out of view. `nears_limits`: it may reach the
-/// frame's limits.
-bool project(const VisibleFace& face, bool nears_limits, const FrameContext& frame, ClaimScratch& scratch) {
+/// Transforms, clips and projects the corners. False if the face is out of view or outside the limits.
+bool project(const VisibleFace& face, bool may_reach_limits, const FrameContext& frame, ClaimScratch& scratch) {
     if (frame.observers.counts) ++frame.observers.counts->faces_visited;
     const bool is_in_view = face.fragment ? project_polygon(frame.cache.brush_models.corners_of(*face.fragment),
                                                             frame.view, scratch.polygon)
                                           : project_face(corners_of(face.face, frame, scratch.corners), frame.view,
                                                          scratch.vertices, scratch.polygon);
-    return is_in_view && (!nears_limits || keep_within_limits(face, frame, scratch));
+    return is_in_view && (!may_reach_limits || clip_to_limits(face, frame, scratch));
 }
 
 /// Scans the projected face, except rows at its top and bottom without free pixels. False if no row is left.
 bool scan(const FrameContext& frame, ClaimScratch& scratch) {
-    const std::span<const ScreenVertex> corners = scratch.polygon.screen;
+    const std::span<const ScreenVertex> corners = scratch.polygon.vertices;
     const PolygonShape shape = shape_of(corners, frame.out.height_px, frame.accuracy().edges);
     const PixelRange rows = scratch.span_buffer.rows_with_free(shape.bounds);
     if (rows.first >= rows.end) return false;
@@ -62,7 +61,7 @@ bool scan(const FrameContext& frame, ClaimScratch& scratch) {
 }
 
 /// 1/z of a face; reused from the previous face if both are on the same side of a plane.
-PlaneInverseZ inverse_z_after(const VisibleFace& visible, const FrameContext& frame, SeenPlane& last) {
+PlaneInverseZ inverse_z_after(const VisibleFace& visible, const FrameContext& frame, LastPlane& last) {
     const Face& face = frame.scene.level.faces[visible.face];
     const auto computed = [&] {
         return make_face_inverse_z(frame.scene.level, face, frame.offset_of(visible), frame.view,
@@ -138,7 +137,7 @@ bool FacesInView::next(VisibleFace& found) {
     const FrameObservers& observers = frame_.observers;
     while (next_face(walk_, observers.times, found)) {
         const SampledStopwatch of_models(found.fragment ? observers.times : nullptr, Effect::BrushModels);
-        if (!project(found, walk_.nears_limits(), frame_, scratch_) || !scan(frame_, scratch_)) continue;
+        if (!project(found, walk_.may_reach_limits(), frame_, scratch_) || !scan(frame_, scratch_)) continue;
         if (observers.counts) count_polygon(scratch_.polygon, scratch_.rows, observers.counts->stages);
         return true;
     }

@@ -25,7 +25,8 @@ struct ViewScratch;
 enum class FaceList : std::uint8_t { Walls, Flat, Liquid, Sky, Mirror, SeeThrough };
 inline constexpr std::size_t kFaceListCount = 6;
 
-/// Pixels that no face covers because a wall's face is missing; they show the nearest face's texture and light.
+/// Pixels that no face covers because the level lacks a wall's face: behind them is solid all the same (torn_pixels.h).
+/// They show the texture and light of the nearest face, continued on the wall's plane.
 struct TornSpan {
     Span span;
     PlaneIndex plane;  ///< of the wall
@@ -34,8 +35,8 @@ struct TornSpan {
     Vec3<World> place;  ///< a point shown by the span
 };
 
-/// 1/z of one side of a plane of the world.
-struct SeenPlane {
+/// The side of a plane of the world that the last face is on, with its 1/z.
+struct LastPlane {
     PlaneIndex plane = PlaneIndex::none();
     bool is_back = false;
     PlaneInverseZ inverse_z{};
@@ -47,11 +48,11 @@ struct Claims {
     std::array<std::vector<VisibleFace>, kFaceListCount> lists;
     EffectSet effects;             ///< that own pixels: needed by faces and allowed by the settings, and others
     std::vector<TornSpan> torn;    ///< pixels of walls whose faces are missing
-    SpanList left_free;            ///< pixels without owner: the void
+    SpanList left_free;            ///< pixels behind which there is neither face nor wall: the void
     std::vector<FogRun> fog_runs;  ///< pixels in fog
     FrameThings things;            ///< drawn among the faces
     std::size_t walls_drawn = 0;   ///< how many of the list draw_walls() has drawn
-    SeenPlane last_plane;          ///< of the world's last face: consecutive faces of a node share it
+    LastPlane last_plane;          ///< of the world's last face: consecutive faces of a node share it
 
     std::vector<VisibleFace>& list(FaceList which) { return item(lists, which); }
     const std::vector<VisibleFace>& list(FaceList which) const { return item(lists, which); }
@@ -89,7 +90,7 @@ class FacesInView {
     /// Sets `face` and `fragment` of the next face that may cover free pixels. False if there is none.
     bool next(VisibleFace& found);
     /// Whether this is the second walk (FrontToBackWalk).
-    bool is_second_walk() const { return walk_.takes_all_faces(); }
+    bool is_second_walk() const { return walk_.is_second_walk(); }
 
   private:
     const FrameContext& frame_;

@@ -29,12 +29,12 @@ bool is_along(const LevelPlane& a, const LevelPlane& b) {
 /// The search of continued_face(): nearer sides first, without subtrees that are too far away.
 class ContinuedFaceSearch {
   public:
-    ContinuedFaceSearch(const Level& level, const OpenEnd& end, bool is_back)
+    ContinuedFaceSearch(const Level& level, const WallHit& hit, bool is_back)
         : level_(level),
-          plane_(level.nodes[end.node].plane),
+          plane_(level.nodes[hit.node].plane),
           is_back_(is_back),
-          material_(end.is_sky ? Material::Sky : Material::Lit),
-          place_(middle_of(level.leaves[end.from].box)) {}
+          material_(hit.is_sky ? Material::Sky : Material::Lit),
+          place_(middle_of(level.leaves[hit.open_leaf].box)) {}
 
     /// None if no face is suitable.
     FaceIndex find() {
@@ -43,7 +43,7 @@ class ContinuedFaceSearch {
     }
 
   private:
-    static constexpr WorldWide kOtherPlane = WorldWide::from_int(256);
+    static constexpr WorldWide kOtherPlanePenalty = WorldWide::from_int(256);
 
     void search(NodeChild at) {
         if (at.is_leaf()) return;
@@ -51,19 +51,19 @@ class ContinuedFaceSearch {
         if (is_too_far(node.box)) return;
         const bool is_behind = plane_distance(level_.planes[node.plane], place_) < PlaneDistance{};
         search(node.children[is_behind]);
-        for (const FaceIndex face : node.faces) look_at(face);
+        for (const FaceIndex face : node.faces) consider(face);
         search(node.children[!is_behind]);
     }
 
-    void look_at(FaceIndex index) {
+    void consider(FaceIndex index) {
         const Face& face = level_.faces[index];
         if (level_.texinfos[face.texinfo].material != material_) return;
-        const bool is_on_it = face.plane == plane_ && face.is_back == is_back_;
-        if (!is_on_it && !is_along(level_.planes[face.plane], level_.planes[plane_])) return;
-        const WorldWide more = is_on_it ? WorldWide{} : kOtherPlane, farthest = least_ - more;
+        const bool is_on_plane = face.plane == plane_ && face.is_back == is_back_;
+        if (!is_on_plane && !is_along(level_.planes[face.plane], level_.planes[plane_])) return;
+        const WorldWide penalty = is_on_plane ? WorldWide{} : kOtherPlanePenalty, farthest = least_distance_ - penalty;
         const WorldWide distance = distance_of(level_, face, place_, farthest);
         if (distance > farthest || (distance == farthest && index > best_)) return;
-        least_ = distance + more;
+        least_distance_ = distance + penalty;
         best_ = index;
     }
 
@@ -71,7 +71,8 @@ class ContinuedFaceSearch {
     bool is_too_far(const LevelBox& box) const {
         const auto is_off = [&](std::int32_t least, std::int32_t most, World at) {
             const WorldWide off = convert<WorldWide>(at);
-            return WorldWide::from_int(least - 1) - off > least_ || off - WorldWide::from_int(most + 1) > least_;
+            return WorldWide::from_int(least - 1) - off > least_distance_ ||
+                   off - WorldWide::from_int(most + 1) > least_distance_;
         };
         return is_off(box.mins[0], box.maxs[0], place_.x) || is_off(box.mins[1], box.maxs[1], place_.y) ||
                is_off(box.mins[2], box.maxs[2], place_.z);
@@ -83,16 +84,16 @@ class ContinuedFaceSearch {
     Material material_;
     Vec3<World> place_;
     FaceIndex best_ = FaceIndex::none();
-    WorldWide least_ = WorldWide::highest();
+    WorldWide least_distance_ = WorldWide::highest();
 };
 
 }  // namespace
 
-FaceIndex continued_face(const OpenEnd& end, bool is_back, const Level& level, ContinuedFaces& kept) {
+FaceIndex continued_face(const WallHit& hit, bool is_back, const Level& level, ContinuedFaces& kept) {
     constexpr std::size_t kMostKept = 4096;  // there are many more pairs of leaves and nodes
     if (kept.size() >= kMostKept) kept.clear();
-    const auto [found, is_new] = kept.try_emplace({end.from.number(), end.node.number()});
-    if (is_new) found->second = ContinuedFaceSearch(level, end, is_back).find();
+    const auto [found, is_new] = kept.try_emplace({hit.open_leaf.number(), hit.node.number()});
+    if (is_new) found->second = ContinuedFaceSearch(level, hit, is_back).find();
     return found->second;
 }
 

@@ -49,7 +49,7 @@ bool shows_farther(const CoveringFace& covering, const ScreenRectangle& pixels, 
 }
 
 /// A lower bound of a face's 1/z: rounding moves a pixel's place on the face by less than two pixels.
-InverseDepth farthest_depth_of(const VisibleFace& face) {
+InverseDepth farthest_inverse_depth_of(const VisibleFace& face) {
     const PlaneInverseZ& plane = face.inverse_z;
     const InverseZ farthest = reciprocal<InverseZ>(face.farthest_z);
     return to_inverse_depth(farthest - (absolute(plane.per_column) + absolute(plane.per_row)) * 2);
@@ -68,7 +68,7 @@ void FaceCover::list_faces() {
         const ScreenRectangle& bounds = face.bounds;
         const ScreenRectangle around = bounds.first_column < bounds.end_column ? bounds : rectangle_around(spans);
         const bool is_sky = list == FaceList::Sky;
-        faces_.push_back({is_sky ? 0 : farthest_depth_of(face), around, is_sky ? nullptr : &face, spans});
+        faces_.push_back({is_sky ? 0 : farthest_inverse_depth_of(face), around, is_sky ? nullptr : &face, spans});
     };
     for (const FaceList list : kLists)
         for (const VisibleFace& face : claims_.list(list)) add(list, face);
@@ -79,7 +79,7 @@ void FaceCover::list_faces() {
 
 bool FaceCover::hides(const LevelBox& box) {
     const std::optional<ScreenRectangle> pixels = rectangle_of(box, frame_.view);
-    return pixels && hides(*pixels, nearest_depth_of(box, frame_.view));
+    return pixels && hides(*pixels, nearest_inverse_depth_of(box, frame_.view));
 }
 
 bool FaceCover::hides(const ScreenRectangle& pixels, InverseDepth nearest) {
@@ -94,7 +94,7 @@ bool FaceCover::hides(const ScreenRectangle& pixels, InverseDepth nearest) {
                         [&](const TornSpan& torn) { return overlap(torn.span, pixels); });
 }
 
-InverseDepth nearest_depth_of(const LevelBox& box, const ViewContext& view) {
+InverseDepth nearest_inverse_depth_of(const LevelBox& box, const ViewContext& view) {
     const auto nearest = [&box](std::size_t axis, Unit forward) {
         return World::from_int(forward > Unit{} ? box.mins[axis] : box.maxs[axis]);
     };

@@ -7,7 +7,7 @@ namespace oblong {
 
 /// A face that owns pixels, as used by FaceCover.
 struct CoveringFace {
-    InverseDepth farthest;    ///< 1/z, or a lower bound
+    InverseDepth farthest;    ///< the least 1/z, or a lower bound
     ScreenRectangle bounds;   ///< holds its spans
     const VisibleFace* face;  ///< null: the sky
     std::span<const Span> spans;
@@ -35,6 +35,6 @@ class FaceCover : public Cover {
 };
 
 /// 1/z of the corner of a box that is nearest along the view.
-InverseDepth nearest_depth_of(const LevelBox& box, const ViewContext& view);
+InverseDepth nearest_inverse_depth_of(const LevelBox& box, const ViewContext& view);
 
 }  // namespace oblong

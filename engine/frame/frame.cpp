@@ -28,8 +28,8 @@ std::vector<WalkLimit> limits_of(const ViewSpec& view) {
     return limits;
 }
 
-/// The eye, moved clear of planes, and its leaf. If the view may show the void, rays do not begin in the eye;
-/// kSolidOutside makes the whole level visible.
+/// The eye, moved clear of planes, and the leaf that decides what is visible: its own or, for a parallel view or one
+/// with cuts, whose rays may begin in any leaf, kSolidOutside, from where everything is visible.
 PlacedEye place_viewer(const Level& level, const ViewSpec& view) {
     if (view.is_parallel) return {view.eye, kSolidOutside};
     const PlacedEye eye = place_eye(level, view.eye);
@@ -52,8 +52,8 @@ FrameContext make_context(const Scene& scene, const ViewSpec& spec, const Screen
                        limits_of(spec)};
     frame.fog = make_frame_fog(frame);
     frame.claimer = work.claimer;
-    const bool has_order = frame.observers.counts || frame.observers.record;  // FrameObservers
-    if (!has_order) frame.shared = work.shared.get();
+    const bool needs_one_thread = frame.observers.counts || frame.observers.record;
+    if (!needs_one_thread) frame.shared = work.shared.get();
     return frame;
 }
 

@@ -32,8 +32,8 @@ struct Scene {
 /// Draws a picture of any view: a pure function of its first four arguments. Faces, sky and uncovered pixels write
 /// every pixel of `out` (of the mode's size) exactly once. From an eye in the open, faces leave no pixel free; where a
 /// level lacks a face, the texture of another is continued (torn_pixels.h). From inside a wall or behind the sky, all
-/// faces that face the eye are drawn, and uncovered pixels are colour 0. A view must have no problem_of();
-/// make_projection() and, in small modes, make_inverse_projection() limit the field of view.
+/// faces that face the eye are drawn, and uncovered pixels are colour 0. Requires a view in which
+/// problem_of() (view/view_spec.h) finds nothing for this mode.
 ///
 /// A parallel view shows all faces that face its direction: rooms seen from outside, without the walls and ceilings
 /// that face away. Effects that need an eye are omitted. Uncovered pixels of a parallel view, or of one with cuts, are

@@ -43,7 +43,8 @@ struct FrameContext {
 
 // In frame.cpp; used by draw_frame() and for mirrors.
 
-/// Starts a view from a leaf: finds its visible set, and clears the claims.
+/// Starts a view from a leaf: finds its visible set, and clears the claims. The caller then sets the span buffer's free
+/// pixels: all, or a mirror's.
 void start_view(const FrameContext& frame, LeafIndex leaf, ViewScratch& scratch);
 
 /// Draws a started view: faces claim the free pixels of its span buffer, then the plan made from the claims is run.

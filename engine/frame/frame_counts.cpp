@@ -116,7 +116,7 @@ void count_walk(std::int64_t nodes, const VertexCache::Counts& vertices, StageCo
 }
 
 void count_polygon(const ScreenPolygon& polygon, const ScanlineExtents& rows, StageCounts& stages) {
-    const auto corners = static_cast<std::int64_t>(polygon.screen.size());
+    const auto corners = static_cast<std::int64_t>(polygon.vertices.size());
     if (polygon.is_clipped) stages.clipped_corners += corners;
     stages.edges += corners;
     stages.edge_rows += 2 * (rows.end - rows.first);

@@ -44,9 +44,9 @@ FrameFog make_frame_fog(const FrameContext& frame) {
     return found;
 }
 
-bool is_clear(World lowest, const FrameFog& fog, const Vec3<World>& eye) {
+bool is_clear(World lowest_z, const FrameFog& fog, const Vec3<World>& eye) {
     constexpr auto kRounding = WorldWide::from_int(3);  // of boxes in a level's file, and of positions
-    return fog.height && eye.z >= fog.top && convert<WorldWide>(lowest) > convert<WorldWide>(fog.top) + kRounding;
+    return fog.height && eye.z >= fog.top && convert<WorldWide>(lowest_z) > convert<WorldWide>(fog.top) + kRounding;
 }
 
 bool may_have_fog(const VisibleFace& face, std::span<const Span> spans, const FrameContext& frame) {
@@ -78,7 +78,7 @@ const ColourRow& fog_colours(std::int32_t column, std::int32_t row, InverseZ inv
 
 void find_fog(const FrameContext& frame, ViewScratch& scratch) {
     const FrameFog& fog = frame.fog;
-    if (!fog.tables || (scratch.claims.torn.empty() && is_clear(scratch.claiming->walk.lowest, fog, frame.view.eye)))
+    if (!fog.tables || (scratch.claims.torn.empty() && is_clear(scratch.claiming->walk.lowest_z, fog, frame.view.eye)))
         return;
     Claims& claims = scratch.claims;
     for (const FaceList list : {FaceList::Walls, FaceList::Liquid, FaceList::Flat})

@@ -41,8 +41,8 @@ struct FrameFog {
 /// The fog in this view, if the level has fog and the settings allow it.
 FrameFog make_frame_fog(const FrameContext& frame);
 
-/// Whether the eye and everything visible, which is not lower than `lowest`, are certainly above the fog's top.
-bool is_clear(World lowest, const FrameFog& fog, const Vec3<World>& eye);
+/// Whether the eye and everything visible, which is not lower than `lowest_z`, are certainly above the fog's top.
+bool is_clear(World lowest_z, const FrameFog& fog, const Vec3<World>& eye);
 
 /// False if all these pixels of a face are certainly clear: without fog, or if they and the eye are above its top.
 bool may_have_fog(const VisibleFace& face, std::span<const Span> spans, const FrameContext& frame);

@@ -21,8 +21,8 @@ void show_texel(std::int64_t u_16, std::int64_t v_16, const FaceSurface& surface
 
 }  // namespace
 
-void note_spans(const VisibleFace& face, std::span<const Span> spans, Framebuffer out,
-                const FrameObservers& observers) {
+void observe_spans(const VisibleFace& face, std::span<const Span> spans, Framebuffer out,
+                   const FrameObservers& observers) {
     if (observers.counts) count_writes(spans, out.pitch, *observers.counts);
     if (observers.record) record_spans(record_of(face), spans, out, *observers.record);
 }

@@ -27,7 +27,8 @@ struct FrameRecord {
 };
 
 /// Counts and records spans of a face drawn without a surface, if there are observers.
-void note_spans(const VisibleFace& face, std::span<const Span> spans, Framebuffer out, const FrameObservers& observers);
+void observe_spans(const VisibleFace& face, std::span<const Span> spans, Framebuffer out,
+                   const FrameObservers& observers);
 
 /// A record of a face, without texels.
 PixelRecord record_of(const VisibleFace& visible);

@@ -46,7 +46,7 @@ std::int64_t visible_pixels(const ParticleDot& dot, DepthBuffer& depth) {
     return visible_pixels({dot.first_column, dot.end_column, dot.first_row, dot.end_row}, dot.inverse_depth, depth);
 }
 
-InverseDepth middle_depth(const ScreenSprite& sprite) {
+InverseDepth middle_inverse_depth(const ScreenSprite& sprite) {
     const std::int64_t rows = (sprite.pixels.end_row - sprite.pixels.first_row) / 2;
     return static_cast<InverseDepth>((sprite.inverse_depth_16 + rows * sprite.inverse_depth_step_16) >> 16);
 }
@@ -66,15 +66,16 @@ void keep_visible(const FrameContext& frame, ViewScratch& scratch) {
             pixels += visible_pixels(dot, scratch.depth);
         dot_pixels += pixels;
         if (pixels > 0)
-            things.owning.push_back(
-                {emitter.middle, emitter.lowest, emitter.first_dot, emitter.dot_count, nullptr, nullptr});
+            things.visible.push_back(
+                {emitter.middle, emitter.lowest_z, emitter.first_dot, emitter.dot_count, nullptr, nullptr});
     }
     const std::uint8_t* const own_colours = frame.scene.colormap.shades[Colormap::kOwnShade].data();
     for (const SpriteInView& sprite : things.in_view.sprites) {
         if (frame.mirror && is_behind(*frame.mirror, sprite.position, frame.scene.level)) continue;
-        const std::int64_t pixels = visible_pixels(sprite.screen.pixels, middle_depth(sprite.screen), scratch.depth);
+        const std::int64_t pixels =
+            visible_pixels(sprite.screen.pixels, middle_inverse_depth(sprite.screen), scratch.depth);
         sprite_pixels += pixels;
-        if (pixels > 0) things.owning.push_back({sprite.position, World::lowest(), 0, 0, &sprite.screen, own_colours});
+        if (pixels > 0) things.visible.push_back({sprite.position, World::lowest(), 0, 0, &sprite.screen, own_colours});
     }
     EffectSet& effects = scratch.claims.effects;
     if (dot_pixels > 0) effects = effects.with(Effect::Particles);
@@ -87,8 +88,8 @@ void keep_visible(const FrameContext& frame, ViewScratch& scratch) {
 void colour_by_fog(const FrameFog& fog, const Vec3<World>& eye, ViewScratch& scratch) {
     std::vector<FogRun>& runs = scratch.effects->thing_runs;
     FrameThings& things = scratch.claims.things;
-    for (OwningThing& thing : things.owning) {
-        if (is_clear(thing.lowest, fog, eye)) continue;
+    for (VisibleThing& thing : things.visible) {
+        if (is_clear(thing.lowest_z, fog, eye)) continue;
         for (ParticleDot& dot : dots_of(things, thing.first_dot, thing.dot_count))
             dot.colour =
                 fog_colours(dot.first_column, dot.first_row, inverse_z_of(dot.inverse_depth), fog, runs)[dot.colour];
@@ -96,7 +97,7 @@ void colour_by_fog(const FrameFog& fog, const Vec3<World>& eye, ViewScratch& scr
         const ScreenRectangle& pixels = thing.sprite->pixels;
         thing.colours =
             fog_colours((pixels.first_column + pixels.end_column) / 2, (pixels.first_row + pixels.end_row) / 2,
-                        inverse_z_of(middle_depth(*thing.sprite)), fog, runs)
+                        inverse_z_of(middle_inverse_depth(*thing.sprite)), fog, runs)
                 .data();
     }
 }
@@ -143,7 +144,7 @@ void find_seen_shadows(const FrameContext& frame, const Sight& sight, ViewScratc
 
 void FrameThings::clear() {
     in_view.clear();
-    owning.clear();
+    visible.clear();
     shadows.clear();
     meshes.clear();
     mesh_parts.clear();
@@ -170,7 +171,7 @@ void find_things(const FrameContext& frame, ViewScratch& scratch) {
     if (frame.fog.tables) colour_by_fog(frame.fog, frame.view.eye, scratch);
 }
 
-void draw_thing(const OwningThing& thing, const FrameContext& frame, ViewScratch& scratch) {
+void draw_thing(const VisibleThing& thing, const FrameContext& frame, ViewScratch& scratch) {
     const Stopwatch watch(frame.observers.times, thing.sprite ? Effect::Sprites : Effect::Particles);
     if (thing.sprite) return draw_sprite(*thing.sprite, thing.colours, scratch.depth, frame.out);
     draw_dots(dots_of(scratch.claims.things, thing.first_dot, thing.dot_count), scratch.depth, frame.out);

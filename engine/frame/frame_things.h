@@ -12,9 +12,9 @@ struct FrameContext;
 struct ViewScratch;
 
 /// A visible thing: the dots of an emitter, or a sprite.
-struct OwningThing {
+struct VisibleThing {
     Vec3<World> middle;
-    World lowest;                              ///< z of its box, or lower
+    World lowest_z;                            ///< of its box, or below
     std::size_t first_dot = 0, dot_count = 0;  ///< in ThingsInView::dots
     const ScreenSprite* sprite = nullptr;
     const std::uint8_t* colours = nullptr;  ///< of the sprite: 256
@@ -25,7 +25,7 @@ struct MeshInView {
     const PlacedMesh* placed = nullptr;
     LevelBox box;
     ScreenRectangle box_pixels{};
-    InverseDepth nearest_depth = 0;              ///< of the box
+    InverseDepth nearest_inverse_depth = 0;      ///< of the box
     ScreenRectangle pixels{};                    ///< of the parts that may be visible
     std::size_t first_part = 0, part_count = 0;  ///< in FrameThings::mesh_parts; none: the whole mesh
 };
@@ -33,7 +33,7 @@ struct MeshInView {
 /// What a frame shows besides faces.
 struct FrameThings {
     ThingsInView in_view;
-    std::vector<OwningThing> owning;
+    std::vector<VisibleThing> visible;
     std::vector<Shadow> shadows;
     std::vector<MeshInView> meshes;
     std::vector<std::uint32_t> mesh_parts;
@@ -48,7 +48,7 @@ struct FrameThings {
 void find_things(const FrameContext& frame, ViewScratch& scratch);
 
 /// Draws a thing where nothing is nearer.
-void draw_thing(const OwningThing& thing, const FrameContext& frame, ViewScratch& scratch);
+void draw_thing(const VisibleThing& thing, const FrameContext& frame, ViewScratch& scratch);
 
 /// Darkens the floors under shadows.
 void draw_shadows(const FrameContext& frame, ViewScratch& scratch);
@@ -58,7 +58,8 @@ void draw_shadows(const FrameContext& frame, ViewScratch& scratch);
 /// is behind it.
 void find_meshes(const FrameContext& frame, const Sight& sight, ViewScratch& scratch);
 
-/// Removes the meshes before the first one that faces do not wholly hide; all, if there is none. Requires depth.
+/// Removes the meshes before the first one that faces do not wholly hide; all, if there is none. That decides whether
+/// the pass runs; draw_meshes() tests the others. Requires depth.
 void keep_seen_meshes(const FrameContext& frame, ViewScratch& scratch);
 
 /// Draws the remaining meshes, in the level's light and fog.

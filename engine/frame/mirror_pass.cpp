@@ -56,8 +56,8 @@ ViewContext mirrored(const ViewContext& view, const MirrorView& mirror, const Le
 }
 
 /// The leaf in front of a mirror's middle; everything in the mirror is visible from there.
-LeafIndex leaf_before(const VisibleFace& claimed, const MirrorPlane& mirror, const FrameContext& frame,
-                      CornerScratch& scratch) {
+LeafIndex leaf_in_front_of(const VisibleFace& claimed, const MirrorPlane& mirror, const FrameContext& frame,
+                           CornerScratch& scratch) {
     const Level& level = frame.scene.level;
     const Vec3<Unit>& normal = level.planes[mirror.plane].normal;
     const auto step = convert<World>(mirror.is_back ? -normal : normal);
@@ -73,10 +73,6 @@ std::vector<Span> flipped_spans(std::span<const VisibleFace> faces, const Claims
     std::sort(flipped.begin(), flipped.end(),
               [](const Span& a, const Span& b) { return std::pair(a.y, a.first) < std::pair(b.y, b.first); });
     return flipped;
-}
-
-void clear(std::span<const Span> spans, Framebuffer out) {
-    for (const Span& span : spans) std::fill(out.row(span.y) + span.first, out.row(span.y) + span.end, std::uint8_t{});
 }
 
 void copy_flipped(std::span<const Span> flipped, const Framebuffer& from, Framebuffer to) {
@@ -110,7 +106,7 @@ void draw_mirrored_view(const MirrorView& mirror, LeafIndex leaf, std::span<cons
     mirrored_frame.fog = make_frame_fog(mirrored_frame);
     mirrored_frame.mirror = &mirror;
     mirrored_frame.claimer = frame.claimer;
-    clear(flipped, mirrored_frame.out);
+    fill_spans(flipped, 0, mirrored_frame.out);
     start_view(mirrored_frame, leaf, *scratch.view);
     scratch.view->claiming->span_buffer.reset_to(flipped);
     draw_view(mirrored_frame, *scratch.view);
@@ -131,21 +127,22 @@ void draw_mirrors(const FrameContext& frame, ViewScratch& scratch) {
     if (!mirrors.view) mirrors.view = std::make_unique<ViewScratch>(scratch, ScreenMode{out.width_px, out.height_px});
     mirrors.picture.resize(pixel_count(out.width_px, out.height_px));
 
-    std::vector<VisibleFace> left = scratch.claims.list(FaceList::Mirror);
-    for (std::size_t drawn = 0; drawn < kMostMirrors && !left.empty(); ++drawn) {
-        const MirrorPlane mirror = plane_of(left.front(), frame);
-        const LeafIndex leaf = leaf_before(left.front(), mirror, frame, scratch.claiming->corners);
-        const auto others = std::stable_partition(
-            left.begin(), left.end(), [&](const VisibleFace& face) { return plane_of(face, frame) == mirror; });
-        const auto faces = std::span<const VisibleFace>(left).first(as_size(others - left.begin()));
+    std::vector<VisibleFace> remaining = scratch.claims.list(FaceList::Mirror);
+    for (std::size_t drawn = 0; drawn < kMostMirrors && !remaining.empty(); ++drawn) {
+        const MirrorPlane mirror = plane_of(remaining.front(), frame);
+        const LeafIndex leaf = leaf_in_front_of(remaining.front(), mirror, frame, scratch.claiming->corners);
+        const auto others = std::stable_partition(remaining.begin(), remaining.end(), [&](const VisibleFace& face) {
+            return plane_of(face, frame) == mirror;
+        });
+        const auto faces = std::span<const VisibleFace>(remaining).first(as_size(others - remaining.begin()));
         const std::vector<Span> flipped = flipped_spans(faces, scratch.claims, out.width_px);
         draw_mirrored_view({mirror, rectangle_around(flipped)}, leaf, flipped, frame, mirrors);
-        for (const VisibleFace& face : faces) note_spans(face, scratch.claims.spans_of(face), out, frame.observers);
-        left.erase(left.begin(), others);
+        for (const VisibleFace& face : faces) observe_spans(face, scratch.claims.spans_of(face), out, frame.observers);
+        remaining.erase(remaining.begin(), others);
     }
     if (scratch.effects->meshes) scratch.effects->meshes->begun = nullptr;  // the mirrored views used its scratch
     restore_light(frame, scratch);
-    draw_surfaces(left, {}, frame, scratch);
+    draw_surfaces(remaining, {}, frame, scratch);
 }
 
 }  // namespace oblong

@@ -43,7 +43,7 @@ std::int64_t uncovered_pixels(const Claims& claims, const FrameCounts&) {
 }
 
 bool has_seen_through(const Claims& claims) {
-    return !claims.list(FaceList::SeeThrough).empty() || !claims.things.owning.empty();
+    return !claims.list(FaceList::SeeThrough).empty() || !claims.things.visible.empty();
 }
 
 std::int64_t seen_through_pixels(const Claims& claims, const FrameCounts& counts) {
@@ -59,7 +59,7 @@ void draw_flat(const FrameContext& frame, ViewScratch& scratch) {
     const Level& level = frame.scene.level;
     for (const VisibleFace& claimed : scratch.claims.list(FaceList::Flat)) {
         const std::span<const Span> spans = scratch.claims.spans_of(claimed);
-        note_spans(claimed, spans, frame.out, frame.observers);
+        observe_spans(claimed, spans, frame.out, frame.observers);
         fill_spans(spans, level.texture_of(level.faces[claimed.face]).mips[3][0], frame.out);
     }
 }
@@ -76,7 +76,7 @@ void draw_sky_faces(const FrameContext& frame, ViewScratch& scratch) {
     all.clear();
     for (const VisibleFace& claimed : scratch.claims.list(FaceList::Sky)) {
         const std::span<const Span> spans = scratch.claims.spans_of(claimed);
-        note_spans(claimed, spans, frame.out, frame.observers);
+        observe_spans(claimed, spans, frame.out, frame.observers);
         all.insert(all.end(), spans.begin(), spans.end());
     }
     const Level& level = frame.scene.level;

@@ -22,9 +22,9 @@ bool is_behind(const Vec3<World>& place, const VisibleFace& claimed, const Frame
 }
 
 /// Draws the waiting things; if there is a face, only those behind it.
-void draw_waiting(const VisibleFace* face, std::vector<OwningThing>& waiting, const FrameContext& frame,
+void draw_waiting(const VisibleFace* face, std::vector<VisibleThing>& waiting, const FrameContext& frame,
                   ViewScratch& scratch) {
-    std::erase_if(waiting, [&](const OwningThing& thing) {
+    std::erase_if(waiting, [&](const VisibleThing& thing) {
         if (face && !is_behind(thing.middle, *face, frame)) return false;
         draw_thing(thing, frame, scratch);
         return true;
@@ -42,11 +42,11 @@ const BlendTable& blend_of(LiquidKind kind, const FrameContext& frame) {
 /// Draws a face's spans where no model is nearer; in fog, level by level with its colours.
 void draw_in_fog(const VisibleFace& claimed, SurfaceOptions drawing, const FrameContext& frame, ViewScratch& scratch) {
     drawing.colours = &frame.scene.colormap.shades[Colormap::kOwnShade];
-    std::vector<Span> before_meshes;
+    std::vector<Span> in_front;
     std::span<const Span> spans = scratch.claims.spans_of(claimed);
     if (!scratch.claims.things.meshes.empty() && scratch.depth.touches(spans)) {
-        scratch.depth.append_seen(spans, inverse_z_of(claimed, frame), before_meshes);
-        spans = before_meshes;
+        scratch.depth.append_seen(spans, inverse_z_of(claimed, frame), in_front);
+        spans = in_front;
     }
     if (spans.empty()) return;
     const FrameFog& fog = frame.fog;
@@ -71,7 +71,7 @@ void draw_face(const VisibleFace& claimed, const FrameContext& frame, ViewScratc
     const bool is_liquid = frame.cache.faces[face].effects.has(Effect::Liquid);
     const Stopwatch watch(frame.observers.times, is_liquid ? Effect::Translucency : Effect::Fence);
     SurfaceOptions drawing;
-    drawing.is_plain = drawing.is_noted = false;  // counts and records are of what is behind these faces
+    drawing.is_plain = drawing.is_observed = false;  // counts and records are of what is behind these faces
     drawing.traits.warps = drawing.traits.blends = is_liquid;
     drawing.traits.has_holes = !is_liquid;
     if (is_liquid) drawing.blend = &blend_of(liquid_kind_of_texture(level.texture_of(level.faces[face]).name), frame);
@@ -81,7 +81,7 @@ void draw_face(const VisibleFace& claimed, const FrameContext& frame, ViewScratc
 }  // namespace
 
 void draw_see_through(const FrameContext& frame, ViewScratch& scratch) {
-    std::vector<OwningThing> waiting = std::move(scratch.claims.things.owning);
+    std::vector<VisibleThing> waiting = std::move(scratch.claims.things.visible);
     const std::vector<VisibleFace>& faces = scratch.claims.list(FaceList::SeeThrough);
     for (auto face = faces.rbegin(); face != faces.rend(); ++face) {
         if (!waiting.empty()) draw_waiting(&*face, waiting, frame, scratch);

@@ -66,8 +66,8 @@ int mip_level(FaceIndex face, View nearest_z, const FrameContext& frame) {
     return frame.cache.surfaces.mip_level(face, nearest_z, frame.view.projection.x, frame.accuracy().mip_bias);
 }
 
-TexturedFace textured_face(const VisibleFace& face, int mip, std::span<const Span> spans, const SurfaceOptions& options,
-                           const FrameContext& frame, const ViewScratch& scratch) {
+TexturedFace make_textured_face(const VisibleFace& face, int mip, std::span<const Span> spans,
+                                const SurfaceOptions& options, const FrameContext& frame, const ViewScratch& scratch) {
     const Level& level = frame.scene.level;
     const Accuracy& accuracy = frame.accuracy();
     TexturedFace textured{face, surface_of(face, mip, frame, scratch), {}, {}, {}};
@@ -87,9 +87,9 @@ TexturedFace textured_face(const VisibleFace& face, int mip, std::span<const Spa
 /// Draws spans of a face at one mip level.
 void draw_mip(const VisibleFace& face, int mip, std::span<const Span> spans, const SurfaceOptions& options,
               const FrameContext& frame, ViewScratch& scratch) {
-    const TexturedFace textured = textured_face(face, mip, spans, options, frame, scratch);
+    const TexturedFace textured = make_textured_face(face, mip, spans, options, frame, scratch);
     if (is_shared(frame)) return frame.shared->add(textured, spans);
-    const FrameObservers observers = options.is_noted ? frame.observers : FrameObservers{};
+    const FrameObservers observers = options.is_observed ? frame.observers : FrameObservers{};
     if (observers.counts) ++observers.counts->stages.surfaces;
     draw_textured(textured, spans, {frame.texturing, frame.out, scratch.surfaces->spans, observers});
 }
@@ -121,15 +121,15 @@ void draw_blocks(const TexturedFace& face, std::span<const Span> spans, BlockCut
     const auto [counts, record, times] = target.observers;
     BlockList& blocks = target.scratch.blocks;
     while (!spans.empty()) {
-        const std::span<const Span> left = cut_blocks(spans, target.out.pitch, cutting, blocks);
+        const std::span<const Span> rest = cut_blocks(spans, target.out.pitch, cutting, blocks);
         if (face.effect.kernel)
             face.effect.kernel(blocks.waiting(), face.effect.texels, target.out.pixels);
         else
             face.surface.kernel(blocks.waiting(), face.surface.view, target.out.pixels);
-        if (counts) count_blocks(spans.first(spans.size() - left.size()), cutting, blocks, *counts);
+        if (counts) count_blocks(spans.first(spans.size() - rest.size()), cutting, blocks, *counts);
         if (record) record_blocks(record_of(face.face), blocks.waiting(), face.surface, *record);
         blocks.clear();
-        spans = left;
+        spans = rest;
     }
 }
 
@@ -214,12 +214,12 @@ void draw_bounded(const TexturedFace& face, std::span<const Span> spans, const S
     const InverseZ least = item(cutting.thresholds.least_inverse_z, kLeastBlockLog2);
     if (cutting.takes_whole_spans || !texturing.divides_exactly || is_above(least, face.face.farthest_z))
         return draw_blocks(face, spans, texturing.cut_blocks, cutting, target);
-    std::vector<Span>&long_blocks = target.scratch.long_blocks, &short_blocks = target.scratch.short_blocks;
-    long_blocks.clear();
-    short_blocks.clear();
-    for (const Span& span : spans) split_at(least, span, cutting.gradients.inverse_z, long_blocks, short_blocks);
-    draw_blocks(face, long_blocks, texturing.cut_blocks, cutting, target);
-    divide_at_each_pixel(face, short_blocks, target);
+    std::vector<Span>&block_spans = target.scratch.block_spans, &pixel_spans = target.scratch.pixel_spans;
+    block_spans.clear();
+    pixel_spans.clear();
+    for (const Span& span : spans) split_at(least, span, cutting.gradients.inverse_z, block_spans, pixel_spans);
+    draw_blocks(face, block_spans, texturing.cut_blocks, cutting, target);
+    divide_at_each_pixel(face, pixel_spans, target);
 }
 
 }  // namespace

@@ -27,8 +27,8 @@ SpanTexturing make_span_texturing(const Accuracy& accuracy);
 
 /// How a pass draws surfaces: plain texels, or with effects (EffectTexels).
 struct SurfaceOptions {
-    bool is_plain = true;  ///< ignores all members below except `is_noted`
-    bool is_noted = true;  ///< counted and recorded, if the frame is
+    bool is_plain = true;     ///< ignores all members below except `is_observed`
+    bool is_observed = true;  ///< counted and recorded, if the frame is
     TexelTraits traits;
     const ColourRow* colours = nullptr;
     const BlendTable* blend = nullptr;
@@ -65,7 +65,7 @@ struct SpanScratch {
     /// For spans of up to `longest_px` pixels.
     explicit SpanScratch(std::int32_t longest_px) : blocks(longest_px) {}
 
-    std::vector<Span> long_blocks, short_blocks;  ///< drawn as blocks, and pixel by pixel
+    std::vector<Span> block_spans, pixel_spans;  ///< drawn as blocks, and pixel by pixel
     BlockList blocks;
 };
 

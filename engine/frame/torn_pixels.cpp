@@ -35,22 +35,23 @@ class Rays {
         reach_ = std::min(World::from_int(1 << 18), World::highest() - farthest);
     }
 
-    OpenEnd end_of(std::int32_t column, std::int32_t row) const {
+    WallHit hit_at(std::int32_t column, std::int32_t row) const {
         const Vec3<World> to = far_end(column, row);
-        OpenEnd end;
+        WallHit hit;
         walk_line(level_, level_.world().root, start(to), to, {},
                   [&](LeafIndex leaf, std::optional<NodeIndex> entered, const Vec3<World>& place) {
                       if (is_open(level_, leaf)) {
-                          end.from = leaf;
+                          hit.open_leaf = leaf;
                           return false;
                       }
-                      if (!entered || end.from == LeafIndex::none()) return false;  // starts inside a mirror's wall
-                      end.node = *entered;
-                      end.is_sky = level_.leaves[leaf].contents == contents::kSky;
-                      end.place = place;
+                      if (!entered || hit.open_leaf == LeafIndex::none())
+                          return false;  // starts inside a mirror's wall
+                      hit.node = *entered;
+                      hit.is_sky = level_.leaves[leaf].contents == contents::kSky;
+                      hit.place = place;
                       return true;
                   });
-        return end;
+        return hit;
     }
 
   private:
@@ -80,27 +81,27 @@ class Rays {
 };
 
 /// Assigns a span to what is behind it.
-void claim(const Span& span, const OpenEnd& end, const FrameContext& frame, ViewScratch& scratch) {
+void claim(const Span& span, const WallHit& hit, const FrameContext& frame, ViewScratch& scratch) {
     const Level& level = frame.scene.level;
     Claims& claims = scratch.claims;
-    if (end.node == NodeIndex::none()) return claims.left_free.push_back(span);
-    const PlaneIndex plane = level.nodes[end.node].plane;
+    if (hit.node == NodeIndex::none()) return claims.left_free.push_back(span);
+    const PlaneIndex plane = level.nodes[hit.node].plane;
     const bool is_back = plane_distance(level.planes[plane], frame.view.eye) < PlaneDistance{};
-    const FaceIndex face = continued_face(end, is_back, level, frame.cache.continued_faces);
+    const FaceIndex face = continued_face(hit, is_back, level, frame.cache.continued_faces);
     if (face == FaceIndex::none()) return claims.left_free.push_back(span);
-    if (!end.is_sky) return claims.torn.push_back({span, plane, is_back, face, end.place});
+    if (!hit.is_sky) return claims.torn.push_back({span, plane, is_back, face, hit.place});
     claims.spans.push_back(span);
     VisibleFace sky{.face = face};
     add_claimed(sky, claims.spans.size() - 1, frame, claims);
 }
 
 /// The same for a span with known ends, halved until both ends show the same wall.
-void claim_between(const Span& span, const OpenEnd& first, const OpenEnd& last, const Rays& rays,
+void claim_between(const Span& span, const WallHit& first, const WallHit& last, const Rays& rays,
                    const FrameContext& frame, ViewScratch& scratch) {
     if (first.is_same_wall(last)) return claim(span, first, frame, scratch);
     const std::int32_t middle = (span.first + span.end) / 2;
-    claim_between({span.y, span.first, middle}, first, rays.end_of(middle - 1, span.y), rays, frame, scratch);
-    claim_between({span.y, middle, span.end}, rays.end_of(middle, span.y), last, rays, frame, scratch);
+    claim_between({span.y, span.first, middle}, first, rays.hit_at(middle - 1, span.y), rays, frame, scratch);
+    claim_between({span.y, middle, span.end}, rays.hit_at(middle, span.y), last, rays, frame, scratch);
 }
 
 /// The face with the continued texture, on the wall's plane.
@@ -184,14 +185,14 @@ void claim_torn_pixels(const FrameContext& frame, ViewScratch& scratch) {
         if (shows_void)
             scratch.claims.left_free.push_back(span);
         else
-            claim_between(span, rays->end_of(span.first, span.y), rays->end_of(span.end - 1, span.y), *rays, frame,
+            claim_between(span, rays->hit_at(span.first, span.y), rays->hit_at(span.end - 1, span.y), *rays, frame,
                           scratch);
 }
 
 void draw_torn_pixels(const FrameContext& frame, ViewScratch& scratch) {
     fill_spans(scratch.claims.left_free, 0, frame.out);
     for (const TornSpan& torn : scratch.claims.torn) {
-        note_spans({.face = torn.face}, {&torn.span, 1}, frame.out, frame.observers);
+        observe_spans({.face = torn.face}, {&torn.span, 1}, frame.out, frame.observers);
         const TornDrawing drawing(torn, frame, scratch);
         std::uint8_t* const row = frame.out.row(torn.span.y);
         for (std::int32_t x = torn.span.first; x < torn.span.end; ++x) row[x] = drawing.colour_at(x, torn.span.y);

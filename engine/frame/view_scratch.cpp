@@ -21,12 +21,12 @@ ViewScratch::ViewScratch(const Level& level, const FaceTable& faces, const Scree
     claims.spans.room_for(as_size(mode.height_px) * 16);
 }
 
-ViewScratch::ViewScratch(const ViewScratch& eye, const ScreenMode& mode)
-    : visible(eye.visible),
+ViewScratch::ViewScratch(const ViewScratch& outer, const ScreenMode& mode)
+    : visible(outer.visible),
       depth(mode.width_px, mode.height_px),
-      claiming(eye.claiming),
-      surfaces(eye.surfaces),
-      effects(eye.effects) {}
+      claiming(outer.claiming),
+      surfaces(outer.surfaces),
+      effects(outer.effects) {}
 
 ViewScratch::~ViewScratch() = default;
 

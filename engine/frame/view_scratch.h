@@ -56,8 +56,9 @@ struct ClaimScratch {
 struct ViewScratch {
     /// Level and faces must outlive it.
     ViewScratch(const Level& level, const FaceTable& faces, const ScreenMode& mode);
-    /// For a mirror in the view of `eye`, drawn after its pixels are claimed: shares what is kept within a stage.
-    ViewScratch(const ViewScratch& eye, const ScreenMode& mode);
+    /// For the view in a mirror, drawn after the `outer` view's pixels are claimed. The two share the scratch that
+    /// holds nothing from one stage to the next.
+    ViewScratch(const ViewScratch& outer, const ScreenMode& mode);
     ViewScratch(const ViewScratch&) = delete;
     ~ViewScratch();
 

@@ -257,7 +257,7 @@ Vec3<Unit> world_normal(const Vec3<Unit>& object_normal, const MeshTransform& tr
 
 ViewVertex view_vertex(const Vec3<World>& world_position, const ViewContext& view) {
     ViewVertex seen;
-    see(world_position, view, seen);
+    transform_vertex(world_position, view, seen);
     if (seen.outcode != 0) return seen;
     seen.screen = to_screen_vertex(seen.position, view.projection, view.grid);
     seen.inverse_z = inverse_z_at(seen.position.z);

@@ -27,6 +27,7 @@ ClipVertex crossing_of(const ClipVertex& inside, const ClipVertex& outside, cons
         distance <= kOn ? inside.position : cross_plane(inside.position, distance, outside.position, beyond);
     // If both ends are on a border, so is every point between.
     crossing.borders = static_cast<std::uint8_t>((inside.borders & outside.borders) | border);
+    // On the side of both ends; where they differ, it is undecided.
     crossing.outcode = inside.outcode & outside.outcode;
     crossing.undecided =
         static_cast<std::uint8_t>(inside.undecided | outside.undecided | (inside.outcode ^ outside.outcode));

@@ -12,14 +12,16 @@
 
 namespace oblong {
 
-/// A polygon's corner during clipping. `borders` are the sides of the view to which it was clipped (Outcode's bits): it
-/// projects exactly onto those borders of the screen, even if it is so near to the eye that its position is coarse. The
-/// sides that it is outside of are decided once: a corner made on an edge is on the same side of a plane as both ends
-/// of the edge, regardless of its rounded position. So all faces that share an edge keep the same part of it.
+/// A polygon's corner during clipping. The sets have Outcode's bits.
+///
+/// A corner that was clipped to a side projects exactly onto that border of the screen, even if it is so near to the
+/// eye that its position is coarse. A new corner is outside of the sides that both ends of its edge are outside of, and
+/// inside those that both are inside; only sides between the ends are tested with its rounded position. So all faces
+/// that share an edge keep the same part of it.
 struct ClipVertex {
     Vec3<View> position;
-    std::uint8_t borders = 0;
-    std::uint8_t outcode = 0;       ///< of the decided sides
+    std::uint8_t borders = 0;       ///< sides to which it was clipped
+    std::uint8_t outcode = 0;       ///< sides that it is outside of, without undecided ones
     std::uint8_t undecided = 0xff;  ///< sides still to be tested with its position
     bool is_projected = false;
     ScreenVertex screen{};  ///< if is_projected

@@ -43,15 +43,15 @@ struct ViewWindow {
 /// Half the width shown on a screen of the mode's shape, in the window's unit.
 View shown_half_width(const ViewWindow& window, const ScreenMode& mode);
 
-/// x: d = (width / 2) * distance / shown_half_width(); y: see below. The window's members are above 0.
+/// The multiplier of x is d = (width / 2) * distance / shown_half_width(), that of y d * display * height / width.
+/// Without `correct_aspect` both are d, as if pixels were square. The window's members are above 0.
 Projection make_projection(const ScreenMode& mode, const ViewWindow& window, bool correct_aspect = true);
 
 /// The window of a horizontal field of view, above 0 and below 180 degrees.
 ViewWindow window_of(Degrees field_of_view);
 
-/// d = (width / 2) / tan(fov / 2); x: d, y: d * display * height / width. Without `correct_aspect` y uses x's
-/// multiplier, as if pixels were square. `field_of_view` is above 0 and below 180 degrees; from 1 to 179 degrees the
-/// multipliers are accurate to 2^-32 pixel.
+/// The same for a horizontal field of view, where d = (width / 2) / tan(field_of_view / 2): above 0 and below 180
+/// degrees; from 1 to 179 degrees the multipliers are accurate to 2^-32 pixel.
 Projection make_projection(const ScreenMode& mode, Degrees field_of_view, bool correct_aspect = true);
 
 /// Whether frames can be drawn: reciprocals of multipliers below half a pixel do not fit the gradients' format. On 4:3,

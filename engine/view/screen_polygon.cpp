@@ -16,20 +16,20 @@ ScreenVertex project_once(ClipVertex& corner, const ViewContext& view) {
     return corner.screen;
 }
 
-/// The union and the intersection of corners' outcodes.
-struct OutcodeUnion {
-    unsigned any = 0, all = 0xff;
+/// The sides that some corners are outside of, and those that all are.
+struct Outcodes {
+    unsigned of_any = 0, of_all = 0xff;
 
     void add(unsigned outcode) {
-        any |= outcode;
-        all &= outcode;
+        of_any |= outcode;
+        of_all &= outcode;
     }
 };
 
 /// Clips and projects the polygon in polygon.clipper. False if it is outside the view.
-bool clip_and_project(const OutcodeUnion& outcodes, const ViewContext& view, ScreenPolygon& polygon) {
-    if (outcodes.all != 0) return false;
-    if (outcodes.any != 0) polygon.clipper.clip(view.frustum, outcodes.any);
+bool clip_and_project(const Outcodes& outcodes, const ViewContext& view, ScreenPolygon& polygon) {
+    if (outcodes.of_all != 0) return false;
+    if (outcodes.of_any != 0) polygon.clipper.clip(view.frustum, outcodes.of_any);
     const std::span<ClipVertex* const> corners = polygon.clipper.corners();
     if (corners.size() < 3) return false;
     const std::span<ScreenVertex> screen = polygon.projected.take(corners.size());
@@ -40,16 +40,16 @@ bool clip_and_project(const OutcodeUnion& outcodes, const ViewContext& view, Scr
         farthest = std::max(farthest, corner->position.z);
         *out++ = project_once(*corner, view);
     }
-    polygon.screen = screen;
+    polygon.vertices = screen;
     polygon.nearest_z = nearest;
     polygon.farthest_z = farthest;
     return true;
 }
 
 template <bool AdjustsPositions>
-OutcodeUnion gather_corners(std::span<const VertexIndex> corner_indices, const ViewContext& view, VertexCache& vertices,
-                            std::span<ClipVertex*> corners) {
-    OutcodeUnion outcodes;
+Outcodes gather_corners(std::span<const VertexIndex> corner_indices, const ViewContext& view, VertexCache& vertices,
+                        std::span<ClipVertex*> corners) {
+    Outcodes outcodes;
     ClipVertex** out = corners.data();
     for (const VertexIndex index : corner_indices) {
         ClipVertex& vertex = vertices.get<AdjustsPositions>(index, view);
@@ -64,19 +64,18 @@ OutcodeUnion gather_corners(std::span<const VertexIndex> corner_indices, const V
 bool project_face(std::span<const VertexIndex> corner_indices, const ViewContext& view, VertexCache& vertices,
                   ScreenPolygon& polygon) {
     const std::span<ClipVertex*> corners = polygon.clipper.start(corner_indices.size());
-    const OutcodeUnion outcodes = view.adjusts_positions
-                                      ? gather_corners<true>(corner_indices, view, vertices, corners)
-                                      : gather_corners<false>(corner_indices, view, vertices, corners);
-    polygon.is_clipped = outcodes.any != 0;
+    const Outcodes outcodes = view.adjusts_positions ? gather_corners<true>(corner_indices, view, vertices, corners)
+                                                     : gather_corners<false>(corner_indices, view, vertices, corners);
+    polygon.is_clipped = outcodes.of_any != 0;
     return clip_and_project(outcodes, view, polygon);
 }
 
 bool project_polygon(std::span<const Vec3<World>> corners, const ViewContext& view, ScreenPolygon& polygon) {
-    OutcodeUnion outcodes;
+    Outcodes outcodes;
     ClipVertex* own = polygon.own.take(corners.size()).data();
     ClipVertex** out = polygon.clipper.start(corners.size()).data();
     for (const Vec3<World>& corner : corners) {
-        see(corner, view, *own);
+        transform_vertex(corner, view, *own);
         own->undecided = 0;
         own->is_projected = false;
         outcodes.add(own->outcode);

@@ -11,13 +11,13 @@ namespace oblong {
 
 /// A transformed, clipped and projected polygon, with scratch.
 struct ScreenPolygon {
-    std::span<const ScreenVertex> screen;
+    std::span<const ScreenVertex> vertices;
     View nearest_z, farthest_z;  ///< of the part in view
     bool is_clipped = false;     ///< some of its corners are not from the vertex cache
 
     PolygonClipper clipper;
     Scratch<ClipVertex> own;          ///< corners that are not from the vertex cache
-    Scratch<ScreenVertex> projected;  ///< the storage of `screen`
+    Scratch<ScreenVertex> projected;  ///< the storage of `vertices`
 };
 
 /// Transforms, clips and projects a face of the level, given its vertices' indices, clockwise seen from its front.

@@ -45,7 +45,7 @@ class VertexCache {
     CachedVertex& get(VertexIndex index, const ViewContext& view) {
         CachedVertex& vertex = vertices_[index];
         if (vertex.frame == frame_) return vertex;
-        see<AdjustsPositions>(world_[index], view, vertex);
+        transform_vertex<AdjustsPositions>(world_[index], view, vertex);
         vertex.undecided = 0;
         vertex.is_projected = false;
         vertex.frame = frame_;

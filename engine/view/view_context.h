@@ -78,9 +78,9 @@ using ShortView = Fixed<std::int32_t, View::kFractionBits>;
 }
 #endif
 
-/// Sets a vertex's position in viewspace and its outcode.
+/// Sets a vertex's position and outcode from its place in the world.
 template <bool AdjustsPositions, class Vertex>
-void see(const Vec3<World>& point, const ViewContext& view, Vertex& vertex) {
+void transform_vertex(const Vec3<World>& point, const ViewContext& view, Vertex& vertex) {
 #if defined(__i386__)
     if (const auto near = AdjustsPositions ? std::nullopt : to_short_view(point, view)) {
         vertex.position = {convert<View>(near->x), convert<View>(near->y), convert<View>(near->z)};
@@ -93,9 +93,9 @@ void see(const Vec3<World>& point, const ViewContext& view, Vertex& vertex) {
     vertex.outcode = outcode_of(view.frustum, vertex.position);
 }
 template <class Vertex>
-void see(const Vec3<World>& point, const ViewContext& view, Vertex& vertex) {
-    if (view.adjusts_positions) return see<true>(point, view, vertex);
-    see<false>(point, view, vertex);
+void transform_vertex(const Vec3<World>& point, const ViewContext& view, Vertex& vertex) {
+    if (view.adjusts_positions) return transform_vertex<true>(point, view, vertex);
+    transform_vertex<false>(point, view, vertex);
 }
 
 }  // namespace oblong

@@ -47,8 +47,9 @@ PixelRange project_extent(const ProjectionAxis& axis, const Extent& across, cons
 
 std::optional<ScreenRectangle> rectangle_of(const LevelBox& box, const ViewContext& view) {
     constexpr View kNearest = View::from_int(4);
+    // Half of the sum and half of the difference: half a unit is 2,048 steps of World. The difference is one unit
+    // larger, as files round boxes.
     const auto middle = [](std::int32_t low, std::int32_t high) { return World::from_raw((low + high) * 2048); };
-    // One unit larger, as files round boxes.
     const auto half = [](std::int32_t low, std::int32_t high) {
         return WorldWide::from_raw((high - low) * std::int64_t{2048} + 4096);
     };

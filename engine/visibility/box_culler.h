@@ -14,10 +14,10 @@
 
 namespace oblong {
 
-/// Sets of the view's sides, one bit each: left, right, bottom, top. kOutside instead of a set: outside one of them.
+/// Sets of the frustum's sides, one bit each: left, right, bottom, top. kOutside instead of a set: outside one of them.
 inline constexpr std::uint8_t kAllSides = 15, kOutside = 0xff;
 
-/// Tests boxes against the sides of the view frustum.
+/// Tests boxes against the sides of the frustum.
 ///
 /// Along a plane's normal n the corners of a box lie from m - r to m + r, where m is n . (mins + maxs) / 2, and r is
 /// |n| . (maxs - mins) / 2; |n| has the absolute values of n's components. Each takes three products of small integers.
@@ -26,20 +26,20 @@ class BoxCuller {
   public:
     BoxCuller(const Frustum& frustum, const Vec3<World>& eye);
 
-    /// Which of `planes` the box crosses; kOutside if it lies outside one of them.
-    std::uint8_t planes_crossed(const LevelBox& box, std::uint8_t planes) const {
+    /// Which of `sides` the box crosses; kOutside if it lies outside one of them.
+    std::uint8_t sides_crossed(const LevelBox& box, std::uint8_t sides) const {
         const auto sum = [&box](std::size_t axis) { return Doubled{box.maxs[axis] + box.mins[axis]}; };
         const auto size = [&box](std::size_t axis) { return Doubled{box.maxs[axis] - box.mins[axis]}; };
         const Vec3<Doubled> sums{sum(0), sum(1), sum(2)}, sizes{size(0), size(1), size(2)};
-        for (unsigned rest = planes; rest != 0; rest &= rest - 1) {
-            const Side& plane = item(sides_, std::countr_zero(rest));
-            const CullPlane::Component middle = dot(plane.normal, sums), reach = dot(plane.slope, sizes);
+        for (unsigned rest = sides; rest != 0; rest &= rest - 1) {
+            const Side& side = item(sides_, std::countr_zero(rest));
+            const CullPlane::Component middle = dot(side.normal, sums), reach = dot(side.abs_normal, sizes);
             note_range<"box's cull distance">(middle + reach);
             note_range<"box's cull distance">(middle - reach);
-            if (middle + reach < plane.outside) return kOutside;
-            if (middle - reach >= plane.inside) planes ^= static_cast<std::uint8_t>(rest & -rest);
+            if (middle + reach < side.outside) return kOutside;
+            if (middle - reach >= side.inside) sides ^= static_cast<std::uint8_t>(rest & -rest);
         }
-        return planes;
+        return sides;
     }
 
   private:
@@ -48,7 +48,7 @@ class BoxCuller {
     using Component = Fixed<std::int32_t, CullPlane::Component::kFractionBits>;
 
     struct Side {
-        Vec3<Component> normal, slope;         ///< `slope`: absolute values of `normal`
+        Vec3<Component> normal, abs_normal;
         CullPlane::Component outside, inside;  ///< doubled, from the world's origin; rounded up, compared with "<"
     };
 

@@ -51,7 +51,7 @@ FrontToBackWalk::FrontToBackWalk(const Level& level, const ViewContext& view, co
       is_closed_(is_closed) {
     ++scratch_.mark;
     scratch_.entered.clear();
-    scratch_.lowest = World::highest();
+    scratch_.lowest_z = World::highest();
     start();
 }
 
@@ -65,7 +65,7 @@ bool FrontToBackWalk::next(VisibleFace& found) {
         if (!fragments_.empty()) {
             found.fragment = fragments_.front();
             found.face = found.fragment->face;
-            found_nears_limits_ = !limits_.empty();
+            found_may_reach_limits_ = !limits_.empty();
             fragments_ = fragments_.subspan(1);
             return true;
         }
@@ -75,16 +75,16 @@ bool FrontToBackWalk::next(VisibleFace& found) {
             faces_ = rest;
             found.fragment = nullptr;
             found.face = face;
-            found_nears_limits_ = nears_limits_;
+            found_may_reach_limits_ = may_reach_limits_;
             return true;
         }
         faces_.count = 0;
         if (!scratch_.steps.empty()) {
             take_step();
         } else {
-            if (takes_all_faces_ || view_.shows_void || !is_closed_) break;
-            takes_all_faces_ = true;
-            scratch_.lowest = World::lowest();
+            if (is_second_walk_ || view_.shows_void || !is_closed_) break;
+            is_second_walk_ = true;
+            scratch_.lowest_z = World::lowest();
             start();
         }
     }
@@ -92,8 +92,8 @@ bool FrontToBackWalk::next(VisibleFace& found) {
 }
 
 bool FrontToBackWalk::is_wanted(FaceIndex face) const {
-    return (takes_all_faces_ || scratch_.face_marks[face] == scratch_.mark) &&
-           level_.faces[face].is_back != draws_front_;
+    return (is_second_walk_ || scratch_.face_marks[face] == scratch_.mark) &&
+           level_.faces[face].is_back != of_plane_front_;
 }
 
 void FrontToBackWalk::take_step() {
@@ -102,54 +102,55 @@ void FrontToBackWalk::take_step() {
     const WalkStep step = top;
     const Node& node = level_.nodes[step.node];
     switch (step.next) {
-        case Next::NearFaces:
+        case Next::FrontFacing:
             top.next = Next::FarSide;
-            if (takes_all_faces_)
-                scratch_.steps.push_back({step.node, Next::FarFaces, step.in_front, false, 0, step.nears_limits});
+            // Leaves do not matter to the second walk: it takes all faces of the plane here.
+            if (is_second_walk_)
+                scratch_.steps.push_back({step.node, Next::BackFacing, step.in_front, false, 0, step.may_reach_limits});
             return take_faces(step, step.in_front);
         case Next::FarSide:
-            top.next = Next::FarFaces;
-            if (!step.has_far_faces) scratch_.steps.pop_back();
-            return descend(node.children[step.in_front], step.planes, step.nears_limits);
-        case Next::FarFaces:
+            top.next = Next::BackFacing;
+            if (!step.takes_back_facing) scratch_.steps.pop_back();
+            return descend(node.children[step.in_front], step.sides, step.may_reach_limits);
+        case Next::BackFacing:
             scratch_.steps.pop_back();
             return take_faces(step, !step.in_front);
     }
 }
 
-void FrontToBackWalk::take_faces(const WalkStep& step, bool draws_front) {
+void FrontToBackWalk::take_faces(const WalkStep& step, bool of_plane_front) {
     faces_ = level_.nodes[step.node].faces;
-    draws_front_ = draws_front;
-    nears_limits_ = step.nears_limits;
+    of_plane_front_ = of_plane_front;
+    may_reach_limits_ = step.may_reach_limits;
 }
 
-void FrontToBackWalk::descend(NodeChild at, std::uint8_t planes, bool nears_limits) {
+void FrontToBackWalk::descend(NodeChild at, std::uint8_t sides, bool may_reach_limits) {
     while (may_show(at)) {
-        if (at.is_leaf()) return enter_leaf(at.leaf(), planes);
+        if (at.is_leaf()) return enter_leaf(at.leaf(), sides);
         ++nodes_entered_;
         const Node& node = level_.nodes[at.node()];
-        planes = culler_.planes_crossed(node.box, planes);
-        if (planes == kOutside || (nears_limits && is_beyond_limits(node.box)) || is_hidden(node)) return;
-        nears_limits = nears_limits && !is_well_within_limits(node.box);
+        sides = culler_.sides_crossed(node.box, sides);
+        if (sides == kOutside || (may_reach_limits && is_beyond_limits(node.box)) || is_hidden(node)) return;
+        may_reach_limits = may_reach_limits && !is_well_within_limits(node.box);
         const PlaneDistance distance = plane_distance(level_.planes[node.plane], view_.viewpoint);
         const bool in_front = distance > PlaneDistance{}, has_faces = node.faces.count > 0;
-        // Faces that face away but may show through rounding: their leaves are on the far side.
-        const bool has_far_faces = has_faces && absolute(distance) < kBothSidesDistance && !takes_all_faces_;
-        scratch_.steps.push_back({at.node(), has_faces ? WalkStep::Next::NearFaces : WalkStep::Next::FarSide, in_front,
-                                  has_far_faces, planes, nears_limits});
+        // They come after the far side, as its leaves mark them.
+        const bool takes_back_facing = has_faces && absolute(distance) < kBothSidesDistance && !is_second_walk_;
+        scratch_.steps.push_back({at.node(), has_faces ? WalkStep::Next::FrontFacing : WalkStep::Next::FarSide,
+                                  in_front, takes_back_facing, sides, may_reach_limits});
         at = node.children[!in_front];
     }
 }
 
-void FrontToBackWalk::enter_leaf(LeafIndex index, std::uint8_t planes) {
+void FrontToBackWalk::enter_leaf(LeafIndex index, std::uint8_t sides) {
     const Leaf& leaf = level_.leaves[index];
     scratch_.entered.add(index);
-    scratch_.lowest = std::min(scratch_.lowest, World::from_int(leaf.box.mins[2]));
-    if (culler_.planes_crossed(leaf.box, planes) == kOutside) return;
+    scratch_.lowest_z = std::min(scratch_.lowest_z, World::from_int(leaf.box.mins[2]));
+    if (culler_.sides_crossed(leaf.box, sides) == kOutside) return;
     for (const FaceIndex face : level_.faces_at(leaf)) scratch_.face_marks[face] = scratch_.mark;
     if (!models_ || !models_->has_any_in(index)) return;
     const auto may_show = [this](const LevelBox& box) {
-        return culler_.planes_crossed(box, kAllSides) != kOutside && may_be_free(box);
+        return culler_.sides_crossed(box, kAllSides) != kOutside && may_be_free(box);
     };
     fragments_ = models_->front_to_back_in(index, level_, view_.viewpoint, may_show);
 }
@@ -168,7 +169,7 @@ bool FrontToBackWalk::is_well_within_limits(const LevelBox& box) const {
 }
 
 bool FrontToBackWalk::is_hidden(const Node& node) const {
-    if (!takes_all_faces_ && (node.children[0].is_leaf() || node.children[1].is_leaf())) return false;
+    if (!is_second_walk_ && (node.children[0].is_leaf() || node.children[1].is_leaf())) return false;
     return !may_be_free(node.box);
 }
 

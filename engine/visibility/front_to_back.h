@@ -17,14 +17,14 @@ namespace oblong {
 
 /// What remains to do at a node after its near side, in this order.
 struct WalkStep {
-    enum class Next : std::uint8_t { NearFaces, FarSide, FarFaces };
+    enum class Next : std::uint8_t { FrontFacing, FarSide, BackFacing };
 
     NodeIndex node;
-    Next next;            ///< on its plane the faces that face the eye, its far side, the faces that face away
-    bool in_front;        ///< which side the eye is on
-    bool has_far_faces;   ///< the faces that face away are returned too
-    std::uint8_t planes;  ///< the view's sides that the node crosses
-    bool nears_limits;    ///< some of its faces may reach the walk's limits
+    Next next;               ///< the faces on its plane that face the eye, its far side, those that face away
+    bool in_front;           ///< the eye is in front of its plane
+    bool takes_back_facing;  ///< whether BackFacing follows FarSide
+    std::uint8_t sides;      ///< of the frustum, that the node's box crosses
+    bool may_reach_limits;   ///< some of its faces may reach the walk's limits
 };
 
 /// Scratch of a walk, kept from frame to frame.
@@ -33,7 +33,7 @@ struct WalkScratch {
     Table<std::uint32_t, Face> face_marks;  ///< the last frame in which an entered leaf lists the face
     std::uint32_t mark = 0;
     LeafSet entered{0};  ///< leaves: whatever shows a pixel is in one of them (FrontToBackWalk)
-    World lowest{};      ///< z of their boxes; World's lowest after a second walk
+    World lowest_z{};    ///< of the boxes of entered leaves; World::lowest() after a second walk
 };
 
 /// A face returned by a walk. The members after `fragment` are set when the face owns pixels or pixels are seen through
@@ -88,22 +88,22 @@ class FrontToBackWalk {
     /// Sets `face` and `fragment` of the next face. False when no pixel is free or no face is left.
     bool next(VisibleFace& found);
     /// Whether the last face may reach the limits.
-    bool nears_limits() const { return found_nears_limits_; }
+    bool may_reach_limits() const { return found_may_reach_limits_; }
     /// Whether the second walk has begun.
-    bool takes_all_faces() const { return takes_all_faces_; }
+    bool is_second_walk() const { return is_second_walk_; }
     /// How many nodes were entered: those visible from the eye's leaf.
     std::int64_t nodes_entered() const { return nodes_entered_; }
 
   private:
     void start();
     void take_step();
-    void take_faces(const WalkStep& step, bool draws_front);
+    void take_faces(const WalkStep& step, bool of_plane_front);
     /// Goes down the near sides to a leaf while something may be in view, and pushes the rest of each node as a step.
-    void descend(NodeChild at, std::uint8_t planes_to_test, bool nears_limits);
-    void enter_leaf(LeafIndex leaf, std::uint8_t planes);
+    void descend(NodeChild at, std::uint8_t sides, bool may_reach_limits);
+    void enter_leaf(LeafIndex leaf, std::uint8_t sides);
     /// Whether something below may be returned.
     bool may_show(NodeChild at) const {
-        if (takes_all_faces_) return !at.is_leaf();
+        if (is_second_walk_) return !at.is_leaf();
         return at.is_leaf() ? visible_.has_leaf(at.leaf()) : visible_.has_node(at.node());
     }
     bool is_beyond_limits(const LevelBox& box) const;
@@ -123,12 +123,12 @@ class FrontToBackWalk {
     WalkScratch& scratch_;
     std::span<const WalkLimit> limits_;
     BoxCuller culler_;
-    bool is_closed_;                                ///< the faces of the world are a closed surface
-    bool takes_all_faces_ = false;                  ///< the second walk
+    bool is_closed_;  ///< the faces of the world are a closed surface
+    bool is_second_walk_ = false;
     std::span<const Fragment* const> fragments_{};  ///< of the current leaf, not returned yet
     IndexRange<Face> faces_;                        ///< of the current node, not returned yet
-    bool draws_front_ = false;
-    bool nears_limits_ = false, found_nears_limits_ = false;  ///< of the current node; of the last face
+    bool of_plane_front_ = false;                   ///< take those of the plane's front; false: of its back
+    bool may_reach_limits_ = false, found_may_reach_limits_ = false;  ///< of the current node; of the last face
     std::int64_t nodes_entered_ = 0;
 };
 

@@ -55,7 +55,7 @@ PlacedBox place_box(const Level& level, const LevelBox& box) {
 bool may_be_seen(const PlacedBox& placed, const LeafSet& leaves, const BoxCuller& culler) {
     const auto is_visible = [&leaves](LeafIndex leaf) { return leaves.has(leaf); };
     if (!placed.has_many_leaves && std::none_of(placed.leaves.begin(), placed.leaves.end(), is_visible)) return false;
-    return culler.planes_crossed(placed.box, kAllSides) != kOutside;
+    return culler.sides_crossed(placed.box, kAllSides) != kOutside;
 }
 
 }  // namespace oblong

@@ -57,12 +57,12 @@ void SpanBuffer::reset_to(std::span<const Span> free) {
             ++free_spans_;
         }
     }
-    for (std::int32_t y = 0; y < height_px_; ++y) settle(item(rows_, y), list_of(y));
+    for (std::int32_t y = 0; y < height_px_; ++y) set_hull(item(rows_, y), list_of(y));
 }
 
 bool SpanBuffer::has_listed(std::int32_t y, const ScreenRectangle& rectangle) const {
     const Interval* free = list_of(y);
-    while (free->end <= rectangle.first_column) ++free;  // stops, as the hull ends behind it
+    while (free->end <= rectangle.first_column) ++free;  // ends: the last free span ends where the hull does
     return free->first < rectangle.end_column;
 }
 
@@ -123,7 +123,7 @@ void SpanBuffer::claim_rest(SpanList& owned) {
     Row& row = item(rows_, y);
     Interval* const list = list_of(y);
     Interval* free = list;
-    while (free->end <= first) ++free;  // ends: the hull does not end before `end`
+    while (free->end <= first) ++free;  // ends: `first` is within the hull
     if (free->end < end) return claim_several(y, first, end, free, owned);
     first = std::max<std::int32_t>(first, free->first);
     if (first >= end) return owned;
@@ -168,12 +168,12 @@ Span* SpanBuffer::claim_several(std::int32_t y, std::int32_t first, std::int32_t
     std::copy(free, list_end, taken);
     row.listed -= static_cast<std::int32_t>(free - taken);
     free_spans_ -= as_size(free - taken);
-    settle(row, list_of(y));
+    set_hull(row, list_of(y));
     return owned;
 }
 
 /// Sets a row's hull from its list; a list of one span is dropped.
-inline void SpanBuffer::settle(Row& row, const Interval* list) const {
+inline void SpanBuffer::set_hull(Row& row, const Interval* list) const {
     row.hull = row.listed > 0 ? Interval{list[0].first, list[row.listed - 1].end} : full_;
     if (row.listed == 1) row.listed = 0;
 }

@@ -68,7 +68,7 @@ class SpanBuffer {
     Span* claim_row(std::int32_t y, std::int32_t first, std::int32_t end, Span* owned);
     Span* claim_listed(std::int32_t y, std::int32_t first, std::int32_t end, Span* owned);
     Span* claim_several(std::int32_t y, std::int32_t first, std::int32_t end, Interval* free, Span* owned);
-    void settle(Row& row, const Interval* list) const;
+    void set_hull(Row& row, const Interval* list) const;
     Interval* list_of(std::int32_t y) { return &intervals_[as_size(y) * row_capacity_]; }
     const Interval* list_of(std::int32_t y) const { return &intervals_[as_size(y) * row_capacity_]; }
 

@@ -28,7 +28,7 @@ class EnteredLeaves : public testing::TestWithParam<const char*> {
             if (length(to - from) < 0.5) return true;
             ++passed_;
             EXPECT_TRUE(work_.view.claiming->walk.entered.has(at.leaf())) << "leaf " << at.leaf().number();
-            EXPECT_GE(std::min(from.z, to.z), number_of(work_.view.claiming->walk.lowest) - 1.01);
+            EXPECT_GE(std::min(from.z, to.z), number_of(work_.view.claiming->walk.lowest_z) - 1.01);
             return !HasFailure();
         }
         const Node& node = level.nodes[at.node()];

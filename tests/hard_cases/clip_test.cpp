@@ -260,7 +260,7 @@ TEST(HardCaseC7, OutlinesStayOnTheScreen) {
     for (int i = 0; i < 20000; ++i) {
         if (!frame.make(random_triangle(random, i % 2 ? 32767 : 20))) continue;
         ++seen;
-        for (const ScreenVertex& vertex : frame.polygon.screen) {
+        for (const ScreenVertex& vertex : frame.polygon.vertices) {
             ASSERT_TRUE(vertex.x.raw >= 0 && vertex.x.raw <= 320 * 256) << i;
             ASSERT_TRUE(vertex.y.raw >= 0 && vertex.y.raw <= 200 * 256) << i;
         }

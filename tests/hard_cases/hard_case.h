@@ -77,7 +77,7 @@ struct FrameOutline {
     std::vector<reference::ScreenPoint> points_of(const std::vector<reference::Vec>& corners) {
         std::vector<reference::ScreenPoint> points;
         if (make(corners))
-            for (const ScreenVertex& vertex : polygon.screen)
+            for (const ScreenVertex& vertex : polygon.vertices)
                 points.push_back({vertex.x.raw / 256.0, vertex.y.raw / 256.0});
         return points;
     }

@@ -85,7 +85,7 @@ TEST(HardCaseX2, NoRowAboveTheHorizonIsDrawn) {
     for (const TexturedCorner& corner : floor_48()) corners.push_back(corner.position);
     ASSERT_TRUE(frame.make(corners));
     ScanlineExtents rows(200);
-    scan_convex(frame.polygon.screen, rows);
+    scan_convex(frame.polygon.vertices, rows);
     EXPECT_EQ(rows.first, 100);
     EXPECT_EQ(rows.end, 200);
     Corners without_negatives = floor_48();

@@ -70,7 +70,7 @@ Tally compare(std::int32_t reach, std::int32_t largest) {
             const LevelBox box = random_box(random, reach, largest);
             const auto planes = static_cast<std::uint8_t>(random() % 16);
             const std::uint8_t expected = crossed_by_corners(culling, box, planes);
-            EXPECT_EQ(culler.planes_crossed(box, planes), expected);
+            EXPECT_EQ(culler.sides_crossed(box, planes), expected);
             ++(expected == kOutside ? tally.outside : expected == 0 ? tally.inside : tally.crossing);
         }
     }
@@ -112,7 +112,7 @@ TEST(BoxCuller, AgreesAtTheLimits) {
             plane.inside = nearest + CullDistance::from_raw(beside);
             const auto planes = static_cast<std::uint8_t>(1u << trial % 4);
             const std::uint8_t expected = crossed_by_corners(culling, box, planes);
-            EXPECT_EQ(BoxCuller(culling.frustum, culling.eye).planes_crossed(box, planes), expected);
+            EXPECT_EQ(BoxCuller(culling.frustum, culling.eye).sides_crossed(box, planes), expected);
             at_limits += expected != planes;
         }
     }

@@ -55,7 +55,7 @@ void time_walk(benchmark::State& state, const SharedFrames& stages) {
             FrontToBackWalk walk(stages->level.level, frame.view, work.view.visible, nullptr,
                                  work.view.claiming->span_buffer, work.view.claiming->walk);
             VisibleFace face;
-            while (walk.next(face) && !walk.takes_all_faces()) ++faces;
+            while (walk.next(face) && !walk.is_second_walk()) ++faces;
         }
     }
     show_time_per("face", faces, state);
@@ -139,10 +139,10 @@ void collect_geometry(const BenchLevel& level, FrameWorkspace& work, StageInputs
         if (!project_face(work.cache.faces.corners_of(visible.face), inputs.view, work.view.claiming->vertices,
                           work.view.claiming->polygon))
             continue;
-        scan_convex(work.view.claiming->polygon.screen, work.view.claiming->rows);
+        scan_convex(work.view.claiming->polygon.vertices, work.view.claiming->rows);
         work.view.claiming->span_buffer.claim(work.view.claiming->rows, owned);
-        inputs.polygons.emplace_back(work.view.claiming->polygon.screen.begin(),
-                                     work.view.claiming->polygon.screen.end());
+        inputs.polygons.emplace_back(work.view.claiming->polygon.vertices.begin(),
+                                     work.view.claiming->polygon.vertices.end());
         inputs.rows.push_back(work.view.claiming->rows);
     }
 }

@@ -161,8 +161,8 @@ void WireScene::line(const PlanePoint& from, const PlanePoint& to, std::uint8_t 
 bool WireScene::polygon(std::span<const Vec> corners, std::uint8_t colour) {
     std::vector<Vec3<World>> world;
     for (const Vec& corner : corners) world.push_back(world_point(corner));
-    if (!project_polygon(world, view_, polygon_) || doubled_area(polygon_.screen) <= ScreenArea{}) return false;
-    scan_convex(polygon_.screen, rows_);
+    if (!project_polygon(world, view_, polygon_) || doubled_area(polygon_.vertices) <= ScreenArea{}) return false;
+    scan_convex(polygon_.vertices, rows_);
     for (std::int32_t y = rows_.first; y < rows_.end; ++y)
         for (std::int32_t x = std::max(item(rows_.left, y), 0); x < item(rows_.right, y); ++x)
             set_pixel(canvas_, x, y, colour);

@@ -104,7 +104,7 @@ ScannedFaces scan(std::span<const Piece> pieces, const ViewContext& view, const 
     const InverseProjection inverse = make_inverse_projection(view.projection);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         if (!project_polygon(pieces[i].corners, view, polygon)) continue;
-        scan_convex(polygon.screen, rows);
+        scan_convex(polygon.vertices, rows);
         ScannedFace face;
         face.face = FaceIndex(static_cast<std::int32_t>(i));
         face.nearest_z = polygon.nearest_z;

@@ -21,11 +21,11 @@ ScreenRectangle intersection(const ScreenRectangle& a, const ScreenRectangle& b)
             std::max(a.first_row, b.first_row), std::min(a.end_row, b.end_row)};
 }
 
-/// The pixels that a box may cover, in the part of the screen that is drawn.
-ScreenRectangle pixels_of(const LevelBox& box, const ViewContext& view, const ScreenRectangle* part) {
+/// The pixels that a box may cover, in the part of the screen that is drawn; null: all of it.
+ScreenRectangle pixels_of(const LevelBox& box, const ViewContext& view, const ScreenRectangle* drawn_part) {
     const ScreenRectangle screen{0, view.projection.width_px, 0, view.projection.height_px};
     const ScreenRectangle pixels = rectangle_of(box, view).value_or(screen);
-    return part ? intersection(pixels, *part) : pixels;
+    return drawn_part ? intersection(pixels, *drawn_part) : pixels;
 }
 
 bool is_empty(const ScreenRectangle& pixels) {
@@ -45,8 +45,8 @@ void find_parts(const WorldBoxes& boxes, const Sight& sight, MeshInView& mesh, s
     mesh.first_part = parts.size();
     for (std::uint32_t part = 0; part < boxes.part_count(); ++part) {
         const LevelBox box = boxes.of_part(part);
-        const ScreenRectangle pixels = pixels_of(box, sight.view, sight.part);
-        if (is_empty(pixels) || !sight.may_show(pixels, nearest_depth_of(box, sight.view))) continue;
+        const ScreenRectangle pixels = pixels_of(box, sight.view, sight.drawn_part);
+        if (is_empty(pixels) || !sight.may_show(pixels, nearest_inverse_depth_of(box, sight.view))) continue;
         mesh.pixels = joined(mesh.pixels, pixels);
         parts.push_back(part);
     }
@@ -58,7 +58,7 @@ bool is_hidden(const MeshInView& mesh, DepthBuffer& depth) {
     for (std::int32_t y = pixels.first_row; y < pixels.end_row; ++y) {
         const InverseDepth* const row = depth.row(y);
         if (std::any_of(row + pixels.first_column, row + pixels.end_column,
-                        [&mesh](InverseDepth face) { return face <= mesh.nearest_depth; }))
+                        [&mesh](InverseDepth face) { return face <= mesh.nearest_inverse_depth; }))
             return false;
     }
     return true;
@@ -95,10 +95,10 @@ void gather_mesh_lights(const MeshInView& mesh, ViewScratch& scratch) {
 MeshLight light_on(const MeshInView& mesh, const FrameContext& frame, const ViewScratch& scratch) {
     const std::optional<std::int32_t> below_8 =
         light_8_below(frame.scene.level, middle_of(mesh.box), scratch.light.styles);
-    const std::int32_t level = std::min(below_8.value_or(kFullLight * 256) / 256, MeshLight::kMostLight);
+    const std::int32_t light_level = std::min(below_8.value_or(kFullLight * 256) / 256, MeshLight::kMostLight);
     MeshLight light;
-    light.ambient = std::max(level * 5 / 8, mesh.placed->least_light);
-    light.directional = {normalised(kTowardLight), level * 5 / 8};
+    light.ambient = std::max(light_level * 5 / 8, mesh.placed->least_light);
+    light.directional = {normalised(kTowardLight), light_level * 5 / 8};
     light.points = scratch.effects->mesh_lights;
     light.brightness_100 = frame.settings.brightness_100;
     return light;
@@ -126,10 +126,10 @@ void find_meshes(const FrameContext& frame, const Sight& sight, ViewScratch& scr
         if (!sight.may_show(place_of(i, frame))) continue;
         const WorldBoxes boxes(placed);
         const LevelBox box = boxes.whole();
-        if (sight.culler.planes_crossed(box, kAllSides) == kOutside) continue;
-        const ScreenRectangle pixels = pixels_of(box, sight.view, sight.part);
-        MeshInView mesh{&placed, box, pixels, nearest_depth_of(box, sight.view), pixels};
-        if (is_empty(pixels) || !sight.may_show(pixels, mesh.nearest_depth)) continue;
+        if (sight.culler.sides_crossed(box, kAllSides) == kOutside) continue;
+        const ScreenRectangle pixels = pixels_of(box, sight.view, sight.drawn_part);
+        MeshInView mesh{&placed, box, pixels, nearest_inverse_depth_of(box, sight.view), pixels};
+        if (is_empty(pixels) || !sight.may_show(pixels, mesh.nearest_inverse_depth)) continue;
         find_parts(boxes, sight, mesh, things.mesh_parts);
         if (is_empty(mesh.pixels)) continue;
         scratch.depth.want(mesh.pixels);
