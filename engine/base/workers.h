@@ -1,14 +1,15 @@
 #pragma once
 
+#include <cstdint>
+
 namespace oblong {
 
-/// Work in parts that may be done concurrently.
+/// Work in items that may be done concurrently.
 class SharedWork {
   public:
     virtual ~SharedWork() = default;
-    /// Does a part that no one else does. False if there is none now; more may come until Workers::end(). `worker`,
-    /// below Workers::count(), differs between concurrent calls.
-    virtual bool do_part(int worker) = 0;
+    /// Does one item. `worker`, below Workers::count(), differs between concurrent calls.
+    virtual void do_item(std::uint32_t item, int worker) = 0;
 };
 
 /// Shares work among its caller, which is worker 0, and threads made by the program (platform/worker_threads.h). The
@@ -17,10 +18,14 @@ class Workers {
   public:
     virtual ~Workers() = default;
     virtual int count() const = 0;
-    /// From here on the others do parts of the work, as soon as there are some. Earlier work must have ended.
+    /// Begins work without items. Earlier work must have ended.
     virtual void begin(SharedWork& work) = 0;
-    /// Works until all parts are done; the caller then sees everything that they wrote. The threads sleep until the
-    /// next work.
+    /// Adds the next item, counted from 0. The first free thread takes it, and sees everything written before this
+    /// call.
+    virtual void add_item() = 0;
+    /// Works until all added items are done; the caller then sees everything that they wrote.
+    virtual void finish_items() = 0;
+    /// Ends the work after finish_items(): the threads sleep until the next.
     virtual void end() = 0;
 };
 

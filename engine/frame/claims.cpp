@@ -78,16 +78,6 @@ bool next_face(FrontToBackWalk& walk, PassTimes* times, VisibleFace& found) {
     return walk.next(found);
 }
 
-/// Hands over the walls claimed since the last time, if they are many: this takes turns with the walk, whose code and
-/// data would otherwise leave the caches at each face.
-void hand_over_walls(const FrameContext& frame, ViewScratch& scratch) {
-    constexpr std::size_t kManySpans = 1024;
-    const Claims& claims = scratch.claims;
-    const std::vector<VisibleFace>& walls = claims.list(FaceList::Walls);
-    if (claims.walls_drawn == walls.size()) return;
-    if (claims.spans.size() - walls[claims.walls_drawn].first_span >= kManySpans) draw_walls(frame, scratch);
-}
-
 }  // namespace
 
 void Claims::clear() {
@@ -182,7 +172,7 @@ void claim_faces(const FrameContext& frame, ViewScratch& scratch) {
     VisibleFace face;
     while (faces.next(face)) {
         claim_face(face, faces.is_second_walk(), frame, scratch);
-        if (frame.shared && frame.shared->takes_walls_at_once) hand_over_walls(frame, scratch);
+        if (frame.shared && frame.shared->takes_walls_at_once) draw_walls(frame, scratch);
     }
 }
 

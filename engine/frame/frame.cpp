@@ -3,7 +3,6 @@
 #include "engine/frame/frame_context.h"
 #include "engine/frame/frame_light.h"
 #include "engine/frame/torn_pixels.h"
-#include "engine/frame/view_scratch.h"
 #include "engine/frame/workspace.h"
 #include "engine/view/views.h"
 #include "engine/visibility/eye.h"
@@ -102,7 +101,6 @@ void start_view(const FrameContext& frame, LeafIndex leaf, ViewScratch& scratch)
     scratch.visible.see_from(scene.level, leaf);
     scratch.claiming->vertices.start_frame();
     scratch.claims.clear();
-    for (SpanList& spans : scratch.surfaces->of_mip) spans.clear();
     const Stopwatch watch(frame.observers.times, Effect::BrushModels);
     frame.cache.brush_models.start_frame(scene.level, scene.models, frame.cache.faces);
 }

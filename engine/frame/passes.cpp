@@ -50,10 +50,6 @@ std::int64_t seen_through_pixels(const Claims& claims, const FrameCounts& counts
     return pixels_of(claims, FaceList::SeeThrough) + counts.of(Effect::Particles) + counts.of(Effect::Sprites);
 }
 
-void hand_over_sky(const SkyNow& sky, const FrameContext& frame, const Claims& claims) {
-    for (const VisibleFace& claimed : claims.list(FaceList::Sky)) frame.shared->add_sky(sky, claims.spans_of(claimed));
-}
-
 /// Fills faces, whose effect is not allowed, with one colour of their texture.
 void draw_flat(const FrameContext& frame, ViewScratch& scratch) {
     const Level& level = frame.scene.level;
@@ -85,7 +81,7 @@ void draw_sky_faces(const FrameContext& frame, ViewScratch& scratch) {
     if (!is_layered) return fill_spans(all, texture.mips[0][0], frame.out);
     const SkyNow sky = compose_sky({texture.mips[0].data(), texture.height, texture.width}, frame.scene.time_ms,
                                    pixels_of(all), frame.cache.sky_layers);
-    if (is_shared(frame)) return hand_over_sky(sky, frame, scratch.claims);
+    if (is_shared(frame)) return frame.shared->add_sky(sky, all);
     const std::int64_t blocks = draw_sky(all, sky, frame.view.ray_directions(), frame.view.projection, frame.out);
     if (frame.observers.counts) count_sky(all, blocks, sky, frame.observers.counts->stages);
 }

@@ -99,17 +99,14 @@ void draw_by_span_mips(const VisibleFace& claimed, std::span<const Span> whole, 
                        const FrameContext& frame, ViewScratch& scratch) {
     const auto inverse_z = inverse_z_of(claimed, frame);
     auto& of_mip = scratch.surfaces->of_mip;
-    std::array<std::size_t, 4> before;
-    for (int mip = 0; mip < 4; ++mip) item(before, mip) = item(of_mip, mip).size();
+    for (std::vector<Span>& spans : of_mip) spans.clear();
     for (const Span& span : whole) {
         const InverseZ first = inverse_z.at(span.first, span.y), last = inverse_z.at(span.end - 1, span.y);
         const auto nearest_z = reciprocal<View>(std::max({first, last, InverseZ::ulp()}));
         item(of_mip, mip_level(claimed.face, nearest_z, frame)).push_back(span);
     }
-    for (int mip = 0; mip < 4; ++mip) {
-        const auto spans = std::span<const Span>(item(of_mip, mip)).subspan(item(before, mip));
-        if (!spans.empty()) draw_mip(claimed, mip, spans, options, frame, scratch);
-    }
+    for (int mip = 0; mip < 4; ++mip)
+        if (!item(of_mip, mip).empty()) draw_mip(claimed, mip, item(of_mip, mip), options, frame, scratch);
 }
 
 /// Shorter blocks, below 2^3 pixels, are slower than a division at each pixel.

@@ -86,7 +86,7 @@ void draw_textured(const TexturedFace& face, std::span<const Span> spans, const 
 struct SurfaceScratch {
     explicit SurfaceScratch(std::int32_t longest_px) : spans(longest_px) {}
 
-    std::array<SpanList, 4> of_mip;  ///< spans by mip level, of all faces
+    std::array<std::vector<Span>, 4> of_mip;  ///< the current face's spans by mip level
     SpanScratch spans;
 };
 

@@ -16,7 +16,7 @@ struct FrameWorkspace {
     /// `level` and `workers` must outlive it. `workers` share the drawing; null: one thread draws.
     FrameWorkspace(const Level& level, const ScreenMode& mode, Workers* workers = nullptr)
         : cache(level, mode), view(level, cache.faces, mode) {
-        if (workers && workers->count() > 1) shared = std::make_unique<SharedDrawing>(*workers, mode);
+        if (workers && workers->count() > 1) shared = std::make_unique<SharedDrawing>(*workers, mode.width_px);
     }
 
     LevelCache cache;

@@ -36,18 +36,23 @@ WorkerThreads::~WorkerThreads() {
 
 void WorkerThreads::begin(SharedWork& work) {
     work_ = &work;
+    first_item_ = added_.load(std::memory_order_relaxed);
     set_state(State::Working);
 }
 
+void WorkerThreads::add_item() {
+    added_.store(added_.load(std::memory_order_relaxed) + 1, std::memory_order_release);
+}
+
+void WorkerThreads::finish_items() {
+    while (do_next_item(0)) {
+    }
+    Lookout lookout;
+    while (finished_.load(std::memory_order_acquire) != added_.load(std::memory_order_relaxed)) lookout.wait();
+}
+
 void WorkerThreads::end() {
-    const auto do_parts = [this] {
-        while (work_->do_part(0)) {
-        }
-    };
-    do_parts();
     state_.store(State::Resting);  // needs no notification: sleeping threads wait for the next work
-    for (Lookout lookout; busy_.load() != 0;) lookout.wait();
-    do_parts();  // those that a thread held while the others looked
 }
 
 void WorkerThreads::set_state(State state) {
@@ -58,14 +63,11 @@ void WorkerThreads::set_state(State state) {
     changed_.notify_all();
 }
 
-/// A thread counts as busy before it looks at the state, and end() looks for busy threads after it has set the state,
-/// so one of them sees the other.
 void WorkerThreads::run(int worker) {
-    while (wait_for_work() != State::Stopping) {
-        ++busy_;
-        for (Lookout lookout; state_.load() == State::Working;)
-            if (!work_->do_part(worker)) lookout.wait();
-        --busy_;
+    while (wait_for_work() == State::Working) {
+        Lookout lookout;
+        while (state_.load(std::memory_order_relaxed) == State::Working)
+            if (!do_next_item(worker)) lookout.wait();
     }
 }
 
@@ -75,6 +77,17 @@ WorkerThreads::State WorkerThreads::wait_for_work() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return state_.load() != State::Resting; });
     return state_.load();
+}
+
+/// Items are taken in order. A taken item was added, since `added_` only grows.
+bool WorkerThreads::do_next_item(int worker) {
+    std::uint32_t next = taken_.load(std::memory_order_relaxed);
+    do {
+        if (static_cast<std::int32_t>(added_.load(std::memory_order_acquire) - next) <= 0) return false;
+    } while (!taken_.compare_exchange_weak(next, next + 1, std::memory_order_relaxed));
+    work_->do_item(next - first_item_, worker);
+    finished_.fetch_add(1, std::memory_order_release);
+    return true;
 }
 
 }  // namespace oblong

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "engine/base/table.h"
@@ -12,8 +11,7 @@
 namespace oblong {
 
 /// Spans in the order in which they were added. To add many, make room for the most there may be, then write them
-/// without a check each. Spans also stay where they were when added, until clear(), for threads that read them
-/// meanwhile.
+/// without a check each.
 class SpanList {
   public:
     const Span* begin() const { return spans_.data(); }
@@ -21,10 +19,7 @@ class SpanList {
     const Span* data() const { return spans_.data(); }
     std::size_t size() const { return used_; }
     bool empty() const { return used_ == 0; }
-    void clear() {
-        used_ = 0;
-        outgrown_.clear();
-    }
+    void clear() { used_ = 0; }
 
     /// The end, where `count` more spans may be written; call set_end() to keep them.
     Span* room_for(std::size_t count) {
@@ -41,13 +36,10 @@ class SpanList {
   private:
     void grow(std::size_t count) {
         capacity_ = std::max(used_ + count, 2 * capacity_);
-        std::vector<Span> larger(capacity_);
-        std::copy_n(spans_.begin(), used_, larger.begin());
-        outgrown_.push_back(std::exchange(spans_, std::move(larger)));
+        spans_.resize(capacity_);
     }
 
-    std::vector<Span> spans_;                  ///< `used_` of them, then room for more
-    std::vector<std::vector<Span>> outgrown_;  ///< were too short
+    std::vector<Span> spans_;  ///< `used_` of them, then room for more
     std::size_t used_ = 0, capacity_ = 0;
 };
 

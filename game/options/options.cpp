@@ -88,7 +88,8 @@ void declare(CommandArguments& line, Options& options, OptionTexts& texts) {
     line.add("--wireframe", texts.wireframe,
              "off, over or alone: draws the edges of faces, over the picture or without it");
     line.add("--lines", texts.lines, "naive, dda, bresenham or gupta-sproull: method that draws the lines of both");
-    line.add("--threads", options.threads, "number of threads that draw, from 640x400 pixels on; default: 1")
+    line.add("--threads", options.threads,
+             "number of threads that draw; default: 1. A second one saves time from about 640x480 on")
         .limit(1, 256);
     line.add("--window", texts.window, "WxH, size of the window; default: as large as the desktop allows");
     line.add_flag("--error-box", options.shows_error_box,

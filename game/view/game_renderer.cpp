@@ -81,10 +81,7 @@ Camera camera_at(const InterpolatedState& state, LookOffset offset, Degrees fiel
 }
 
 GameRenderer::GameRenderer(const GameData& data, const GameLevel& level, const ScreenMode& mode, Workers* workers)
-    : data_(data),
-      level_(level),
-      mode_(mode),
-      work_(data.level, mode, SharedDrawing::is_worth_it(mode) ? workers : nullptr) {
+    : data_(data), level_(level), mode_(mode), work_(data.level, mode, workers) {
     pixels_.resize(pixel_count(mode.width_px, mode.height_px));
     for (const Item& item : level.items) item_models_.push_back(model_of(item.entity, data.models));
     for (std::uint32_t i = 0; i < level.movers.size(); ++i)

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <atomic>
+#include <numeric>
 #include <vector>
 
 namespace oblong::test {
@@ -14,28 +14,17 @@ class Notes final : public SharedWork {
   public:
     explicit Notes(std::size_t items) : inputs(items), done(items), sums(items) {}
 
-    void add(int input) {
-        inputs[added.load(std::memory_order_relaxed)] = input;
-        added.fetch_add(1, std::memory_order_release);
-    }
-
-    bool do_part(int worker) override {
-        std::size_t next = taken.load(std::memory_order_relaxed);
-        do {
-            if (next >= added.load(std::memory_order_acquire)) return false;
-        } while (!taken.compare_exchange_weak(next, next + 1, std::memory_order_relaxed));
+    void do_item(std::uint32_t item, int worker) override {
         if (busy[static_cast<std::size_t>(worker)].exchange(true)) ++clashes;
-        ++done[next];
-        sums[next] = inputs[next] * 3;
+        ++done[item];
+        sums[item] = inputs[item] * 3;
         busy[static_cast<std::size_t>(worker)] = false;
-        return true;
     }
 
     std::vector<int> inputs;
     std::vector<std::atomic<int>> done;
     std::vector<int> sums;
     std::array<std::atomic<bool>, 16> busy{};
-    std::atomic<std::size_t> added{0}, taken{0};
     std::atomic<int> clashes{0};
 };
 
@@ -43,10 +32,15 @@ TEST(WorkerThreads, DoEachItemOnce) {
     for (const int count : {1, 2, 3, 8}) {
         WorkerThreads workers(count);
         EXPECT_EQ(workers.count(), count);
-        for (int round = 0; round < 300; ++round) {  // another work begins while threads leave the one before
+        for (int round = 0; round < 50; ++round) {  // items' numbers wrap after 256
             Notes notes(40);
             workers.begin(notes);
-            for (int item = 0; item < 40; ++item) notes.add(round + item);
+            for (int item = 0; item < 40; ++item) {
+                notes.inputs[static_cast<std::size_t>(item)] = round + item;
+                workers.add_item();
+                if (item % 16 == 15) workers.finish_items();
+            }
+            workers.finish_items();
             workers.end();
             EXPECT_EQ(notes.clashes, 0);
             for (std::size_t item = 0; item < 40; ++item) {
@@ -57,39 +51,29 @@ TEST(WorkerThreads, DoEachItemOnce) {
     }
 }
 
+TEST(WorkerThreads, HaveFinishedWhenItemsAre) {
+    WorkerThreads workers(3);
+    Notes notes(2000);
+    workers.begin(notes);
+    for (std::size_t item = 0; item < 2000; ++item) {
+        workers.add_item();
+        if (item % 100 != 99) continue;
+        workers.finish_items();
+        EXPECT_EQ(std::accumulate(notes.done.begin(), notes.done.end(), 0), static_cast<int>(item) + 1);
+    }
+    workers.end();
+}
+
 TEST(WorkerThreads, MayRestAndGoWithoutWork) {
     for (int i = 0; i < 100; ++i) {
         WorkerThreads workers(2);
         Notes notes(1);
         if (i % 3 == 0) continue;
         workers.begin(notes);
-        if (i % 3 == 1) notes.add(1);
+        if (i % 3 == 1) workers.add_item();
+        workers.finish_items();
         workers.end();
         EXPECT_EQ(notes.done[0], i % 3 == 1);
-    }
-}
-
-/// One thread holds the whole work while the others look: what it finds meanwhile is done, too.
-TEST(WorkerThreads, LeaveNothingThatAThreadHeld) {
-    class Held final : public SharedWork {
-      public:
-        bool do_part(int) override {
-            if (left == 0 || is_held.exchange(true)) return false;
-            if (left == 1000) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-            --left;
-            is_held = false;
-            return true;
-        }
-        std::atomic<bool> is_held{false};
-        std::atomic<int> left{1000};
-    };
-    WorkerThreads workers(3);
-    for (int round = 0; round < 20; ++round) {
-        Held held;
-        workers.begin(held);
-        while (round % 2 == 1 && held.left == 1000) std::this_thread::yield();  // another thread begins
-        workers.end();
-        EXPECT_EQ(held.left, 0) << "round " << round;
     }
 }
 
@@ -97,11 +81,9 @@ TEST(WorkerThreads, LeaveNothingThatAThreadHeld) {
 TEST(WorkerThreads, ShareInWorkThatComesLate) {
     class Meeting final : public SharedWork {
       public:
-        bool do_part(int) override {
-            if (here >= 2) return false;
+        void do_item(std::uint32_t, int) override {
             ++here;
             while (here < 2) std::this_thread::yield();  // waits for another one
-            return true;
         }
         std::atomic<int> here{0};
     };
@@ -110,6 +92,9 @@ TEST(WorkerThreads, ShareInWorkThatComesLate) {
         std::this_thread::sleep_for(std::chrono::milliseconds(wait_ms));
         Meeting meeting;
         workers.begin(meeting);
+        workers.add_item();
+        workers.add_item();
+        workers.finish_items();
         workers.end();
         EXPECT_EQ(meeting.here, 2);
     }

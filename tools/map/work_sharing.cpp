@@ -9,13 +9,10 @@ namespace {
 
 class Items final : public SharedWork {
   public:
-    Items(std::size_t count, const std::function<void(std::size_t)>& do_item, CompileProgress* progress)
-        : count_(count), do_item_(do_item), progress_(progress) {}
+    Items(const std::function<void(std::size_t)>& do_item, CompileProgress* progress)
+        : do_item_(do_item), progress_(progress) {}
 
-    bool do_part(int worker) override {
-        if (next_ >= count_) return false;
-        const std::size_t item = next_++;
-        if (item >= count_) return false;
+    void do_item(std::uint32_t item, int worker) override {
         try {
             do_item_(item);
         } catch (...) {
@@ -27,7 +24,6 @@ class Items final : public SharedWork {
         }
         ++done_;
         if (worker == 0) tell();
-        return true;
     }
 
     void finish() {
@@ -42,26 +38,25 @@ class Items final : public SharedWork {
         told_ = done;
     }
 
-    const std::size_t count_;
-    std::atomic<std::size_t> next_ = 0;
     const std::function<void(std::size_t)>& do_item_;
     CompileProgress* progress_;
     std::atomic<std::size_t> done_ = 0;
     std::size_t told_ = 0;
     std::mutex mutex_;  // guards error_ and failed_
-    std::size_t failed_ = 0;
+    std::uint32_t failed_ = 0;
     std::exception_ptr error_;
 };
 
 }  // namespace
 
 void WorkSharing::for_each(std::size_t count, const std::function<void(std::size_t)>& do_item) const {
-    Items items(count, do_item, progress_);
+    Items items(do_item, progress_);
     if (workers_ == nullptr) {
-        while (items.do_part(0)) {
-        }
+        for (std::size_t i = 0; i < count; ++i) items.do_item(static_cast<std::uint32_t>(i), 0);
     } else {
         workers_->begin(items);
+        for (std::size_t i = 0; i < count; ++i) workers_->add_item();
+        workers_->finish_items();
         workers_->end();
     }
     items.finish();

@@ -86,7 +86,8 @@ void declare(CommandArguments& line, Options& options) {
                   "print the passes and effects of each frame, with their pixels and times");
     line.add("--log", options.log, "write lines of these kinds on standard error: " + names_of(LogChannels::all()));
     line.add("--kernel", options.kernel, "the kernel that draws blocks: " + kernel_names() + " (default: the first)");
-    line.add("--threads", options.threads, "number of threads that draw, from 640x400 pixels on; default: 1")
+    line.add("--threads", options.threads,
+             "number of threads that draw; default: 1. A second one saves time from about 640x480 on")
         .limit(1, 256);
     line.add("--time", options.seconds, "the scene's time, seconds");
     line.add("--time-step", options.step_seconds, "seconds from each timed rendering of a frame to the next, up to 60");
@@ -208,7 +209,7 @@ void render(const Options& options) {
     const std::vector<PlacedModel> models = models_at_rest(level);
     const LevelModels level_models = read_level_models(level, palette, {options.level, options.models});
     WorkerThreads workers(static_cast<int>(options.threads));
-    FrameWorkspace work(level, mode, SharedDrawing::is_worth_it(mode) ? &workers : nullptr);
+    FrameWorkspace work(level, mode, &workers);
     work.cache.surfaces.kernel = kernel;
     work.claimer = &hidden_surfaces;
     const std::chrono::duration<double, std::milli> load = std::chrono::steady_clock::now() - start;
