@@ -97,20 +97,20 @@ class Game:
     def __init__(self, display, *command):
         self.display = display
         self.process = display.start(*command)
-        self.window = self.wait_for_window()
-        self.tool('windowfocus', self.window)
+        self.window = self.focus_window()
 
     def tool(self, *words):
         return self.display.output('xdotool', *words).decode()
 
-    def wait_for_window(self):
+    def focus_window(self):
+        """Waits for the game's window. One that is found may be that of the game before, and go before it has the focus."""
         for _ in range(1000):
             time.sleep(0.2)
             if self.process.poll() is not None:
                 raise SystemExit('look.py: the game ended with %d before it had a window' % self.process.returncode)
             found = subprocess.run(['xdotool', 'search', '--onlyvisible', '--name', 'Oblong'],
                                    env=self.display.environment, stdout=subprocess.PIPE).stdout.split()
-            if found:
+            if found and subprocess.run(['xdotool', 'windowfocus', found[0]], env=self.display.environment).returncode == 0:
                 return found[0].decode()
         raise SystemExit('look.py: no window after 200 s')
 
