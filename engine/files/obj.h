@@ -1,8 +1,6 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "engine/files/picture.h"
@@ -33,14 +31,5 @@ struct ObjModel {
 /// Throws FileError with the line for invalid or too large numbers, faces of fewer than three corners, corners that the
 /// file does not have, a file without faces.
 ObjModel read_obj(const std::string& path, const Palette& palette, const ObjOptions& options = {});
-
-struct ObjSummary {
-    std::int64_t faces = 0;
-    bool has_smoothing_groups = false;
-};
-
-/// Checks what tinyobjloader does not: that the words of v, vt, vn and f lines are numbers in range, and that the
-/// corners of faces exist. Throws InputError with the line.
-ObjSummary check_obj(std::string_view text, double scale);
 
 }  // namespace oblong

@@ -1,3 +1,5 @@
+#include "engine/files/obj_check.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -8,7 +10,6 @@
 
 #include "engine/base/input_error.h"
 #include "engine/base/table.h"
-#include "engine/files/obj.h"
 #include "engine/level/entities.h"
 #include "engine/mesh/mesh.h"
 

@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "engine/files/files.h"
+#include "tools/map/source/fgd.h"
 
 namespace oblong::map {
 namespace {

@@ -16,8 +16,4 @@ inline constexpr const char* kTrenchBroomFolder =  ///< the editor's folder for 
 /// user's folder; `called_as` is argv[0]. Throws FileError.
 void install_trenchbroom(const std::string& folder, const char* called_as);
 
-/// entity_classes() as an FGD file for TrenchBroom and Valve's editors. Leaves out families, which editors cannot
-/// place, and the keys `classname` and `origin`, which editors define.
-std::string fgd_text();
-
 }  // namespace oblong::map

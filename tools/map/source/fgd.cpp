@@ -1,8 +1,9 @@
+#include "tools/map/source/fgd.h"
+
 #include <algorithm>
 #include <set>
 
 #include "engine/level/entity_classes.h"
-#include "tools/map/trenchbroom.h"
 
 namespace oblong::map {
 namespace {
