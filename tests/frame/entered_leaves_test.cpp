@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <utility>
 
 #include "tests/frame/frame_fixture.h"
 #include "tests/support/random.h"
@@ -12,9 +13,26 @@ namespace oblong::test {
 namespace {
 
 /// Without models, which hide leaves that are open here, and mirrors, which walk once more.
-class EnteredLeaves : public testing::TestWithParam<const char*> {
-  protected:
-    EnteredLeaves() { stage_.settings.allowed_effects = {}; }
+class LeafCheck {
+  public:
+    explicit LeafCheck(Stage stage) : stage_(std::move(stage)) { stage_.settings.allowed_effects = {}; }
+
+    void check_views() {
+        int passed_over = 0;  // leaves of the visible sets
+        for (int trial = 0; trial < 300; ++trial) {
+            const Camera camera = random_camera();
+            SCOPED_TRACE("trial " + std::to_string(trial));
+            stage_.draw(camera, work_);
+            check_rays(TrueCamera(camera));
+            if (testing::Test::HasFailure()) return;
+            for (const LeafIndex leaf : stage_.level.visible_leaves())
+                passed_over += work_.view.visible.has_leaf(leaf) && !work_.view.claiming->walk.entered.has(leaf);
+        }
+        EXPECT_GT(passed_, 100'000);
+        EXPECT_GT(passed_over, 1'000);
+    }
+
+  private:
     Camera random_camera() {
         const Vec3<World> eye = random_open_point(stage_.level, random_);
         return camera_at(eye, random_between(random_, 0, 360), random_between(random_, -40, 40));
@@ -29,7 +47,7 @@ class EnteredLeaves : public testing::TestWithParam<const char*> {
             ++passed_;
             EXPECT_TRUE(work_.view.claiming->walk.entered.has(at.leaf())) << "leaf " << at.leaf().number();
             EXPECT_GE(std::min(from.z, to.z), number_of(work_.view.claiming->walk.lowest_z) - 1.01);
-            return !HasFailure();
+            return !testing::Test::HasFailure();
         }
         const Node& node = level.nodes[at.node()];
         const LevelPlane& plane = level.planes[node.plane];
@@ -49,26 +67,17 @@ class EnteredLeaves : public testing::TestWithParam<const char*> {
         }
     }
 
-    Stage stage_ = stage_named(GetParam());
+    Stage stage_;
     FrameWorkspace work_{stage_.level, stage_.mode};
     std::mt19937 random_{7};
     std::int32_t contents_ = 0;  ///< of the eye's leaf
     int passed_ = 0;             ///< leaves by rays
 };
 
+class EnteredLeaves : public OfLevel {};
+
 TEST_P(EnteredLeaves, HoldAllThatIsBeforeTheFaces) {
-    int passed_over = 0;  // leaves of the visible sets
-    for (int trial = 0; trial < 300; ++trial) {
-        const Camera camera = random_camera();
-        SCOPED_TRACE("trial " + std::to_string(trial));
-        stage_.draw(camera, work_);
-        check_rays(TrueCamera(camera));
-        if (HasFailure()) return;
-        for (const LeafIndex leaf : stage_.level.visible_leaves())
-            passed_over += work_.view.visible.has_leaf(leaf) && !work_.view.claiming->walk.entered.has(leaf);
-    }
-    EXPECT_GT(passed_, 100'000);
-    EXPECT_GT(passed_over, 1'000);
+    LeafCheck(stage_named(GetParam())).check_views();
 }
 
 OBLONG_FOR_ALL_LEVELS(EnteredLeaves);
