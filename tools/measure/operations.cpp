@@ -62,22 +62,23 @@ constexpr EventCost kRotation{1800, 900, 0, 0, 4800, 2400};
 constexpr EventCost kOutcode{1800, 400, 0, 0, 0, 100};
 /// view/screen_polygon.cpp: a face's corner looked up, its outcode joined to the others', its depth compared. A scanned
 /// edge also includes an edge of faces that turn out to be covered.
-constexpr EventCost kCorner{4069};
+constexpr EventCost kCorner{5069};
 /// view/projection.h, project_axis(), twice; view/project.h: rounding, snapping, keeping on the screen.
 constexpr EventCost kProjection{3300, 200, 200, 0, 2400, 800};
 /// Further projections, of a hundred corners of clipped faces: corners made by clipping (others are already projected),
 /// and corners where the tree cuts brush models.
 constexpr std::int64_t kNewCorners_100 = 84;
-/// view/clip.cpp: distances of both ends of an edge to a plane, the place between them.
-constexpr EventCost kClippedCorner{6557, 943, 60, 0, 6400, 3200};
+/// view/clip.cpp: distances of both ends of an edge to a plane, the place between them; also of faces without a free
+/// row.
+constexpr EventCost kClippedCorner{7210, 1017, 64, 0, 6400, 3200};
 /// raster/scan.cpp: the survey of a polygon, also of covered ones; the constructors of both walkers, for the edges that
 /// reach a row (two thirds of them).
-constexpr EventCost kExactEdge{4712, 169, 67, 0, 1600, 0}, kAccumulatedEdge{6082, 67, 67, 0, 1600, 0};
+constexpr EventCost kExactEdge{5457, 169, 67, 0, 1600, 0}, kAccumulatedEdge{6838, 67, 67, 0, 1600, 0};
 /// raster/scan.cpp, next_row() and the column written, of exact edges in fours.
 constexpr EventCost kExactEdgeRow{400, 0, 0, 0, 0, 400}, kAccumulatedEdgeRow{800, 0, 0, 0, 0, 400};
-/// visibility/span_buffer.cpp, claim_row(): a row's hull; claim_listed(), claim_several(): the rest of it; a span and
-/// its work in frame/.
-constexpr EventCost kClaimedRow{1000, 0, 0, 0, 1600, 400}, kSpan{3100, 117, 0, 0, 400, 1200};
+/// visibility/span_buffer.cpp, rows_with_free(), claim_row(): a row's hull; claim_listed(), claim_several(): the rest
+/// of it; a span and its work in frame/.
+constexpr EventCost kClaimedRow{1200, 0, 0, 0, 1600, 400}, kSpan{3100, 138, 0, 0, 400, 1200};
 /// view/texture_gradients.cpp: three vectors rotated, the plane's distance, nine slopes, three anchors, those of 1/z
 /// for four of five faces, since others are on the plane of the previous face; scene/face_surface.cpp: the mip level,
 /// the size of the lit surface, its place in the cache.
