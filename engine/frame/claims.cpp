@@ -141,14 +141,14 @@ void claim_face(VisibleFace& face, bool is_second_walk, const FrameContext& fram
     ClaimScratch& claiming = *scratch.claiming;
     Claims& claims = scratch.claims;
     const std::size_t first = claims.spans.size();
-    if (is_seen_through)
-        claiming.span_buffer.find_free(claiming.rows, claims.spans);
-    else
-        claiming.span_buffer.claim(claiming.rows, claims.spans);
     face.nearest_z = claiming.polygon.nearest_z;
     face.farthest_z = claiming.polygon.farthest_z;
     face.bounds = {std::max(claiming.rows.columns.first, 0), std::min(claiming.rows.columns.end, frame.out.width_px),
                    claiming.rows.first, claiming.rows.end};
+    if (is_seen_through)
+        claiming.span_buffer.find_free(claiming.rows, claims.spans);
+    else
+        claiming.span_buffer.claim(claiming.rows, claims.spans);
     add_claimed(face, first, frame, claims);
 }
 

@@ -66,20 +66,26 @@ int mip_level(FaceIndex face, View nearest_z, const FrameContext& frame) {
     return frame.cache.surfaces.mip_level(face, nearest_z, frame.view.projection.x, frame.accuracy().mip_bias);
 }
 
-TexturedFace make_textured_face(const VisibleFace& face, int mip, std::span<const Span> spans,
-                                const SurfaceOptions& options, const FrameContext& frame, const ViewScratch& scratch) {
+/// With gradients only.
+BlockCutting make_cutting(const VisibleFace& face, const FaceSurface& surface, const FrameContext& frame) {
     const Level& level = frame.scene.level;
     const Accuracy& accuracy = frame.accuracy();
-    TexturedFace textured{face, surface_of(face, mip, frame, scratch), {}, {}, {}};
-    if (!options.is_plain) textured.effect = effect_of(options, textured.surface, frame);
-    TextureGradients& gradients = textured.cutting.gradients;
-    gradients = make_face_gradients(level, level.faces[face.face], textured.surface, frame.offset_of(face),
-                                    face.inverse_z, frame.view, frame.inverse_projection);
+    BlockCutting cutting{make_face_gradients(level, level.faces[face.face], surface, frame.offset_of(face),
+                                             face.inverse_z, frame.view, frame.inverse_projection)};
     if (accuracy.inverse_z_bits != InverseZ::kFractionBits || accuracy.over_z_bits != TexelOverZ::kFractionBits)
-        gradients = rounded_to(gradients, accuracy.inverse_z_bits, accuracy.over_z_bits);
-    textured.texels_per_pixel =
+        cutting.gradients = rounded_to(cutting.gradients, accuracy.inverse_z_bits, accuracy.over_z_bits);
+    return cutting;
+}
+
+TexturedFace make_textured_face(const VisibleFace& face, int mip, std::span<const Span> spans,
+                                const SurfaceOptions& options, const FrameContext& frame, const ViewScratch& scratch) {
+    // Made in place: it is neither cleared nor copied.
+    TexturedFace textured{
+        face, surface_of(face, mip, frame, scratch),
+        options.is_plain ? SurfaceEffect{} : effect_of(options, textured.surface, frame),
+        make_cutting(face, textured.surface, frame),
         texels_across(face.nearest_z, convert<TexelDensity>(frame.cache.faces[face.face].least_density),
-                      frame.inverse_projection.least_pixel_width);
+                      frame.inverse_projection.least_pixel_width)};
     set_cutting(textured, spans, frame.texturing);
     return textured;
 }

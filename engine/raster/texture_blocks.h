@@ -52,8 +52,8 @@ class BlockList {
 /// How to cut the spans of one surface.
 struct BlockCutting {
     TextureGradients gradients;
-    TexelLimits limits;
-    BlockThresholds thresholds;        ///< for Bounded
+    TexelLimits limits{};
+    BlockThresholds thresholds{};      ///< for Bounded
     std::int32_t texel_bound_256 = 0;  ///< for BoundedTexels: BlockRule's
     bool fits_range = false;           ///< fits_range() of the spans: nothing is clamped before multiplication
     bool takes_whole_spans = false;    ///< Bounded, and every span is one block; `thresholds` are not set

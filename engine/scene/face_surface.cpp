@@ -54,8 +54,8 @@ std::int32_t rows_of(const Face& face) {
     return face.texel_extent_v / 16 + 1;
 }
 
-SurfaceView shape_of(const Face& face, int mip) {
-    SurfaceView surface;
+/// Sets all but the texels, in place: a copy of what was just written waits for the writes.
+void set_shape(const Face& face, int mip, SurfaceView& surface) {
     surface.width = std::max(lit_size(columns_of(face), mip), 1);
     surface.height = std::max(lit_size(rows_of(face), mip), 1);
     const std::uint32_t stride = std::bit_ceil(static_cast<std::uint32_t>(surface.width));
@@ -63,7 +63,6 @@ SurfaceView shape_of(const Face& face, int mip) {
     surface.u_mask = stride - 1;
     surface.v_mask = std::bit_ceil(static_cast<std::uint32_t>(surface.height)) - 1;
     surface.holds_blocks = true;
-    return surface;
 }
 
 LightmapView light_of(const Level& level, const Face& face, const LightStyles& styles) {
@@ -163,7 +162,7 @@ FaceSurface FaceSurfaces::get(FaceIndex face, int mip, const SurfaceState& state
 FaceSurface FaceSurfaces::lit(FaceIndex index, int mip, const SurfaceState& state) {
     const Face& face = level_.faces[index];
     FaceSurface surface;
-    surface.view = shape_of(face, mip);
+    set_shape(face, mip, surface.view);
     surface.mip = mip;
     surface.origin_u = face.texel_min_u;
     surface.origin_v = face.texel_min_v;
