@@ -5,6 +5,7 @@
 #include "engine/level/bsp_read.h"
 #include "tests/map/bsp_checks.h"
 #include "tests/map/map_source.h"
+#include "tools/map/tree/surfaces.h"
 
 namespace oblong::test {
 namespace {
@@ -63,6 +64,14 @@ TEST(Samples, LargeSurfacesAreCutIntoFacesOfSixteenSamplesAndNoMore) {
         EXPECT_EQ(widest, 16) << tail;
         EXPECT_EQ(highest, 16) << tail;
     }
+}
+
+// 267 x 267 pieces of 240 texels.
+TEST(Samples, MoreFacesThanVersion29HoldsAreCutForBsp2) {
+    map::TexInfo texinfo;
+    texinfo.axes = {Point{64, 0, 0}, Point{0, 64, 0}};
+    const map::Surface square{0, {}, 0, {{0, 0, 0}, {0, 1000, 0}, {1000, 1000, 0}, {1000, 0, 0}}};
+    EXPECT_EQ(map::subdivided({square}, {texinfo}).size(), 71289u);
 }
 
 }  // namespace

@@ -108,10 +108,11 @@ LightSource source_of(const MapEntity& entity, const Point& origin, const std::v
     if (source.wait <= 0) source.wait = usual("wait");
     const double delay = value_of(entity, "delay");
     source.falloff = static_cast<Falloff>(static_cast<int>(is_falloff(delay) ? delay : usual("delay")));
-    source.style = static_cast<int>(value_of(entity, "style"));
-    if (source.style < 0 || source.style >= kStyleCount)
+    const double style = value_of(entity, "style");
+    if (!(style >= 0 && style < kStyleCount))
         throw InputError("line " + std::to_string(entity.line),
-                         "\"style\" is " + std::to_string(source.style) + ", expected 0 to 63");
+                         "\"style\" is \"" + entity.value("style") + "\", expected 0 to 63");
+    source.style = static_cast<int>(style);
     source.direction = spot_direction(entity, origin, entities);
     source.radius = std::max(value_of(entity, "radius"), 0.0);
     source.surface = lookup_name(entity.value("_surface"));
@@ -125,9 +126,9 @@ LightSource source_of(const MapEntity& entity, const Point& origin, const std::v
 
 // The switchable styles that are not set by a light's key "style", for example with its own "pattern".
 std::vector<int> styles_left_free(const std::vector<MapEntity>& entities) {
-    std::set<int> taken;
+    std::set<double> taken;
     for (const MapEntity& entity : entities) {
-        if (is_light(entity) && entity.has("style")) taken.insert(static_cast<int>(number_of(entity, "style", 0)));
+        if (is_light(entity) && entity.has("style")) taken.insert(number_of(entity, "style", 0));
     }
     std::vector<int> free;
     for (int style = kFirstSwitchableStyle; style < kStyleCount; ++style) {

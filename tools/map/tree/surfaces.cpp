@@ -140,8 +140,8 @@ Plane plane_at_texel(const TexInfo& texinfo, int axis, double texel) {
     return {texinfo.axes[i] * (1 / size), (texel - texinfo.offset[i]) / size};
 }
 
-// The format counts faces with 16 bits.
-constexpr std::size_t kMostSurfaces = 65535;
+// Four times what version 29 can hold (BSP2 holds more): a mistyped texture scale is refused within seconds.
+constexpr std::size_t kMostSurfaces = 1 << 18;
 
 void check_count(std::size_t count) {
     if (count > kMostSurfaces)

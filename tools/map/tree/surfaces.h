@@ -26,7 +26,7 @@ std::vector<Surface> make_surfaces(const Tree& tree, const PlaneList& planes, co
 /// The largest extent of a lit surface in texels, counted in whole steps of 16: a lightmap has at most 16 x 16 samples.
 inline constexpr int kMaxExtent = 240;
 
-/// Cuts lit surfaces so that none exceeds kMaxExtent. Throws InputError for more surfaces than the format allows.
+/// Cuts lit surfaces so that none exceeds kMaxExtent. Throws InputError for more than 262,144 surfaces.
 std::vector<Surface> subdivided(std::vector<Surface> surfaces, const std::vector<TexInfo>& texinfos);
 
 }  // namespace oblong::map
