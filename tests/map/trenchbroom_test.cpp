@@ -48,6 +48,16 @@ class TrenchBroom : public testing::Test {
         return std::system((command + " >'" + path("out.txt") + "' 2>&1").c_str());
     }
 
+    // As the editor writes the initial map with a layer for its light, which has no brushes.
+    std::string exported(const EditorValue& task) const {
+        const std::string map =
+            text("initial_valve.map") +
+            "{\n\"classname\" \"func_group\"\n\"_tb_type\" \"_tb_layer\"\n\"_tb_name\" \"lights\"\n}\n";
+        const auto strips = task.map.find("stripTbProperties");
+        if (strips == task.map.end() || strips->second.number == 0) return map;
+        return std::regex_replace(map, std::regex("\"_tb_[^\\n]*\n"), "");
+    }
+
     fs::path folder_;
 };
 
@@ -75,14 +85,13 @@ TEST_F(TrenchBroom, EveryWayToCompileMakesALevel) {
         const std::string level = path("my maps/first room.bsp");
         for (const EditorValue& task : profile.at("tasks").as_list()) {
             if (task.at("type").as_text() == "export") {
-                fs::copy_file(installed("initial_valve.map"), interpolated(task.at("target").as_text(), variables),
-                              fs::copy_options::overwrite_existing);
+                write_file(interpolated(task.at("target").as_text(), variables), exported(task));
                 continue;
             }
             const std::string tool = interpolated(task.at("tool").as_text(), variables),
                               parameters = interpolated(task.at("parameters").as_text(), variables);
             if (tool == program()) {
-                EXPECT_EQ(run("'" + tool + "' " + parameters), 0) << read_text(path("out.txt"));
+                EXPECT_EQ(run("'" + tool + "' " + parameters + " --strict"), 0) << read_text(path("out.txt"));
             } else {
                 EXPECT_EQ(tool, build_folder() + "/bin/oblong");
                 EXPECT_TRUE(parameters == "\"" + level + "\"" ||
