@@ -119,6 +119,8 @@ inline constexpr std::array kWorld{
     EntityKey{"sounds", Whole, "", kNoEffect},
     numbers("light", 1, 4, "0", "least light everywhere, 0 to 255"),
     number("_minlight", "0", "the same; overrides `light`"),
+    kSmooth[0],
+    kSmooth[1],
     number("_sunlight", "0", "brightness of the sun: parallel light from sky faces"),
     number("_sunlight2", "0", "brightness of the sky's upper half, as on an overcast day"),
     number("_sunlight3", "0", "the same for the lower half"),

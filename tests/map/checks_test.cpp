@@ -109,6 +109,8 @@ TEST(Checks, KnowTheWorldsKeys) {
     EXPECT_EQ(of_world({{"skyfog", "0.5"},
                         {"fog", "0.5 1 1 1"},
                         {"_wateralpha", "0.5"},
+                        {"_phong", "1"},
+                        {"_phong_angle", "30"},
                         {"palette_cycle", "240 243 4"},
                         {"palette_cycle12", "240 243 4"}}),
               Said{});
