@@ -182,6 +182,7 @@ void MapWatch::begin(MapChange change) {
     arguments.push_back(nullptr);
     std::error_code ignored;
     fs::remove(points_file_, ignored);
+    write_file(said_file_, std::string());  // names the folder if it is read-only: below, the compiler would be blamed
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
     posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);

@@ -134,6 +134,17 @@ TEST_F(MapWatchTest, FollowsTheSource) {
     EXPECT_TRUE(level_bytes() == first);
 }
 
+TEST_F(MapWatchTest, NamesAPlaceWhereNothingCanBeWritten) {
+    write_file(path("my.map"), with_wad(two_rooms(kLamp)));
+    fs::create_directory(path("my-draft.log"));
+    try {
+        watch.compile_first();
+        ADD_FAILURE() << "compiled";
+    } catch (const FileError& error) {
+        EXPECT_EQ(std::string(error.what()).find(path("my-draft.log") + ": write: "), 0u) << error.what();
+    }
+}
+
 // The mapper sees them where the game was started.
 TEST_F(MapWatchTest, PassesOnTheWarningsOfLevelsThatCompile) {
     write_file(path("t.wad"), wad_bytes({"wall"}));
