@@ -56,11 +56,13 @@ TEST(DemoSource, HasNothingThatTheCompilerWarnsOf) {
 /// TrenchBroom shows places as layers; what is in one names it by its number.
 TEST(DemoSource, EveryEntityIsInALayerWithAName) {
     std::set<std::string> names, numbers;
+    const std::string text = read_text(test::source_folder() + "/assets/demo.map");
     const std::vector<MapEntity> entities = demo_source();
     for (const MapEntity& entity : entities) {
         if (entity.value("_tb_type") != "_tb_layer") continue;
         EXPECT_TRUE(names.insert(entity.value("_tb_name")).second) << entity.value("_tb_name");
         EXPECT_TRUE(numbers.insert(entity.value("_tb_id")).second) << entity.value("_tb_id");
+        EXPECT_NE(text.find("\n// " + entity.value("_tb_name") + ": "), std::string::npos) << "what it shows";
     }
     EXPECT_TRUE(names.contains("tower"));
     EXPECT_TRUE(entities.front().brushes.empty());
