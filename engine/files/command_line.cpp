@@ -79,8 +79,9 @@ CommandOption CommandArguments::add(const std::string& names, Value& value, cons
     if (value != Value{}) option->capture_default_str();
     option->check(fault_of_empty, "");
     option->check(fault_of_dash, "", kNoDash);
-    if (names.starts_with('-'))
-        option->allow_extra_args(false);  // --wad A --wad B, so that a positional argument may follow
+    if constexpr (std::is_same_v<Value, std::vector<std::string>>)
+        if (names.starts_with('-'))  // --wad A --wad B, so that a positional argument may follow
+            option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->allow_extra_args(false);
     return CommandOption(option);
 }
 

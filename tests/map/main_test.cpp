@@ -116,11 +116,13 @@ TEST_F(Program, MapsOfOtherFilesAreIncluded) {
     const std::string command = path("whole.map") + " -o " + path("whole.bsp") + " --wad " + path("t.wad");
     write_file(path("whole.map"), level("", naming("sub\\room.map") + start));
     EXPECT_EQ(run(command + " --strict"), 0) << said_;
-    write_file(path("whole.map"), level("", naming("gone.map") + start));
-    EXPECT_EQ(run(command), 1);
-    EXPECT_EQ(
-        said_.find("oblong-map: " + path("whole.map") + ": line 4: \"_external_map\" names 'gone.map', which is "), 0u)
-        << said_;
+    for (const std::string name : {"gone.map", "sub"}) {
+        write_file(path("whole.map"), level("", naming(name) + start));
+        EXPECT_EQ(run(command), 1);
+        EXPECT_EQ(said_.find("oblong-map: " + path("whole.map") + ": line 4: \"_external_map\" names '" + name + "', "),
+                  0u)
+            << said_;
+    }
     write_file(path("walls.map"), level("", naming("sub/room.map")));
     write_file(path("whole.map"), level("", naming("walls.map") + start));
     EXPECT_EQ(run(command), 1);
@@ -156,6 +158,38 @@ TEST_F(Program, AFolderOfPicturesIsPackedByItself) {
     EXPECT_NE(said_.find("has no pictures"), std::string::npos) << said_;
 }
 
+TEST_F(Program, MakesAPartOfALevelOnlyIfThereIsOne) {
+    const std::string command = path("good.map") + " -o " + path("good.bsp") + " --wad " + path("t.wad");
+    EXPECT_EQ(run(command + " --only light"), 1);
+    EXPECT_EQ(said_, "oblong-map: " + path("good.bsp") +
+                         ": --only: there is no such level yet: compile it once without --only\n");
+    EXPECT_EQ(run(command + " --prt " + path("good.prt")), 0) << said_;
+    const std::string portals = read_text(path("good.prt"));
+    EXPECT_EQ(run(command + " --only light --prt " + path("good.prt")), 2);
+    EXPECT_NE(said_.find("--prt: --only light makes no portals"), std::string::npos) << said_;
+    EXPECT_EQ(read_text(path("good.prt")), portals);
+    EXPECT_EQ(run(command + " --only light"), 0) << said_;
+    EXPECT_EQ(read_text(path("out.txt")).find("portals"), std::string::npos);
+    EXPECT_EQ(run(command + " --only vis"), 0) << said_;
+}
+
+TEST_F(Program, NeverReplacesTheSource) {
+    const std::string source = read_text(path("good.map"));
+    EXPECT_EQ(run(path("good.map") + " -o " + path("../" + folder_.filename().string() + "/good.map") + " --wad " +
+                  path("t.wad")),
+              2);
+    EXPECT_NE(said_.find("is the source itself"), std::string::npos) << said_;
+    EXPECT_EQ(read_text(path("good.map")), source);
+}
+
+// --help shows one value for each --wad, as no more are taken.
+TEST_F(Program, TakesOneWadForEachOption) {
+    const std::string wad = " --wad " + path("t.wad");
+    EXPECT_EQ(run(wad + wad + wad + " " + path("good.map") + " -o " + path("good.bsp")), 0) << said_;
+    EXPECT_EQ(run("--help"), 0);
+    EXPECT_NE(read_text(path("out.txt")).find("--wad TEXT  "), std::string::npos) << read_text(path("out.txt"));
+}
+
 TEST_F(Program, ALevelWithoutALeakRemovesTheWayOut) {
     write_file(path("good.pts"), "0 0 0\n");
     EXPECT_EQ(run(path("good.map") + " -o " + path("good.bsp") + " --wad " + path("t.wad")), 0) << said_;
@@ -186,6 +220,7 @@ TEST_F(Program, LeavesNoPartOfAFileThatCannotBeWritten) {
     fs::create_directory(path("taken.bsp"));
     EXPECT_EQ(run(path("good.map") + " -o " + path("taken.bsp") + " --wad " + path("t.wad")), 1);
     EXPECT_NE(said_.find("taken.bsp: write: "), std::string::npos) << said_;
+    EXPECT_EQ(read_text(path("out.txt")), "") << "nothing was made";
     EXPECT_EQ(files_beginning_with("taken.bsp"), 1) << "the folder that stands in the way";
     EXPECT_EQ(run(path("good.map") + " -o " + path("no/such/folder.bsp") + " --wad " + path("t.wad")), 1);
 }

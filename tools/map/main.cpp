@@ -37,7 +37,8 @@ void declare(CommandArguments& line, Arguments& arguments) {
         "--wad", arguments.textures.wads,
         "a WAD2 file of textures or a folder of pictures; may be given more than once. Default: what the key wad of "
         "the worldspawn names");
-    line.add("--glow", arguments.textures.glowing, "a texture of a folder whose colours may glow");
+    line.add("--glow", arguments.textures.glowing,
+             "a texture of a folder whose colours may glow; may be given more than once");
     line.add("--dither", arguments.textures.dither, "of a folder's pictures: none or floyd-steinberg");
     line.add("--palette", arguments.textures.palette,
              "of a folder's pictures; default: palette.lmp in the folder, else Oblong's");
@@ -65,6 +66,10 @@ std::string points_path(const Arguments& arguments) {
     return std::filesystem::path(arguments.output).replace_extension(".pts").string();
 }
 
+bool makes_portals(const Arguments& arguments) {
+    return arguments.only.empty() || arguments.only == "vis";
+}
+
 // Prints warnings as they come, and counts them.
 class Reporter {
   public:
@@ -82,7 +87,8 @@ class Reporter {
     }
 
     void print_summary(const map::BspFile& bsp, const map::PortalFile& portals) {
-        std::cout << arguments_.output << ": " << map::summary_of(bsp) << ", " << portals.count << " portals; "
+        std::cout << arguments_.output << ": " << map::summary_of(bsp)
+                  << (makes_portals(arguments_) ? ", " + std::to_string(portals.count) + " portals; " : "; ")
                   << counted() << "; " << progress.times() << '\n';
     }
 
@@ -123,15 +129,21 @@ std::string external_path(std::string name, const std::string& path) {
 }
 
 map::ExternalSource read_external(const std::string& name, const std::string& found, int line) {
-    if (!std::filesystem::exists(found))
+    if (!std::filesystem::is_regular_file(found))
         throw InputError("line " + std::to_string(line), "\"_external_map\" names '" + name + "', which is not at " +
                                                              found + ", expected a map source there");
     return {std::filesystem::weakly_canonical(found).string(), read_text(found)};
 }
 
+map::BspFile read_former(const std::string& file) {
+    if (!std::filesystem::exists(file))
+        throw FileError(file, "--only", "there is no such level yet: compile it once without --only");
+    return naming_file(file, [&] { return map::from_bytes(read_text(file)); });
+}
+
 // `files`: receives the names of the other files before they are read.
-std::string compile(const Arguments& arguments, const std::string& text, const char* called_as,
-                    std::vector<std::string>& files) {
+void compile(const Arguments& arguments, const std::string& text, const char* called_as,
+             std::vector<std::string>& files) {
     std::vector<map::MapEntity> entities = map::parse_map(text);
     map::include_external_maps(entities, std::filesystem::weakly_canonical(arguments.input).string(),
                                [&](const std::string& name, const std::string& path, int line) {
@@ -161,15 +173,13 @@ std::string compile(const Arguments& arguments, const std::string& text, const c
     options.progress = &reporter.progress;
     options.portals = &portals;
     options.part = parse_part(arguments.only);
-    if (options.part != map::CompilePart::All)
-        options.former = naming_file(arguments.output, [&] { return map::from_bytes(read_text(arguments.output)); });
+    if (options.part != map::CompilePart::All) options.former = read_former(arguments.output);
     try {
         const map::BspFile level = map::compile_map(std::move(entities), wads, options);
         reporter.print();
-        std::string bytes = map::to_bytes(level);
         if (!arguments.portals.empty()) write_file(arguments.portals, portals.text);
+        write_file(arguments.output, map::to_bytes(level));
         reporter.print_summary(level, portals);
-        return bytes;
     } catch (const map::LeakError& leak) {
         reporter.progress.clear();
         write_file(points_path(arguments), map::points_text(leak.path) + "\n");
@@ -181,6 +191,11 @@ std::string compile(const Arguments& arguments, const std::string& text, const c
 void compile_to_file(const Arguments& arguments, const char* called_as) {
     if (arguments.input.empty()) throw UsageError("IN.map is required");
     if (arguments.output.empty()) throw UsageError("--out is required");
+    std::error_code none;
+    if (std::filesystem::equivalent(arguments.input, arguments.output, none))
+        throw UsageError("--out: '" + arguments.output + "' is the source itself, expected another name");
+    if (!arguments.portals.empty() && !makes_portals(arguments))
+        throw UsageError("--prt: --only " + arguments.only + " makes no portals, expected --only vis, or none");
     const std::string text = read_text(arguments.input);
     std::vector<std::string> files;
     const auto tell_files = [&] {
@@ -189,8 +204,7 @@ void compile_to_file(const Arguments& arguments, const char* called_as) {
         if (!arguments.reads.empty()) write_file(arguments.reads, names);
     };
     try {
-        write_file(arguments.output,
-                   naming_file(arguments.input, [&] { return compile(arguments, text, called_as, files); }));
+        naming_file(arguments.input, [&] { compile(arguments, text, called_as, files); });
     } catch (...) {
         tell_files();
         throw;

@@ -15,7 +15,8 @@ int main(int argc, char** argv) {
         "ramps", "The colormap of a palette as a PNG: a row for each colour, brightest shade to darkest.");
     pack.add("input", pictures, "PNG, TGA, JPEG or BMP files, sizes multiples of 16").require();
     pack.add("-o", output, "the WAD to write").require();
-    pack.add("--glow", glowing, "texture NAME whose colours may glow (palette indices 224 to 255)");
+    pack.add("--glow", glowing,
+             "texture NAME whose colours may glow (palette indices 224 to 255); may be given more than once");
     pack.add("--dither", dither,
              "none: each pixel the nearest colour; floyd-steinberg: its error goes to its neighbours");
     unpack.add("input", archive, "a WAD2 or BSP file").require();
