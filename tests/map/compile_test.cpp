@@ -167,8 +167,10 @@ TEST(Compile, ErrorsSayWhatIsWrong) {
     says(level(box({0, 0, 0}, {64, 64, 64})), "the level encloses no space");
     says(level(plain_room(), lights_of_plain_room() + entity_at("light", {500, 500, 500})),
          "light at 500 500 500 is outside of the level");
-    says(level(replaced(plain_room(), "0 0 0 1 1", "0 0 0 0.0001 0.0001"), lights_of_plain_room()),
-         "more than 262144 faces");
+    says(level(replaced(plain_room(), "0 0 0 1 1", "0 0 0 0.0039 -1"), lights_of_plain_room()),
+         "line 4: texture 'wall' has more than 255 texels a unit");
+    EXPECT_EQ(complaint_of(level(replaced(plain_room(), "0 0 0 1 1", "0 0 0 0.004 -8"), lights_of_plain_room())),
+              "none");
     says(level(plain_room(), entity_at("light", {32, 32, 32}, {{"style", "1e12"}})),
          "\"style\" is \"1e12\", expected 0 to 63");
     says(level(plain_room() + box({100, 100, 50}, {100, 101, 51}), lights_of_plain_room()), "lie on one line");

@@ -72,6 +72,8 @@ TEST(Samples, MoreFacesThanVersion29HoldsAreCutForBsp2) {
     texinfo.axes = {Point{64, 0, 0}, Point{0, 64, 0}};
     const map::Surface square{0, {}, 0, {{0, 0, 0}, {0, 1000, 0}, {1000, 1000, 0}, {1000, 0, 0}}};
     EXPECT_EQ(map::subdivided({square}, {texinfo}).size(), 71289u);
+    texinfo.axes = {Point{250, 0, 0}, Point{0, 250, 0}};
+    EXPECT_THROW(map::subdivided({square}, {texinfo}), InputError) << "1042 x 1042 pieces";
 }
 
 }  // namespace

@@ -51,6 +51,16 @@ const std::string* find_in(const std::vector<Wad>& wads, const std::string& name
                                                              ": add its WAD to worldspawn's 'wad', or see --wad");
 }
 
+// The engine reads no more; a surface of more would be cut into very many faces.
+void check_density(const std::array<Point, 2>& axes, const MapSide& side) {
+    constexpr double kMost = 255;
+    for (const Point& axis : axes)
+        if (std::max({std::abs(axis.x), std::abs(axis.y), std::abs(axis.z)}) > kMost)
+            throw InputError(
+                "line " + std::to_string(side.line),
+                "texture '" + side.texture.name + "' has more than 255 texels a unit, expected a larger texture scale");
+}
+
 bool is_animated(const std::string& name) {
     return name.size() > 2 && name[0] == '+';
 }
@@ -77,6 +87,7 @@ int TextureList::find_or_add(const MapSide& side, const Point& normal) {
     TexInfo wanted;
     wanted.axes = texture_axes(fields, normal);
     for (std::size_t i = 0; i < 2; ++i) wanted.axes[i] = wanted.axes[i] * (1 / fields.scale[i]);
+    check_density(wanted.axes, side);
     wanted.offset = fields.offset;
     wanted.texture = find_or_add_name({fields.name, side.line});
     wanted.smooth_degrees = fields.smooth_degrees;
