@@ -107,7 +107,7 @@ constexpr auto kClasses = std::to_array<EntityClass>({
     {"func_detail", Brush, Detail, "solid, but does not split the level for visibility", {kSmooth}},
     {"func_detail_wall", Brush, Detail, "solid, but does not split the level for visibility", {kSmooth}},
     {"func_detail_fence", Brush, Detail, "as `func_detail`; brushes with `{` textures become a `func_wall`", {kSmooth}},
-    {"func_detail_illusionary", Brush, PassableDetail, "becomes a `func_illusionary`", {kSmooth}},
+    {"func_detail_illusionary", Brush, PassableDetail, "becomes a `func_illusionary`", {kMadeOfBrushes}},
     {"misc_external_map",
      Point,
      ExternalMap,

@@ -63,6 +63,10 @@ TEST(Checks, NameUnknownClassesAndKeysByTheirLines) {
     EXPECT_EQ(warnings_of("{\n\"origin\" \"1 2 3\"\n}\n"), Said{"line 4: an entity without a classname, expected one"});
 }
 
+TEST(Checks, KnowThatPassableDetailIsAModel) {
+    EXPECT_EQ(warnings_of(entity("func_detail_illusionary", {{"_minlight", "50"}}, kBrush)), Said{});
+}
+
 TEST(Checks, NameKeysThatNothingReads) {
     EXPECT_EQ(warnings_of(entity("func_wall", {{"lip", "8"}}, kBrush)),
               Said{"line 6: nothing reads the key 'lip' of a func_wall"});
