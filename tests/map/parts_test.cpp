@@ -63,6 +63,9 @@ TEST(Parts, OfOtherBrushesAreRefused) {
     const std::string more = two_rooms(kLamp + entity("func_wall", {}, box({400, 64, 0}, {440, 100, 40})));
     for (const auto part : {map::CompilePart::Entities, map::CompilePart::Light, map::CompilePart::Visibility})
         EXPECT_THROW(compile(more, {.part = part, .former = former}), InputError);
+    const std::string moved = replaced(two_rooms(kLamp), "( 240 ", "( 232 ");
+    for (const auto part : {map::CompilePart::Entities, map::CompilePart::Light, map::CompilePart::Visibility})
+        EXPECT_THROW(compile(moved, {.part = part, .former = former}), InputError);
 }
 
 TEST(MapChanges, SayWhatHasToBeMadeAnew) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <deque>
+#include <set>
+#include <tuple>
 
 #include "engine/level/entity_classes.h"
 #include "tools/map/light/level_checks.h"
@@ -162,6 +164,21 @@ void check_same_brushes(bool are_same) {
                          "the brushes differ from those of the existing level: compile it once without --only");
 }
 
+// Whether each face is in the plane of a brush side with its texture: a moved brush leaves its faces behind.
+bool are_on_sides(const BspFile& bsp, const LevelBrushes& brushes) {
+    std::set<std::tuple<Floats, float, int>> sides;  // normal, distance, texinfo
+    for (const std::vector<Brush>& model : brushes.models)
+        for (const Brush& brush : model)
+            for (const BrushSide& side : brush.sides) {
+                const Plane& plane = brushes.planes[side.plane.plane];
+                sides.insert({to_floats(plane.normal), static_cast<float>(plane.distance), side.texinfo});
+            }
+    return std::all_of(bsp.faces.begin(), bsp.faces.end(), [&](const FileFace& face) {
+        const FilePlane& plane = item(bsp.planes, face.plane);
+        return sides.contains({plane.normal, plane.distance, face.texinfo});
+    });
+}
+
 // The former level with new entities, and new light if required.
 BspFile changed_level(const std::vector<MapEntity>& entities, const LevelBrushes& brushes,
                       const CompileOptions& options, const WorkSharing& sharing) {
@@ -170,7 +187,8 @@ BspFile changed_level(const std::vector<MapEntity>& entities, const LevelBrushes
     PlaneList planes = brushes.planes;
     BspFile expected;
     Emitter(expected, planes).add_texinfos(brushes.textures.texinfos());
-    check_same_brushes(bsp.models.size() == brushes.models.size() && bsp.texinfos == expected.texinfos);
+    check_same_brushes(bsp.models.size() == brushes.models.size() && bsp.texinfos == expected.texinfos &&
+                       are_on_sides(bsp, brushes));
     bsp.entities = entities_text(entities);
     if (options.part == CompilePart::Entities) return bsp;
     bsp.lighting.clear();

@@ -13,6 +13,9 @@ namespace oblong::map {
 /// Three floats of a level file.
 using Floats = std::array<float, 3>;
 
+inline Floats to_floats(const Point& point) {
+    return {static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(point.z)};
+}
 inline Point to_point(const Floats& floats) {
     return {static_cast<double>(floats[0]), static_cast<double>(floats[1]), static_cast<double>(floats[2])};
 }

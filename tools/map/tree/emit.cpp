@@ -7,10 +7,6 @@
 namespace oblong::map {
 namespace {
 
-Floats to_floats(const Point& point) {
-    return {static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(point.z)};
-}
-
 FileBox outward_box(const Box& box) {
     FileBox result;
     if (box.is_empty()) return result;
