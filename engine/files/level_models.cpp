@@ -253,7 +253,9 @@ class LevelModelReader {
     const Mesh& mesh_of(const ModelFile& file, const EntityValues& values) {
         const auto known = meshes_.find(file);
         if (known != meshes_.end()) return *known->second;
-        models_.meshes.push_back(std::make_unique<const Mesh>(read_mesh(file, values)));
+        Mesh mesh = read_mesh(file, values);
+        mesh.planes = facing_planes(mesh);
+        models_.meshes.push_back(std::make_unique<const Mesh>(std::move(mesh)));
         return *meshes_.emplace(file, models_.meshes.back().get()).first->second;
     }
 

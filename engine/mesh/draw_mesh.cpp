@@ -73,16 +73,17 @@ void set_flat_light(const MeshTriangle& triangle, const MeshContext& mesh, const
     for (CornerValues& corner : values) corner.light = shade;
 }
 
-/// A vertex in the view, computed on first use.
-const ViewVertex& seen_vertex(std::uint32_t number, const MeshPlacement& mesh, MeshScratch& scratch) {
-    ViewVertex& seen = item(scratch.view_vertices, number);
-    VertexStage& stage = item(scratch.stages, number);
-    if (stage != VertexStage::Unknown) return seen;
+void see_vertex(std::uint32_t number, const MeshPlacement& mesh, MeshScratch& scratch) {
     Vec3<World>& position = item(scratch.world_vertices, number).position;
     position = world_position(mesh.object_vertices[number].position, mesh.transform);
-    seen = view_vertex(position, mesh.view);
-    stage = VertexStage::Seen;
-    return seen;
+    item(scratch.view_vertices, number) = view_vertex(position, mesh.view);
+    item(scratch.stages, number) = VertexStage::Seen;
+}
+
+/// A vertex in the view, computed on first use.
+inline const ViewVertex& seen_vertex(std::uint32_t number, const MeshPlacement& mesh, MeshScratch& scratch) {
+    if (item(scratch.stages, number) == VertexStage::Unknown) see_vertex(number, mesh, scratch);
+    return item(scratch.view_vertices, number);
 }
 
 std::array<const ViewVertex*, 3> seen_vertices(const MeshTriangle& triangle, const MeshPlacement& mesh,
@@ -99,6 +100,17 @@ bool is_inside(const std::array<const ViewVertex*, 3>& vertices) {
 /// Whether all of it is certainly outside.
 bool is_outside(const std::array<const ViewVertex*, 3>& vertices) {
     return (vertices[0]->outcode & vertices[1]->outcode & vertices[2]->outcode) != 0;
+}
+
+/// Whether a triangle inside the view has a pixel's centre between its corners' rows, and one between their columns.
+/// Few triangles of a distant mesh have.
+bool may_cover_centre(const std::array<const ViewVertex*, 3>& vertices) {
+    const auto& [a, b, c] = vertices;
+    const auto differ = [](Screen x, Screen y, Screen z) {
+        const std::int32_t first = first_centre_from(x);
+        return first != first_centre_from(y) || first != first_centre_from(z);
+    };
+    return differ(a->screen.x, b->screen.x, c->screen.x) && differ(a->screen.y, b->screen.y, c->screen.y);
 }
 
 /// The corners of a triangle inside the view, without values.
@@ -186,7 +198,8 @@ void draw_clipped(const MeshTriangle& triangle, const std::array<const ViewVerte
 void draw_polygon(const MeshTriangle& triangle, const MeshContext& mesh, MeshScratch& scratch, MeshCounts& counts) {
     const std::array<const ViewVertex*, 3> vertices = seen_vertices(triangle, mesh, scratch);
     if (is_outside(vertices)) return;
-    (is_inside(vertices) ? draw_whole : draw_clipped)(triangle, vertices, mesh, scratch, counts);
+    if (!is_inside(vertices)) return draw_clipped(triangle, vertices, mesh, scratch, counts);
+    if (may_cover_centre(vertices)) draw_whole(triangle, vertices, mesh, scratch, counts);
 }
 
 /// Whether a triangle has a pixel at which nothing is nearer.
@@ -194,6 +207,7 @@ bool is_seen(const MeshTriangle& triangle, const MeshPlacement& mesh, MeshScratc
     const auto vertices = seen_vertices(triangle, mesh, scratch);
     if (is_outside(vertices)) return false;
     if (is_inside(vertices)) {
+        if (!may_cover_centre(vertices)) return false;
         const std::array<ScreenCorner, 3> corners = places_of(vertices);
         return find_triangle({&corners[0], &corners[1], &corners[2]}, mesh.target, scratch, counts).has_value();
     }
@@ -208,9 +222,15 @@ bool is_seen(const MeshTriangle& triangle, const MeshPlacement& mesh, MeshScratc
 template <class Ask>
 bool any_facing(const MeshPlacement& mesh, MeshParts parts, MeshScratch& scratch, Ask asks) {
     const std::span<const MeshTriangle> all(mesh.placed.mesh->triangles);
+    const std::span<const FacingPlane> planes(mesh.placed.mesh->planes);
     const Vec3<World> object_eye = to_object(mesh.view.eye, mesh.transform);
+    const bool has_planes = planes.size() == all.size() && is_near_enough(object_eye);
     const auto any_of = [&](std::span<const MeshTriangle> triangles) {
-        find_facing(triangles, mesh.object_vertices, object_eye, scratch.facing);
+        if (has_planes)
+            find_facing(planes.subspan(as_size(triangles.data() - all.data()), triangles.size()), object_eye,
+                        scratch.facing);
+        else
+            find_facing(triangles, mesh.object_vertices, object_eye, scratch.facing);
         return std::any_of(scratch.facing.begin(), scratch.facing.end(),
                            [&](std::uint32_t triangle) { return asks(triangles[triangle]); });
     };

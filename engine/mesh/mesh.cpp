@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 
 #include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"
@@ -30,6 +31,14 @@ int bits_too_many(const std::vector<MeshVertex>& vertices, std::span<const Corne
         largest = std::max(largest, largest_part(raw_of(normal_of(vertices, corners))));
     const int bits = log2_floor(static_cast<std::uint64_t>(largest) | 1) + log2_floor(triangles.size() | 1) + 2;
     return std::max(bits - 62, 0);
+}
+
+/// None if a part of the normal does not fit.
+std::optional<FacingPlane> plane_of(const std::vector<MeshVertex>& vertices, const Corners& corners) {
+    const auto normal = normal_of(vertices, corners);
+    const auto short_normal = saturating_convert<Fixed<std::int32_t, 24>>(normal);
+    if (convert<Fixed<std::int64_t, 24>>(short_normal) != normal) return std::nullopt;
+    return FacingPlane{short_normal, dot(short_normal, item(vertices, corners[0]).position)};
 }
 
 MeshBox box_at(const Vec3<World>& p) {
@@ -84,6 +93,20 @@ void set_boxes(MeshFrame& frame, std::span<const MeshTriangle> triangles) {
         for (const std::uint32_t vertex : triangles[i].vertices)
             extend(frame.parts.back(), item(frame.vertices, vertex).position);
     }
+}
+
+std::vector<FacingPlane> facing_planes(const Mesh& mesh) {
+    std::vector<FacingPlane> planes;
+    if (mesh.frames.size() != 1) return planes;
+    const std::vector<MeshVertex>& vertices = mesh.frames.front().vertices;
+    for (const MeshTriangle& triangle : mesh.triangles) {
+        const auto& [a, b, c] = triangle.vertices;
+        if (std::max({a, b, c}) >= vertices.size()) return {};
+        const std::optional<FacingPlane> plane = plane_of(vertices, triangle.vertices);
+        if (!plane) return {};
+        planes.push_back(*plane);
+    }
+    return planes;
 }
 
 }  // namespace oblong

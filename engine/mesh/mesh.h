@@ -35,6 +35,12 @@ struct MeshTriangle {
     std::uint32_t skin = 0;
 };
 
+/// The plane of a triangle in object space, to find out whether it faces the eye: N . eye > N . A.
+struct FacingPlane {
+    Vec3<Fixed<std::int32_t, 24>> normal;  ///< N = (C - A) x (B - A)
+    Fixed<std::int64_t, 36> distance;      ///< N . A
+};
+
 struct MeshBox {
     Vec3<World> mins, maxs;
     bool operator==(const MeshBox&) const = default;
@@ -64,6 +70,7 @@ struct Mesh {
     std::vector<MeshFrame> frames;
     std::vector<MeshTexel> texels;
     std::vector<MeshTriangle> triangles;
+    std::vector<FacingPlane> planes = {};  ///< of all triangles in the only frame; or empty (facing_planes)
     std::vector<Skin> skins;
     std::vector<MeshSequence> frame_sequences, skin_sequences;  ///< the file's frames and skins
     bool turns = false;                                         ///< always rotates (Quake's EF_ROTATE)
@@ -81,6 +88,10 @@ void set_normals(std::vector<MeshVertex>& vertices, std::span<const std::array<s
 /// Sets the bounding box of a frame's vertices, empty at the origin if there are none; and the boxes of the parts of
 /// `triangles`, if more than one.
 void set_boxes(MeshFrame& frame, std::span<const MeshTriangle> triangles = {});
+
+/// The planes of a mesh's triangles. Empty if it has several frames, or triangles of missing vertices, or of so many
+/// units that a normal does not fit.
+std::vector<FacingPlane> facing_planes(const Mesh& mesh);
 
 /// Reads a Quake model, an MDL file ("IDPO", version 6), enlarged by `scale` (above 0, at most 4,096).
 ///

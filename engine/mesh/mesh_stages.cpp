@@ -230,6 +230,21 @@ void find_facing(std::span<const MeshTriangle> triangles, std::span<const MeshVe
     }
 }
 
+void find_facing(std::span<const FacingPlane> planes, const Vec3<World>& object_eye,
+                 std::vector<std::uint32_t>& facing) {
+    facing.resize(planes.size());
+    std::size_t count = 0;
+    for (std::uint32_t i = 0; i < planes.size(); ++i) {
+        facing[count] = i;  // kept if it faces the eye: no branch, as half of all triangles do
+        count += dot(planes[i].normal, object_eye) > planes[i].distance;
+    }
+    facing.resize(count);
+}
+
+bool is_near_enough(const Vec3<World>& object_eye) {
+    return size_bits(object_eye) >> (World::kFractionBits + 17) == 0;
+}
+
 Vec3<Unit> world_normal(const MeshTriangle& triangle, std::span<const MeshVertex> object_vertices,
                         const MeshTransform& transform) {
     return world_normal(normalised(object_normal(triangle, object_vertices)), transform);

@@ -55,6 +55,10 @@ std::span<const MeshVertex> pose_of(const PlacedMesh& placed, std::vector<MeshVe
 /// in front of a triangle if N . (eye - A) > 0, N = (C - A) x (B - A). Triangles of missing vertices are left out.
 void find_facing(std::span<const MeshTriangle> triangles, std::span<const MeshVertex> object_vertices,
                  const Vec3<World>& object_eye, std::vector<std::uint32_t>& facing);
+/// The same by the triangles' planes. The eye is within 2^17 units along each axis (is_near_enough()).
+void find_facing(std::span<const FacingPlane> planes, const Vec3<World>& object_eye,
+                 std::vector<std::uint32_t>& facing);
+bool is_near_enough(const Vec3<World>& object_eye);
 
 /// Transforms the eye to object space; saturates.
 Vec3<World> to_object(const Vec3<World>& world_eye, const MeshTransform& transform);

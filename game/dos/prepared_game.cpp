@@ -165,6 +165,7 @@ void read_models(Reader& reader, LevelModels& models) {
     for (std::size_t i = 0; i < count; ++i) {
         auto mesh = std::make_unique<Mesh>();
         visit(reader, *mesh);
+        mesh->planes = facing_planes(*mesh);
         models.meshes[i] = std::move(mesh);
     }
     reader.count(models.models);

@@ -67,7 +67,9 @@ Skin checked_skin() {
 TEST(DrawMesh, LeavesOutNothingThatShows) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> far(-1, 1);
-    const Mesh ball = ball_mesh(30, 12, checked_skin());
+    Mesh ball = ball_mesh(30, 12, checked_skin());
+    ball.planes = facing_planes(ball);
+    ASSERT_FALSE(ball.planes.empty());
     std::vector<std::uint32_t> all_parts((ball.triangles.size() + kPartTriangles - 1) / kPartTriangles);
     std::iota(all_parts.begin(), all_parts.end(), 0u);
     ASSERT_GT(all_parts.size(), 2u);

@@ -10,6 +10,7 @@
 #include "engine/methods/mesh_stages.h"
 #include "tests/mesh/mesh_picture.h"
 #include "tests/support/point.h"
+#include "tests/support/random.h"
 
 namespace oblong::test::mesh_stages_test {
 namespace {
@@ -131,6 +132,53 @@ TEST(MeshStages, FacingIsTheSignOfTheExactProduct) {
     }
     EXPECT_GT(facing_count, 800);
     EXPECT_LT(facing_count, 1200);
+}
+
+/// Against 128 bits, with eyes in the planes of triangles and one step beside them.
+TEST(MeshStages, PlanesTellExactlyWhatFaces) {
+    std::mt19937 random(3);
+    int facing_count = 0, without = 0;
+    for (int i = 0; i < 6000; ++i) {
+        MeshBuilder builder;
+        const int size = random_below(random, 20), far = random_below(random, 5);
+        const Vec3<World> middle = random_world(random, far + 4);
+        const auto near = [&] { return middle + random_world(random, 12 + size); };
+        builder.add(near()), builder.add(near()), builder.add(near());
+        builder.triangle(0, 1, 2);
+        const Mesh& mesh = builder.done();
+        const std::vector<FacingPlane> planes = facing_planes(mesh);
+        const auto at = [&](std::size_t corner) { return mesh.frames[0].vertices[corner].position; };
+        const auto exact_cross = cross(at(2) - at(0), at(1) - at(0));
+        const auto is_long = [](auto part) { return part.raw != static_cast<std::int32_t>(part.raw); };
+        ASSERT_EQ(planes.empty(), is_long(exact_cross.x) || is_long(exact_cross.y) || is_long(exact_cross.z));
+        without += planes.empty();
+        if (planes.empty()) continue;
+        Vec3<World> eye = i % 2 == 0 ? at(0) + at(1) - at(2) : random_world(random, 3);
+        if (i % 4 == 0) eye.z += World::from_raw(random_below(random, 3) - 1);
+        if (!is_near_enough(eye)) continue;
+        const auto exact = [](std::int64_t factor, World to, World from) {
+            return static_cast<__int128>(factor) * (std::int64_t{to.raw} - from.raw);
+        };
+        const bool faces = exact(exact_cross.x.raw, eye.x, at(0).x) + exact(exact_cross.y.raw, eye.y, at(0).y) +
+                               exact(exact_cross.z.raw, eye.z, at(0).z) >
+                           0;
+        std::vector<std::uint32_t> facing;
+        find_facing(planes, eye, facing);
+        ASSERT_EQ(facing.size(), faces ? 1u : 0u) << i;
+        facing_count += faces;
+    }
+    EXPECT_GT(facing_count, 1500);
+    EXPECT_GT(without, 500);
+}
+
+TEST(MeshStages, OnlyAWholeMeshOfOneFrameHasPlanes) {
+    Mesh mesh = ball_mesh(10, 4, plain_skin(1));
+    EXPECT_EQ(facing_planes(mesh).size(), mesh.triangles.size());
+    Mesh broken = mesh;
+    broken.triangles[3].vertices[2] = 1000;
+    EXPECT_TRUE(facing_planes(broken).empty());
+    mesh.frames.push_back(mesh.frames[0]);
+    EXPECT_TRUE(facing_planes(mesh).empty());
 }
 
 TEST(MeshStages, APoseIsBetweenTwoFrames) {
