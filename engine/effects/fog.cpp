@@ -24,6 +24,13 @@ constexpr std::array<std::int32_t, FogTable::kLevels - 1> kReach_28 = {
 
 constexpr InverseZ kNowhere = InverseZ::lowest();
 
+/// The greatest v whose reciprocal, rounded to the nearest, is above g: floor(2^60 / v + 1/2) > g if 2^61 >= (2g + 1)
+/// v.
+View greatest_with_more(InverseZ g) {
+    constexpr int kBits = InverseZ::kFractionBits + View::kFractionBits + 1;
+    return View::from_raw((std::int64_t{1} << kBits) / (2 * g.raw + 1));
+}
+
 InverseZ clamped(InverseZ inverse_z) {
     return std::clamp(inverse_z, InverseZ{}, kGreatestInverseZ);
 }
@@ -52,12 +59,16 @@ FogDepths make_fog_depths(FogDensity density, View start, View end) {
     FogDepths depths;
     depths.greatest_inverse_z.fill(kNowhere);
     depths.greatest_inverse_z[0] = InverseZ::highest();
+    depths.greatest_before.fill(View::highest());
+    depths.greatest_before[0] = View::lowest();
     if (density <= FogDensity{}) return depths;
     for (std::int32_t level = 1; level < FogTable::kLevels; ++level) {
         const View reach = divide<View>(FogReach::from_raw(item(kReach_28, level - 1)) * 64, density);
         const View z = saturating_sum(std::max(start, View{}), reach);
         if (z > end || z == View::highest()) break;
-        item(depths.greatest_inverse_z, level) = reciprocal<InverseZ>(z);
+        const InverseZ greatest = reciprocal<InverseZ>(z);
+        item(depths.greatest_inverse_z, level) = greatest;
+        item(depths.greatest_before, level) = greatest_with_more(greatest);
     }
     return depths;
 }

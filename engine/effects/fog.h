@@ -21,7 +21,17 @@ struct FogDepths {
     /// Descending. Entry 0 is the format's highest number; a level that is never reached has the lowest.
     std::array<InverseZ, FogTable::kLevels> greatest_inverse_z{};
 
+    /// Ascending: the greatest depth whose rounded 1/z is above entry k.
+    std::array<View, FogTable::kLevels> greatest_before{};
+
     std::int32_t level_at(InverseZ inverse_z) const;
+    /// level_at() of the depth's rounded 1/z, without a division; fast if `guess` is near.
+    std::int32_t level_at(View depth, std::int32_t guess) const {
+        std::int32_t level = guess;
+        while (level > 0 && depth <= greatest_before[as_size(level)]) --level;
+        while (level + 1 < FogTable::kLevels && depth > greatest_before[as_size(level) + 1]) ++level;
+        return level;
+    }
 };
 
 /// At depth z fog hides a share of 1 - exp(-(density / 64 (z - start))^2) (FitzQuake), constant from `end` on (`start`

@@ -43,18 +43,18 @@ class LevelFinder {
                 const FogDepths& depths, std::vector<FogRun>& runs)
         : row_(span.y), inverse_z_(inverse_z), view_(view), depths_(depths), runs_(runs) {}
 
-    std::int32_t level_at(std::int32_t column) const {
+    /// `guess`: a level nearby.
+    std::int32_t level_at(std::int32_t column, std::int32_t guess) const {
         const auto z = reciprocal<View>(std::clamp(inverse_z_.at(column, row_), kLeastInverseZ, kGreatestInverseZ));
         const auto climb = std::clamp(product<View>(z, view_.rise.at(column, row_)), -kHighestClimb, kHighestClimb);
-        const View length = length_in_fog(z, climb, view_);
-        return depths_.level_at(reciprocal<InverseZ>(std::max(length, View{})));
+        return depths_.level_at(std::max(length_in_fog(z, climb, view_), View{}), guess);
     }
 
     /// Appends pixels [first, end), given the levels of pixels `first` and `end`.
     void append(std::int32_t first, std::int32_t end, std::int32_t first_level, std::int32_t end_level) {
         if (first_level == end_level || end - first == 1)
             return append_fog_run({{row_, first, end}, first_level}, runs_);
-        const std::int32_t middle = (first + end) / 2, level = level_at(middle);
+        const std::int32_t middle = (first + end) / 2, level = level_at(middle, first_level);
         append(first, middle, first_level, level);
         append(middle, end, level, end_level);
     }
@@ -98,9 +98,9 @@ void append_height_fog_runs(const Span& span, const LinearQuantity<InverseZ>& in
                             const FogDepths& depths, std::vector<FogRun>& runs) {
     if (is_clear({span.first, span.end, span.y, span.y + 1}, inverse_z, view)) return append_fog_run({span, 0}, runs);
     LevelFinder finder(span, inverse_z, view, depths, runs);
-    std::int32_t first = span.first, level = finder.level_at(first);
+    std::int32_t first = span.first, level = finder.level_at(first, FogTable::kLevels / 2);
     for (const std::int32_t last = span.end - 1; first < last;) {
-        const std::int32_t end = std::min(first + kStep_px, last), end_level = finder.level_at(end);
+        const std::int32_t end = std::min(first + kStep_px, last), end_level = finder.level_at(end, level);
         finder.append(first, end, level, end_level);
         first = end;
         level = end_level;

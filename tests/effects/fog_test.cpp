@@ -76,6 +76,26 @@ TEST(Fog, DensitiesThatMeanNothingAreClear) {
     EXPECT_EQ(reversed.level_at(inverse_of(1e4)), 0);
 }
 
+/// At and beside each depth where a level begins, and from any guess.
+TEST(Fog, ADepthHasTheLevelOfItsRoundedInverse) {
+    std::mt19937_64 random(4);
+    for (int i = 0; i < 60; ++i) {
+        const View end = i % 3 == 0 ? View::from_int(1 + static_cast<std::int64_t>(random() % 3000)) : View::highest();
+        const FogDepths depths =
+            make_fog_depths(FogDensity::from_raw(static_cast<std::int64_t>(random() >> (i / 2 + 26))), {}, end);
+        std::vector<View> places{View{}, View::ulp(), View::highest()};
+        for (const View before : depths.greatest_before)
+            for (int step = -2; step <= 2; ++step)
+                if (before > View::from_raw(2) && before < View::highest())
+                    places.push_back(before + View::from_raw(step));
+        for (int j = 0; j < 50; ++j) places.push_back(View::from_raw(static_cast<std::int64_t>(random() >> (j + 13))));
+        for (const View depth : places)
+            ASSERT_EQ(depths.level_at(depth, static_cast<std::int32_t>(random() % FogTable::kLevels)),
+                      depths.level_at(reciprocal<InverseZ>(depth)))
+                << depth.raw;
+    }
+}
+
 TEST(Fog, RunsHaveTheLevelOfEachPixelAndLeaveNoGap) {
     std::mt19937_64 random(2);
     for (int trial = 0; trial < 20'000; ++trial) {
