@@ -152,19 +152,19 @@ void claim_face(VisibleFace& face, bool is_second_walk, const FrameContext& fram
     add_claimed(face, first, frame, claims);
 }
 
-void add_claimed(VisibleFace& face, std::size_t first_span, const FrameContext& frame, Claims& claims) {
+void add_claimed(const VisibleFace& face, std::size_t first_span, const FrameContext& frame, Claims& claims) {
     if (claims.spans.size() == first_span) return;
-    face.first_span = static_cast<std::uint32_t>(first_span);
-    face.span_count = static_cast<std::uint32_t>(claims.spans.size() - first_span);
     const EffectSet needs = frame.cache.faces[face.face].effects, allowed = frame.settings.allowed_effects;
     const EffectSet effects = face.fragment ? needs.with(Effect::BrushModels) : needs;
     const FaceList list = list_for(needs, allowed);
+    VisibleFace& added = claims.list(list).emplace_back(face);
+    added.first_span = static_cast<std::uint32_t>(first_span);
+    added.span_count = static_cast<std::uint32_t>(claims.spans.size() - first_span);
     // Faces without texels need it only for other effects: fog, and things before and behind them.
     if (list != FaceList::Sky && (list != FaceList::Flat || allowed != EffectSet{}))
-        face.inverse_z = inverse_z_after(face, frame, claims.last_plane);
-    claims.list(list).push_back(face);
+        added.inverse_z = inverse_z_after(face, frame, claims.last_plane);
     claims.effects = claims.effects | (effects & allowed);
-    if (frame.observers.counts) count_face(effects, claims.spans_of(face), *frame.observers.counts);
+    if (frame.observers.counts) count_face(effects, claims.spans_of(added), *frame.observers.counts);
 }
 
 void claim_faces(const FrameContext& frame, ViewScratch& scratch) {

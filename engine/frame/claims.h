@@ -104,7 +104,7 @@ void claim_face(VisibleFace& face, bool is_second_walk, const FrameContext& fram
 
 /// Adds a face to its list, with its 1/z if something may need it. Its spans are those of `claims` from `first_span`
 /// on; without spans it is not added.
-void add_claimed(VisibleFace& face, std::size_t first_span, const FrameContext& frame, Claims& claims);
+void add_claimed(const VisibleFace& face, std::size_t first_span, const FrameContext& frame, Claims& claims);
 
 /// Claims the pixels of all faces, front to back; draws nothing.
 void claim_faces(const FrameContext& frame, ViewScratch& scratch);

@@ -54,8 +54,8 @@ std::int32_t rows_of(const Face& face) {
     return face.texel_extent_v / 16 + 1;
 }
 
-/// Sets all but the texels, in place: a copy of what was just written waits for the writes.
-void set_shape(const Face& face, int mip, SurfaceView& surface) {
+SurfaceView shape_of(const Face& face, int mip) {
+    SurfaceView surface;
     surface.width = std::max(lit_size(columns_of(face), mip), 1);
     surface.height = std::max(lit_size(rows_of(face), mip), 1);
     const std::uint32_t stride = std::bit_ceil(static_cast<std::uint32_t>(surface.width));
@@ -63,6 +63,7 @@ void set_shape(const Face& face, int mip, SurfaceView& surface) {
     surface.u_mask = stride - 1;
     surface.v_mask = std::bit_ceil(static_cast<std::uint32_t>(surface.height)) - 1;
     surface.holds_blocks = true;
+    return surface;
 }
 
 LightmapView light_of(const Level& level, const Face& face, const LightStyles& styles) {
@@ -161,14 +162,14 @@ FaceSurface FaceSurfaces::get(FaceIndex face, int mip, const SurfaceState& state
 
 FaceSurface FaceSurfaces::lit(FaceIndex index, int mip, const SurfaceState& state) {
     const Face& face = level_.faces[index];
-    FaceSurface surface;
-    set_shape(face, mip, surface.view);
-    surface.mip = mip;
-    surface.origin_u = face.texel_min_u;
-    surface.origin_v = face.texel_min_v;
-    surface.limits = make_texel_limits(std::max(face.texel_extent_u >> mip, 1), std::max(face.texel_extent_v >> mip, 1),
-                                       longest_px_);
-    surface.kernel = kernel;
+    // In place: a copy of what was just written waits for the writes.
+    FaceSurface surface{shape_of(face, mip),
+                        mip,
+                        face.texel_min_u,
+                        face.texel_min_v,
+                        make_texel_limits(std::max(face.texel_extent_u >> mip, 1),
+                                          std::max(face.texel_extent_v >> mip, 1), longest_px_),
+                        kernel};
 
     LightmapView light = light_of(level_, face, state.styles);
     const bool may_be_touched = !moving_lights_.is_empty() && !light.is_fullbright;

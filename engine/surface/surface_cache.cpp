@@ -26,7 +26,7 @@ SurfaceCache::Found SurfaceCache::get(std::size_t slot, std::size_t bytes, const
         Block& block = blocks_[known];
         const bool is_valid = block.key == key, is_of_this_frame = block.frame == frame_;
         if (is_valid || !is_of_this_frame) {
-            block.key = key;
+            if (!is_valid) block.key = key;
             block.frame = frame_;
             return {block.texels, is_valid};
         }
