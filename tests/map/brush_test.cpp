@@ -98,6 +98,12 @@ TEST(Brushes, WithoutExtentAreRefused) {
     expect_complaint(level(box({16, 0, 0}, {0, 16, 16})), "line 3: the sides of this brush enclose no volume");
 }
 
+TEST(Brushes, OutOfTheFormatsReachAreNamedByTheirLine) {
+    expect_complaint(level(plain_room() + box({40000, 0, 0}, {40016, 16, 16})), "this brush reaches farther from the");
+    EXPECT_EQ(complaint_of(level(room({-32751, 0, 0}, {-32600, 64, 64}), entity_at("light", {-32700, 32, 32}))),
+              "none");
+}
+
 TEST(Brushes, SidesSaidTwiceOrOutOfReachChangeNothing) {
     const std::string cube = box({96, 96, 0}, {128, 128, 64});
     const std::string first_side = cube.substr(2, cube.find('\n', 2) - 1);
