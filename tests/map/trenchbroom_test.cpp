@@ -111,7 +111,7 @@ TEST_F(TrenchBroom, TheGameIsStartedWithTheMapsLevel) {
     for (const EditorValue& profile : profiles.at("profiles").as_list()) {
         EXPECT_NE(profile.at("id").as_text() + profile.at("name").as_text(), "");
         EXPECT_EQ(profile.at("path").as_text(), build_folder() + "/bin/oblong");
-        EXPECT_EQ(interpolated(profile.at("parameters").as_text(), variables), "\"/g/maps/m.bsp\"");
+        EXPECT_EQ(interpolated(profile.at("parameters").as_text(), variables), "--error-box \"/g/maps/m.bsp\"");
     }
 }
 
