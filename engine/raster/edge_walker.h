@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "engine/base/range_probe.h"
@@ -74,9 +75,26 @@ class ScreenWalker {
         return further;
     }
 
+    static constexpr int kFractionBits = 41;
+    using Column = Fixed<std::int64_t, kFractionBits>;
+    /// Its floor is column().
+    Column exact_column() const { return column_; }
+    Column slope() const { return slope_; }
+
   private:
-    using Column = Fixed<std::int64_t, 41>;
     Column slope_, column_;
+};
+
+/// An edge directed downward, on one side of its polygon.
+struct SideEdge {
+    bool is_right;
+    ScreenVertex top, bottom;
+
+    SideEdge(ScreenVertex from, ScreenVertex to)
+        : is_right(from.y < to.y), top(is_right ? from : to), bottom(is_right ? to : from) {}
+    PixelRange rows(PixelRange within) const {
+        return {std::max(first_centre_from(top.y), within.first), std::min(first_centre_from(bottom.y), within.end)};
+    }
 };
 
 }  // namespace oblong

@@ -8,6 +8,7 @@
 #include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"
 #include "engine/raster/edge_walker.h"
+#include "engine/raster/kernels/by_eights.h"
 
 namespace oblong {
 
@@ -32,18 +33,6 @@ class AccumulatingWalker {
   private:
     using Column = Fixed<std::int64_t, 16>;
     Column slope_, column_;
-};
-
-/// An edge directed downward, on one side of its polygon.
-struct SideEdge {
-    bool is_right;
-    ScreenVertex top, bottom;
-
-    SideEdge(ScreenVertex from, ScreenVertex to)
-        : is_right(from.y < to.y), top(is_right ? from : to), bottom(is_right ? to : from) {}
-    PixelRange rows(PixelRange within) const {
-        return {std::max(first_centre_from(top.y), within.first), std::min(first_centre_from(bottom.y), within.end)};
-    }
 };
 
 ScreenVertex clamped_vertex(ScreenVertex v) {
@@ -164,6 +153,8 @@ void scan_convex(std::span<const ScreenVertex> vertices, const PolygonShape& sha
     rows.end = within.end;
     rows.columns = {shape.bounds.first_column, shape.bounds.end_column};
     if (within.first >= within.end) return;
+    if (shape.walk == EdgeWalk::OnScreen && shape.is_monotone && rows.instructions == Instructions::Avx512)
+        return scan_edges_by_eights(vertices, rows);
     if (shape.walk == EdgeWalk::OnScreen) return scan_edges<ScreenWalker>(vertices, shape, rows);
     if (shape.walk == EdgeWalk::Exact) return scan_edges<ExactWalker>(vertices, shape, rows);
     scan_edges<AccumulatingWalker>(vertices, shape, rows);

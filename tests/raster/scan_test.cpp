@@ -161,9 +161,12 @@ TEST(Scan, IsTheSameOnTheScreenAndBesideIt) {
     for (int i = 0; i < 5000; ++i) {
         const auto polygon = random_polygon(random, kWidth, kHeight, i % 2 ? 700 : 0);
         ScanlineExtents on(kHeight), beside(kHeight);
-        scan_convex(polygon, on);
         scan_convex(moved(polygon, kAway, 0), beside);
-        ASSERT_NO_FATAL_FAILURE(expect_same_rows(on, beside, {on.first, on.end}, kAway)) << i;
+        for (const Instructions instructions : {Instructions::Baseline, best_instructions()}) {
+            on.instructions = instructions;
+            scan_convex(polygon, on);
+            ASSERT_NO_FATAL_FAILURE(expect_same_rows(on, beside, {on.first, on.end}, kAway)) << i;
+        }
         bent += !shape_of(polygon, kHeight).is_monotone;
         covered += on.first < on.end;
     }

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "engine/raster/octave_row.h"
+#include "engine/raster/scan.h"
 #include "engine/raster/texture_blocks.h"
 
 namespace oblong {
@@ -33,5 +34,9 @@ inline constexpr std::int32_t kFewestByEights = 8;
 std::int32_t draw_divided_by_eights(const OctaveRow& row, std::int32_t count, std::uint8_t* out);
 void draw_at_depths_by_eights(const OctaveRow& row, const ColumnTexel* columns, std::int32_t count, std::uint8_t* out);
 void draw_columns_by_eights(const OctaveRow& row, const ColumnTexel* columns, std::int32_t count, std::uint8_t* out);
+
+/// Sets the columns of a polygon on the screen whose outline is_monotone, eight rows at a time: those of ScreenWalker.
+/// Only for processors with Instructions::Avx512.
+void scan_edges_by_eights(std::span<const ScreenVertex> vertices, ScanlineExtents& rows);
 
 }  // namespace oblong
