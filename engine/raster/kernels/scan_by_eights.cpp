@@ -12,8 +12,8 @@ namespace {
     return _mm512_cvtepi64_epi32(as_m512i(signed_shift(columns, ScreenWalker::kFractionBits)));
 }
 
-[[OBLONG_INLINE_AVX512]] inline void write_columns(const ScreenWalker& walker, std::int32_t count,
-                                                   std::int32_t* columns) {
+[[OBLONG_INLINE_AVX512]] inline void write_by_eights(const ScreenWalker& walker, std::int32_t count,
+                                                     std::int32_t* columns) {
     const std::int64_t slope = walker.slope().raw;
     Eight at = eight_of(walker.exact_column().raw) + eight_of(slope) * Eight{0, 1, 2, 3, 4, 5, 6, 7};
     for (const Eight step = eight_of(8 * slope); count > 8; count -= 8, columns += 8, at += step)
@@ -33,7 +33,8 @@ namespace {
         from = vertex;
         const auto [first, end] = edge.rows({rows.first, rows.end});
         if (first >= end) continue;
-        write_columns(ScreenWalker(edge.top, edge.bottom, first), end - first, (edge.is_right ? right : left) + first);
+        write_by_eights(ScreenWalker(edge.top, edge.bottom, first), end - first,
+                        (edge.is_right ? right : left) + first);
     }
 }
 
