@@ -1,7 +1,6 @@
 #include "engine/effects/fog.h"
 
 #include <algorithm>
-#include <functional>
 
 #include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"

@@ -1,7 +1,6 @@
 #include "engine/effects/sprites.h"
 
 #include <algorithm>
-#include <array>
 
 #include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"

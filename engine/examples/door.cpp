@@ -5,7 +5,6 @@
 #include <oblong.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <exception>
 

@@ -2,7 +2,6 @@
 // moves the net, its button closes it. In the texts: the course notes' painter's algorithm and filled triangles.
 #include <oblong.h>
 
-#include <array>
 #include <string>
 
 using namespace oblong;

@@ -5,7 +5,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 // CLI11 takes long to compile, so only this file's source includes it.
 namespace CLI {

@@ -1,6 +1,5 @@
 #include "engine/files/crosshair.h"
 
-#include <cmath>
 #include <cstdio>
 
 #include "engine/draw/drawing.h"

@@ -1,7 +1,6 @@
 #include "engine/files/level_models.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>

@@ -1,6 +1,5 @@
 #include "engine/base/table.h"
 #include "engine/files/level_models.h"
-#include "engine/fixed/arithmetic.h"
 
 namespace oblong {
 namespace {

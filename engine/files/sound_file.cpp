@@ -1,6 +1,5 @@
 #include "engine/files/sound_file.h"
 
-#include <algorithm>
 #include <optional>
 #include <string>
 

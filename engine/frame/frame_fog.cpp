@@ -1,6 +1,5 @@
 #include "engine/frame/frame_fog.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "engine/base/table.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-
 #include "engine/base/range_probe.h"
 #include "engine/level/level.h"
 

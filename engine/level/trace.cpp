@@ -1,6 +1,5 @@
 #include "engine/level/trace.h"
 
-#include <algorithm>
 #include <vector>
 
 #include "engine/fixed/arithmetic.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 
 #include "engine/fixed/arithmetic.h"
 #include "engine/fixed/wide.h"

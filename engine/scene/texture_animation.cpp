@@ -4,7 +4,6 @@
 #include <array>
 #include <map>
 #include <optional>
-#include <string_view>
 
 #include "engine/base/input_error.h"
 #include "engine/base/table.h"

@@ -8,7 +8,6 @@
 
 #include "engine/accuracy/accuracy.h"
 #include "game/view/game_renderer.h"
-#include "game/view/view_times.h"
 #include "tools/measure/operations.h"
 #include "tools/measure/texel_error.h"
 #include "tools/reference/level.h"

@@ -9,7 +9,6 @@
 #include "game/input/route.h"
 #include "game/lab/timedemo.h"
 #include "game/options/options.h"
-#include "game/program/error_window.h"
 #include "game/program/program.h"
 
 namespace oblong {

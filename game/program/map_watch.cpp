@@ -5,11 +5,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <iostream>
 #include <sstream>
 
-#include "engine/files/arguments.h"
 #include "engine/files/files.h"
 #include "engine/level/entities.h"
 

@@ -7,7 +7,6 @@
 #include "engine/files/files.h"
 #include "engine/level/entity_classes.h"
 #include "game/program/program_files.h"
-#include "game/simulation/items.h"
 
 namespace oblong {
 namespace {

@@ -1,6 +1,5 @@
 #include "game/program/shown_overlays.h"
 
-#include "engine/files/arguments.h"
 #include "engine/files/crosshair.h"
 #include "game/input/key_names.h"
 #include "game/lab/aspect_guide.h"

@@ -1,7 +1,6 @@
 #include "game/simulation/entity_keys.h"
 
 #include <algorithm>
-#include <string>
 
 #include "engine/fixed/trig.h"
 #include "engine/level/entities.h"

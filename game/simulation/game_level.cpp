@@ -1,7 +1,5 @@
 #include "game/simulation/game_level.h"
 
-#include <algorithm>
-
 #include "engine/fixed/trig.h"
 #include "game/simulation/level_builder.h"
 #include "game/simulation/tick_input.h"

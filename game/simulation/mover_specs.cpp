@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <string>
 
 #include "engine/fixed/trig.h"
 #include "engine/level/entity_classes.h"

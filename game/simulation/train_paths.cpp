@@ -4,7 +4,6 @@
 #include "engine/scene/placed_models.h"
 #include "game/simulation/entity_keys.h"
 #include "game/simulation/entity_specs.h"
-#include "game/simulation/tick_input.h"
 
 namespace oblong {
 namespace {

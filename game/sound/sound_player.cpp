@@ -1,6 +1,5 @@
 #include "game/sound/sound_player.h"
 
-#include <algorithm>
 #include <filesystem>
 
 #include "engine/base/table.h"

@@ -6,7 +6,6 @@
 #include "engine/draw/text.h"
 #include "engine/effects/palette_effects.h"
 #include "game/view/game_renderer.h"
-#include "game/view/view_times.h"
 
 namespace oblong {
 

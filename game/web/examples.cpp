@@ -2,7 +2,6 @@
 // the environment, as in a shell.
 #include <emscripten.h>
 
-#include <cstdlib>
 #include <string>
 
 #include "engine/platform/sdl/sdl.h"

@@ -3,9 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <memory>
-#include <optional>
-#include <span>
 #include <string>
 #include <vector>
 

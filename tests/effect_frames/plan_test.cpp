@@ -4,7 +4,6 @@
 #include <set>
 
 #include "engine/level/bsp_read.h"
-#include "engine/level/side.h"
 #include "engine/visibility/eye.h"
 #include "tests/effect_frames/effect_stage.h"
 #include "tests/support/folders.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "tests/support/point.h"
+#include "engine/files/doubles.h"
 
 namespace oblong::test {
 

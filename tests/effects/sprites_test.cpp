@@ -8,7 +8,6 @@
 #include <random>
 #include <vector>
 
-#include "engine/surface/palette.h"
 #include "tests/support/views.h"
 
 namespace oblong::test::sprites_test {

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
 // PNG files by hand, without the library that the programs use: signature, then chunks of length, four letters, data

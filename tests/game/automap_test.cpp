@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "tests/game/toy_level.h"
 
 namespace oblong::test {

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <vector>
-
 #include "engine/base/input_error.h"
 #include "game/input/tick_input_source.h"
 #include "tests/game/toy_game.h"

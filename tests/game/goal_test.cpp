@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "game/simulation/items.h"
 #include "tests/game/logic_level.h"
 
 namespace oblong {

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "engine/math/vec.h"
-#include "engine/methods/triangles.h"
 #include "engine/raster/texture_blocks.h"
 #include "engine/view/texture_gradients.h"
 #include "tests/hard_cases/hard_case.h"

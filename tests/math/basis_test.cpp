@@ -6,7 +6,6 @@
 #include <numbers>
 #include <random>
 
-#include "engine/fixed/trig.h"
 #include "engine/math/vec.h"
 #include "engine/methods/axes.h"
 #include "engine/methods/rotation.h"

@@ -9,7 +9,6 @@
 #include <random>
 
 #include "engine/fixed/wide.h"
-#include "engine/math/transform.h"
 #include "engine/methods/mesh_stages.h"
 #include "engine/methods/transforms.h"
 #include "tests/mesh/mesh_picture.h"

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <random>
 
-#include "engine/fixed/trig.h"
 #include "engine/methods/mesh_stages.h"
 #include "tests/mesh/mesh_picture.h"
 #include "tests/support/point.h"

@@ -5,10 +5,10 @@
 #include <random>
 
 #include "engine/base/input_error.h"
+#include "engine/files/doubles.h"
 #include "engine/mesh/mesh.h"
 #include "tests/mesh_files/mdl_writer.h"
 #include "tests/support/folders.h"
-#include "tests/support/point.h"
 
 namespace oblong {
 namespace {

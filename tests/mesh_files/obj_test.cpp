@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <random>
 
+#include "engine/files/doubles.h"
 #include "engine/files/files.h"
 #include "tests/support/palettes.h"
-#include "tests/support/point.h"
 
 namespace oblong::test::obj_test {
 namespace {

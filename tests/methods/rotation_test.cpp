@@ -5,7 +5,6 @@
 #include <numbers>
 #include <random>
 
-#include "engine/fixed/trig.h"
 #include "engine/math/vec.h"
 #include "tests/math/vectors.h"
 

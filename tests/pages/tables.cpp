@@ -1,7 +1,5 @@
 #include "tests/pages/tables.h"
 
-#include <algorithm>
-
 #include "engine/accuracy/dials.h"
 #include "engine/files/game_definition.h"
 #include "game/input/actions.h"

@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <limits>
-
 #include "engine/level/entities.h"
 #include "engine/raster/kernels/kernels.h"
 #include "engine/surface/lit_surface.h"

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include "tests/scene/scene_fixture.h"
 
 namespace oblong::test {

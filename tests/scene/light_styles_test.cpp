@@ -6,7 +6,7 @@
 #include <numeric>
 #include <random>
 
-#include "tests/scene/scene_fixture.h"
+#include "tests/support/levels.h"
 
 namespace oblong::test {
 namespace {

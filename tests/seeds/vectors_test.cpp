@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "engine/fixed/root.h"
 #include "engine/math/basis.h"
 #include "engine/math/matrix.h"
 #include "engine/math/plane.h"

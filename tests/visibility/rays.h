@@ -1,8 +1,6 @@
 #pragma once
 
-#include <cmath>
 #include <span>
-#include <vector>
 
 #include "tests/support/point.h"
 

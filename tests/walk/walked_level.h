@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "engine/files/files.h"
 #include "engine/level/bsp_read.h"
 #include "game/program/program.h"

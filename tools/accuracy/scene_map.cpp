@@ -1,6 +1,5 @@
 #include "tools/accuracy/scene_map.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>

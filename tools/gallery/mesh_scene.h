@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <vector>
 
 #include "engine/mesh/draw_mesh.h"
 #include "engine/mesh/mesh.h"

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdio>
 
-#include "engine/fixed/trig.h"
 #include "engine/methods/canonical_volume.h"
 #include "engine/methods/mesh_stages.h"
 #include "engine/methods/transforms.h"

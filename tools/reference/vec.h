@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <concepts>
-#include <cstddef>
 
 /// Everything in this folder is written from the formulas, in doubles, without the engine's code: tests compare the
 /// engine with it.

@@ -1,4 +1,3 @@
-#include "engine/files/arguments.h"
 #include "engine/files/command_line.h"
 #include "engine/files/files.h"
 #include "tools/texture/texture_files.h"

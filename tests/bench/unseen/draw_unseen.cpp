@@ -1,7 +1,6 @@
 // Draws a level from places, all around, each picture twice: as usual, and with only the effects that own pixels of it.
 // What either takes is counted from outside, by the names of the functions that draw (../unseen_costs.py).
 //   draw_unseen LEVEL.bsp CAMERAS.csv PALETTE DIRECTIONS
-#include <cstdio>
 
 #include "engine/base/input_error.h"
 #include "engine/files/arguments.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
 
 #include "engine/base/input_error.h"
 #include "engine/files/files.h"

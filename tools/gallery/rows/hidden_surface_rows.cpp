@@ -1,7 +1,6 @@
 // Hidden surfaces: the same views by each method (seeds 3 and 4), their intermediate results, and where one fails.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 

@@ -1,7 +1,6 @@
 // Seed 2 (the lab): lines clipped in the view volume, before projection loses the depth.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "engine/methods/clip_line.h"

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/methods/canonical_volume.h"
 #include "engine/methods/polygons.h"
 #include "engine/methods/transforms.h"
 #include "engine/raster/lines.h"

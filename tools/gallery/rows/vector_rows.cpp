@@ -1,6 +1,5 @@
 // Seed 5 (Abrash): dot products, cross products and frames of reference, and what seed 1 says of components.
 
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
