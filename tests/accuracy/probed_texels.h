@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cmath>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "tests/support/reference_polygons.h"
 #include "tools/measure/texel_error.h"
 #include "tools/probe/probe.h"
 

@@ -7,7 +7,7 @@
 #include "engine/methods/polygons.h"
 #include "engine/raster/scan.h"
 #include "tests/hard_cases/hard_case.h"
-#include "tools/reference/polygon.h"
+#include "tests/support/reference_polygons.h"
 
 namespace oblong {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "engine/raster/scan.h"
 #include "tests/hard_cases/hard_case.h"
-#include "tools/reference/polygon.h"
+#include "tests/support/reference_polygons.h"
 
 namespace oblong {
 namespace {

@@ -7,7 +7,7 @@
 #include "engine/raster/scan.h"
 #include "engine/raster/texture_blocks.h"
 #include "tests/hard_cases/hard_case.h"
-#include "tools/reference/plane_view.h"
+#include "tests/support/reference_polygons.h"
 
 namespace oblong {
 namespace {

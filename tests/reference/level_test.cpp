@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/bsp_writer.h"
-#include "tools/reference/polygon.h"
+#include "tools/reference/edge_mender.h"
 
 namespace oblong::reference::level_test {
 namespace {

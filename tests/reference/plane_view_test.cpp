@@ -85,38 +85,6 @@ TEST(PlaneView, APlaceHalfAPixelBesideIsHalfAPixelOff) {
     EXPECT_NEAR(std::hypot(place->x - 160.5, place->y - 100.3), 0.5, 1e-9);
 }
 
-TEST(PlaneView, GradientsAreTheLimitOfDifferences) {
-    std::mt19937 random(4);
-    for (int i = 0; i < 500; ++i) {
-        const RandomPlane plane(random);
-        const PlaneView view = plane.make();
-        const ScreenPoint at{random_between(random, 155, 165), random_between(random, 95, 105)};
-        if (view.inverse_z(at) < 1e-3) continue;
-        constexpr double kStep = 1e-4;
-        const TexelGradient gradient = view.gradient_at(at);
-        const Texel left = view.texel_at({at.x - kStep, at.y}), right = view.texel_at({at.x + kStep, at.y});
-        const Texel above = view.texel_at({at.x, at.y - kStep}), below = view.texel_at({at.x, at.y + kStep});
-        const auto expect_slope = [&](double slope, double from, double to) {
-            EXPECT_NEAR(slope, (to - from) / (2 * kStep), 1e-4 * std::max(std::abs(slope), 1.0)) << i;
-        };
-        expect_slope(gradient.u_per_column, left.u, right.u);
-        expect_slope(gradient.v_per_column, left.v, right.v);
-        expect_slope(gradient.u_per_row, above.u, below.u);
-        expect_slope(gradient.v_per_row, above.v, below.v);
-    }
-}
-
-TEST(PlaneView, GradientsOfAFacingWallAreOneOverItsScale) {
-    Level level = make_level();
-    add_rectangle(level, 0, 0, 320, 200, 320);
-    const TexelGradient gradient =
-        PlaneView(level, level.faces[0], {}, make_camera(make_plain_view())).gradient_at({10, 10});
-    EXPECT_NEAR(gradient.u_per_column, 2, 1e-12);
-    EXPECT_NEAR(gradient.v_per_row, 2, 1e-12);
-    EXPECT_NEAR(gradient.u_per_row, 0, 1e-12);
-    EXPECT_NEAR(gradient.v_per_column, 0, 1e-12);
-}
-
 TEST(PlaneView, TexelsBehindTheEyeHaveNoPlace) {
     Level level = make_level();
     level.texinfos[0] = {{1, 0, 0}, {0, -1, 0}, 0, 0, 0, false};

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace oblong::reference {
 
@@ -42,15 +41,6 @@ double between(double from, double to, double fraction) {
 }
 
 }  // namespace
-
-Palette make_palette(std::span<const std::uint8_t> bytes) {
-    Palette palette;
-    if (bytes.size() != palette.size() * 3)
-        throw std::runtime_error("a palette of " + std::to_string(bytes.size()) + " bytes, expected 768");
-    for (std::size_t i = 0; i < palette.size(); ++i)
-        palette[i] = {double(bytes[i * 3]), double(bytes[i * 3 + 1]), double(bytes[i * 3 + 2])};
-    return palette;
-}
 
 double light_at(const Level& level, const Face& face, double u, double v) {
     if (level.lighting.empty()) return 1;

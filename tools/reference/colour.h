@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -15,9 +14,6 @@ struct Rgb {
 };
 
 using Palette = std::array<Rgb, 256>;
-
-/// From 768 bytes of red, green, blue; throws std::runtime_error for another size.
-Palette make_palette(std::span<const std::uint8_t> bytes);
 
 /// The light of a lit face at a texel (not wrapped), 0 to 2: interpolated between four light samples, each the sum of
 /// the face's styles as stored; 128 is 1, 256 or more is 2. Faces without a lightmap are dark, or 1 if the level has no

@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "tools/reference/polygon.h"
+#include "tools/reference/edge_mender.h"
 
 namespace oblong::reference {
 

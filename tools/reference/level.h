@@ -6,9 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "tools/reference/polygon.h"
+#include "tools/reference/vec.h"
 
 namespace oblong::reference {
+
+/// normal . p >= offset is inside.
+struct Plane {
+    Vec normal;
+    double offset = 0;
+};
 
 /// The mapping of a texture on faces: u = dot(s, p) + s_offset, v = dot(t, p) + t_offset, texels of mip level 0.
 struct TexInfo {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <optional>
 
 #include "tools/reference/level.h"
@@ -8,21 +7,8 @@
 
 namespace oblong::reference {
 
-struct TexturedCorner {
-    Vec position;
-    double u = 0, v = 0;
-};
-
 struct Texel {
     double u = 0, v = 0, inverse_z = 0;
-};
-
-/// The texel of a triangle's plane at a screen position, by barycentric weights of the ray through it.
-Texel texel_at(const std::array<TexturedCorner, 3>& corners, const Projection& projection, ScreenPoint at);
-
-/// The change of u and v (texels) per column and per row.
-struct TexelGradient {
-    double u_per_column = 0, v_per_column = 0, u_per_row = 0, v_per_row = 0;
 };
 
 /// The unbounded plane of a face in a view: maps screen positions to texels, and back.
@@ -40,7 +26,6 @@ class PlaneView {
     Texel texel_at(ScreenPoint at) const { return texel_at(at, inverse_z(at)); }
     /// The texel of the point at another depth of the same ray.
     Texel texel_at(ScreenPoint at, double inverse_z) const;
-    TexelGradient gradient_at(ScreenPoint at) const;
     /// The place on the screen at which the plane shows a texel; none if that is not in front of the eye, or if the
     /// texture's axes do not separate the plane's points. Its distance to the centre of the pixel where a renderer
     /// shows this texel is that renderer's error there, in pixels.

@@ -37,15 +37,6 @@ ScreenPoint project(const Vec& view, const Projection& projection) {
             projection.height_px / 2 - projection.multiplier_y * view.y / view.z};
 }
 
-Axes make_axes(double yaw, double pitch, double roll) {
-    const double a = yaw * std::numbers::pi / 32768, b = pitch * std::numbers::pi / 32768,
-                 g = roll * std::numbers::pi / 32768;
-    const Vec level_forward{std::sin(a), 0, std::cos(a)}, level_right{std::cos(a), 0, -std::sin(a)}, vertical{0, 1, 0};
-    const Vec forward = level_forward * std::cos(b) + vertical * std::sin(b);
-    const Vec up = vertical * std::cos(b) - level_forward * std::sin(b);
-    return {level_right * std::cos(g) + up * std::sin(g), up * std::cos(g) - level_right * std::sin(g), forward};
-}
-
 Vec to_view(const Vec& world_point, const Vec& world_eye, const Axes& axes) {
     const Vec offset = world_point - world_eye;
     return {dot(offset, axes.right), dot(offset, axes.up), dot(offset, axes.forward)};

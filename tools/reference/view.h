@@ -20,14 +20,10 @@ struct ScreenPoint {
 /// z above 0.
 ScreenPoint project(const Vec& view, const Projection& projection);
 
-/// Left-handed axes, y up: yaw turns forward toward right, then pitch turns forward toward up, then roll turns right
-/// toward up.
+/// Left-handed axes.
 struct Axes {
     Vec right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, 1};
 };
-
-/// Angles in 1/65536 of a turn.
-Axes make_axes(double yaw, double pitch, double roll);
 
 Vec to_view(const Vec& world_point, const Vec& world_eye, const Axes& axes);
 

@@ -5,27 +5,16 @@
 #include <string>
 #include <vector>
 
-#include "tools/reference/vec.h"
-#include "tools/reference/view.h"
+#include "tools/reference/plane_view.h"
 
+/// Polygons and triangles in doubles or in exact integers: what only tests need besides tools/reference.
 namespace oblong::reference {
-
-/// normal . p >= offset is inside.
-struct Plane {
-    Vec normal;
-    double offset = 0;
-};
-
-std::vector<Vec> clip(const std::vector<Vec>& polygon, const Plane& plane);
 
 /// The part of a convex polygon in viewspace between two depths and the four sides of the view.
 std::vector<Vec> clip_to_view(std::vector<Vec> polygon, double near, double far, const Projection& projection);
 
 /// The area of a polygon on the screen, square pixels.
 double area(const std::vector<ScreenPoint>& polygon);
-
-/// The same after clipping.
-double visible_area(const std::vector<Vec>& polygon, double near, double far, const Projection& projection);
 
 /// A corner in 1/256 pixel; |coordinates| up to 2^28.
 struct GridPoint {
@@ -53,21 +42,12 @@ void add_triangle(const std::array<GridPoint, 3>& corners, CoverageMap& map);
 /// first difference, 60 columns by 20 rows.
 std::string picture_of_difference(const CoverageMap& expected, const CoverageMap& found);
 
-/// Inserts into a polygon's edges the vertices that are within 1/512 unit of them. If this is done for all faces,
-/// neighbours meet in the same points: a corner in the middle of another face's edge, which as a float is never exactly
-/// on it, leaves no crack.
-class EdgeMender {
-  public:
-    EdgeMender(const std::vector<Vec>& vertices, const std::vector<int>& used);
-
-    std::vector<int> mended(const std::vector<int>& corners) const;
-
-  private:
-    const Vec& at(int vertex) const { return vertices_[static_cast<std::size_t>(vertex)]; }
-    std::vector<int> inside(int from, int to) const;
-
-    const std::vector<Vec>& vertices_;
-    std::vector<int> by_x_;  ///< the used ones, sorted by x
+struct TexturedCorner {
+    Vec position;
+    double u = 0, v = 0;
 };
+
+/// The texel of a triangle's plane at a screen position, by barycentric weights of the ray through it.
+Texel texel_at(const std::array<TexturedCorner, 3>& corners, const Projection& projection, ScreenPoint at);
 
 }  // namespace oblong::reference

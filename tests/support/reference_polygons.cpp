@@ -1,4 +1,4 @@
-#include "tools/reference/polygon.h"
+#include "tests/support/reference_polygons.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,10 +20,7 @@ bool is_top_or_left(const GridPoint& from, const GridPoint& to) {
     return is_top || is_left;
 }
 
-constexpr double kTolerance = 1.0 / 512;  ///< units; compilers leave about 1e-5
-
-}  // namespace
-
+/// normal . p >= offset is inside.
 std::vector<Vec> clip(const std::vector<Vec>& polygon, const Plane& plane) {
     std::vector<Vec> result;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -36,6 +33,8 @@ std::vector<Vec> clip(const std::vector<Vec>& polygon, const Plane& plane) {
     }
     return result;
 }
+
+}  // namespace
 
 std::vector<Vec> clip_to_view(std::vector<Vec> polygon, double near, double far, const Projection& projection) {
     const double side = projection.width_px / 2 / projection.multiplier_x,
@@ -53,13 +52,6 @@ double area(const std::vector<ScreenPoint>& polygon) {
         doubled += a.x * b.y - b.x * a.y;
     }
     return std::abs(doubled) / 2;
-}
-
-double visible_area(const std::vector<Vec>& polygon, double near, double far, const Projection& projection) {
-    std::vector<ScreenPoint> screen;
-    for (const Vec& corner : clip_to_view(polygon, near, far, projection))
-        screen.push_back(project(corner, projection));
-    return area(screen);
 }
 
 bool covers(const std::array<GridPoint, 3>& corners, std::int32_t column, std::int32_t row) {
@@ -97,42 +89,18 @@ std::string picture_of_difference(const CoverageMap& expected, const CoverageMap
     return text;
 }
 
-EdgeMender::EdgeMender(const std::vector<Vec>& vertices, const std::vector<int>& used)
-    : vertices_(vertices), by_x_(used) {
-    std::sort(by_x_.begin(), by_x_.end(), [&](int a, int b) { return at(a).x < at(b).x; });
-    by_x_.erase(std::unique(by_x_.begin(), by_x_.end()), by_x_.end());
-}
-
-std::vector<int> EdgeMender::inside(int from, int to) const {
-    const Vec start = at(from), edge = at(to) - start;
-    const double length_squared = dot(edge, edge);
-    std::vector<std::pair<double, int>> found;  // place on the edge, 0 to 1, and vertex
-    const double low = std::min(start.x, at(to).x) - kTolerance, high = std::max(start.x, at(to).x) + kTolerance;
-    const auto first = std::partition_point(by_x_.begin(), by_x_.end(), [&](int vertex) { return at(vertex).x < low; });
-    for (auto vertex = first; vertex != by_x_.end() && at(*vertex).x <= high; ++vertex) {
-        const Vec step = at(*vertex) - start;
-        const double place = dot(step, edge) / length_squared;
-        const Vec beside = step - edge * place;
-        if (place > 0 && place < 1 && dot(beside, beside) < kTolerance * kTolerance && *vertex != from && *vertex != to)
-            found.emplace_back(place, *vertex);
+Texel texel_at(const std::array<TexturedCorner, 3>& corners, const Projection& projection, ScreenPoint at) {
+    const Vec ray{(at.x - projection.width_px / 2) / projection.multiplier_x,
+                  (projection.height_px / 2 - at.y) / projection.multiplier_y, 1};
+    const Vec &a = corners[0].position, &b = corners[1].position, &c = corners[2].position;
+    const double weights[] = {dot(cross(b, c), ray), dot(cross(c, a), ray), dot(cross(a, b), ray)};
+    const double sum = weights[0] + weights[1] + weights[2];
+    Texel texel{0, 0, sum / dot(a, cross(b, c))};
+    for (std::size_t i = 0; i < 3; ++i) {
+        texel.u += weights[i] * corners[i].u / sum;
+        texel.v += weights[i] * corners[i].v / sum;
     }
-    std::sort(found.begin(), found.end());
-    std::vector<int> result;
-    for (const auto& [place, vertex] : found) result.push_back(vertex);
-    return result;
-}
-
-std::vector<int> EdgeMender::mended(const std::vector<int>& corners) const {
-    std::vector<int> result;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const int from = corners[i], to = corners[(i + 1) % corners.size()];
-        result.push_back(from);
-        // From the same end for both faces of an edge, so that both get the same vertices.
-        std::vector<int> between = inside(std::min(from, to), std::max(from, to));
-        if (from > to) std::reverse(between.begin(), between.end());
-        result.insert(result.end(), between.begin(), between.end());
-    }
-    return result;
+    return texel;
 }
 
 }  // namespace oblong::reference
