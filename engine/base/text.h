@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace oblong {
 
@@ -15,6 +17,17 @@ constexpr std::string_view without_byte_order_mark(std::string_view text) {
 inline std::string shortened(std::string text, std::size_t most) {
     if (text.size() > most) text.replace(most, std::string::npos, "...");
     return text;
+}
+
+/// The parts of a text between separators: one more than there are separators.
+inline std::vector<std::string> split(std::string_view text, char separator) {
+    std::vector<std::string> parts;
+    for (std::size_t start = 0; start <= text.size();) {
+        const std::size_t end = std::min(text.find(separator, start), text.size());
+        parts.emplace_back(text.substr(start, end - start));
+        start = end + 1;
+    }
+    return parts;
 }
 
 }  // namespace oblong

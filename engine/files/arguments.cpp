@@ -1,5 +1,6 @@
 #include "engine/files/arguments.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
@@ -39,6 +40,19 @@ Pair parse_pair(const std::string& text, char between, std::int32_t least, std::
 }
 
 }  // namespace
+
+std::string listed(std::span<const std::string_view> names) {
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        text += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + std::string(names[i]);
+    return text;
+}
+
+std::size_t parse_choice(const std::string& option, const std::string& text, std::span<const std::string_view> names) {
+    const auto found = std::find(names.begin(), names.end(), text);
+    if (found == names.end()) throw UsageError(option + ": '" + text + "', expected " + listed(names));
+    return static_cast<std::size_t>(found - names.begin());
+}
 
 void parse_mode_size(const std::string& text, ScreenMode& mode) {
     const std::string expected = "--mode: '" + text + "', expected WIDTHxHEIGHT from 8x8 to " +

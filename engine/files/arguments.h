@@ -1,8 +1,10 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/accuracy/accuracy.h"
@@ -20,6 +22,10 @@ class UsageError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// "naive, dda or bresenham".
+std::string listed(std::span<const std::string_view> names);
+/// The index of a name. Throws UsageError that begins with `option` and lists the names for another text.
+std::size_t parse_choice(const std::string& option, const std::string& text, std::span<const std::string_view> names);
 /// "320x200" into `mode`'s size; from 8x8 to the largest mode.
 void parse_mode_size(const std::string& text, ScreenMode& mode);
 /// "1280x960"; up to 16,384 pixels either way.

@@ -2,19 +2,18 @@
 
 #include <algorithm>
 
+#include "engine/base/text.h"
 #include "engine/files/arguments.h"
 
 namespace oblong {
 
 LogChannels parse_log_channels(const std::string& text) {
     LogChannels channels;
-    for (std::size_t start = 0; start <= text.size();) {
-        const std::size_t end = std::min(text.find(',', start), text.size());
-        const auto known = std::find(kLogChannelNames.begin(), kLogChannelNames.end(), text.substr(start, end - start));
+    for (const std::string& name : split(text, ',')) {
+        const auto known = std::find(kLogChannelNames.begin(), kLogChannelNames.end(), name);
         if (known == kLogChannelNames.end())
             throw UsageError("--log: '" + text + "', expected names of " + names_of(LogChannels::all()));
         channels = channels | LogChannels::only(static_cast<LogChannel>(known - kLogChannelNames.begin()));
-        start = end + 1;
     }
     return channels;
 }

@@ -32,17 +32,6 @@ std::string place_of(std::size_t line) {
     return "line " + std::to_string(line);
 }
 
-std::vector<std::string> lines_of(std::span<const std::uint8_t> bytes) {
-    std::vector<std::string> lines(1);
-    for (const std::uint8_t byte : bytes) {
-        if (byte == '\n')
-            lines.emplace_back();
-        else if (byte != '\r')
-            lines.back() += static_cast<char>(byte);
-    }
-    return lines;
-}
-
 using Fields = std::array<std::optional<std::int32_t>, kColumns>;
 
 std::int32_t whole_number(const std::string& field, std::size_t line) {
@@ -54,15 +43,12 @@ std::int32_t whole_number(const std::string& field, std::size_t line) {
 }
 
 Fields fields_of(const std::string& text, std::size_t line) {
+    const std::vector<std::string> texts = split(text, ',');
+    if (texts.size() != kColumns)
+        throw InputError(place_of(line), std::to_string(texts.size()) + " fields, expected 8");
     Fields fields;
-    std::size_t start = 0, column = 0;
-    for (; start <= text.size(); ++column) {
-        const std::size_t end = std::min(text.find(',', start), text.size());
-        const std::string field = text.substr(start, end - start);
-        if (column < kColumns && !field.empty()) fields[column] = whole_number(field, line);
-        start = end + 1;
-    }
-    if (column != kColumns) throw InputError(place_of(line), std::to_string(column) + " fields, expected 8");
+    for (std::size_t column = 0; column < kColumns; ++column)
+        if (!texts[column].empty()) fields[column] = whole_number(texts[column], line);
     return fields;
 }
 
@@ -121,7 +107,9 @@ std::string words(const Position& p) {
 }  // namespace
 
 std::vector<Waypoint> parse_route(std::span<const std::uint8_t> bytes) {
-    std::vector<std::string> lines = lines_of(bytes);
+    std::string text(bytes.begin(), bytes.end());
+    std::erase(text, '\r');
+    std::vector<std::string> lines = split(text, '\n');
     lines[0] = without_byte_order_mark(lines[0]);
     if (lines[0] != kHeader) throw InputError(place_of(1), "'" + lines[0] + "', expected " + std::string(kHeader));
     std::vector<Waypoint> route;

@@ -1,9 +1,6 @@
 #include "game/options/options.h"
 
-#include <algorithm>
 #include <array>
-#include <cstdio>
-#include <filesystem>
 #include <map>
 #include <string_view>
 
@@ -15,16 +12,6 @@
 namespace oblong {
 namespace {
 
-// Parses an option whose value is one of some names, numbered from 0.
-template <class Enum, std::size_t Count>
-Enum named_value(const std::string& option, const std::string& name, const std::array<std::string_view, Count>& names) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found != names.end()) return static_cast<Enum>(found - names.begin());
-    std::string expected;
-    for (std::size_t i = 0; i < Count; ++i)
-        expected += (i == 0 ? "" : i + 1 == Count ? " or " : ", ") + std::string(names[i]);
-    throw UsageError(option + ": '" + name + "', expected " + expected);
-}
 constexpr std::array<std::string_view, kMapViewCount> kMapNames{"off", "player", "north"};
 constexpr std::array<std::string_view, kWireframeCount> kWireframeNames{"off", "over", "alone"};
 constexpr std::array<std::string_view, kLineMethodCount> kLineNames{"naive", "dda", "bresenham", "gupta-sproull"};
@@ -118,9 +105,9 @@ void interpret(const OptionTexts& texts, Options& options) {
             options.light.insert(*text);
     if (!texts.window.empty()) options.window = parse_window_size(texts.window);
     if (!texts.log.empty()) options.log = parse_log_channels(texts.log);
-    options.automap = named_value<MapView>("--automap", texts.map, kMapNames);
-    options.wireframe = named_value<Wireframe>("--wireframe", texts.wireframe, kWireframeNames);
-    options.line_method = named_value<LineMethod>("--lines", texts.lines, kLineNames);
+    options.automap = static_cast<MapView>(parse_choice("--automap", texts.map, kMapNames));
+    options.wireframe = static_cast<Wireframe>(parse_choice("--wireframe", texts.wireframe, kWireframeNames));
+    options.line_method = static_cast<LineMethod>(parse_choice("--lines", texts.lines, kLineNames));
     const bool has_run = !(options.record + options.replay + options.timedemo).empty();
     if (options.shows_title && (!options.timedemo.empty() || options.shows_gallery))
         throw UsageError("--title: --timedemo and --gallery show none, expected it without them");

@@ -42,23 +42,14 @@ std::int32_t stepped(const std::vector<std::int32_t>& stops, std::int32_t value,
     return steps == 0 ? value : item(stops, std::clamp<std::ptrdiff_t>(next, 0, last));
 }
 
-std::string listed(const std::vector<std::string>& values) {
-    std::string text;
-    for (std::size_t i = 0; i < values.size(); ++i)
-        text += (i == 0 ? "" : i + 1 == values.size() ? " or " : ", ") + values[i];
-    return text;
-}
-
-Preference one_of(PreferenceNames names, std::vector<std::string> values, std::function<int(const Preferences&)> get,
-                  std::function<void(Preferences&, int)> set) {
+Preference one_of(PreferenceNames names, std::vector<std::string_view> values,
+                  std::function<int(const Preferences&)> get, std::function<void(Preferences&, int)> set) {
     Preference preference = named(std::move(names), listed(values));
     const int count = static_cast<int>(values.size());
-    preference.text = [values, get](const Preferences& of) { return item(values, get(of)); };
+    preference.text = [values, get](const Preferences& of) { return std::string(item(values, get(of))); };
     preference.shown = preference.text;
     preference.parse = [values, set, name = preference.name](Preferences& of, const std::string& text) {
-        const auto found = std::find(values.begin(), values.end(), text);
-        if (found == values.end()) refuse(name, text, listed(values));
-        set(of, static_cast<int>(found - values.begin()));
+        set(of, static_cast<int>(parse_choice("--" + name, text, values)));
     };
     preference.change = [count, get, set](Preferences& of, int steps) {
         set(of, ((get(of) + steps) % count + count) % count);

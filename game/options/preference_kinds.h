@@ -29,12 +29,12 @@ Preference light_in_hundredths(PreferenceNames names, std::int32_t Light::*field
                                std::int32_t greatest_100, std::vector<std::int32_t> stops_100);
 
 /// One of some names; get() and set() use its index.
-Preference one_of(PreferenceNames names, std::vector<std::string> values, std::function<int(const Preferences&)> get,
-                  std::function<void(Preferences&, int)> set);
+Preference one_of(PreferenceNames names, std::vector<std::string_view> values,
+                  std::function<int(const Preferences&)> get, std::function<void(Preferences&, int)> set);
 
 /// An enumeration from 0 on.
 template <class Part, class Enum>
-Preference one_of(PreferenceNames names, std::vector<std::string> values, Enum Part::*field) {
+Preference one_of(PreferenceNames names, std::vector<std::string_view> values, Enum Part::*field) {
     return one_of(
         std::move(names), std::move(values),
         [field](const Preferences& preferences) { return static_cast<int>(preferences.*field); },

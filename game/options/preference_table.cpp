@@ -19,7 +19,7 @@ using Rows = std::vector<Preference>;
 
 // "stretch" is the older name of a display shape, `fill`, and not a scaling mode.
 Preference scaling_preference() {
-    std::vector<std::string> names;
+    std::vector<std::string_view> names;
     for (int i = 0; i < kScalingCount; ++i) names.emplace_back(name_of(static_cast<Scaling>(i)));
     Preference row = one_of({"scaling", "Scaling", "how pixels of the picture become pixels of the window",
                              PreferencePage::Picture, "{scaling}"},
@@ -110,7 +110,7 @@ Preference dial_preference(const Dial& dial) {
 }
 
 void add_accuracy(Rows& rows) {
-    std::vector<std::string> presets;
+    std::vector<std::string_view> presets;
     for (const Preset preset : kPresets) presets.emplace_back(name_of(preset));
     rows.push_back(one_of(
         {"accuracy", "Accuracy", "preset of all dials, named by the year whose machines could afford it",

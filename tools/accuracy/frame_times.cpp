@@ -1,7 +1,6 @@
 #include "tools/accuracy/frame_times.h"
 
 #include <algorithm>
-#include <chrono>
 
 #include "tools/accuracy/machine.h"
 
@@ -16,9 +15,9 @@ using Rounds = std::vector<double>;
 
 double nanoseconds_of(LevelFrames& frames, const Camera& camera, const Accuracy& accuracy,
                       EffectSet effects = kStillEffects) {
-    const auto start = std::chrono::steady_clock::now();
+    const std::int64_t start_ns = steady_clock_ns();
     frames.draw(camera, accuracy, effects);
-    return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
+    return static_cast<double>(steady_clock_ns() - start_ns);
 }
 
 double warm_nanoseconds(LevelFrames& frames, const Camera& camera, const Accuracy& accuracy,
@@ -27,20 +26,14 @@ double warm_nanoseconds(LevelFrames& frames, const Camera& camera, const Accurac
     return nanoseconds_of(frames, camera, accuracy, effects);
 }
 
-/// The quantile below which a fraction `part` lies.
-double quantile(Rounds times, double part) {
-    const auto at = times.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(times.size() - 1) + 0.5);
-    std::nth_element(times.begin(), at, times.end());
-    return *at;
-}
-
 TimeSpread mean_of(std::span<const Rounds> frames) {
     TimeSpread mean;
     const auto count = static_cast<double>(frames.size());
     for (const Rounds& times : frames) {
-        mean.median += quantile(times, 0.5) / count;
-        mean.low += quantile(times, 0.25) / count;
-        mean.high += quantile(times, 0.75) / count;
+        const TimeSpread spread = spread_of(times);
+        mean.median += spread.median / count;
+        mean.low += spread.low / count;
+        mean.high += spread.high / count;
     }
     return mean;
 }
@@ -113,8 +106,8 @@ SkyTimes time_sky(const Accuracy& accuracy, std::span<LevelFrames> levels, int r
             without.push_back(warm_nanoseconds(level, camera, accuracy, no_sky));
         }
         ++sky.frames;
-        sky.with_sky += quantile(with, 0.5);
-        sky.without += quantile(without, 0.5);
+        sky.with_sky += spread_of(with).median;
+        sky.without += spread_of(without).median;
     });
     if (sky.frames == 0) return sky;
     sky.with_sky /= static_cast<double>(sky.frames);

@@ -46,15 +46,8 @@ MeshCounts MeshScene::draw(const PlacedMesh& placed, const MeshLight& light, con
 }
 
 std::uint8_t lit_colour(const GalleryAssets& assets, int red, int green, int blue) {
-    const auto distance = [&](int colour) {
-        const Rgb8 rgb = item(assets.colormap.palette.colours, colour);
-        return (rgb.red - red) * (rgb.red - red) + (rgb.green - green) * (rgb.green - green) +
-               (rgb.blue - blue) * (rgb.blue - blue);
-    };
-    int nearest = 0;
-    for (int colour = 1; colour < 224; ++colour)
-        if (distance(colour) < distance(nearest)) nearest = colour;
-    return static_cast<std::uint8_t>(nearest);
+    const auto channel = [](int value) { return static_cast<std::uint8_t>(value); };
+    return nearest_colour(assets.colormap.palette, {channel(red), channel(green), channel(blue)}, kOrdinaryColours);
 }
 
 Colormap shade_numbers() {

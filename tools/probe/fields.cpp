@@ -4,8 +4,8 @@
 #include <charconv>
 
 #include "engine/base/table.h"
+#include "engine/base/text.h"
 #include "engine/fixed/wide.h"
-#include "tools/probe/projection_queries.h"
 
 namespace oblong {
 
@@ -17,13 +17,6 @@ constexpr std::int64_t kLargestSize_px = 32768, kLargestShape = 1 << 20;
 /// from_chars accepts no plus sign.
 std::string_view without_plus(std::string_view text) {
     return text.size() > 1 && text[0] == '+' && text[1] != '-' ? text.substr(1) : text;
-}
-
-ParsedFixed parse_or_refuse(std::string_view text, int fraction_bits, std::int64_t greatest) {
-    const std::optional<ParsedFixed> parsed = parse_fixed(text, fraction_bits);
-    const std::int64_t limit = greatest * (std::int64_t{1} << fraction_bits);
-    if (!parsed || parsed->raw > limit || parsed->raw < -limit) throw Unsupported{};
-    return *parsed;
 }
 
 /// The largest exponent: beyond it, any number is 0 or too large.
@@ -120,14 +113,48 @@ bool equal_products(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t
                             static_cast<std::uint64_t>(d)) == 0;
 }
 
+/// A decimal number such as "-12.375" or "1e-05" in units of 2^-fraction_bits, found without floating point.
+struct ParsedFixed {
+    std::int64_t raw = 0;   ///< to the nearest
+    bool is_exact = false;  ///< the decimal number is a whole number of units
+};
+
+/// None if the text is not a decimal number, or |value| is 2^(62 - fraction_bits) or more. `fraction_bits` 0 to 48.
+std::optional<ParsedFixed> parse_fixed(std::string_view text, int fraction_bits) {
+    const std::optional<Digits> digits = read_digits(text);
+    if (!digits || digits->whole.size() > kFractionDigits) return std::nullopt;
+    const std::int64_t whole = integer_of(digits->whole);
+    if (whole >= std::int64_t{1} << (62 - fraction_bits)) return std::nullopt;
+
+    const std::int64_t unit = std::int64_t{1} << fraction_bits;
+    const DecimalFraction fraction(digits->fraction);
+    const std::int64_t nearest = mul_div(fraction.numerator, unit, fraction.denominator, Rounding::NearestHalfUp);
+    const bool is_exact = digits->fraction.size() <= kFractionDigits &&
+                          equal_products(fraction.numerator, unit, nearest, fraction.denominator);
+    const std::int64_t size = whole * unit + nearest;
+    return ParsedFixed{digits->is_negative ? -size : size, is_exact};
+}
+
+/// The same with 62 significant bits, of up to 18 decimals; below 10^18.
+std::optional<SoftFloat> parse_scaled(std::string_view text) {
+    const std::optional<Digits> digits = read_digits(text);
+    if (!digits || digits->whole.size() > kFractionDigits) return std::nullopt;
+    const DecimalFraction fraction(digits->fraction);
+    const SoftFloat size = SoftFloat::from(integer_of(digits->whole), 0) +
+                           SoftFloat::from(fraction.numerator, 0) / SoftFloat::from(fraction.denominator, 0);
+    return digits->is_negative ? -size : size;
+}
+
+ParsedFixed parse_or_refuse(std::string_view text, int fraction_bits, std::int64_t greatest) {
+    const std::optional<ParsedFixed> parsed = parse_fixed(text, fraction_bits);
+    const std::int64_t limit = greatest * (std::int64_t{1} << fraction_bits);
+    if (!parsed || parsed->raw > limit || parsed->raw < -limit) throw Unsupported{};
+    return *parsed;
+}
+
 }  // namespace
 
-Fields::Fields(std::string_view line) {
-    std::size_t start = 0;
-    for (std::size_t end; (end = line.find(' ', start)) != std::string_view::npos; start = end + 1)
-        texts_.push_back(line.substr(start, end - start));
-    texts_.push_back(line.substr(start));
-}
+Fields::Fields(std::string_view line) : texts_(split(line, ' ')) {}
 
 void Fields::expect_end() const {
     if (left() != 0) throw Unsupported{};
@@ -193,30 +220,6 @@ Projection frame_lens(const ModeAndView& view) {
     const bool is_held = fixed_of<Multiplier>(fine.x) && fixed_of<Multiplier>(fine.y);
     if (!is_held) throw Unsupported{};
     return make_projection(view.mode, view.field_of_view);
-}
-
-std::optional<ParsedFixed> parse_fixed(std::string_view text, int fraction_bits) {
-    const std::optional<Digits> digits = read_digits(text);
-    if (!digits || digits->whole.size() > kFractionDigits) return std::nullopt;
-    const std::int64_t whole = integer_of(digits->whole);
-    if (whole >= std::int64_t{1} << (62 - fraction_bits)) return std::nullopt;
-
-    const std::int64_t unit = std::int64_t{1} << fraction_bits;
-    const DecimalFraction fraction(digits->fraction);
-    const std::int64_t nearest = mul_div(fraction.numerator, unit, fraction.denominator, Rounding::NearestHalfUp);
-    const bool is_exact = digits->fraction.size() <= kFractionDigits &&
-                          equal_products(fraction.numerator, unit, nearest, fraction.denominator);
-    const std::int64_t size = whole * unit + nearest;
-    return ParsedFixed{digits->is_negative ? -size : size, is_exact};
-}
-
-std::optional<SoftFloat> parse_scaled(std::string_view text) {
-    const std::optional<Digits> digits = read_digits(text);
-    if (!digits || digits->whole.size() > kFractionDigits) return std::nullopt;
-    const DecimalFraction fraction(digits->fraction);
-    const SoftFloat size = SoftFloat::from(integer_of(digits->whole), 0) +
-                           SoftFloat::from(fraction.numerator, 0) / SoftFloat::from(fraction.denominator, 0);
-    return digits->is_negative ? -size : size;
 }
 
 std::string format_fixed(std::int64_t raw, int fraction_bits) {

@@ -48,7 +48,7 @@ class Fields {
     ModeAndView mode();
 
   private:
-    std::vector<std::string_view> texts_;
+    std::vector<std::string> texts_;
     std::size_t next_ = 0;
 };
 
@@ -56,17 +56,15 @@ class Fields {
 /// multipliers would be wrong.
 Projection frame_lens(const ModeAndView& view);
 
-/// A decimal number such as "-12.375" or "1e-05" in units of 2^-fraction_bits, found without floating point.
-struct ParsedFixed {
-    std::int64_t raw = 0;   ///< to the nearest
-    bool is_exact = false;  ///< the decimal number is a whole number of units
+/// The multipliers of make_projection() with 62 significant bits.
+struct FarProjection {
+    SoftFloat x, y;
+    ScreenWide centre_x, centre_y;
 };
 
-/// None if the text is not a decimal number, or |value| is 2^(62 - fraction_bits) or more. `fraction_bits` 0 to 48.
-std::optional<ParsedFixed> parse_fixed(std::string_view text, int fraction_bits);
-
-/// The same with 62 significant bits, of up to 18 decimals; below 10^18.
-std::optional<SoftFloat> parse_scaled(std::string_view text);
+/// Any field of view above 0 and below 180 degrees, with all its bits: for a d of a million pixels, those of Degrees
+/// are too few. `mode` as for make_projection().
+FarProjection make_far_projection(const ScreenMode& mode, const SoftFloat& field_of_view_degrees);
 
 /// raw / 2^fraction_bits with all its decimals, of which a binary fraction has finitely many. `fraction_bits` 0 to 60.
 std::string format_fixed(std::int64_t raw, int fraction_bits);

@@ -1,6 +1,5 @@
-#include "tools/probe/projection_queries.h"
-
 #include <algorithm>
+#include <optional>
 
 #include "engine/fixed/arithmetic.h"
 #include "engine/fixed/root.h"
@@ -9,35 +8,13 @@
 #include "engine/methods/axes.h"
 #include "engine/methods/square_root.h"
 #include "engine/view/frustum.h"
+#include "engine/view/project.h"
 #include "tools/probe/fields.h"
 #include "tools/probe/queries.h"
 
 namespace oblong {
 
 namespace {
-
-/// The projection of a frame, and the same with more bits, for points that no frame projects.
-struct ProbeProjection {
-    Projection frame;
-    FarProjection far;
-    Frustum frustum;
-
-    ProbeProjection(const ModeAndView& view, const Basis& axes)
-        : frame(make_projection(view.mode, view.field_of_view)),
-          far(make_far_projection(view.mode, view.fine_field_of_view)),
-          frustum(make_frustum(axes, frame)) {}
-};
-
-ScreenPosition position_of(const Vec3<View>& point, const FarPoint& far_point, const ProbeProjection& projection) {
-    if (is_exact_in_frame(point, projection.frustum, projection.frame)) return project(point, projection.frame);
-    const std::optional<ScreenPosition> position = project_far(far_point, projection.far);
-    if (!position) throw Unsupported{};
-    return *position;
-}
-
-std::string format_position(const ScreenPosition& position) {
-    return format_fixed(position.x) + ' ' + format_fixed(position.y);
-}
 
 constexpr SoftFloat whole(std::int64_t value) {
     return SoftFloat::from(value, 0);
@@ -77,6 +54,64 @@ std::optional<ScreenWide> project_axis(const SoftFloat& multiplier, const SoftFl
     const auto offset = fixed_of<ScreenWide>(multiplier * view / z);
     if (!offset) return std::nullopt;
     return centre + *offset;
+}
+
+/// A point in viewspace with 62 significant bits.
+using FarPoint = Vec3<SoftFloat>;
+
+/// A world point as seen from `world_eye`, within 2^-39 unit: to_view() with axes and products that are not rounded to
+/// the frame's formats.
+FarPoint to_far_view(const Vec3<World>& world_point, const Vec3<World>& world_eye, const FineBasis& basis) {
+    const auto from_eye = widening_difference(world_point, world_eye);
+    const Vec3<SoftFloat> offset{SoftFloat::from(from_eye.x), SoftFloat::from(from_eye.y), SoftFloat::from(from_eye.z)};
+    return {along(basis.right, offset), along(basis.up, offset), along(basis.forward, offset)};
+}
+
+/// The same point, converted exactly.
+FarPoint to_far_view(const Vec3<View>& view_point) {
+    return {SoftFloat::from(view_point.x), SoftFloat::from(view_point.y), SoftFloat::from(view_point.z)};
+}
+
+/// The screen position of a point with z above 0, however far off the screen, by the formula of project(), with
+/// relative errors of 2^-57. A frame clips such points and never projects them. None where 56 bits cannot hold the
+/// position.
+std::optional<ScreenPosition> project_far(const FarPoint& point, const FarProjection& projection) {
+    const auto x = project_axis(projection.x, point.x, point.z, projection.centre_x);
+    const auto y = project_axis(projection.y, -point.y, point.z, projection.centre_y);
+    if (!x || !y) return std::nullopt;
+    return ScreenPosition{*x, *y};
+}
+
+/// Whether project() is exact to 1/200 pixel: the point is in view, for which the frame's formats are made, and not so
+/// near that a step of View is more than 1/1,024 pixel.
+bool is_exact_in_frame(const Vec3<View>& view_point, const Frustum& frustum, const Projection& projection) {
+    // Half a step of View moves a point at z = reach / 64 by up to 2^-11 pixel.
+    const std::int64_t half_screen_16 = std::int64_t{std::max(projection.width_px, projection.height_px)} << 15;
+    const View reach = std::max(projection.x.coarse, projection.y.coarse) + View::from_raw(half_screen_16);
+    return outcode_of(frustum, view_point) == 0 && view_point.z >= floor_shift(reach, 6);
+}
+
+/// The projection of a frame, and the same with more bits, for points that no frame projects.
+struct ProbeProjection {
+    Projection frame;
+    FarProjection far;
+    Frustum frustum;
+
+    ProbeProjection(const ModeAndView& view, const Basis& axes)
+        : frame(make_projection(view.mode, view.field_of_view)),
+          far(make_far_projection(view.mode, view.fine_field_of_view)),
+          frustum(make_frustum(axes, frame)) {}
+};
+
+ScreenPosition position_of(const Vec3<View>& point, const FarPoint& far_point, const ProbeProjection& projection) {
+    if (is_exact_in_frame(point, projection.frustum, projection.frame)) return project(point, projection.frame);
+    const std::optional<ScreenPosition> position = project_far(far_point, projection.far);
+    if (!position) throw Unsupported{};
+    return *position;
+}
+
+std::string format_position(const ScreenPosition& position) {
+    return format_fixed(position.x) + ' ' + format_fixed(position.y);
 }
 
 /// N / 65536, N from 0 to 2^31 - 1.
@@ -131,30 +166,6 @@ FarProjection make_far_projection(const ScreenMode& mode, const SoftFloat& field
     projection.centre_x = ScreenWide::from_raw(std::int64_t{mode.width_px} * 128);
     projection.centre_y = ScreenWide::from_raw(std::int64_t{mode.height_px} * 128);
     return projection;
-}
-
-FarPoint to_far_view(const Vec3<World>& world_point, const Vec3<World>& world_eye, const FineBasis& basis) {
-    const auto from_eye = widening_difference(world_point, world_eye);
-    const Vec3<SoftFloat> offset{SoftFloat::from(from_eye.x), SoftFloat::from(from_eye.y), SoftFloat::from(from_eye.z)};
-    return {along(basis.right, offset), along(basis.up, offset), along(basis.forward, offset)};
-}
-
-FarPoint to_far_view(const Vec3<View>& view_point) {
-    return {SoftFloat::from(view_point.x), SoftFloat::from(view_point.y), SoftFloat::from(view_point.z)};
-}
-
-std::optional<ScreenPosition> project_far(const FarPoint& point, const FarProjection& projection) {
-    const auto x = project_axis(projection.x, point.x, point.z, projection.centre_x);
-    const auto y = project_axis(projection.y, -point.y, point.z, projection.centre_y);
-    if (!x || !y) return std::nullopt;
-    return ScreenPosition{*x, *y};
-}
-
-bool is_exact_in_frame(const Vec3<View>& view_point, const Frustum& frustum, const Projection& projection) {
-    // Half a step of View moves a point at z = reach / 64 by up to 2^-11 pixel.
-    const std::int64_t half_screen_16 = std::int64_t{std::max(projection.width_px, projection.height_px)} << 15;
-    const View reach = std::max(projection.x.coarse, projection.y.coarse) + View::from_raw(half_screen_16);
-    return outcode_of(frustum, view_point) == 0 && view_point.z >= floor_shift(reach, 6);
 }
 
 std::string answer_sine(Fields& fields, const Accuracy& accuracy) {

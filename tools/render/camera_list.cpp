@@ -25,16 +25,6 @@ std::string trimmed(const std::string& field) {
     return field.substr(first, field.find_last_not_of(kSpace) + 1 - first);
 }
 
-std::vector<std::string> split(const std::string& line) {
-    std::vector<std::string> fields;
-    for (std::size_t start = 0; start <= line.size();) {
-        const std::size_t end = std::min(line.find(',', start), line.size());
-        fields.push_back(trimmed(line.substr(start, end - start)));
-        start = end + 1;
-    }
-    return fields;
-}
-
 std::string place(std::size_t line) {
     return "line " + std::to_string(line);
 }
@@ -43,7 +33,8 @@ std::string place(std::size_t line) {
 std::vector<std::size_t> parse_header(const std::string& line) {
     if (trimmed(line).empty()) throw InputError(place(1), "is empty, expected the columns' names: x,y,z,yaw,pitch");
     std::vector<std::size_t> columns;
-    for (const std::string& name : split(line)) {
+    for (const std::string& field : split(line, ',')) {
+        const std::string name = trimmed(field);
         const auto known = std::find(kColumns.begin(), kColumns.end(), name);
         const auto index = as_size(known - kColumns.begin());
         if (known == kColumns.end() || std::count(columns.begin(), columns.end(), index))
@@ -66,14 +57,15 @@ World world_of(std::int64_t raw_32, std::size_t line) {
 }
 
 Camera parse_camera(const std::string& text, const std::vector<std::size_t>& columns, std::size_t line) {
-    const std::vector<std::string> fields = split(text);
+    const std::vector<std::string> fields = split(text, ',');
     if (fields.size() != columns.size())
         throw InputError(place(line),
                          std::to_string(fields.size()) + " fields, expected " + std::to_string(columns.size()));
     std::array<std::int64_t, 6> values_32{};
     for (std::size_t i = 0; i < fields.size(); ++i) {
-        const std::optional<std::int64_t> value_32 = parse_decimal(fields[i], 32);
-        if (!value_32) throw InputError(place(line), "'" + fields[i] + "', expected a decimal number");
+        const std::string field = trimmed(fields[i]);
+        const std::optional<std::int64_t> value_32 = parse_decimal(field, 32);
+        if (!value_32) throw InputError(place(line), "'" + field + "', expected a decimal number");
         values_32[columns[i]] = *value_32;
     }
     const auto angle = [&](std::size_t index) {
@@ -91,13 +83,7 @@ Camera parse_camera(const std::string& text, const std::vector<std::size_t>& col
 }  // namespace
 
 std::vector<Camera> parse_cameras(std::span<const std::uint8_t> bytes, Degrees field_of_view) {
-    std::vector<std::string> lines(1);
-    for (const std::uint8_t byte : bytes) {
-        if (byte == '\n')
-            lines.emplace_back();
-        else
-            lines.back() += static_cast<char>(byte);
-    }
+    std::vector<std::string> lines = split(std::string(bytes.begin(), bytes.end()), '\n');
     lines[0] = without_byte_order_mark(lines[0]);
     const std::vector<std::size_t> columns = parse_header(lines[0]);
     std::vector<Camera> cameras;

@@ -1,6 +1,7 @@
 #include <chrono>
 #include <cstdio>
 
+#include "engine/base/text.h"
 #include "engine/effects/palette_effects.h"
 #include "engine/files/arguments.h"
 #include "engine/files/command_line.h"
@@ -36,12 +37,6 @@ std::string effect_names() {
     return names;
 }
 
-std::string hidden_surface_names() {
-    std::string names;
-    for (const std::string_view name : kHiddenSurfaceNames) names += (names.empty() ? "" : ", ") + std::string(name);
-    return names;
-}
-
 /// The kernels that this processor supports.
 std::string kernel_names() {
     std::string names;
@@ -54,13 +49,6 @@ BlockKernel parse_kernel(const std::string& text) {
     for (const NamedKernel& kernel : block_kernels())
         if (text == kernel.name) return kernel.draw;
     throw UsageError("--kernel: '" + text + "', expected one of " + kernel_names());
-}
-
-HiddenSurfaces parse_hidden_surfaces(const std::string& text) {
-    const auto known = std::find(kHiddenSurfaceNames.begin(), kHiddenSurfaceNames.end(), text);
-    if (known == kHiddenSurfaceNames.end())
-        throw UsageError("--hidden-surfaces: '" + text + "', expected one of " + hidden_surface_names());
-    return static_cast<HiddenSurfaces>(known - kHiddenSurfaceNames.begin());
 }
 
 void declare(CommandArguments& line, Options& options) {
@@ -81,7 +69,7 @@ void declare(CommandArguments& line, Options& options) {
     line.add("--dial", options.dials, "NAME=VALUE, on top of --accuracy; may be given several times (README)");
     line.add("--texel-error", options.texel_error, "largest texture error on screen, pixels (default 0.375)");
     line.add("--effects", options.effects, "auto, none, or names: " + effect_names());
-    line.add("--hidden-surfaces", options.hidden_surfaces, "by " + hidden_surface_names());
+    line.add("--hidden-surfaces", options.hidden_surfaces, "by " + listed(kHiddenSurfaceNames));
     line.add_flag("--plan", options.prints_plan,
                   "print the passes and effects of each frame, with their pixels and times");
     line.add("--log", options.log, "write lines of these kinds on standard error: " + names_of(LogChannels::all()));
@@ -97,13 +85,11 @@ EffectSet parse_effects(const std::string& text) {
     if (text == "auto") return EffectSet::all();
     EffectSet effects;
     if (text == "none") return effects;
-    for (std::size_t start = 0; start <= text.size();) {
-        const std::size_t end = std::min(text.find(',', start), text.size());
-        const auto known = std::find(kEffectNames.begin(), kEffectNames.end(), text.substr(start, end - start));
+    for (const std::string& name : split(text, ',')) {
+        const auto known = std::find(kEffectNames.begin(), kEffectNames.end(), name);
         if (known == kEffectNames.end())
             throw UsageError("--effects: '" + text + "', expected auto, none, or names of " + effect_names());
         effects = effects.with(static_cast<Effect>(known - kEffectNames.begin()));
-        start = end + 1;
     }
     return effects;
 }
@@ -191,7 +177,8 @@ void render(const Options& options) {
     check_view(mode, field_of_view);
     const Preset preset = parse_preset(options.preset);
     const Settings settings = make_settings(options, preset);
-    HiddenSurfaceMethod hidden_surfaces(parse_hidden_surfaces(options.hidden_surfaces));
+    HiddenSurfaceMethod hidden_surfaces(
+        static_cast<HiddenSurfaces>(parse_choice("--hidden-surfaces", options.hidden_surfaces, kHiddenSurfaceNames)));
     const BlockKernel kernel = parse_kernel(options.kernel);
     const LogChannels channels = options.log.empty() ? LogChannels{} : parse_log_channels(options.log);
     const std::int64_t time_ms = parse_time_ms("--time", options.seconds),

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <string_view>
 #include <vector>
 
 #include "engine/base/input_error.h"
+#include "engine/base/text.h"
 #include "engine/files/arguments.h"
 #include "engine/fixed/trig.h"
 #include "tools/render/camera_list.h"
@@ -17,16 +17,6 @@ const char* const kViewSyntax =
     "vrp (vpn, vup, cop: X/Y/Z, window=UMIN/UMAX/VMIN/VMAX, front, back, parallel=0|1)";
 
 namespace {
-
-std::vector<std::string> split(const std::string& text, char separator) {
-    std::vector<std::string> parts;
-    for (std::size_t start = 0; start <= text.size();) {
-        const std::size_t end = std::min(text.find(separator, start), text.size());
-        parts.push_back(text.substr(start, end - start));
-        start = end + 1;
-    }
-    return parts;
-}
 
 /// The keys and values after a view's name. A key that is never taken is reported as unknown.
 class ViewKeys {

@@ -1,5 +1,6 @@
 #include "tools/texture/texture_files.h"
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -18,6 +19,21 @@
 namespace oblong {
 
 namespace {
+
+constexpr std::int32_t kRampCellWidth_px = 8, kRampCellHeight_px = 4;
+
+/// "any/folder/#water.png" -> "*water": the file's name without folder and ending, a leading '#' stands for the '*' of
+/// liquids, which is unsafe in file names. Throws InputError unless 1 to 15 characters are left.
+std::string texture_name_of_file(const std::string& path) {
+    constexpr std::size_t kLongestName = 15;
+    std::string name = std::filesystem::path(path).stem().string();
+    if (name.empty() || name.size() > kLongestName) {
+        throw InputError(
+            "name", "'" + name + "' has " + std::to_string(name.size()) + " characters, a texture's name has 1 to 15");
+    }
+    if (name[0] == '#') name[0] = '*';
+    return name;
+}
 
 std::vector<std::uint8_t> texels_of(const PngImage& image, const std::string& name, const Palette& palette,
                                     PngColours colours) {
@@ -114,9 +130,8 @@ MipTexture read_png_texture(const std::string& path, const Palette& palette, Png
 }
 
 Dither parse_dither(const std::string& text) {
-    if (text == "none") return Dither::None;
-    if (text == "floyd-steinberg") return Dither::FloydSteinberg;
-    throw UsageError("--dither: '" + text + "', expected none or floyd-steinberg");
+    constexpr std::array<std::string_view, 2> kNames{"none", "floyd-steinberg"};
+    return static_cast<Dither>(parse_choice("--dither", text, kNames));
 }
 
 std::vector<std::uint8_t> packed_textures(const std::vector<std::string>& picture_paths,
@@ -149,17 +164,6 @@ void unpack_textures(const std::string& archive_path, const std::string& folder,
         const std::string path = (std::filesystem::path(folder) / file_of_texture_name(texture.name)).string();
         write_file(path, encode_indexed_png(texture.mips[0], texture.width, texture.height, palette));
     }
-}
-
-std::string texture_name_of_file(const std::string& path) {
-    constexpr std::size_t kLongestName = 15;
-    std::string name = std::filesystem::path(path).stem().string();
-    if (name.empty() || name.size() > kLongestName) {
-        throw InputError(
-            "name", "'" + name + "' has " + std::to_string(name.size()) + " characters, a texture's name has 1 to 15");
-    }
-    if (name[0] == '#') name[0] = '*';
-    return name;
 }
 
 std::string file_of_texture_name(const std::string& name) {

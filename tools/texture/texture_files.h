@@ -40,14 +40,8 @@ void pack_textures(const std::vector<std::string>& picture_paths, const std::vec
 /// `unpack`: the textures of a WAD or a BSP as indexed PNGs into a folder, which is created.
 void unpack_textures(const std::string& archive_path, const std::string& folder, const Palette& palette);
 
-/// "any/folder/#water.png" -> "*water": the file's name without folder and ending, a leading '#' stands for the '*' of
-/// liquids, which is unsafe in file names. Throws InputError unless 1 to 15 characters are left.
-std::string texture_name_of_file(const std::string& path);
-
 /// "*water" -> "#water.png". Slashes, which a name in a broken file may hold, become '_'.
 std::string file_of_texture_name(const std::string& name);
-
-inline constexpr std::int32_t kRampCellWidth_px = 8, kRampCellHeight_px = 4;
 
 /// The PNG of a palette's colormap: a row of cells for each of the 256 colours, its shades from the brightest on the
 /// left to the darkest on the right.
