@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
 
 #include "engine/files/doubles.h"
@@ -184,7 +183,7 @@ LogLines span_lines(const LoggedFrame& frame) {
     std::int64_t torn_px = 0;
     for (const TornSpan& torn : claims.torn) torn_px += torn.span.end - torn.span.first;
     lines.push_back("torn: " + std::to_string(torn_px) + " pixels");
-    lines.push_back("left free: " + std::to_string(pixels_of(claims.left_free)) + " pixels");
+    lines.push_back("void: " + std::to_string(pixels_of(claims.void_spans)) + " pixels");
     for (const RowSpan& found : spans_of_row(claims, frame.mode.height_px / 2))
         lines.push_back("row " + std::to_string(found.span.y) + ", columns " + std::to_string(found.span.first) +
                         " to " + std::to_string(found.span.end - 1) + ": " + face_text(found.face, frame.scene.level));

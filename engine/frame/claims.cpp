@@ -84,7 +84,7 @@ void Claims::clear() {
     spans.clear();
     for (auto& faces : lists) faces.clear();
     torn.clear();
-    left_free.clear();
+    void_spans.clear();
     fog_runs.clear();
     things.clear();
     walls_drawn = 0;

@@ -48,7 +48,7 @@ struct Claims {
     std::array<std::vector<VisibleFace>, kFaceListCount> lists;
     EffectSet effects;             ///< that own pixels: needed by faces and allowed by the settings, and others
     std::vector<TornSpan> torn;    ///< pixels of walls whose faces are missing
-    SpanList left_free;            ///< pixels behind which there is neither face nor wall: the void
+    SpanList void_spans;           ///< pixels behind which there is neither face nor wall: the void
     std::vector<FogRun> fog_runs;  ///< pixels in fog
     FrameThings things;            ///< drawn among the faces
     std::size_t walls_drawn = 0;   ///< how many of the list draw_walls() has drawn

@@ -89,7 +89,7 @@ bool FaceCover::hides(const ScreenRectangle& pixels, InverseDepth nearest) {
     };
     const auto is_free = [&](const Span& span) { return overlap(span, pixels); };
     return (farthest_ > nearest || std::none_of(faces_.begin(), faces_.end(), shows)) &&
-           std::none_of(claims_.left_free.begin(), claims_.left_free.end(), is_free) &&
+           std::none_of(claims_.void_spans.begin(), claims_.void_spans.end(), is_free) &&
            std::none_of(claims_.torn.begin(), claims_.torn.end(),
                         [&](const TornSpan& torn) { return overlap(torn.span, pixels); });
 }

@@ -16,7 +16,7 @@ namespace {
 Settings settings_in(const ViewSpec& view, Settings settings) {
     if (!view.is_parallel) return settings;
     for (const Effect effect :
-         {Effect::Particles, Effect::Sprites, Effect::Models, Effect::Fog, Effect::Underwater, Effect::Mirror})
+         {Effect::Particles, Effect::Sprites, Effect::Meshes, Effect::Fog, Effect::Underwater, Effect::Mirror})
         settings.allowed_effects = settings.allowed_effects.without(effect);
     return settings;
 }

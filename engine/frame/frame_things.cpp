@@ -162,7 +162,7 @@ void find_things(const FrameContext& frame, ViewScratch& scratch) {
     if (frame.observers.counts) frame.observers.counts->stages.particles = in_view.particles_computed;
     if (frame.allows(Effect::Sprites))
         find_sprites(frame.cache.things, time_ms, frame.scene.level, sight, in_view, scratch.depth);
-    if (!frame.scene.meshes.empty() && frame.allows(Effect::Models)) find_meshes(frame, sight, scratch);
+    if (!frame.scene.meshes.empty() && frame.allows(Effect::Meshes)) find_meshes(frame, sight, scratch);
     if (frame.allows(Effect::Shadows)) find_seen_shadows(frame, sight, scratch);
     if (!scratch.depth.is_wanted()) return;
     fill_depth(frame, scratch);

@@ -147,7 +147,7 @@ void keep_seen_meshes(const FrameContext& frame, ViewScratch& scratch) {
                is_seen(*mesh.placed, things.parts_of(mesh), frame.view, target, *scratch.effects->meshes);
     });
     things.meshes.erase(things.meshes.begin(), seen);
-    if (!things.meshes.empty()) scratch.claims.effects = scratch.claims.effects.with(Effect::Models);
+    if (!things.meshes.empty()) scratch.claims.effects = scratch.claims.effects.with(Effect::Meshes);
 }
 
 void draw_meshes(const FrameContext& frame, ViewScratch& scratch) {
@@ -164,7 +164,7 @@ void draw_meshes(const FrameContext& frame, ViewScratch& scratch) {
         pixels +=
             draw_mesh(*mesh.placed, drawing, {scratch.depth, frame.out, mesh.pixels}, *scratch.effects->meshes).pixels;
     }
-    if (frame.observers.counts) frame.observers.counts->of(Effect::Models) += pixels;
+    if (frame.observers.counts) frame.observers.counts->of(Effect::Meshes) += pixels;
 }
 
 }  // namespace oblong

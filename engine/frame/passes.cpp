@@ -1,14 +1,11 @@
 #include "engine/frame/passes.h"
 
-#include <algorithm>
-
 #include "engine/effects/sky.h"
 #include "engine/effects/warp.h"
 #include "engine/frame/frame_context.h"
 #include "engine/frame/frame_counts.h"
 #include "engine/frame/frame_record.h"
 #include "engine/frame/frame_things.h"
-#include "engine/frame/see_through_pass.h"
 #include "engine/frame/shared_drawing.h"
 #include "engine/frame/torn_pixels.h"
 #include "engine/frame/view_scratch.h"
@@ -33,11 +30,11 @@ std::int64_t pixels_of_effect(const Claims&, const FrameCounts& counts) {
 }
 
 bool has_uncovered(const Claims& claims) {
-    return !claims.torn.empty() || !claims.left_free.empty();
+    return !claims.torn.empty() || !claims.void_spans.empty();
 }
 
 std::int64_t uncovered_pixels(const Claims& claims, const FrameCounts&) {
-    std::int64_t pixels = pixels_of(claims.left_free);
+    std::int64_t pixels = pixels_of(claims.void_spans);
     for (const TornSpan& torn : claims.torn) pixels += torn.span.end - torn.span.first;
     return pixels;
 }
@@ -114,7 +111,7 @@ const std::array<Pass, kPassCount> kPasses{{
     {"fog", false, [](const Claims& claims) { return !claims.fog_runs.empty(); }, pixels_of_effect<Effect::Fog>,
      draw_fog_runs},
     {"models", false, [](const Claims& claims) { return !claims.things.meshes.empty(); },
-     pixels_of_effect<Effect::Models>, draw_meshes},
+     pixels_of_effect<Effect::Meshes>, draw_meshes},
     {"see_through", false, has_seen_through, seen_through_pixels, draw_see_through},
     {"underwater", false, [](const Claims& claims) { return claims.effects.has(Effect::Underwater); },
      pixels_of_effect<Effect::Underwater>, draw_waves},

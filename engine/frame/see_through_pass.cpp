@@ -1,11 +1,10 @@
-#include "engine/frame/see_through_pass.h"
-
 #include <algorithm>
 #include <utility>
 
 #include "engine/base/table.h"
 #include "engine/frame/frame_context.h"
 #include "engine/frame/frame_fog.h"
+#include "engine/frame/frame_things.h"
 #include "engine/frame/surface_pass.h"
 #include "engine/frame/view_scratch.h"
 #include "engine/level/side.h"

@@ -1,7 +1,6 @@
 #include "engine/frame/torn_pixels.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"
@@ -84,11 +83,11 @@ class Rays {
 void claim(const Span& span, const WallHit& hit, const FrameContext& frame, ViewScratch& scratch) {
     const Level& level = frame.scene.level;
     Claims& claims = scratch.claims;
-    if (hit.node == NodeIndex::none()) return claims.left_free.push_back(span);
+    if (hit.node == NodeIndex::none()) return claims.void_spans.push_back(span);
     const PlaneIndex plane = level.nodes[hit.node].plane;
     const bool is_back = plane_distance(level.planes[plane], frame.view.eye) < PlaneDistance{};
     const FaceIndex face = continued_face(hit, is_back, level, frame.cache.continued_faces);
-    if (face == FaceIndex::none()) return claims.left_free.push_back(span);
+    if (face == FaceIndex::none()) return claims.void_spans.push_back(span);
     if (!hit.is_sky) return claims.torn.push_back({span, plane, is_back, face, hit.place});
     claims.spans.push_back(span);
     VisibleFace sky{.face = face};
@@ -183,14 +182,14 @@ void claim_torn_pixels(const FrameContext& frame, ViewScratch& scratch) {
     if (!shows_void) rays.emplace(frame);
     for (const Span& span : free)
         if (shows_void)
-            scratch.claims.left_free.push_back(span);
+            scratch.claims.void_spans.push_back(span);
         else
             claim_between(span, rays->hit_at(span.first, span.y), rays->hit_at(span.end - 1, span.y), *rays, frame,
                           scratch);
 }
 
 void draw_torn_pixels(const FrameContext& frame, ViewScratch& scratch) {
-    fill_spans(scratch.claims.left_free, 0, frame.out);
+    fill_spans(scratch.claims.void_spans, 0, frame.out);
     for (const TornSpan& torn : scratch.claims.torn) {
         observe_spans({.face = torn.face}, {&torn.span, 1}, frame.out, frame.observers);
         const TornDrawing drawing(torn, frame, scratch);

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <span>
-
 #include "engine/frame/claims.h"
 
 namespace oblong {
@@ -9,7 +7,7 @@ namespace oblong {
 /// Finds what is behind pixels that no face covers, in a frame from the open, with the tree, which is complete even if
 /// faces are missing. If a ray through the pixel enters a solid leaf, the texture and the light of the nearest face are
 /// continued on the node's plane where it enters (`claims.torn`). If it enters a sky leaf, the sky owns the pixel. If
-/// it never leaves the open, the pixel is void, colour 0 (`claims.left_free`).
+/// it never leaves the open, the pixel is void, colour 0 (`claims.void_spans`).
 void claim_torn_pixels(const FrameContext& frame, ViewScratch& scratch);
 
 /// Draws these pixels with a division each, regardless of the dials, as they are few.

@@ -20,7 +20,7 @@ enum class Effect : std::uint8_t {
     Particles,
     Sprites,
     Shadows,
-    Models,
+    Meshes,
     Mirror,
     Underwater
 };

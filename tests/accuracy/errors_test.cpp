@@ -111,7 +111,7 @@ std::int64_t uncovered_pixels(const Scenes& scenes, const Accuracy& accuracy) {
     for (const Camera& camera : level.cameras) {
         draw_frame({level.level, scenes.colormap, level.models}, camera, kMeasuredMode, settings, work,
                    {pixels.data(), kMeasuredMode.width_px, kMeasuredMode.height_px, kMeasuredMode.width_px});
-        count += pixels_of(work.view.claims.left_free);
+        count += pixels_of(work.view.claims.void_spans);
         for (const TornSpan& torn : work.view.claims.torn) count += torn.span.end - torn.span.first;
     }
     return count;

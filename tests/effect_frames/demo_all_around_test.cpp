@@ -30,7 +30,7 @@ class DemoAllAround : public testing::Test {
     void add_what_was_in_vain(InVain& sum) const {
         const FrameCounts& counts = work_.counts;
         const bool has_particles = counts.of(Effect::Particles) > 0;
-        const bool has_depth = has_particles || counts.of(Effect::Sprites) > 0 || counts.of(Effect::Models) > 0;
+        const bool has_depth = has_particles || counts.of(Effect::Sprites) > 0 || counts.of(Effect::Meshes) > 0;
         ++sum.frames;
         sum.with_particles += !has_particles && counts.stages.particles > 0;
         sum.with_depth += !has_depth && work_.view.depth.is_wanted();

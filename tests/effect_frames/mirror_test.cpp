@@ -49,7 +49,7 @@ TEST(Mirrors, ShowMeshesBeforeThemAndNoneBehind) {
     placed.position = point_at(-200, 30, 90);
     stage.meshes = {placed};
     const Picture with = stage.draw();
-    EXPECT_FALSE(stage.has(Effect::Models)) << "none of the frame's own";
+    EXPECT_FALSE(stage.has(Effect::Meshes)) << "none of the frame's own";
     std::int64_t left = 0, right = 0;
     for (std::size_t i = 0; i < with.size(); ++i)
         if (with[i] == kBall) ++(i % kPictureWidth < kPictureWidth / 2 ? left : right);

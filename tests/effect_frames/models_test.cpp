@@ -81,7 +81,7 @@ TEST(Models, AreDrawnWhereTheyAreNearerThanFaces) {
         EffectStage stage(pillared_room(), before_pillar());
         stage.meshes = {ball_at(point_at(x, y, z))};
         const Picture picture = stage.draw();
-        const Picture bare = stage.draw_without(Effect::Models);
+        const Picture bare = stage.draw_without(Effect::Meshes);
         const TrueCamera camera(stage.camera);
         std::int64_t ball = 0, covered = 0;
         for_each_pixel([&](std::int32_t column, std::int32_t row, std::size_t pixel) {
@@ -107,7 +107,7 @@ TEST(Models, BehindAWallAreNotOnThePlan) {
     stage.meshes = {ball_at(point_at(60, 0, 90))};
     stage.meshes[0].scale = {Entry::from_raw(1 << 28), Entry::from_raw(1 << 28), Entry::from_raw(1 << 28)};
     const Picture picture = stage.draw();
-    EXPECT_FALSE(stage.has(Effect::Models));
+    EXPECT_FALSE(stage.has(Effect::Meshes));
     EXPECT_FALSE(stage.has("models"));
     stage.meshes.clear();
     EXPECT_EQ(stage.draw(), picture);
@@ -123,10 +123,10 @@ TEST(Models, NotAllowedAreNotDrawn) {
     const Picture bare = stage.draw();
     stage.meshes = {ball_at(point_at(-60, 0, 90))};
     EXPECT_NE(stage.draw(), bare);
-    EXPECT_TRUE(stage.has(Effect::Models));
-    EXPECT_GT(stage.pixels(Effect::Models), 1000);
-    EXPECT_EQ(stage.pixels(Effect::Models), stage.pixels("models"));
-    EXPECT_EQ(stage.draw_without(Effect::Models), bare);
+    EXPECT_TRUE(stage.has(Effect::Meshes));
+    EXPECT_GT(stage.pixels(Effect::Meshes), 1000);
+    EXPECT_EQ(stage.pixels(Effect::Meshes), stage.pixels("models"));
+    EXPECT_EQ(stage.draw_without(Effect::Meshes), bare);
 }
 
 /// Water that is half seen through, up to z = 100, whose surface the ball breaks.
@@ -176,7 +176,7 @@ TEST(Models, ShowInTheHolesOfAFenceBeforeThem) {
         stage.models.clear();
         const Picture open = stage.draw();
         stage.models.push_back(fence);
-        const Picture bare = stage.draw_without(Effect::Models), picture = stage.draw();
+        const Picture bare = stage.draw_without(Effect::Meshes), picture = stage.draw();
         EXPECT_GT(count_of(open, kBall), 2'000);
         for (std::size_t i = 0; i < picture.size(); ++i) {
             const bool is_ball = open[i] == kBall && (x < 0 || bare[i] != kBars);
@@ -209,7 +209,7 @@ TEST(Models, AreLitByTheFloorBelowAndByWhatMoves) {
         stage.meshes[0].mesh = &plain;
         stage.meshes[0].least_light = 0;
         stage.moving_lights = std::move(moving);
-        const Picture with = stage.draw(), without = stage.draw_without(Effect::Models);
+        const Picture with = stage.draw(), without = stage.draw_without(Effect::Meshes);
         double sum = 0, count = 0;
         for (std::size_t i = 0; i < with.size(); ++i)
             if (with[i] != without[i]) sum += with[i], ++count;

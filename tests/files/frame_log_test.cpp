@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "engine/files/arguments.h"
@@ -154,7 +153,7 @@ TEST_F(FrameLogTest, SpansAreThePixelsOfThePicture) {
     const LogLines lines = span_lines(frame());
     const auto walls = numbers_after(line_with(lines, "walls"), "walls: ");
     const auto torn = numbers_after(line_with(lines, "torn"), "torn: ");
-    const auto free = numbers_after(line_with(lines, "left free"), "left free: ");
+    const auto free = numbers_after(line_with(lines, "void"), "void: ");
     ASSERT_EQ(walls.size(), 3u);
     EXPECT_EQ(walls[0], 1);
     EXPECT_EQ(walls[2] + torn.at(0) + free.at(0), 64 * 40);

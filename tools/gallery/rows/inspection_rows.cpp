@@ -94,7 +94,7 @@ Figures draw_log(const RowInput& input, Framebuffer canvas) {
         for (const std::string_view part : lines_of(line, canvas.width_px - 2 * kTextMargin_px))
             parts.emplace_back(part);
     draw_column(canvas, kTextMargin_px, kHeader_px + 3, parts, assets.text);
-    std::int64_t spans_px = pixels_of(logged.work.view.claims.left_free);
+    std::int64_t spans_px = pixels_of(logged.work.view.claims.void_spans);
     for (const FaceList list : {FaceList::Walls, FaceList::Flat, FaceList::Liquid, FaceList::Sky, FaceList::Mirror})
         spans_px += pixels_of(logged.work.view.claims, list);
     std::vector<std::string> when_off;

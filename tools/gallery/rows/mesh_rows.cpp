@@ -82,7 +82,7 @@ Figures draw_in_level(const RowInput& input, Framebuffer canvas) {
     frame.draw(camera, canvas);
     return {count_figure("pixels with depth in a frame without it", 0, before),
             measured("pixels with depth: the rectangle around it", wanted()),
-            measured("pixels that it owns", counts.of(Effect::Models))};
+            measured("pixels that it owns", counts.of(Effect::Meshes))};
 }
 
 }  // namespace
