@@ -4,9 +4,8 @@
 #include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <string_view>
 
-#include "engine/base/fnv.h"
+#include "engine/base/checksum.h"
 #include "engine/files/files.h"
 #include "engine/level/entity_classes.h"
 

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 
 #include "engine/base/table.h"
 #include "engine/draw/font.h"
 #include "engine/fixed/root.h"
 #include "engine/fixed/trig.h"
+#include "engine/library/conversions.h"
 #include "engine/library/oblong.h"
-#include "engine/library/units.h"
 #include "engine/raster/lines.h"
 #include "engine/raster/scan.h"
 

@@ -12,8 +12,7 @@
 #include "engine/level/entities.h"
 #include "engine/level/entity_classes.h"
 #include "engine/library/body.h"
-#include "engine/library/model_state.h"
-#include "engine/library/units.h"
+#include "engine/library/conversions.h"
 
 namespace oblong {
 namespace {

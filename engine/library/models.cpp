@@ -2,8 +2,7 @@
 
 #include "engine/files/files.h"
 #include "engine/files/obj.h"
-#include "engine/library/model_state.h"
-#include "engine/library/units.h"
+#include "engine/library/conversions.h"
 #include "engine/mesh/draw_mesh.h"
 #include "engine/view/views.h"
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "engine/base/crc32.h"
+#include "engine/base/checksum.h"
 #include "engine/base/table.h"
 #include "engine/files/files.h"
 #include "engine/files/picture.h"

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "engine/platform/input_events.h"
+#include "engine/platform/input.h"
 #include "engine/surface/palette.h"
 #include "engine/view/present_rect.h"
 #include "engine/view/screen.h"

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/base/fnv.h"
+#include "engine/base/checksum.h"
 #include "engine/files/arguments.h"
 #include "engine/files/files.h"
 #include "engine/platform/dos/calls.h"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/platform/input_events.h"
+#include "engine/platform/input.h"
 #include "game/input/actions.h"
 
 namespace oblong {

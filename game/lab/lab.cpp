@@ -1,8 +1,33 @@
 #include "game/lab/lab.h"
 
-#include "game/lab/comparison.h"
+#include <algorithm>
+
+#include "engine/draw/drawing.h"
 
 namespace oblong {
+namespace {
+
+/// The first column of the right side.
+std::int32_t split_column(const LabOptions& options, std::int32_t width_px) {
+    return static_cast<std::int32_t>(std::int64_t{options.split_16} * width_px >> 16);
+}
+
+/// `left` names the setting at the left; at the right it is exact.
+std::string split_text(std::string_view left) {
+    return "{split} left: " + std::string(left) + ", right: exact";
+}
+
+/// The two settings that are flipped, the shown one in brackets.
+std::string flip_text(const LabOptions& options, const Accuracy& accuracy, std::uint64_t now_us) {
+    if (options.before == accuracy) return "{flip} Both are " + setting_name(accuracy) + ": turn a dial";
+    const bool shows_now = shown_setting(options, accuracy, now_us) == accuracy;
+    const auto name = [](const Accuracy& setting, bool is_shown) {
+        return is_shown ? "[" + setting_name(setting) + "]" : " " + setting_name(setting) + " ";
+    };
+    return "{flip} now " + name(accuracy, shows_now) + " before " + name(options.before, !shows_now);
+}
+
+}  // namespace
 
 Lab::Lab(const GameData& data, const GameLevel& level, const ScreenMode& mode, ColourScheme scheme,
          std::int32_t text_scale)
@@ -49,6 +74,14 @@ void Lab::draw_exact_side(const LabOptions& options, const GameView& view, Setti
     settings.accuracy = accuracy_of(Preset::Exact);
     renderer_.draw(view, settings);
     draw_split(options, renderer_.canvas(), colours_.bright, canvas);
+}
+
+void draw_split(const LabOptions& options, Framebuffer right, TextColours colours, Framebuffer canvas) {
+    const std::int32_t column = split_column(options, canvas.width_px);
+    for (std::int32_t y = 0; y < canvas.height_px; ++y)
+        std::copy(right.row(y) + column, right.row(y) + canvas.width_px, canvas.row(y) + column);
+    fill_area(canvas, {column - 1, 0, 1, canvas.height_px}, colours.dark);
+    fill_area(canvas, {column, 0, 1, canvas.height_px}, colours.bright);
 }
 
 }  // namespace oblong

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 
+#include "engine/draw/text.h"
 #include "game/lab/error_map.h"
 #include "game/lab/lab_measures.h"
 #include "game/lab/lab_options.h"
@@ -39,5 +39,8 @@ class Lab {
     ErrorMap error_map_;
     LabMeasures measures_;
 };
+
+/// Replaces the right side of the canvas by that of another picture, with a line between them.
+void draw_split(const LabOptions& options, Framebuffer right, TextColours colours, Framebuffer canvas);
 
 }  // namespace oblong

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "engine/base/fnv.h"
+#include "engine/base/checksum.h"
 #include "engine/effects/things.h"
 #include "engine/files/arguments.h"
 #include "engine/files/files.h"

@@ -1,5 +1,3 @@
-#include "game/program/error_window.h"
-
 #include <exception>
 #include <memory>
 #include <vector>
@@ -7,6 +5,7 @@
 #include "engine/draw/text.h"
 #include "engine/platform/sdl/sdl.h"
 #include "game/input/input_mapper.h"
+#include "game/program/program.h"
 
 namespace oblong {
 namespace {

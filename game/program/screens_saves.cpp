@@ -1,13 +1,10 @@
 // Saving and continuing walks.
-#include <algorithm>
-#include <chrono>
-#include <exception>
 #include <filesystem>
 #include <utility>
 
 #include "engine/files/files.h"
 #include "game/program/screens.h"
-#include "game/saves/saved_level.h"
+#include "game/saves/saved_game.h"
 #include "game/simulation/items.h"
 
 namespace oblong {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "engine/files/files.h"
-#include "game/saves/saved_level.h"
+#include "game/saves/saved_game.h"
 #include "game/simulation/items.h"
 
 namespace oblong {

@@ -4,9 +4,10 @@
 #include <string_view>
 #include <utility>
 
-#include "engine/base/fnv.h"
+#include "engine/base/checksum.h"
 #include "engine/base/little_endian.h"
-#include "game/simulation/state_check.h"
+#include "engine/base/table.h"
+#include "game/simulation/game_level.h"
 
 namespace oblong {
 namespace {
@@ -91,6 +92,25 @@ LittleEndianReader checked(std::span<const std::uint8_t> bytes) {
     return reader;
 }
 
+// The columns or rows, at least one, that a pixel of the small picture covers.
+PixelRange covered_by(std::int32_t index, std::int32_t small_px, std::int32_t large_px) {
+    const auto edge = [&](std::int32_t i) { return static_cast<std::int32_t>(std::int64_t{i} * large_px / small_px); };
+    const std::int32_t first = edge(index);
+    return {first, std::max(first + 1, edge(index + 1))};
+}
+
+Rgb8 mean_colour(Framebuffer picture, const Palette& palette, PixelRange columns, PixelRange rows) {
+    std::int64_t red = 0, green = 0, blue = 0;
+    for (std::int32_t y = rows.first; y < rows.end; ++y)
+        for (std::int32_t x = columns.first; x < columns.end; ++x) {
+            const Rgb8 colour = item(palette.colours, picture.row(y)[x]);
+            red += colour.red, green += colour.green, blue += colour.blue;
+        }
+    const std::int64_t count = std::int64_t{columns.end - columns.first} * (rows.end - rows.first);
+    const auto mean = [count](std::int64_t sum) { return static_cast<std::uint8_t>((sum + count / 2) / count); };
+    return {mean(red), mean(green), mean(blue)};
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> encode_save(const SavedGame& game) {
@@ -138,6 +158,16 @@ void check_level(const SavedGame& game, std::uint64_t level_hash, const GameLeve
         throw InputError("level", "saved in another level, another version of it or by other rules, expected this one");
     if (game.level.start_hash != hash_of(start_of(level)) || !is_consistent(level, game.state))
         throw InputError("state", "not one of this level, expected one saved by this version of the game");
+}
+
+Thumbnail make_thumbnail(Framebuffer picture, const Palette& palette) {
+    Thumbnail thumbnail;
+    auto pixel = thumbnail.pixels.begin();
+    for (std::int32_t y = 0; y < Thumbnail::kHeight_px; ++y)
+        for (std::int32_t x = 0; x < Thumbnail::kWidth_px; ++x)
+            *pixel++ = mean_colour(picture, palette, covered_by(x, Thumbnail::kWidth_px, picture.width_px),
+                                   covered_by(y, Thumbnail::kHeight_px, picture.height_px));
+    return thumbnail;
 }
 
 }  // namespace oblong

@@ -10,6 +10,7 @@
 #include "engine/base/table.h"
 #include "engine/surface/palette.h"
 #include "engine/view/screen.h"
+#include "game/level/load.h"
 #include "game/simulation/game_level.h"
 #include "game/simulation/items.h"
 #include "game/simulation/state.h"
@@ -89,5 +90,15 @@ GameState read_state(LittleEndianReader& reader);
 
 /// A hash of the kinds of all fields. It differs if a build's state has other fields.
 std::uint64_t state_layout();
+
+/// A loaded level, as a save stores it.
+SavedLevel saved_level_of(const LoadedLevel& loaded);
+
+/// The files to load a saved level from. The demo level is taken from `own`, the program's files, in case the program
+/// has moved; so are palette and models if the named ones are gone.
+LevelFiles files_of(const SavedLevel& saved, const LevelFiles& own);
+
+/// A warning to the player if a level is shown in other colours or without some of its models; else empty.
+std::string what_is_gone(const SavedLevel& saved, const SavedLevel& loaded);
 
 }  // namespace oblong

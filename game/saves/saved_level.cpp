@@ -1,9 +1,8 @@
-#include "game/saves/saved_level.h"
-
 #include <filesystem>
 
-#include "engine/base/fnv.h"
+#include "engine/base/checksum.h"
 #include "engine/files/game_files.h"
+#include "game/saves/saved_game.h"
 
 namespace oblong {
 namespace {

@@ -1,6 +1,6 @@
 #include <type_traits>
 
-#include "engine/base/fnv.h"
+#include "engine/base/checksum.h"
 #include "game/saves/saved_game.h"
 #include "game/simulation/state_fields.h"
 

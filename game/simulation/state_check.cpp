@@ -1,9 +1,6 @@
-#include "game/simulation/state_check.h"
-
-#include <algorithm>
-
 #include "engine/base/table.h"
 #include "game/simulation/activations.h"
+#include "game/simulation/game_level.h"
 #include "game/simulation/slide_move.h"
 #include "game/simulation/step.h"
 

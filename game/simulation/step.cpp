@@ -1,5 +1,8 @@
 #include "game/simulation/step.h"
 
+#include <array>
+#include <utility>
+
 #include "game/simulation/collision.h"
 
 namespace oblong {
@@ -38,6 +41,20 @@ TickReport step(const GameLevel& level, GameState& state, const TickInput& input
     activations.end_tick();
     end_tick_of_movers(state);
     return activations.report();
+}
+
+std::vector<std::string_view> TickReport::left() const {
+    const std::array<std::pair<bool, std::string_view>, 5> kinds{{
+        {has_left_activations, "activations wait for later ticks"},
+        {has_dropped_firings, "activations beyond 16,384 that wait are dropped"},
+        {has_left_movers, "movers wait for later ticks"},
+        {has_left_touches, "triggers and items are touched in later ticks"},
+        {has_left_obstacles, "brush models beyond 256 in one place are not solid"},
+    }};
+    std::vector<std::string_view> texts;
+    for (const auto& [is_left, text] : kinds)
+        if (is_left) texts.push_back(text);
+    return texts;
 }
 
 }  // namespace oblong

@@ -1,29 +1,15 @@
 #include "game/view/game_renderer.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "engine/base/table.h"
 #include "engine/frame/wireframe.h"
-#include "engine/view/screen.h"
-#include "engine/view/views.h"
 #include "game/simulation/items.h"
-#include "game/simulation/step.h"
 
 namespace oblong {
 namespace {
 
 constexpr World kTorchRadius = World::from_int(240);
-
-World between(World before, World after, std::int32_t fraction_16) {
-    const auto fraction = Fixed<std::int32_t, 16>::from_raw(fraction_16);
-    return before + convert<World>(bounded_product(widening_difference(after, before), fraction), Rounding::Floor);
-}
-
-Vec3<World> between(const Vec3<World>& before, const Vec3<World>& after, std::int32_t fraction_16) {
-    return {between(before.x, after.x, fraction_16), between(before.y, after.y, fraction_16),
-            between(before.z, after.z, fraction_16)};
-}
 
 LightStyles light_styles_of(const GameState& state) {
     LightStyles styles = plain_light_styles();
@@ -40,45 +26,6 @@ std::optional<std::size_t> model_of(std::size_t entity, const LevelModels& model
 }
 
 }  // namespace
-
-ViewSpec spec_of(const GameView& view, const Settings& settings) {
-    return view.other ? *view.other : first_person_view(view.camera, settings.accuracy.sine);
-}
-
-std::int64_t time_ms_at(const InterpolatedState& state) {
-    const std::int64_t ticks_16 = (state.before.tick << 16) + state.fraction_16;
-    return ticks_16 * 1000 / kTicksPerSecond >> 16;
-}
-
-std::vector<PlacedModel> placed_models(const GameLevel& level, const InterpolatedState& state) {
-    std::vector<PlacedModel> placed;
-    for (std::size_t i = 0; i < level.movers.size(); ++i) {
-        const Mover& mover = level.movers[i];
-        if (is_removed(state.after.movers[i]) || mover.turns != 0) continue;
-        const Vec3<World> before = offset_of(mover, state.before.movers[i]),
-                          after = offset_of(mover, state.after.movers[i]);
-        placed.push_back(
-            {mover.model, between(before, after, state.fraction_16), shows_other_frames(mover, state.after.movers[i])});
-    }
-    for (std::size_t i = 0; i < level.walls.size(); ++i) {
-        const WallState wall = state.after.walls[i];
-        if (wall != WallState::Removed)
-            placed.push_back({level.walls[i].model, {}, wall == WallState::ShowsOtherFrames});
-    }
-    return placed;
-}
-
-Camera camera_at(const InterpolatedState& state, LookOffset offset, Degrees field_of_view) {
-    const Player& player = state.after.player;
-    const Position before = eye_of(state.before.player), after = eye_of(player);
-    Camera camera;
-    camera.eye = was_teleported(state.before.player, player) ? after : between(before, after, state.fraction_16);
-    camera.yaw = player.yaw + Angle::from_bam(offset.yaw);
-    camera.pitch =
-        Angle::from_bam(std::clamp(player.pitch + offset.pitch, -Player::kSteepestPitch, Player::kSteepestPitch));
-    camera.field_of_view = field_of_view;
-    return camera;
-}
 
 GameRenderer::GameRenderer(const GameData& data, const GameLevel& level, const ScreenMode& mode, Workers* workers)
     : data_(data), level_(level), mode_(mode), work_(data.level, mode, workers) {
@@ -99,8 +46,7 @@ void GameRenderer::note_models(const InterpolatedState& state) {
     for (const TurningModel& door : turning_) {
         const MoverState &before = state.before.movers[door.mover], &after = state.after.movers[door.mover];
         is_gone_[door.model] = is_removed(after) ? 1 : 0;
-        turned_[door.model] =
-            turn_of(level_.movers[door.mover], between(before.travelled, after.travelled, state.fraction_16));
+        turned_[door.model] = turn_of(level_.movers[door.mover], state.between(before.travelled, after.travelled));
     }
 }
 
@@ -164,6 +110,14 @@ void GameRenderer::draw_and_time(const GameView& view, const Settings& settings,
 
 Framebuffer GameRenderer::canvas() {
     return {pixels_.data(), mode_.width_px, mode_.height_px, mode_.width_px};
+}
+
+void ViewTimes::time(const GameView& view, const Settings& settings, GameRenderer& renderer) {
+    const ViewSpec spec = spec_of(view, settings);
+    if (spec != view_ || settings != settings_) times_.clear();
+    view_ = spec;
+    settings_ = settings;
+    renderer.draw_and_time(view, settings, times_);
 }
 
 }  // namespace oblong

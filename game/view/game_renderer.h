@@ -9,37 +9,10 @@
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
 #include "engine/raster/lines.h"
-#include "engine/view/projection.h"
-#include "game/input/tick_input_source.h"
 #include "game/level/load.h"
+#include "game/view/shown_view.h"
 
 namespace oblong {
-
-/// Two states one tick apart, and how far the picture is between them: 0 is the first, 65,536 the second.
-struct InterpolatedState {
-    const GameState& before;
-    const GameState& after;
-    std::int32_t fraction_16 = 0;
-};
-
-/// The contents of a picture: the game at a moment, and the camera.
-struct GameView {
-    InterpolatedState state;
-    Camera camera;
-    bool has_torch = false;              ///< a light at the eye
-    std::optional<ViewSpec> other = {};  ///< drawn instead of the camera's view
-};
-
-ViewSpec spec_of(const GameView& view, const Settings& settings);
-
-/// The time since the level began.
-std::int64_t time_ms_at(const InterpolatedState& state);
-
-/// The brush models that are drawn, with their offsets: without triggers, and without doors that turn.
-std::vector<PlacedModel> placed_models(const GameLevel& level, const InterpolatedState& state);
-
-/// The player's eye, turned further by `offset`.
-Camera camera_at(const InterpolatedState& state, LookOffset offset, Degrees field_of_view);
 
 /// Draws a game into its own framebuffer.
 class GameRenderer {
@@ -87,6 +60,23 @@ class GameRenderer {
     std::vector<TurningModel> turning_;
     std::vector<std::uint8_t> is_gone_;  ///< models of taken or removed entities; empty if there cannot be any
     std::vector<Angle> turned_;          ///< empty without doors that turn
+};
+
+/// Times of warm renderings of one view with one setting; a new view or setting clears them.
+class ViewTimes {
+  public:
+    explicit ViewTimes(FrameClock clock = steady_clock_ns) : times_(kMost, clock) {}
+
+    /// Draws the renderer's last picture once more, and times it.
+    void time(const GameView& view, const Settings& settings, GameRenderer& renderer);
+    const RenderingTimes& renderings() const { return times_; }
+
+  private:
+    static constexpr std::size_t kMost = 31;
+
+    RenderingTimes times_;
+    ViewSpec view_;
+    Settings settings_;
 };
 
 }  // namespace oblong

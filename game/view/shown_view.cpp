@@ -2,10 +2,12 @@
 
 #include <algorithm>
 
+#include "engine/fixed/trig.h"
 #include "engine/level/trace.h"
+#include "engine/math/basis.h"
+#include "game/simulation/step.h"
 
 namespace oblong {
-
 namespace {
 
 /// Of the isometric view: its width in units, and how far above the eye the level is cut off.
@@ -31,7 +33,78 @@ ViewSpec isometric_view(const Camera& camera) {
     return view;
 }
 
+constexpr std::int64_t kCycle_ticks = 21;  // 0.6 s
+static_assert(kCycle_ticks * 10 == 6 * kTicksPerSecond);
+constexpr World kHighest = World::from_int(4), kLowest = World::from_int(-7);
+constexpr World kLeanSpeed = World::from_int(200);  // at which the lean is kLean
+constexpr std::int64_t kLean = 364;                 // 2 degrees, 65,536 to the circle
+
+Velocity velocity_at(const InterpolatedState& state) {
+    const Velocity &before = state.before.player.velocity, &after = state.after.player.velocity;
+    return before + scaled(after - before, state.fraction_16, 65'536);
+}
+
+// 0.02 s times the speed: three tenths constant, seven tenths times a sine.
+World bob(World speed, const InterpolatedState& state) {
+    const std::int64_t ticks_16 = (state.before.tick % kCycle_ticks << 16) + state.fraction_16;
+    const Unit wave = sine(Angle::from_bam(ticks_16 / kCycle_ticks));
+    const World most = scaled(speed, 2, 100);
+    return std::clamp(scaled(most, 3, 10) + times(scaled(most, 7, 10), wave), kLowest, kHighest);
+}
+
+std::int64_t lean(World sideways) {
+    return std::int64_t{floor_of<12>(std::clamp(sideways, -kLeanSpeed, kLeanSpeed))} * kLean / floor_of<12>(kLeanSpeed);
+}
+
 }  // namespace
+
+World InterpolatedState::between(World in_before, World in_after) const {
+    const auto fraction = Fixed<std::int32_t, 16>::from_raw(fraction_16);
+    return in_before +
+           convert<World>(bounded_product(widening_difference(in_after, in_before), fraction), Rounding::Floor);
+}
+
+Vec3<World> InterpolatedState::between(const Vec3<World>& in_before, const Vec3<World>& in_after) const {
+    return {between(in_before.x, in_after.x), between(in_before.y, in_after.y), between(in_before.z, in_after.z)};
+}
+
+ViewSpec spec_of(const GameView& view, const Settings& settings) {
+    return view.other ? *view.other : first_person_view(view.camera, settings.accuracy.sine);
+}
+
+std::int64_t time_ms_at(const InterpolatedState& state) {
+    const std::int64_t ticks_16 = (state.before.tick << 16) + state.fraction_16;
+    return ticks_16 * 1000 / kTicksPerSecond >> 16;
+}
+
+std::vector<PlacedModel> placed_models(const GameLevel& level, const InterpolatedState& state) {
+    std::vector<PlacedModel> placed;
+    for (std::size_t i = 0; i < level.movers.size(); ++i) {
+        const Mover& mover = level.movers[i];
+        if (is_removed(state.after.movers[i]) || mover.turns != 0) continue;
+        const Vec3<World> before = offset_of(mover, state.before.movers[i]),
+                          after = offset_of(mover, state.after.movers[i]);
+        placed.push_back({mover.model, state.between(before, after), shows_other_frames(mover, state.after.movers[i])});
+    }
+    for (std::size_t i = 0; i < level.walls.size(); ++i) {
+        const WallState wall = state.after.walls[i];
+        if (wall != WallState::Removed)
+            placed.push_back({level.walls[i].model, {}, wall == WallState::ShowsOtherFrames});
+    }
+    return placed;
+}
+
+Camera camera_at(const InterpolatedState& state, LookOffset offset, Degrees field_of_view) {
+    const Player& player = state.after.player;
+    const Position before = eye_of(state.before.player), after = eye_of(player);
+    Camera camera;
+    camera.eye = was_teleported(state.before.player, player) ? after : state.between(before, after);
+    camera.yaw = player.yaw + Angle::from_bam(offset.yaw);
+    camera.pitch =
+        Angle::from_bam(std::clamp(player.pitch + offset.pitch, -Player::kSteepestPitch, Player::kSteepestPitch));
+    camera.field_of_view = field_of_view;
+    return camera;
+}
 
 std::optional<ViewSpec> other_view(bool is_isometric, std::int32_t zoom_degrees, const Camera& camera,
                                    const Level& level) {
@@ -41,6 +114,16 @@ std::optional<ViewSpec> other_view(bool is_isometric, std::int32_t zoom_degrees,
     ViewSpec view = first_person_view(dolly_zoomed(camera, distance_ahead(camera, level), zoom));
     if (zoom < camera.field_of_view) cut_front(view, camera.eye, World{});
     return view;
+}
+
+void sway(const InterpolatedState& state, const ComfortPreferences& preferences, Camera& camera) {
+    Velocity velocity = velocity_at(state);
+    velocity.z = {};
+    if (preferences.view_bob_100 != 0)
+        camera.eye.z = camera.eye.z + scaled(bob(length_of(velocity), state), preferences.view_bob_100, 100);
+    if (preferences.view_roll_100 == 0) return;
+    const World sideways = component_along(velocity, view_basis(camera.yaw, {}, {}).right);
+    camera.roll = Angle::from_bam(lean(sideways) * preferences.view_roll_100 / 100);
 }
 
 }  // namespace oblong

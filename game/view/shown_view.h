@@ -2,13 +2,45 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
-#include "engine/level/level.h"
+#include "engine/frame/settings.h"
+#include "engine/scene/placed_models.h"
 #include "engine/view/views.h"
+#include "game/input/tick_input_source.h"
 #include "game/options/preferences.h"
-#include "game/view/game_renderer.h"
+#include "game/simulation/game_level.h"
 
 namespace oblong {
+
+/// Two states one tick apart, and how far the picture is between them: 0 is the first, 65,536 the second.
+struct InterpolatedState {
+    const GameState& before;
+    const GameState& after;
+    std::int32_t fraction_16 = 0;
+
+    World between(World in_before, World in_after) const;
+    Vec3<World> between(const Vec3<World>& in_before, const Vec3<World>& in_after) const;
+};
+
+/// The contents of a picture: the game at a moment, and the camera.
+struct GameView {
+    InterpolatedState state;
+    Camera camera;
+    bool has_torch = false;              ///< a light at the eye
+    std::optional<ViewSpec> other = {};  ///< drawn instead of the camera's view
+};
+
+ViewSpec spec_of(const GameView& view, const Settings& settings);
+
+/// The time since the level began.
+std::int64_t time_ms_at(const InterpolatedState& state);
+
+/// The brush models that are drawn, with their offsets: without triggers, and without doors that turn.
+std::vector<PlacedModel> placed_models(const GameLevel& level, const InterpolatedState& state);
+
+/// The player's eye, turned further by `offset`.
+Camera camera_at(const InterpolatedState& state, LookOffset offset, Degrees field_of_view);
 
 /// The view drawn instead of the camera's, if a key asks for one. Isometric: from the south-west, the player in the
 /// middle, without the level above. Zoomed: another field of view, with the eye moved so that the object in the middle

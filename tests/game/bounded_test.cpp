@@ -7,7 +7,7 @@
 #include "engine/base/little_endian.h"
 #include "game/saves/saved_game.h"
 #include "game/simulation/collision.h"
-#include "game/simulation/state_check.h"
+#include "game/simulation/game_level.h"
 #include "tests/game/hostile_levels.h"
 
 namespace oblong {

@@ -12,8 +12,8 @@
 
 #include "engine/draw/font.h"
 #include "game/lab/aspect_guide.h"
-#include "game/lab/comparison.h"
 #include "game/lab/error_map.h"
+#include "game/lab/lab.h"
 #include "game/lab/lab_panel.h"
 #include "game/menu/menu_layout.h"
 #include "game/view/hud.h"

@@ -12,8 +12,8 @@
 #include "engine/fixed/trig.h"
 #include "engine/level/bsp_read.h"
 #include "game/simulation/collision.h"
+#include "game/simulation/game_level.h"
 #include "game/simulation/items.h"
-#include "game/simulation/state_check.h"
 #include "tests/game/logic_level.h"
 #include "tests/support/folders.h"
 

@@ -1,10 +1,9 @@
-#include "game/simulation/state_check.h"
-
 #include <gtest/gtest.h>
 
 #include <functional>
 
 #include "game/simulation/activations.h"
+#include "game/simulation/game_level.h"
 #include "tests/game/logic_level.h"
 
 namespace oblong {

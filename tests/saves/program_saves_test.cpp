@@ -3,10 +3,10 @@
 #include <functional>
 #include <vector>
 
-#include "engine/base/fnv.h"
+#include "engine/base/checksum.h"
 #include "engine/effects/palette_effects.h"
 #include "game/input/tick_input_source.h"
-#include "game/saves/saved_level.h"
+#include "game/saves/saved_game.h"
 #include "tests/support/folders.h"
 #include "tests/walk/walked_level.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-#include "game/simulation/state_check.h"
+#include "game/simulation/game_level.h"
 #include "tests/saves/saved_walk.h"
 #include "tests/support/refusal.h"
 

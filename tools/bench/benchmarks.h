@@ -2,10 +2,25 @@
 
 #include <benchmark/benchmark.h>
 
+#include <string>
+#include <vector>
+
+#include "engine/frame/frame.h"
+#include "engine/frame/workspace.h"
 #include "engine/view/screen.h"
-#include "tools/bench/bench_level.h"
 
 namespace oblong {
+
+/// A level for timing frames and their stages.
+struct BenchLevel {
+    std::string name;
+    Level level;
+    Colormap colormap;
+    std::vector<PlacedModel> models;
+    std::vector<Camera> cameras;
+
+    Scene scene() const { return {level, colormap, models}; }
+};
 
 // Each registers its benchmarks with Google Benchmark. Its arguments must live until these have run.
 

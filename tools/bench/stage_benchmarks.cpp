@@ -1,9 +1,10 @@
-#include "tools/bench/stage_benchmarks.h"
-
 #include <memory>
+#include <vector>
 
 #include "engine/accuracy/accuracy.h"
+#include "engine/frame/surface_pass.h"
 #include "engine/raster/exact_spans.h"
+#include "engine/view/view_context.h"
 #include "engine/view/views.h"
 #include "engine/visibility/eye.h"
 #include "tools/bench/benchmarks.h"
@@ -11,6 +12,82 @@
 namespace oblong {
 
 namespace {
+
+/// A face that owns pixels of a frame, as input for texturing, without a cutting.
+struct TexturedInput {
+    std::vector<Span> spans;
+    TexturedFace face;
+};
+
+/// The input of each stage of a frame; only of the world's faces, without doors and lifts.
+struct StageInputs {
+    ViewContext view;
+    LeafIndex leaf;                                   ///< of the eye
+    std::vector<FaceIndex> visited;                   ///< returned by the walk
+    std::vector<std::vector<ScreenVertex>> polygons;  ///< of the visited faces in view
+    std::vector<ScanlineExtents> rows;                ///< of the polygons
+    std::vector<TexturedInput> walls;                 ///< the faces that own pixels and have a surface
+    std::int64_t pixels = 0;                          ///< of the walls
+};
+
+/// Collects the faces of a frame until no pixel is free, with the results of each stage.
+void collect_geometry(const BenchLevel& level, FrameWorkspace& work, StageInputs& inputs) {
+    work.view.visible.see_from(level.level, inputs.leaf);
+    work.view.claiming->vertices.start_frame();
+    work.view.claiming->span_buffer.reset();
+    SpanList owned;
+    FrontToBackWalk walk(level.level, inputs.view, work.view.visible, nullptr, work.view.claiming->span_buffer,
+                         work.view.claiming->walk);
+    VisibleFace visible;
+    while (walk.next(visible)) {
+        inputs.visited.push_back(visible.face);
+        if (!project_face(work.cache.faces.corners_of(visible.face), inputs.view, work.view.claiming->vertices,
+                          work.view.claiming->polygon))
+            continue;
+        scan_convex(work.view.claiming->polygon.vertices, work.view.claiming->rows);
+        work.view.claiming->span_buffer.claim(work.view.claiming->rows, owned);
+        inputs.polygons.emplace_back(work.view.claiming->polygon.vertices.begin(),
+                                     work.view.claiming->polygon.vertices.end());
+        inputs.rows.push_back(work.view.claiming->rows);
+    }
+}
+
+/// Collects the walls of the last frame drawn in the workspace.
+void collect_walls(const BenchLevel& level, FrameWorkspace& work, StageInputs& inputs) {
+    const InverseProjection inverse_projection = make_inverse_projection(inputs.view.projection);
+    for (const VisibleFace& claimed : work.view.claims.list(FaceList::Walls)) {
+        const FaceIndex face = claimed.face;
+        const auto spans = work.view.claims.spans_of(claimed);
+        const Vec3<World> offset = work.cache.brush_models.offset_of(claimed.fragment);
+        const int mip = work.cache.surfaces.mip_level(face, claimed.nearest_z, inputs.view.projection.x, 0);
+        TexturedInput wall{{spans.begin(), spans.end()}, {claimed, {}, {}, {}, {}}};
+        wall.face.surface = work.cache.surfaces.get(face, mip, {work.view.light.styles, TextureIndex::none(), offset});
+        wall.face.cutting.gradients = make_face_gradients(level.level, level.level.faces[face], wall.face.surface,
+                                                          offset, claimed.inverse_z, inputs.view, inverse_projection);
+        wall.face.texels_per_pixel =
+            texels_across(claimed.nearest_z, convert<TexelDensity>(work.cache.faces[face].least_density),
+                          inverse_projection.least_pixel_width);
+        inputs.walls.push_back(std::move(wall));
+        for (const Span& span : spans) inputs.pixels += span.end - span.first;
+    }
+}
+
+/// The stages' inputs for a camera's frame. The walls' texels are in `work`.
+StageInputs collect_stage_inputs(const BenchLevel& level, const Camera& camera, const ScreenMode& mode,
+                                 FrameWorkspace& work) {
+    ViewSpec spec = first_person_view(camera);
+    const PlacedEye eye = place_eye(level.level, spec.eye);
+    spec.eye = eye.position;
+    StageInputs inputs;
+    inputs.view = make_view_context(spec, mode);
+    inputs.leaf = eye.leaf;
+
+    std::vector<std::uint8_t> pixels(pixel_count(mode.width_px, mode.height_px));
+    draw_frame(level.scene(), camera, mode, {}, work, {pixels.data(), mode.width_px, mode.height_px, mode.width_px});
+    collect_walls(level, work, inputs);
+    collect_geometry(level, work, inputs);
+    return inputs;
+}
 
 /// The stages' inputs for some cameras of a level; one iteration of a benchmark does one stage of all frames.
 struct StageFrames {
@@ -125,48 +202,6 @@ void time_exact_spans(benchmark::State& state, const SharedFrames& stages) {
     show_time_per("pixel", stages->sum([](const StageInputs& frame) { return frame.pixels; }), state);
 }
 
-/// Collects the faces of a frame until no pixel is free, with the results of each stage.
-void collect_geometry(const BenchLevel& level, FrameWorkspace& work, StageInputs& inputs) {
-    work.view.visible.see_from(level.level, inputs.leaf);
-    work.view.claiming->vertices.start_frame();
-    work.view.claiming->span_buffer.reset();
-    SpanList owned;
-    FrontToBackWalk walk(level.level, inputs.view, work.view.visible, nullptr, work.view.claiming->span_buffer,
-                         work.view.claiming->walk);
-    VisibleFace visible;
-    while (walk.next(visible)) {
-        inputs.visited.push_back(visible.face);
-        if (!project_face(work.cache.faces.corners_of(visible.face), inputs.view, work.view.claiming->vertices,
-                          work.view.claiming->polygon))
-            continue;
-        scan_convex(work.view.claiming->polygon.vertices, work.view.claiming->rows);
-        work.view.claiming->span_buffer.claim(work.view.claiming->rows, owned);
-        inputs.polygons.emplace_back(work.view.claiming->polygon.vertices.begin(),
-                                     work.view.claiming->polygon.vertices.end());
-        inputs.rows.push_back(work.view.claiming->rows);
-    }
-}
-
-/// Collects the walls of the last frame drawn in the workspace.
-void collect_walls(const BenchLevel& level, FrameWorkspace& work, StageInputs& inputs) {
-    const InverseProjection inverse_projection = make_inverse_projection(inputs.view.projection);
-    for (const VisibleFace& claimed : work.view.claims.list(FaceList::Walls)) {
-        const FaceIndex face = claimed.face;
-        const auto spans = work.view.claims.spans_of(claimed);
-        const Vec3<World> offset = work.cache.brush_models.offset_of(claimed.fragment);
-        const int mip = work.cache.surfaces.mip_level(face, claimed.nearest_z, inputs.view.projection.x, 0);
-        TexturedInput wall{{spans.begin(), spans.end()}, {claimed, {}, {}, {}, {}}};
-        wall.face.surface = work.cache.surfaces.get(face, mip, {work.view.light.styles, TextureIndex::none(), offset});
-        wall.face.cutting.gradients = make_face_gradients(level.level, level.level.faces[face], wall.face.surface,
-                                                          offset, claimed.inverse_z, inputs.view, inverse_projection);
-        wall.face.texels_per_pixel =
-            texels_across(claimed.nearest_z, convert<TexelDensity>(work.cache.faces[face].least_density),
-                          inverse_projection.least_pixel_width);
-        inputs.walls.push_back(std::move(wall));
-        for (const Span& span : spans) inputs.pixels += span.end - span.first;
-    }
-}
-
 }  // namespace
 
 void register_stage_benchmarks(const BenchLevel& level, const ScreenMode& mode) {
@@ -181,22 +216,6 @@ void register_stage_benchmarks(const BenchLevel& level, const ScreenMode& mode) 
         benchmark::RegisterBenchmark(("stage/spans/" + name).c_str(), time_spans, stages, preset, nullptr);
     }
     benchmark::RegisterBenchmark("stage/spans/exact", time_exact_spans, stages);
-}
-
-StageInputs collect_stage_inputs(const BenchLevel& level, const Camera& camera, const ScreenMode& mode,
-                                 FrameWorkspace& work) {
-    ViewSpec spec = first_person_view(camera);
-    const PlacedEye eye = place_eye(level.level, spec.eye);
-    spec.eye = eye.position;
-    StageInputs inputs;
-    inputs.view = make_view_context(spec, mode);
-    inputs.leaf = eye.leaf;
-
-    std::vector<std::uint8_t> pixels(pixel_count(mode.width_px, mode.height_px));
-    draw_frame(level.scene(), camera, mode, {}, work, {pixels.data(), mode.width_px, mode.height_px, mode.width_px});
-    collect_walls(level, work, inputs);
-    collect_geometry(level, work, inputs);
-    return inputs;
 }
 
 }  // namespace oblong

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "engine/base/crc32.h"
+#include "engine/base/checksum.h"
 #include "engine/base/input_error.h"
 #include "engine/base/little_endian.h"
 #include "engine/files/picture.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/platform/input_events.h"
+#include "engine/platform/input.h"
 
 struct _SDL_GameController;
 struct SDL_ControllerAxisEvent;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/platform/input_events.h"
+#include "engine/platform/input.h"
 #include "engine/platform/sdl/game_pads.h"
 
 struct SDL_Window;

@@ -10,7 +10,7 @@
 #include <malloc.h>
 #endif
 
-#include "engine/base/fnv.h"
+#include "engine/base/checksum.h"
 #include "engine/files/arguments.h"
 #include "engine/files/files.h"
 #include "engine/frame/frame.h"

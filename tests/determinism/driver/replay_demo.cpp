@@ -5,7 +5,7 @@
 #include <cinttypes>
 #include <cstdio>
 
-#include "engine/base/fnv.h"
+#include "engine/base/checksum.h"
 #include "engine/files/arguments.h"
 #include "engine/files/files.h"
 #include "engine/level/bsp_read.h"

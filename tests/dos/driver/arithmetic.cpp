@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <random>
 
-#include "engine/base/fnv.h"
+#include "engine/base/checksum.h"
 #include "engine/fixed/wide.h"
 #include "engine/raster/block_steps.h"
 #include "engine/raster/perspective.h"

@@ -5,14 +5,13 @@
 #include <cstdio>
 #include <string>
 
-#include "engine/base/fnv.h"
+#include "engine/base/checksum.h"
 #include "engine/files/arguments.h"
 #include "engine/files/files.h"
 #include "game/level/load.h"
 #include "game/simulation/demo.h"
 #include "game/simulation/step.h"
 #include "game/view/game_renderer.h"
-#include "game/view/shown_view.h"
 
 namespace {
 

@@ -10,7 +10,7 @@
 #include "engine/frame/workspace.h"
 #include "engine/level/bsp_read.h"
 #include "game/saves/saved_game.h"
-#include "game/simulation/state_check.h"
+#include "game/simulation/game_level.h"
 #include "game/simulation/step.h"
 #include "tests/map/map_source.h"
 #include "tests/support/folders.h"

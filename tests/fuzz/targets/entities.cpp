@@ -2,7 +2,7 @@
 
 #include "engine/level/entities.h"
 
-#include "engine/base/fnv.h"
+#include "engine/base/checksum.h"
 #include "tests/fuzz/common/entity_mutator.h"
 #include "tests/fuzz/common/played_level.h"
 

@@ -1,6 +1,6 @@
 // Level files (BSP 29, BSP2, 2PSB): read, played and drawn.
 
-#include "engine/base/fnv.h"
+#include "engine/base/checksum.h"
 #include "engine/level/bsp_read.h"
 #include "tests/fuzz/common/entity_mutator.h"
 #include "tests/fuzz/common/played_level.h"

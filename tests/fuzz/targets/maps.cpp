@@ -1,6 +1,6 @@
 // Map sources, as they are or made of seeds: compiled, read back, played and drawn.
 
-#include "engine/base/fnv.h"
+#include "engine/base/checksum.h"
 #include "engine/level/bsp_read.h"
 #include "tests/fuzz/common/entity_mutator.h"
 #include "tests/fuzz/common/played_level.h"

@@ -1,6 +1,6 @@
 // Quake's models: read and drawn.
 
-#include "engine/base/fnv.h"
+#include "engine/base/checksum.h"
 #include "engine/mesh/mesh.h"
 #include "tests/fuzz/common/played_level.h"
 #include "tests/support/bsp_writer.h"

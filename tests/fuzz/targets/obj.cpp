@@ -2,10 +2,7 @@
 
 #include "engine/files/obj.h"
 
-#include <filesystem>
-
-#include "engine/base/fnv.h"
-#include "engine/files/files.h"
+#include "engine/base/checksum.h"
 #include "tests/fuzz/common/played_level.h"
 #include "tests/support/folders.h"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/base/fnv.h"
+#include "engine/base/checksum.h"
 #include "engine/files/picture.h"
 #include "engine/view/screen.h"
 #include "tests/files/png_writer.h"

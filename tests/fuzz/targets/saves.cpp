@@ -1,9 +1,9 @@
 // Saved games: what is read is written as it was, and one of the level is played on.
 
-#include "engine/base/fnv.h"
+#include "engine/base/checksum.h"
 #include "engine/base/little_endian.h"
 #include "game/saves/saved_game.h"
-#include "game/simulation/state_check.h"
+#include "game/simulation/game_level.h"
 #include "tests/fuzz/common/played_level.h"
 #include "tests/support/bsp_writer.h"
 

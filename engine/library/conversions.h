@@ -1,8 +1,11 @@
 #pragma once
 
+#include <memory>
+
 #include "engine/fixed/trig.h"
 #include "engine/library/oblong.h"
 #include "engine/math/vec.h"
+#include "engine/mesh/placed_mesh.h"
 #include "engine/view/projection.h"
 
 namespace oblong {
@@ -33,5 +36,12 @@ constexpr Angle angle_from_256(std::int64_t degrees_256) {
 void check_size(const Framebuffer& canvas, const ScreenMode& mode);
 
 Camera camera_of(const Pose& eye, std::int32_t field_of_view);
+
+struct Model::State {
+    std::shared_ptr<Mesh> mesh;  ///< never null; shared with level scenes that will show it
+};
+
+/// Places a mesh by a pose and a frame of its motion.
+PlacedMesh placed_at(const Mesh& mesh, const Pose& pose, std::int32_t frame);
 
 }  // namespace oblong

@@ -1,4 +1,4 @@
-#include "engine/library/units.h"
+#include "engine/library/conversions.h"
 
 #include <algorithm>
 
