@@ -1,4 +1,3 @@
-#include "engine/files/level_sounds.h"
 
 #include <filesystem>
 #include <map>

@@ -9,8 +9,7 @@
 #include "engine/base/table.h"
 #include "engine/files/doubles.h"
 #include "engine/files/files.h"
-#include "engine/files/obj_check.h"
-#include "engine/files/obj_materials.h"
+#include "engine/files/obj_parts.h"
 #include "engine/mesh/triangulate.h"
 
 namespace oblong {

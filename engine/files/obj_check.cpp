@@ -1,5 +1,3 @@
-#include "engine/files/obj_check.h"
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -10,6 +8,7 @@
 
 #include "engine/base/input_error.h"
 #include "engine/base/table.h"
+#include "engine/files/obj_parts.h"
 #include "engine/level/entities.h"
 #include "engine/mesh/mesh.h"
 

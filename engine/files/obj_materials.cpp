@@ -1,5 +1,3 @@
-#include "engine/files/obj_materials.h"
-
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -7,6 +5,7 @@
 #include "engine/base/table.h"
 #include "engine/files/doubles.h"
 #include "engine/files/files.h"
+#include "engine/files/obj_parts.h"
 #include "engine/files/picture.h"
 
 namespace oblong {

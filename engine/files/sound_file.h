@@ -2,7 +2,10 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
+
+#include "engine/level/level.h"
 
 namespace oblong {
 
@@ -19,5 +22,25 @@ SoundSamples decode_flac(std::span<const std::uint8_t> file);
 /// Decodes a sound of one channel: FLAC as decode_flac() reads it, or WAV (RIFF) with PCM of 8 or 16 bits. Throws
 /// InputError with the offset of the error.
 SoundSamples decode_sound(std::span<const std::uint8_t> file);
+
+struct LevelSound {
+    std::string name;  ///< in the entities: a path below a folder
+    std::string file;
+    SoundSamples samples;
+};
+
+/// The sounds that a level's entities name in their key "noise".
+struct LevelSounds {
+    static constexpr std::int32_t kNone = -1;
+
+    std::vector<LevelSound> sounds;       ///< one for each name
+    std::vector<std::int32_t> by_entity;  ///< into `sounds`, or kNone, in the order of Level::entities
+    std::vector<std::string> warnings;    ///< of sounds that are left out
+};
+
+/// Reads the files that a level's entities name (of the classes that have the key), each from the first folder that has
+/// it. A missing file is a warning, one for each name. Throws FileError for a file that is no sound: see
+/// decode_sound().
+LevelSounds read_level_sounds(const Level& level, const std::vector<std::string>& folders);
 
 }  // namespace oblong

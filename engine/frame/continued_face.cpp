@@ -1,8 +1,7 @@
-#include "engine/frame/continued_face.h"
-
 #include <algorithm>
 
 #include "engine/fixed/arithmetic.h"
+#include "engine/frame/torn_pixels.h"
 #include "engine/level/side.h"
 #include "engine/visibility/placed_box.h"
 

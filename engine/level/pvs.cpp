@@ -1,8 +1,7 @@
-#include "engine/level/pvs.h"
-
 #include <algorithm>
 
 #include "engine/base/table.h"
+#include "engine/level/level.h"
 
 namespace oblong {
 

@@ -11,7 +11,7 @@
 #include "engine/level/bsp_read.h"
 #include "engine/level/entities.h"
 #include "engine/level/entity_classes.h"
-#include "engine/library/body.h"
+#include "engine/level/trace.h"
 #include "engine/library/conversions.h"
 
 namespace oblong {
@@ -29,6 +29,73 @@ const Entity* find_first(const Level& level, ClassRole role) {
     const auto found = std::find_if(level.entities.begin(), level.entities.end(),
                                     [&](const Entity& entity) { return role_of(entity) == role; });
     return found == level.entities.end() ? nullptr : &*found;
+}
+
+/// The obstacles of a body of the player's size (Hull::Player): the level, and its brush models at their current
+/// places.
+struct Surroundings {
+    const Level& level;
+    std::span<const PlacedModel> models;
+};
+
+constexpr World kStep = World::from_int(18);
+// The least z of a floor's normal (Quake's 0.7).
+constexpr Unit kLeastFloor = Unit::from_raw(751'619'277);
+
+// The shortest trace in the world and in each brush model.
+TraceResult trace_body(const Surroundings& around, const Vec3<World>& from, const Vec3<World>& to) {
+    TraceResult nearest = trace_hull(around.level, around.level.world(), Hull::Player, from, to);
+    for (const PlacedModel& model : around.models) {
+        TraceResult hit = trace_hull(around.level, around.level.models[model.model], Hull::Player, from - model.offset,
+                                     to - model.offset);
+        if (!hit.is_all_solid && hit.fraction >= nearest.fraction) continue;
+        hit.end = hit.end + model.offset;
+        nearest = hit;
+    }
+    return nearest;
+}
+
+// A way without its component into a plane.
+Vec3<World> along_plane(const Vec3<World>& way, const Vec3<Unit>& normal) {
+    const World into = convert<World>(dot(way, normal), Rounding::Floor);
+    const auto part = [&](Unit component) { return product<World>(into, component); };
+    return {way.x - part(normal.x), way.y - part(normal.y), way.z - part(normal.z)};
+}
+
+Vec3<World> slide(const Surroundings& around, Vec3<World> at, Vec3<World> way) {
+    constexpr int kMostPlanes = 4;
+    for (int plane = 0; plane < kMostPlanes; ++plane) {
+        const TraceResult hit = trace_body(around, at, at + way);
+        if (hit.is_all_solid) return at;
+        const Vec3<World> rest = at + way - hit.end;
+        at = hit.end;
+        if (!hit.is_hit) return at;
+        way = along_plane(rest, hit.normal);
+    }
+    return at;
+}
+
+WorldWide distance_2d(const Vec3<World>& a, const Vec3<World>& b) {
+    const WorldWide x = widening_difference(a.x, b.x), y = widening_difference(a.y, b.y);
+    return (x < WorldWide{} ? -x : x) + (y < WorldWide{} ? -y : y);
+}
+
+/// Moves a body by `way`: it slides along obstacles, and climbs steps of 18 units. Returns its place.
+Vec3<World> walk_body(const Surroundings& around, const Vec3<World>& from, const Vec3<World>& way) {
+    const Vec3<World> along_ground = slide(around, from, way);
+    if (way.x == World{} && way.y == World{}) return along_ground;
+    // The way over a step, up, ahead and down, is taken if it leads farther.
+    const Vec3<World> up = trace_body(around, from, from + Vec3<World>{{}, {}, kStep}).end;
+    const Vec3<World> over = slide(around, up, {way.x, way.y, {}});
+    const TraceResult down = trace_body(around, over, over - Vec3<World>{{}, {}, up.z - from.z});
+    const bool is_floor = down.is_hit && down.normal.z >= kLeastFloor;
+    return is_floor && distance_2d(down.end, from) > distance_2d(along_ground, from) ? down.end : along_ground;
+}
+
+/// Whether there is a floor less than a unit below.
+bool stands_on_floor(const Surroundings& around, const Vec3<World>& at) {
+    const TraceResult below = trace_body(around, at, at - Vec3<World>{{}, {}, World::from_int(1)});
+    return below.is_hit && below.normal.z >= kLeastFloor;
 }
 
 }  // namespace

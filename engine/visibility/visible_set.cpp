@@ -1,6 +1,6 @@
 #include "engine/visibility/visible_set.h"
 
-#include "engine/level/pvs.h"
+#include "engine/level/level.h"
 
 namespace oblong {
 

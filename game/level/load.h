@@ -7,7 +7,7 @@
 
 #include "engine/files/game_definition.h"
 #include "engine/files/level_models.h"
-#include "engine/files/level_sounds.h"
+#include "engine/files/sound_file.h"
 #include "engine/level/level.h"
 #include "engine/scene/level_effects.h"
 #include "engine/surface/colormap.h"

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "engine/files/level_sounds.h"
+#include "engine/files/sound_file.h"
 #include "engine/level/level.h"
 #include "game/simulation/geometry.h"
 #include "game/sound/sound_table.h"

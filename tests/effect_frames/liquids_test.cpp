@@ -4,7 +4,7 @@
 
 #include "engine/effects/colour_tables.h"
 #include "engine/effects/warp.h"
-#include "engine/level/pvs.h"
+#include "engine/level/level.h"
 #include "tests/effect_frames/effect_stage.h"
 
 namespace oblong::test {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "engine/level/pvs.h"
+#include "engine/level/level.h"
 #include "engine/visibility/eye.h"
 #include "tests/frame/frame_fixture.h"
 #include "tests/support/pictures.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/level/bsp_read.h"
-#include "engine/level/pvs.h"
+#include "engine/level/level.h"
 #include "tests/support/bsp_writer.h"
 #include "tests/support/folders.h"
 

@@ -9,7 +9,6 @@
 #include "engine/files/files.h"
 #include "engine/level/bsp_read.h"
 #include "engine/level/level.h"
-#include "engine/level/pvs.h"
 #include "engine/level/side.h"
 #include "tests/map/brush_world.h"
 #include "tests/map/bsp_checks.h"

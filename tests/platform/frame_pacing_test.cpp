@@ -1,6 +1,6 @@
-#include "engine/platform/frame_pacing.h"
-
 #include <gtest/gtest.h>
+
+#include "engine/platform/presenting.h"
 
 namespace oblong {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "engine/platform/crt_mask.h"
+#include "engine/platform/presenting.h"
 
 namespace oblong {
 namespace {

@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "engine/platform/frame_pacing.h"
+#include "engine/platform/presenting.h"
 #include "engine/platform/sdl/crt_look.h"
 #include "engine/platform/sdl/input.h"
 #include "engine/platform/sdl/owned.h"

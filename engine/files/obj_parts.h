@@ -2,15 +2,26 @@
 
 #include <tiny_obj_loader.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/files/picture.h"
 #include "engine/mesh/mesh.h"
 
 namespace oblong {
+
+struct ObjSummary {
+    std::int64_t faces = 0;
+    bool has_smoothing_groups = false;
+};
+
+/// Checks what tinyobjloader does not: that the words of v, vt, vn and f lines are numbers in range, and that the
+/// corners of faces exist. Throws InputError with the line.
+ObjSummary check_obj(std::string_view text, double scale);
 
 /// Reads the material files that an OBJ file names, beside it.
 class ObjMaterialReader : public tinyobj::MaterialReader {
