@@ -94,6 +94,14 @@ TEST_F(Report, GivesThePassesThatMakeUpAFrame) {
     EXPECT_GT(effects, 0u);
 }
 
+/// With that option a frame reads no clock.
+TEST_F(Report, WholeFramesHaveNoTimesOfPasses) {
+    const Json json = report({"--repeat", "2", "--whole-frames"});
+    for (const Json& frame : json.at("frames"))
+        for (const Json& pass : frame.at("passes"))
+            EXPECT_EQ(pass.at("microseconds"), pass.at("name") == "other" ? frame.at("microseconds") : Json(0.0));
+}
+
 /// A brush of a map source: a point of each face and two more, clockwise seen from outside.
 std::string box(const std::array<int, 3>& low, const std::array<int, 3>& high) {
     using Step = std::array<int, 3>;

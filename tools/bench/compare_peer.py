@@ -3,7 +3,7 @@
 OBLONG_PEER names the peer's program, which is not in this project: PROGRAM LEVEL CAMERAS PALETTE -r N -m WxH -json FILE
 draws every camera's frame N times after an untimed first time, and writes the median of each frame, microseconds, a line
 a frame. Every round draws all frames by the peer and by each setting of Oblong, one after the other. A frame's time is
-the least of the rounds, as other programs only add to it. Ratios are peer / Oblong, independent of the machine's speed.
+the least of the rounds, as other programs only add to it; no clock is read within a frame. Ratios are peer / Oblong, independent of the machine's speed.
 
 usage: OBLONG_PEER=PROGRAM tools/compare-peer [OPTIONS] [BUILD] [LEVEL CAMERAS [PALETTE]]
   BUILD              a folder built before (default: build)
@@ -83,16 +83,14 @@ def available_settings(program, wanted):
     return wanted or known
 
 
-def own_frames(program, place, mode, setting):
-    return runs.report_of(program, place, TIMED_REPEATS, mode, SETTINGS[setting])["frames"]
+def own_frames(program, place, mode, setting, *more):
+    return runs.report_of(program, place, TIMED_REPEATS, mode, [*SETTINGS[setting], *more])["frames"]
 
 
 def measure(peer, program, places, mode, settings, rounds, folder):
-    """For each level: name -> the times of its frames, the least of the rounds, with `peer` as the peer's name; and
-    name -> the report's frames of a round."""
+    """For each level: name -> the times of its frames, the least of the rounds, with `peer` as the peer's name."""
     names = ["peer", *settings]
     taken = {place.name: {name: [] for name in names} for place in places}
-    frames = {place.name: {} for place in places}
     for turn in range(rounds):
         for place in places:
             for i in range(len(names)):
@@ -100,15 +98,14 @@ def measure(peer, program, places, mode, settings, rounds, folder):
                 if name == "peer":
                     times = peer.times(place, mode, folder)
                 else:
-                    frames[place.name][name] = own_frames(program, place, mode, name)
-                    times = [frame["microseconds"] for frame in frames[place.name][name]]
+                    times = [frame["microseconds"] for frame in own_frames(program, place, mode, name, "--whole-frames")]
                 if len(times) != place.camera_count():
                     runs.fail("%s: %d times of %d frames from %s" % (place.name, len(times), place.camera_count(), name))
                 taken[place.name][name].append(times)
         print("\r%s: round %d of %d" % (mode, turn + 1, rounds), end="", file=sys.stderr, flush=True)
     print(file=sys.stderr)
     return {level: {name: [min(frame) for frame in zip(*all_rounds)] for name, all_rounds in of.items()}
-            for level, of in taken.items()}, frames
+            for level, of in taken.items()}
 
 
 def quantile(values, part):
@@ -164,7 +161,7 @@ def report_worst(times, frames, setting, count):
     print("%-12s %5s %6s %6s | %7s %5s %6s %6s %9s | microseconds" % (
         "frame", "ratio", "peer", "us", "visited", "drawn", "spans", "blocks", "divisions"))
     for ratio, theirs, ours, level, number in found[:count]:
-        frame = frames[level][setting][number]
+        frame = frames[level][number]
         counts, passes = frame["counts"], sorted(frame["passes"], key=lambda one: -one["microseconds"])
         print("%-12s %5.2f %6.0f %6.0f | %7d %5d %6d %6d %9d | %s" % (
             "%s %d" % (level, number), ratio, theirs, ours, counts["faces_visited"], counts["faces_drawn"], counts["spans"],
@@ -201,10 +198,11 @@ def main():
     found = {}
     with tempfile.TemporaryDirectory() as scratch:
         for mode in options.mode or ["320x200", "1280x800"]:
-            times, frames = measure(peer, program, places, mode, settings, options.rounds, scratch)
+            times = measure(peer, program, places, mode, settings, options.rounds, scratch)
             found[mode] = {"levels": report(mode, times, settings), "times_us": times}
             if options.worst:
                 for setting in settings:
+                    frames = {place.name: own_frames(program, place, mode, setting) for place in places}
                     report_worst(times, frames, setting, options.worst)
             if options.instructions:
                 found[mode]["instructions"] = count_instructions(peer, program, places, mode, settings, scratch)

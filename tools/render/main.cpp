@@ -28,7 +28,7 @@ struct Options {
                 seconds = "0", step_seconds = "0", kernel;
     std::vector<std::string> dials;
     std::int64_t repeat = 1, threads = 1;
-    bool prints_plan = false;
+    bool prints_plan = false, times_whole_frames = false;
 };
 
 std::string effect_names() {
@@ -60,6 +60,8 @@ void declare(CommandArguments& line, Options& options) {
     line.add("--json", options.json, "file for times, checksums and counts; - for standard output")
         .accept_standard_output();
     line.add("--repeat", options.repeat, "timed renderings of each frame").limit(1, 100'000);
+    line.add_flag("--whole-frames", options.times_whole_frames,
+                  "time frames without their passes, whose clocks take a few per cent");
     line.add("--mode", options.mode, "pixels, WIDTHxHEIGHT");
     line.add("--display", options.display, "shape of the display, WIDTH:HEIGHT");
     line.add("--view", options.view, kViewSyntax);
@@ -202,8 +204,9 @@ void render(const Options& options) {
     const std::chrono::duration<double, std::milli> load = std::chrono::steady_clock::now() - start;
 
     if (!options.out.empty()) make_folder(options.out);
-    const RenderJob job{{level, colormap, models, time_ms}, mode,    settings,      views,
-                        static_cast<int>(options.repeat),   step_ms, &level_models, &hidden_surfaces};
+    const RenderJob job{
+        {level, colormap, models, time_ms}, mode,    settings,      views,           static_cast<int>(options.repeat),
+        !options.times_whole_frames,        step_ms, &level_models, &hidden_surfaces};
     print_warnings("oblong-render", options.level, work.cache.effects.warnings);
     print_warnings("oblong-render", options.level, work.cache.things.warnings);
     print_warnings("oblong-render", options.level, level_models.warnings);

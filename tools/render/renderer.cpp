@@ -61,7 +61,9 @@ class ViewRenderer {
 
     void time(const ViewSpec& view) {
         times_.clear();
-        for (int i = 0; i < job_.repeat; ++i) times_.time(work_, [&] { draw(view, i * job_.time_step_ms); });
+        for (int i = 0; i < job_.repeat; ++i)
+            times_.time(
+                work_, [&] { draw(view, i * job_.time_step_ms); }, job_.times_passes);
         if (job_.time_step_ms != 0) draw(view);  // the picture of the scene's own time
     }
 

@@ -37,6 +37,7 @@ struct RenderJob {
     Settings settings;
     std::span<const ViewSpec> views;
     int repeat = 1;                                        ///< timed renderings of each frame
+    bool times_passes = true;                              ///< false: only whole frames
     std::int64_t time_step_ms = 0;                         ///< between these: moving parts are lit and drawn anew
     const LevelModels* level_models = nullptr;             ///< drawn instead of the scene's; outlive the job
     const HiddenSurfaceMethod* hidden_surfaces = nullptr;  ///< the workspace's claimer
