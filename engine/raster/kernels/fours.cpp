@@ -101,32 +101,40 @@ template <int Pixel>
     draw_packed_block(block, pixels, PackedFetch(surface));
 }
 
-void draw_within(const TexelBlock& block, const SurfaceView& surface, std::uint8_t* out) {
-    const int row = surface.stride_log2;
+/// What blocks of a surface share, in a copy: the compiler has to assume that pixels are written over what it reads.
+struct TexelRows {
+    const std::uint8_t* texels;
+    std::int32_t stride;
+    int stride_log2;
+
+    explicit TexelRows(const SurfaceView& surface)
+        : texels(surface.texels), stride(1 << surface.stride_log2), stride_log2(surface.stride_log2) {}
+};
+
+[[gnu::always_inline]] inline void draw_within(const TexelBlock& block, const TexelRows& rows, std::uint8_t* out) {
     const auto u_step = static_cast<std::uint32_t>(block.u_step_16),
                v_step = static_cast<std::uint32_t>(block.v_step_16);
     const std::int32_t whole =
-        (floor_shift(block.v_step_16, 16) * (std::int32_t{1} << row)) + floor_shift(block.u_step_16, 16);
-    const TexelWalk walk{u_step << 16, v_step << 16, {whole + (std::int32_t{1} << row), whole}};
-    const std::uint8_t* texel = surface.texels + ((block.v_16 >> 16 << row) + (block.u_16 >> 16));
+        floor_shift(block.v_step_16, 16) * (std::int32_t{1} << rows.stride_log2) + floor_shift(block.u_step_16, 16);
+    const TexelWalk walk{u_step << 16, v_step << 16, {whole + rows.stride, whole}};
+    const std::uint8_t* texel = rows.texels + ((block.v_16 >> 16 << rows.stride_log2) + (block.u_16 >> 16));
     std::uint32_t u = block.u_16 << 16, v = block.v_16 << 16;
-    std::int32_t left = block.count;
-    for (; left >= 4; left -= 4, out += 4) {
+    for (std::uint8_t* const end = out + (block.count & ~3); out != end; out += 4) {
         draw_next<0>(texel, u, v, walk, out);
         draw_next<1>(texel, u, v, walk, out);
         draw_next<2>(texel, u, v, walk, out);
         draw_next<3>(texel, u, v, walk, out);
     }
-    if (left & 2) {
+    if (block.count & 2) {
         draw_next<0>(texel, u, v, walk, out);
         draw_next<1>(texel, u, v, walk, out);
         out += 2;
     }
-    if (left & 1) draw_next<0>(texel, u, v, walk, out);
+    if (block.count & 1) draw_next<0>(texel, u, v, walk, out);
 }
 
 /// Whether a block stays within a surface.
-bool is_within(const TexelBlock& block, const SurfaceView& surface) {
+[[gnu::noinline]] bool is_within(const TexelBlock& block, const SurfaceView& surface) {
     const std::uint32_t beyond_u = ~(surface.u_mask << 16 | 0xffff), beyond_v = ~(surface.v_mask << 16 | 0xffff);
     const auto steps = static_cast<std::uint32_t>(block.count - 1);
     const std::uint32_t u_end = block.u_16 + static_cast<std::uint32_t>(block.u_step_16) * steps;
@@ -137,9 +145,11 @@ bool is_within(const TexelBlock& block, const SurfaceView& surface) {
 }  // namespace
 
 void draw_blocks_by_fours(std::span<const TexelBlock> blocks, const SurfaceView& surface, std::uint8_t* pixels) {
+    const TexelRows rows(surface);
+    const bool holds_blocks = surface.holds_blocks;
     for (const TexelBlock& block : blocks)
-        if (surface.holds_blocks || is_within(block, surface))
-            draw_within(block, surface, pixels + block.pixel);
+        if (holds_blocks || is_within(block, surface))
+            draw_within(block, rows, pixels + block.pixel);
         else
             draw_any(block, surface, pixels);
 }
