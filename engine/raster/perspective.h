@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 
@@ -118,6 +119,7 @@ struct Depth {
     [[gnu::always_inline]] Depth(InverseZ inverse_z, Reciprocal reciprocal) {
         const std::int64_t positive =
             kClamps ? clamp_value(inverse_z, kLeastInverseZ, kGreatestInverseZ).raw : inverse_z.raw;
+        if (positive == 0) __builtin_unreachable();
         shift = std::countl_zero(static_cast<std::uint64_t>(positive)) - 4;
         if constexpr (kIsShort)
             mantissa = reciprocal.template above_least<false>(positive, shift);
@@ -152,10 +154,14 @@ struct Depth {
                 lower = static_cast<std::uint32_t>(product);
                 high = size + (is_greatest ? size : static_cast<std::uint32_t>(product >> 32));
             }
-            if (high > ~std::uint32_t{0} >> 2) return static_cast<std::uint32_t>(greatest.raw);
+            // In units of four steps: one comparison where the limits are not near.
+            const auto first = static_cast<std::uint32_t>(least.raw), last = static_cast<std::uint32_t>(greatest.raw);
+            const std::uint32_t first_4 = first / 4 + 1, end_4 = std::max(first_4, last / 4);
             const auto steps = static_cast<std::uint32_t>(
                 upper_half<false>(static_cast<std::int64_t>(std::uint64_t{high} << 32 | lower), 2));
-            return clamp_value(steps, static_cast<std::uint32_t>(least.raw), static_cast<std::uint32_t>(greatest.raw));
+            if (high - first_4 < end_4 - first_4) [[likely]]
+                return steps;
+            return high > ~std::uint32_t{0} >> 2 ? last : clamp_value(steps, first, last);
         } else
 #endif
             return texel_within(times(over_z), least, greatest);
