@@ -46,10 +46,17 @@ Screen within_screen(Position along, std::int32_t size_px, const SubpixelGrid& g
 inline ScreenVertex to_screen_vertex(const Vec3<View>& p, const Projection& projection, const SubpixelGrid& grid) {
     const auto& [axis_x, axis_y, width_px, height_px] = projection;
 #if defined(__i386__)
-    const auto x = project_axis_in_32_bits(axis_x, p.x, p.z), y = project_axis_in_32_bits(axis_y, -p.y, p.z);
-    if (x && y)
-        return {within_screen(convert<Screen>(axis_x.centre) + *x, width_px, grid),
-                within_screen(convert<Screen>(axis_y.centre) + *y, height_px, grid)};
+    const auto upper = [](auto number) { return static_cast<std::int32_t>(number.raw >> 32); };
+    const auto x = static_cast<std::int32_t>(p.x.raw), up = static_cast<std::int32_t>(p.y.raw);
+    const auto z = static_cast<std::uint32_t>(p.z.raw);
+    const auto coarse_x = static_cast<std::int32_t>(axis_x.coarse.raw),
+               coarse_y = static_cast<std::int32_t>(axis_y.coarse.raw);
+    const int beyond = (upper(p.x) ^ x >> 31) | (upper(p.y) ^ up >> 31) | upper(p.z) | static_cast<int>(z >> 30) |
+                       upper(axis_x.coarse) | upper(axis_y.coarse) | (coarse_x | coarse_y) >> 26;
+    std::int32_t y = 0;
+    if (beyond == 0 && !__builtin_sub_overflow(0, up, &y) && is_near_axis(x, z) && is_near_axis(y, z)) [[likely]]
+        return {within_screen(convert<Screen>(axis_x.centre) + project_near_axis(coarse_x, x, z), width_px, grid),
+                within_screen(convert<Screen>(axis_y.centre) + project_near_axis(coarse_y, y, z), height_px, grid)};
 #endif
     const ScreenPosition position = project(p, projection);
     return {within_screen(position.x, width_px, grid), within_screen(position.y, height_px, grid)};

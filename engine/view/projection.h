@@ -62,19 +62,35 @@ bool is_drawable(const Projection& projection);
 ScreenWide project_axis_wide(const ProjectionAxis& axis, View view, View z);
 
 #if defined(__i386__)
-/// project_axis() of 32-bit numbers, if -64 z <= view < 64 z: one product and one division. 2^33 z is added before the
-/// division, so that it needs no sign, and taken from its result; all is below 2^64.
+/// Whether a point's 32-bit numbers suffice for project_axis(): -64 z <= view < 64 z. z is below 2^30.
+[[gnu::always_inline]] inline bool is_near_axis(std::int32_t view, std::uint32_t z) {
+    return static_cast<std::uint32_t>(view >> 6) + z < 2 * z;
+}
+
+/// project_axis() of such a point, with a coarse multiplier below 2^26: one product and one division. 2^33 z is added
+/// before the division, so that it needs no sign, and taken from its result; all is below 2^64.
+[[gnu::always_inline]] inline Screen project_near_axis(std::int32_t coarse, std::int32_t view, std::uint32_t z) {
+    std::int32_t quotient;
+    asm("imull %[coarse]\n\t"
+        "addl %[low], %%eax\n\t"
+        "adcl %[high], %%edx\n\t"
+        "shrdl $8, %%edx, %%eax\n\t"
+        "shrl $8, %%edx\n\t"
+        "divl %[z]"
+        : "=&a"(quotient)
+        : "0"(view), [coarse] "rm"(coarse), [low] "rm"(z << 7), [high] "rm"(2 * z + (z >> 25)), [z] "rm"(z)
+        : "edx", "cc");
+    return Screen::from_raw(quotient - (1 << 25));
+}
+
 [[gnu::always_inline]] inline std::optional<Screen> project_axis_in_32_bits(const ProjectionAxis& axis, View view,
                                                                             View z) {
     const auto short_view = static_cast<std::int32_t>(view.raw);
-    const auto short_z = static_cast<std::uint32_t>(z.raw), coarse = static_cast<std::uint32_t>(axis.coarse.raw);
+    const auto short_z = static_cast<std::uint32_t>(z.raw);
     if (short_view != view.raw || static_cast<std::uint64_t>(z.raw) >= 1u << 30 || axis.coarse.raw >= 1 << 26 ||
-        static_cast<std::uint32_t>(floor_shift(short_view, 6)) + short_z >= 2 * short_z)
+        !is_near_axis(short_view, short_z))
         return std::nullopt;
-    const auto product = static_cast<std::uint64_t>(product_to_64(short_view, static_cast<std::int32_t>(coarse)));
-    const std::uint64_t half_and_more = (std::uint64_t{2 * short_z + (short_z >> 25)} << 32) + (short_z << 7);
-    const std::uint32_t quotient = divide_to_32((product + half_and_more) >> 8, short_z).quotient;
-    return Screen::from_raw(static_cast<std::int32_t>(quotient - (1u << 25)));
+    return project_near_axis(static_cast<std::int32_t>(axis.coarse.raw), short_view, short_z);
 }
 #endif
 
