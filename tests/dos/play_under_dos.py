@@ -147,6 +147,7 @@ def check_integers(build_dir):
                     continue
                 listing = subprocess.run(["i686-linux-gnu-objdump", "-d", "--no-show-raw-insn", os.path.join(folder, name)],
                                          check=True, capture_output=True, text=True).stdout
+                expect("\tret" in listing, f"room {room}: no code in {name}")
                 found = FLOAT.findall(listing)
                 expect(not found or room in WITH_FLOATS, f"room {room}: {len(found)} instructions, as {found[:1]}")
 
