@@ -9,9 +9,9 @@
 namespace oblong {
 
 /// The operations of a computation. A subtraction counts as an addition; signs, shifts and comparisons do not count.
-struct Operations {
+struct CountedOperations {
     std::int64_t multiplications = 0, divisions = 0, additions = 0;
-    bool operator==(const Operations&) const = default;
+    bool operator==(const CountedOperations&) const = default;
 
     std::string text() const {
         return std::to_string(multiplications) + " * " + std::to_string(divisions) + " / " + std::to_string(additions) +
@@ -20,12 +20,12 @@ struct Operations {
 };
 
 /// The counter of this thread's operations; null: not counted.
-inline thread_local Operations* counted_operations = nullptr;
+inline thread_local CountedOperations* counted_operations = nullptr;
 
 /// The operations of a computation with Counted numbers.
 template <class Compute>
-Operations operations_of(const Compute& compute) {
-    Operations operations;
+CountedOperations operations_of(const Compute& compute) {
+    CountedOperations operations;
     counted_operations = &operations;
     compute();
     counted_operations = nullptr;
@@ -38,15 +38,15 @@ class Counted {
   public:
     constexpr Counted(Value value) : value_(value) {}
 
-    Counted operator+(Counted other) const { return noted(&Operations::additions, value_ + other.value_); }
-    Counted operator-(Counted other) const { return noted(&Operations::additions, value_ - other.value_); }
-    Counted operator*(Counted other) const { return noted(&Operations::multiplications, value_ * other.value_); }
-    Counted operator/(Counted other) const { return noted(&Operations::divisions, value_ / other.value_); }
+    Counted operator+(Counted other) const { return noted(&CountedOperations::additions, value_ + other.value_); }
+    Counted operator-(Counted other) const { return noted(&CountedOperations::additions, value_ - other.value_); }
+    Counted operator*(Counted other) const { return noted(&CountedOperations::multiplications, value_ * other.value_); }
+    Counted operator/(Counted other) const { return noted(&CountedOperations::divisions, value_ / other.value_); }
     Counted operator>>(int bits) const { return floor_shift(value_, bits); }
     bool operator<(Counted other) const { return value_ < other.value_; }
 
   private:
-    static Counted noted(std::int64_t Operations::*kind, Value value) {
+    static Counted noted(std::int64_t CountedOperations::*kind, Value value) {
         if (counted_operations) ++(counted_operations->*kind);
         return value;
     }

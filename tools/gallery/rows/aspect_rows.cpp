@@ -108,7 +108,7 @@ Camera camera_before_sphere() {
 
 /// The operations of the seed's three projections for a point: naive, by the formula at each point, by two multipliers.
 struct ProjectionCosts {
-    Operations naive, by_formula, by_multipliers;
+    CountedOperations naive, by_formula, by_multipliers;
 };
 ProjectionCosts projection_costs() {
     using Number = Counted<double>;
@@ -159,7 +159,7 @@ Figures draw_two_multipliers(const RowInput& input, Framebuffer canvas) {
              costs.by_multipliers == costs.naive},
             number_figure("width to height of a square as shown", right_shape, columns / rows * shape, 0.005),
             {"a point by the whole formula", "4 * 3 / 2 +", costs.by_formula.text(),
-             costs.by_formula == Operations{4, 3, 2}},
+             costs.by_formula == CountedOperations{4, 3, 2}},
             number_figure("rows that 1.33 for 4/3 is off by, at the top", 100 - 100 * 1.33 / (4.0 / 3),
                           error_of_rounded_aspect_px(), 1.0 / 512),
             measured("multiplier of x, pixels", decimal_text(number_of(projection.x.multiplier))),
@@ -240,8 +240,8 @@ Figures draw_seven_steps(const RowInput& input, Framebuffer canvas) {
     using Number = Counted<double>;
     const Vec3<Number> counted_u{u.x, u.y, u.z}, counted_v{v.x, v.y, v.z};
     const std::array<std::array<Number, 3>, 3> some{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
-    const Operations three = operations_of([&] { dot_by_components(counted_u, counted_v); }),
-                     nine = operations_of([&] { dot_by_nine_terms(counted_u, counted_v, some); });
+    const CountedOperations three = operations_of([&] { dot_by_components(counted_u, counted_v); }),
+                            nine = operations_of([&] { dot_by_nine_terms(counted_u, counted_v, some); });
     const bool is_orthonormal = input.values[0] == 90;
     return {count_figure("of the seven hold", is_orthonormal ? 7 : 6, holding),
             number_figure("nine terms; by lengths of u, v, u - v", defined, product(u, v), 1e-4),

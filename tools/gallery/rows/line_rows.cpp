@@ -16,7 +16,7 @@ namespace oblong {
 namespace {
 
 template <class Walk>
-Operations operations_of_walk(const LinePath& path, bool is_antialiased) {
+CountedOperations operations_of_walk(const LinePath& path, bool is_antialiased) {
     return operations_of([&] {
         Walk walk(path);
         for (std::int64_t step = 0; step <= path.steps; ++step, walk.next()) {
@@ -27,7 +27,7 @@ Operations operations_of_walk(const LinePath& path, bool is_antialiased) {
     });
 }
 
-Operations operations_of_line(LineMethod method, PixelPosition from, PixelPosition to) {
+CountedOperations operations_of_line(LineMethod method, PixelPosition from, PixelPosition to) {
     const LinePath path = make_line_path(from, to, method == LineMethod::Naive);
     if (method == LineMethod::Naive) return operations_of_walk<NaiveWalk<Counted<std::int64_t>>>(path, false);
     if (method == LineMethod::Dda) return operations_of_walk<DdaWalk<Counted<std::int64_t>>>(path, false);
@@ -88,7 +88,7 @@ LineError least_error(const NamedLine& line) {
     return error;
 }
 
-std::string counts_text(const Operations& operations) {
+std::string counts_text(const CountedOperations& operations) {
     return std::to_string(operations.additions) + "+ " + std::to_string(operations.multiplications) + "* " +
            std::to_string(operations.divisions) + "/";
 }
@@ -135,7 +135,7 @@ Figures draw_lines_row(const RowInput& input, Framebuffer canvas) {
 
     const LineError least = least_error(line), nearest = error_of(LineMethod::Bresenham, line);
     const std::int64_t across = std::abs(line.to.column - line.from.column);
-    const Operations bresenham = operations_of_line(LineMethod::Bresenham, line.from, line.to);
+    const CountedOperations bresenham = operations_of_line(LineMethod::Bresenham, line.from, line.to);
     return {
         number_figure("Bresenham: farthest pixel from the line", least.largest, nearest.largest, 1e-12),
         count_figure("Bresenham: multiplications and divisions", 0, bresenham.multiplications + bresenham.divisions),

@@ -157,10 +157,12 @@ Figures draw_lighting(const RowInput& input, Framebuffer canvas) {
     const auto counted = [](const Vec3<Unit>& vector) {
         return Vec3<Counted<double>>{number_of(vector.x), number_of(vector.y), number_of(vector.z)};
     };
-    const Operations cost = operations_of([&] { lit(counted(normal), counted(to_light), Counted<double>(200)); });
+    const CountedOperations cost =
+        operations_of([&] { lit(counted(normal), counted(to_light), Counted<double>(200)); });
     return {number_figure("share of the light: cos, 0 or more", std::max(std::cos(input.radians(0)), 0.0), share, 1e-4),
             number_figure("of a light of 200", 200 * std::max(std::cos(input.radians(0)), 0.0), 200 * share, 0.02, 2),
-            {"counted: four multiplications, two additions", "4 * 0 / 2 +", cost.text(), cost == Operations{4, 0, 2}}};
+            {"counted: four multiplications, two additions", "4 * 0 / 2 +", cost.text(),
+             cost == CountedOperations{4, 0, 2}}};
 }
 
 /// The position of a point on the diagram: x right, y up, z to the lower left.
