@@ -23,9 +23,15 @@ std::string short_time(double time_ns) {
     return tenths_us < 1000 ? whole + "." + std::to_string(tenths_us % 10) : whole;
 }
 
+// In the table: from 10 ms on, as under DOS, in milliseconds: "26ms".
+std::string table_time(double time_ns) {
+    constexpr double kLeast_ns = 9'999'500;
+    return time_ns < kLeast_ns ? short_time(time_ns) : std::to_string(std::llround(time_ns / 1e6)) + "ms";
+}
+
 std::string text_of(const PlanLine& line, int name_width, bool has_pixels) {
     char text[64];
-    const std::string name(line.name), time = short_time(line.nanoseconds);
+    const std::string name(line.name), time = table_time(line.nanoseconds);
     if (has_pixels)
         std::snprintf(text, sizeof text, "%-*.*s%6lld%5s", name_width, name_width, name.c_str(),
                       static_cast<long long>(line.pixels), time.c_str());

@@ -242,6 +242,18 @@ TEST_P(TextOverPictures, TheCostOfAFrameIsWholeOnItsPages) {
     }
 }
 
+// As under DOS.
+TEST(Overlay, TimesOfManyMillisecondsStandApartFromPixels) {
+    const GuardedCanvas guarded(320, 200);
+    CostText cost;
+    cost.frame = "99999 us";
+    cost.passes = {{"claims", 64'000, 9'999'000}, {"walls", 64'000, 25'787'000}};
+    Messages none;
+    draw_hud(HudText{{}, {}, &cost}, none, 0, 198, kColours, ColourTable{}, guarded.canvas());
+    for (const char* const written : {"64000 9999", "64000 26ms"})
+        EXPECT_TRUE(is_written(written, 1, bright_rows(guarded.canvas()))) << written;
+}
+
 TEST_P(TextOverPictures, MessagesNotesAndCaptionsAreWhole) {
     const HudText text{{"[door, to the left]"}, {"{flip} now [bounded, 3 dials turned] before exact"}, nullptr};
     const std::string told = "F3 Shown with square pixels: spheres 17 % too narrow";
