@@ -197,6 +197,15 @@ TEST(HemisphereLight, StyledLightBouncesInItsOwnLayer) {
     EXPECT_GE(with_both, 6);
 }
 
+// The light of a face between two samples of a row.
+double light_between(const map::BspFile& bsp, const map::FileFace& face, const Point& place) {
+    const FacingPlane plane = facing_plane(bsp, face);
+    const Point along = map::to_point(bsp.texinfos.at(static_cast<std::size_t>(face.texinfo)).axes[0].direction);
+    const double steps = dot(along, place) / 16, share = steps - std::floor(steps);
+    return (1 - share) * light_at(bsp, plane, place - along * (16 * share)) +
+           share * light_at(bsp, plane, place + along * (16 * (1 - share)));
+}
+
 // A round pillar of 12 faces: at the corners the light is that of a cylinder, whose normal points away from the axis.
 TEST(SmoothLight, APillarsEdgesAreLitAsACylinder) {
     const std::string pillar = prism({256, 256, 0}, 64, 128, 12);
@@ -207,25 +216,43 @@ TEST(SmoothLight, APillarsEdgesAreLitAsACylinder) {
                        {.is_fast = true});
     };
     const auto steps_at_edges = [&](const map::BspFile& bsp) {  // the largest difference across an upright edge
-        std::map<std::array<int, 2>, std::vector<int>> by_edge;
+        std::map<std::array<int, 2>, std::vector<double>> by_edge;
         for (const auto& face : bsp.faces) {
             if (std::abs(facing_plane(bsp, face).normal.z) > 0.1 || face.light_offset < 0) continue;
             for (const Point& corner : corners_of(bsp, face)) {
                 if (std::hypot(corner.x - 256, corner.y - 256) > 70) continue;
-                const int light = light_at(bsp, facing_plane(bsp, face), {corner.x, corner.y, 64});
+                const double light = light_between(bsp, face, {corner.x, corner.y, 64});
                 by_edge[{static_cast<int>(corner.x), static_cast<int>(corner.y)}].push_back(light);
             }
         }
-        int most = 0;
+        double most = 0;
         for (const auto& [edge, lights] : by_edge)
             most = std::max(most, *std::max_element(lights.begin(), lights.end()) -
                                       *std::min_element(lights.begin(), lights.end()));
         return most;
     };
     EXPECT_GT(steps_at_edges(bsp_of({})), 20) << "flat faces";
-    EXPECT_LT(steps_at_edges(bsp_of({{"_phong", "1"}})), 14);
+    EXPECT_LT(steps_at_edges(bsp_of({{"_phong", "1"}})), 4);
     EXPECT_GT(steps_at_edges(bsp_of({{"_phong", "1"}, {"_phong_angle", "20"}})), 20) << "edges of 30 degrees stay";
-    EXPECT_LT(steps_at_edges(bsp_of({{"_phong_angle", "35"}})), 14);
+    EXPECT_LT(steps_at_edges(bsp_of({{"_phong_angle", "35"}})), 4);
+}
+
+// Where the light ends at an edge of a round pillar, both faces of that edge have the same light: half of their
+// samples' points are on either. The lamp is behind the darker face.
+TEST(SmoothLight, LightEndsSmoothlyAtAnEdge) {
+    const auto bsp = compile(level(room({0, 0, 0}, {512, 512, 128}),
+                                   entity("func_detail", {{"_phong", "1"}}, prism({256, 256, 0}, 64, 128, 10)) +
+                                       entity_at("light", {480, 256, 64}, {{"delay", "3"}, {"light", "400"}})));
+    std::vector<double> lights;
+    for (const auto& face : bsp.faces) {
+        const auto corners = corners_of(bsp, face);
+        if (std::abs(facing_plane(bsp, face).normal.z) < 0.1 &&
+            std::any_of(corners.begin(), corners.end(), [](const Point& p) { return p.x == 276 && p.y == 317; }))
+            lights.push_back(light_between(bsp, face, {276, 317, 64}));
+    }
+    ASSERT_EQ(lights.size(), 2U);
+    EXPECT_GT(lights[0], 20);
+    EXPECT_NEAR(lights[0], lights[1], 5);
 }
 
 // At an edge of a square pillar the normal is the mean of both faces'; between two edges it goes linearly from one to

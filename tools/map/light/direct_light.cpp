@@ -45,10 +45,7 @@ class PointsOfSamples {
         for (int v = 0; v < height; ++v)
             for (int u = 0; u < width; ++u)
                 for (const double du : offsets)
-                    for (const double dv : offsets) {
-                        const Point point = sampler.point_at(u + du, v + dv);
-                        points_.push_back({point, sampler.normal_at(point)});
-                    }
+                    for (const double dv : offsets) points_.push_back(sampler.place_at(u + du, v + dv));
     }
 
     // `light_at`: the light at a point with a normal.
@@ -66,10 +63,6 @@ class PointsOfSamples {
     }
 
   private:
-    struct LitPoint {
-        Point point, normal;
-    };
-
     std::size_t per_sample_;
     std::vector<LitPoint> points_;
 };

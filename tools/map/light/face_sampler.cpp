@@ -53,9 +53,9 @@ Point face_normal(const BspFile& bsp, const FileFace& face) {
     return face.is_back != 0 ? -normal : normal;
 }
 
-FaceSampler::FaceSampler(const BspFile& bsp, const FileFace& face, std::vector<Point> corner_normals,
+FaceSampler::FaceSampler(const BspFile& bsp, const FileFace& face, SmoothFace smooth, const FaceSamplers& all,
                          const Tracer& tracer)
-    : tracer_(tracer), grid_(light_grid(bsp, face)), corner_normals_(std::move(corner_normals)) {
+    : tracer_(tracer), all_(all), grid_(light_grid(bsp, face)), smooth_(std::move(smooth)) {
     const FilePlane& plane = item(bsp.planes, face.plane);
     const Point plane_normal = to_point(plane.normal);
     normal_ = face.is_back != 0 ? -plane_normal : plane_normal;
@@ -87,19 +87,26 @@ FaceSampler::FaceSampler(const BspFile& bsp, const FileFace& face, std::vector<P
     base_ = per_u * first_u + per_v * first_v + per_distance * static_cast<double>(plane.distance) + normal_ * kLift;
 }
 
-Point FaceSampler::point_at(double u, double v) const {
-    const Point point = base_ + step_u_ * u + step_v_ * v;
+LitPoint FaceSampler::place_at(double u, double v) const {
+    Point point = base_ + step_u_ * u + step_v_ * v;
+    for (std::size_t i = 0; i < smooth_.across.size(); ++i) {
+        if (smooth_.across[i] < 0 || edges_[i].height_of(point) <= 0) continue;
+        const std::optional<FaceSampler>& next = item(all_, smooth_.across[i]);
+        if (!next) continue;
+        const Point beyond = point - next->normal_ * dot(next->normal_, point - next->centre_);
+        if (next->sample_at(beyond)) return {beyond, next->normal_at(beyond)};
+    }
     const Point over_face = nearest_over_face(point);
-    if (over_face == point) return point;
-    return tracer_.is_clear(over_face, point) ? point : over_face;
+    if (over_face != point && !tracer_.is_clear(over_face, point)) point = over_face;
+    return {point, normal_at(point)};
 }
 
 // Linear in each triangle between the middle and an edge.
 Point FaceSampler::normal_at(const Point& point) const {
-    if (corner_normals_.empty()) return normal_;
+    if (smooth_.normals.empty()) return normal_;
     Point sum;
-    for (const Point& normal : corner_normals_) sum = sum + normal;
-    const Point middle_normal = sum * (1.0 / static_cast<double>(corner_normals_.size()));
+    for (const Point& normal : smooth_.normals) sum = sum + normal;
+    const Point middle_normal = sum * (1.0 / static_cast<double>(smooth_.normals.size()));
     Point best = middle_normal;
     double most_inside = -1e9;
     for (std::size_t i = 0; i < corners_.size(); ++i) {
@@ -112,8 +119,8 @@ Point FaceSampler::normal_at(const Point& point) const {
         if (inside <= most_inside) continue;
         most_inside = inside;
         const double sum_of_shares = std::max(share_a + share_b, 1.0);  // clamped to the edge
-        best = corner_normals_[i] * (std::max(share_a, 0.0) / sum_of_shares) +
-               corner_normals_[next] * (std::max(share_b, 0.0) / sum_of_shares) +
+        best = smooth_.normals[i] * (std::max(share_a, 0.0) / sum_of_shares) +
+               smooth_.normals[next] * (std::max(share_b, 0.0) / sum_of_shares) +
                middle_normal * (1 - std::clamp(share_a + share_b, 0.0, 1.0));
     }
     const double size = length(best);

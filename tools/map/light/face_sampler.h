@@ -24,23 +24,38 @@ struct LightGrid {
 };
 LightGrid light_grid(const BspFile& bsp, const FileFace& face);
 
+/// How light is interpolated over a face; both are empty for a face that is lit flat.
+struct SmoothFace {
+    std::vector<Point> normals;  ///< at its corners
+    std::vector<int> across;     ///< from each corner to the next: the face beyond, if it has the same normals; else -1
+};
+
+/// A point over a surface, and the normal for light there.
+struct LitPoint {
+    Point point, normal;
+};
+
+class FaceSampler;
+using FaceSamplers = std::vector<std::optional<FaceSampler>>;  ///< by face; none: no lightmap
+
 /// The points at which the samples of a face's lightmap are measured.
 class FaceSampler {
   public:
-    /// `corner_normals`: for light, one for each corner; empty: the face's normal everywhere.
-    FaceSampler(const BspFile& bsp, const FileFace& face, std::vector<Point> corner_normals, const Tracer& tracer);
+    /// `all` must outlive it, and be complete before place_at() is called.
+    FaceSampler(const BspFile& bsp, const FileFace& face, SmoothFace smooth, const FaceSamplers& all,
+                const Tracer& tracer);
 
     const Point& normal() const { return normal_; }
     const LightGrid& grid() const { return grid_; }
     const Point& centre() const { return centre_; }
     double radius() const { return radius_; }
 
-    /// The point, kLift above the face, at sample (u, v) of the grid (fractions: between samples). A point inside or
-    /// behind a wall moves to the nearest point above the face.
-    Point point_at(double u, double v) const;
+    bool is_smooth() const { return !smooth_.normals.empty(); }
 
-    /// The normal for light at a point above the face.
-    Point normal_at(const Point& point) const;
+    /// The point, kLift above the face, at sample (u, v) of the grid (fractions: between samples). Where light is
+    /// smooth across an edge, a point beyond it is over the next face. A point inside or behind a wall moves to the
+    /// nearest point above the face.
+    LitPoint place_at(double u, double v) const;
 
     /// The index of the sample that is nearest to a point of the face's plane; none if the point is not on the face.
     std::optional<std::size_t> sample_at(const Point& point) const;
@@ -49,13 +64,15 @@ class FaceSampler {
     static constexpr double kLift = 1, kInset = 1, kSlack = 1.0 / 64;
 
     Point nearest_over_face(const Point& point) const;
+    Point normal_at(const Point& point) const;
 
     const Tracer& tracer_;
+    const FaceSamplers& all_;
     LightGrid grid_;
     Point normal_;
     std::vector<Point> corners_;  // lifted
     std::vector<Plane> edges_;    // perpendicular to the face through its edges, facing outward
-    std::vector<Point> corner_normals_;
+    SmoothFace smooth_;
     std::array<Point, 2> axes_;  // of texels
     std::array<double, 2> offsets_{};
     Point centre_;  // of the lifted corners
@@ -65,9 +82,8 @@ class FaceSampler {
 
 /// The normals at each face's corners for light (the faces stay flat). If a face's texinfo has an angle above 0 in
 /// `degrees`, a corner's normal is the mean of the normals of all such faces at this corner, weighted by their angles
-/// there, except those that differ from this face's by more than the smaller of both faces' limits. Empty for all other
-/// faces.
-std::vector<std::vector<Point>> smooth_normals(const BspFile& bsp, const std::vector<double>& degrees);
+/// there, except those that differ from this face's by more than the smaller of both faces' limits.
+std::vector<SmoothFace> smooth_faces(const BspFile& bsp, const std::vector<double>& degrees);
 
 /// The name of a face's texture, in lower case.
 std::string texture_name(const BspFile& bsp, const FileFace& face);

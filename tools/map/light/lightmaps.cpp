@@ -111,13 +111,17 @@ class LightPass {
 
   private:
     void add_direct_light() {
-        auto normals = smooth_normals(bsp_, options_.smooth_degrees);
+        std::vector<SmoothFace> smooth = smooth_faces(bsp_, options_.smooth_degrees);
+        sharing_.for_each(samplers_.size(), [&](std::size_t i) {
+            if (item(bsp_.texinfos, bsp_.faces[i].texinfo).flags == 0)
+                samplers_[i].emplace(bsp_, bsp_.faces[i], std::move(smooth[i]), samplers_, tracer_);
+        });
         const LightReach reach(bsp_, tracer_, lights_.sources, sharing_);
         std::vector<std::atomic<bool>> seen(lights_.sources.size());
         sharing_.begin("light", samplers_.size());
         sharing_.for_each(samplers_.size(), [&](std::size_t i) {
-            if (item(bsp_.texinfos, bsp_.faces[i].texinfo).flags != 0) return;
-            const FaceSampler& sampler = samplers_[i].emplace(bsp_, bsp_.faces[i], std::move(normals[i]), tracer_);
+            if (!samplers_[i]) return;
+            const FaceSampler& sampler = *samplers_[i];
             const auto sources = sources_near(lights_.sources, reach, i, sampler);
             styles_[i] =
                 direct_light(sampler, sources, lights_.sun, tracer_, options_.is_fast, [&](const LightSource& source) {
@@ -196,9 +200,9 @@ class LightPass {
         std::vector<Hemisphere> alone;
         for (int v = 0; v < height; ++v) {
             for (int u = 0; u < width; ++u) {
-                const Point point = sampler.point_at(u, v);
-                alone.push_back(rays.gather(point, sampler.normal_at(point), u % 3 + 3 * (v % 3),
-                                            lights_.hemisphere.dirt_depth, tracer_, add_reflected));
+                const auto [point, normal] = sampler.place_at(u, v);
+                alone.push_back(rays.gather(point, normal, u % 3 + 3 * (v % 3), lights_.hemisphere.dirt_depth, tracer_,
+                                            add_reflected));
             }
         }
         std::vector<Hemisphere> smooth;
@@ -264,8 +268,8 @@ class LightPass {
     const WorkSharing& sharing_;
     Lights lights_;
     Tracer tracer_;
-    std::vector<std::optional<FaceSampler>> samplers_;  // none: no lightmap
-    std::vector<StyleSamples> styles_;                  // by face
+    FaceSamplers samplers_;
+    std::vector<StyleSamples> styles_;  // by face
 };
 
 }  // namespace

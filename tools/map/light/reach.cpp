@@ -42,7 +42,8 @@ std::vector<const LightSource*> sources_near(const std::vector<LightSource>& sou
         if (!reach.may_light(i, face)) continue;
         const LightSource& source = sources[i];
         const Point towards = source.origin - sampler.centre();
-        if (dot(towards, sampler.normal()) > 0 && length(towards) <= source.range() + sampler.radius())
+        if ((sampler.is_smooth() || dot(towards, sampler.normal()) > 0) &&
+            length(towards) <= source.range() + sampler.radius())
             near.push_back(&source);
     }
     return near;

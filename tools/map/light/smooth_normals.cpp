@@ -46,9 +46,34 @@ void interpolate_within_edges(const std::vector<Floats>& corners, const std::vec
     }
 }
 
+// Two faces share an edge's corners in opposite order.
+void find_faces_across(const BspFile& bsp, std::vector<SmoothFace>& faces) {
+    const auto each_edge = [&](auto use) {
+        for (std::size_t i = 0; i < faces.size(); ++i)
+            for (std::size_t k = 0; k < faces[i].normals.size(); ++k)
+                use(i, k, bsp.surf_edges[as_size(bsp.faces[i].first_surf_edge) + k]);
+    };
+    const auto normals_of = [&](std::size_t face, std::size_t k) {
+        const std::vector<Point>& normals = faces[face].normals;
+        return std::pair(normals[k], normals[(k + 1) % normals.size()]);
+    };
+    std::map<int, std::pair<std::size_t, std::size_t>> places;  // face and corner by edge
+    each_edge([&](std::size_t face, std::size_t k, int edge) { places[edge] = {face, k}; });
+    each_edge([&](std::size_t face, std::size_t k, int edge) {
+        const auto found = places.find(-edge);
+        int across = -1;
+        if (found != places.end()) {
+            const auto [other, its_k] = found->second;
+            const auto [from, to] = normals_of(face, k);
+            if (normals_of(other, its_k) == std::pair(to, from)) across = static_cast<int>(other);
+        }
+        faces[face].across.push_back(across);
+    });
+}
+
 }  // namespace
 
-std::vector<std::vector<Point>> smooth_normals(const BspFile& bsp, const std::vector<double>& degrees) {
+std::vector<SmoothFace> smooth_faces(const BspFile& bsp, const std::vector<double>& degrees) {
     std::map<Floats, std::vector<FaceCorner>> by_place;
     const auto each_corner = [&](auto use) {
         for (std::size_t i = 0; i < bsp.faces.size(); ++i) {
@@ -64,16 +89,18 @@ std::vector<std::vector<Point>> smooth_normals(const BspFile& bsp, const std::ve
             }
         }
     };
-    std::vector<std::vector<Point>> normals(bsp.faces.size());
+    std::vector<SmoothFace> faces(bsp.faces.size());
     std::vector<std::vector<bool>> is_within(bsp.faces.size());
     each_corner([&](std::size_t, const Floats& place, const FaceCorner& corner) { by_place[place].push_back(corner); });
     each_corner([&](std::size_t face, const Floats& place, const FaceCorner& corner) {
-        normals[face].push_back(mean_normal(corner, by_place[place]));
+        faces[face].normals.push_back(mean_normal(corner, by_place[place]));
         is_within[face].push_back(by_place[place].size() == 1 && corner.angle > kStraight);
     });
-    for (std::size_t i = 0; i < normals.size(); ++i)
-        if (!normals[i].empty()) interpolate_within_edges(face_corners(bsp, bsp.faces[i]), is_within[i], normals[i]);
-    return normals;
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        if (!faces[i].normals.empty())
+            interpolate_within_edges(face_corners(bsp, bsp.faces[i]), is_within[i], faces[i].normals);
+    find_faces_across(bsp, faces);
+    return faces;
 }
 
 }  // namespace oblong::map
