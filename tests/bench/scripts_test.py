@@ -8,6 +8,7 @@ import json
 import os
 import shutil
 import stat
+import struct
 import subprocess
 import sys
 import tempfile
@@ -147,9 +148,23 @@ def check_compare_ericw(folder):
     check(text.startswith("before\n") and text.endswith("after\n") and "old" not in text and "| demo |" in text, "page: " + text)
 
 
+def check_light_picture(folder):
+    make_tools(folder, os.path.join(os.path.dirname(RENDER), "oblong-map"))
+    picture = os.path.join(folder, "light.png")
+    ran = subprocess.run([sys.executable, "-B", os.path.join(ROOT, "tools/map/light_picture.py"), folder, picture,
+                          "--build", BUILD], capture_output=True, text=True)
+    check(ran.returncode == 0, "light_picture: " + ran.stderr)
+    differences = [float(line.split(": ")[1].split(",")[0]) for line in ran.stdout.splitlines()]
+    check(len(differences) == 21 and 0 < max(differences) < 0.2, "one sample in a room differs: " + ran.stdout)
+    with open(picture, "rb") as file:
+        png = file.read()
+    check(png[16:24] == struct.pack(">2I", 3 * 2 * 130 - 2, 7 * 92) and len(png) < 100000, "not seven rows of pairs")
+
+
 def main():
     with tempfile.TemporaryDirectory() as folder:
-        {"stages": check_stage_costs, "peer": check_compare_peer, "scale": check_scale_chart, "compilers": check_compare_ericw}[sys.argv[4]](folder)
+        {"stages": check_stage_costs, "peer": check_compare_peer, "scale": check_scale_chart, "compilers": check_compare_ericw,
+         "light": check_light_picture}[sys.argv[4]](folder)
 
 
 if __name__ == "__main__":
