@@ -109,7 +109,7 @@ TEST(SeedM10, AspectAndFieldOfViewInTwoMultipliersCostNothing) {
     };
     const Projection corrected = make_projection(k320x200, Degrees::from_int(90)),
                      square = make_projection(k320x200, Degrees::from_int(90), false);
-    const auto expect = [](const auto& projected, const Projection& projection, const Operations& operations) {
+    const auto expect = [](const auto& projected, const Projection& projection, const CountedOperations& operations) {
         const ScreenPosition position = project(view_point(3, 2, 7), projection);
         const SeedPixel<double> found = projected(0.0);
         EXPECT_NEAR(found.x, number(position.x), 1.0 / 256);

@@ -41,7 +41,7 @@ TEST(SeedA10, LightByADotProductTakesFourMultiplicationsAndTwoAdditions) {
         return lit(Vec3<Number>{0.6, 0, 0.8}, Vec3<Number>{0, 0, 1}, Number(200));
     };
     EXPECT_EQ(light(0.0), 160);
-    EXPECT_EQ(operations_of([&] { light(Counted<double>(0)); }), (Operations{4, 0, 2}));
+    EXPECT_EQ(operations_of([&] { light(Counted<double>(0)); }), (CountedOperations{4, 0, 2}));
 }
 
 TEST(SeedM6, LawOfCosinesTakesSquaredLengthsWithoutRoots) {
