@@ -99,7 +99,7 @@ constexpr EventCost kLastBlock{850, 710, 0, 142, 1136, 0};
 /// cut_bounded(): comparisons with thresholds, for each block; products with its length, for each block that does not
 /// end its span. Rows that repeat another row's blocks need few of these. If blocks have one length, the products are
 /// the same for a span that has room for one.
-constexpr EventCost kThresholdTest{538, 0, 0, 200, 1600, 0}, kLengthProducts{0, 30}, kOneLengthProducts{0, 139};
+constexpr EventCost kThresholdTest{538, 0, 0, 200, 1600, 0}, kLengthProducts{0, 30}, kOneLengthProducts{0, 11};
 /// cut_bounded_texels(): the attempts, is_straight().
 constexpr EventCost kStraightTest{5600, 959};
 /// Depth, reciprocal_of(): clamping, normalising, and the method.
