@@ -1,4 +1,5 @@
 """Shows each way of lighting in a small room, by oblong-map on the left and by ericw-tools on the right, in one picture.
+Needs ImageMagick.
 
 usage: light_picture.py TOOLS OUT.png [--build FOLDER]
   TOOLS    a folder with qbsp, vis and light, which are not part of this project
@@ -8,14 +9,10 @@ Below a pair: the mean difference of the lightmaps, 0 to 255, and the share of s
 import argparse
 import math
 import os
-import re
-import struct
 import tempfile
-import zlib
 
 from compare_ericw import Comparison, run
 
-WIDTH, HEIGHT, GAP, LABEL, COLUMNS = 128, 80, 2, 12, 3  # pixels; columns of pairs
 LAMP = {"origin": "72 120 112", "light": "350"}
 
 
@@ -75,75 +72,31 @@ def source_of(wad, lamps=(), world={}, ceiling="plaster_ivory", floor="plaster_i
     return entity({"classname": "worldspawn", "wad": wad, **world}, brushes) + start + lights
 
 
-def chunks_of(path):
-    with open(path, "rb") as file:
-        png, at, chunks = file.read(), 8, {}
-    while at < len(png):
-        size, name = struct.unpack_from(">I4s", png, at)
-        chunks[name] = chunks.get(name, b"") + png[at + 8:at + 8 + size]
-        at += 12 + size
-    return chunks
-
-
-def rows_of(chunks):
-    """The rows of pixels of an indexed PNG without filters, as oblong-render writes them."""
-    bytes_ = zlib.decompress(chunks[b"IDAT"])
-    assert not any(bytes_[::WIDTH + 1])
-    return [bytes_[i + 1:i + 1 + WIDTH] for i in range(0, len(bytes_), WIDTH + 1)]
-
-
-def write_png(path, rows, palette):
-    head = struct.pack(">2I5B", len(rows[0]), len(rows), 8, 3, 0, 0, 0)
-    pixels = zlib.compress(b"".join(b"\0" + row for row in rows), 9)
-    with open(path, "wb") as file:
-        file.write(b"\x89PNG\r\n\x1a\n")
-        for name, data in ((b"IHDR", head), (b"PLTE", palette), (b"IDAT", pixels), (b"IEND", b"")):
-            file.write(struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data)))
-
-
-def draw_text(rows, x, y, text, colour):
-    """In the engine's font: eight rows of five bits for each character from the space on."""
-    with open(os.path.join(os.path.dirname(__file__), "../../engine/draw/font.cpp")) as file:
-        glyphs = [re.findall(r"0b([01]{5})", line) for line in file if line.startswith("    {0b")]
-    for i, character in enumerate(text):
-        for row, bits in zip(rows[y:], glyphs[ord(character) - 32]):
-            for k, bit in enumerate(bits):
-                if bit == "1":
-                    row[x + 6 * i + k] = colour
-
-
-class Picture:
+class Rooms:
     def __init__(self, options, scratch):
         self.build, self.scratch = os.path.abspath(options.build), scratch
         options.oblong, options.maps, options.threads = os.path.join(self.build, "bin/oblong-map"), scratch, ["2"]
         self.comparison = Comparison(options, scratch)
-        self.rows, self.palette = [], b""
 
     def frame(self, level):
-        cameras = os.path.join(self.scratch, "cameras.csv")
+        """The path of a picture of a level."""
+        cameras, folder = os.path.join(self.scratch, "cameras.csv"), os.path.join(self.scratch, level + "-pictures")
         with open(cameras, "w") as file:
             file.write("x,y,z,yaw,pitch\n16,24,112,42,18\n")
         run([os.path.join(self.build, "bin/oblong-render"), self.comparison.path(level), "--cameras", cameras,
-             "--mode", "%dx%d" % (WIDTH, HEIGHT), "--out", self.scratch,
-             "--palette", os.path.join(self.build, "assets/palette.lmp")], self.scratch)
-        chunks = chunks_of(os.path.join(self.scratch, "00000.png"))
-        self.palette = chunks[b"PLTE"]
-        return rows_of(chunks)
+             "--mode", "128x80", "--out", folder, "--palette", os.path.join(self.build, "assets/palette.lmp")], self.scratch)
+        return os.path.join(folder, "00000.png")
 
-    def add(self, index, name, room):
+    def pair(self, name, room):
+        """Arguments of montage: a pair of pictures with its caption."""
         with open(os.path.join(self.scratch, name + ".map"), "w") as file:
             file.write(source_of(os.path.join(self.build, "assets/demo.wad"), **room))
         figures, _ = self.comparison.row(name)
-        x, y = index % COLUMNS * 2 * (WIDTH + GAP), index // COLUMNS * (HEIGHT + LABEL)
-        if x == 0:
-            self.rows += [bytearray(COLUMNS * 2 * (WIDTH + GAP) - GAP) for _ in range(HEIGHT + LABEL)]
-        for level, left in (("ours.bsp", x), ("theirs.bsp", x + WIDTH + GAP)):
-            for i, row in enumerate(self.frame(level)):
-                self.rows[y + i][left:left + WIDTH] = row
-        brightest = max(range(256), key=lambda i: sum(self.palette[3 * i:3 * i + 3]))
-        text = "%s: %.2f, %.1f %%" % (name, figures[10], 100 * figures[11])
-        draw_text(self.rows, x, y + HEIGHT + GAP, text, brightest)
-        print(text, flush=True)
+        caption = "%s: %.2f, %.1f %%" % (name, figures[10], 100 * figures[11])
+        picture = os.path.join(self.scratch, name + ".png")
+        run(["convert", self.frame("ours.bsp"), self.frame("theirs.bsp"), "+append", "PNG24:" + picture], self.scratch)
+        print(caption, flush=True)
+        return ["-label", caption.replace("%", "%%"), picture]
 
 
 def main():
@@ -153,10 +106,13 @@ def main():
     parser.add_argument("--build", default="build")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as scratch:
-        picture = Picture(options, scratch)
-        for index, (name, room) in enumerate(shown().items()):
-            picture.add(index, name, room)
-        write_png(options.out, picture.rows, picture.palette)
+        rooms = Rooms(options, scratch)
+        pairs = [word for name, room in shown().items() for word in rooms.pair(name, room)]
+        whole = os.path.join(scratch, "whole.png")
+        run(["montage", "-background", "black", "-fill", "white", "-font", "DejaVu-Sans", "-pointsize", "10", *pairs,
+             "-geometry", "+2+2", "-tile", "3x", "PNG24:" + whole], scratch)
+        run(["convert", whole, "+dither", "-colors", "256", "-define", "png:exclude-chunks=date,time",
+             "PNG8:" + os.path.abspath(options.out)], scratch)
 
 
 if __name__ == "__main__":
