@@ -23,11 +23,11 @@ constexpr std::array<std::int32_t, FogTable::kLevels - 1> kReach_28 = {
 
 constexpr InverseZ kNowhere = InverseZ::lowest();
 
-/// The greatest v whose reciprocal, rounded to the nearest, is above g: floor(2^60 / v + 1/2) > g if 2^61 >= (2g + 1)
-/// v.
-View greatest_with_more(InverseZ g) {
+/// The greatest depth whose rounded 1/z is above another: floor(2^60 / depth + 1/2) > other
+/// is 2^61 >= (2 other + 1) depth, in steps.
+View greatest_depth_above(InverseZ other) {
     constexpr int kBits = InverseZ::kFractionBits + View::kFractionBits + 1;
-    return View::from_raw((std::int64_t{1} << kBits) / (2 * g.raw + 1));
+    return View::from_raw((std::int64_t{1} << kBits) / (2 * other.raw + 1));
 }
 
 InverseZ clamped(InverseZ inverse_z) {
@@ -67,7 +67,7 @@ FogDepths make_fog_depths(FogDensity density, View start, View end) {
         if (z > end || z == View::highest()) break;
         const InverseZ greatest = reciprocal<InverseZ>(z);
         item(depths.greatest_inverse_z, level) = greatest;
-        item(depths.greatest_before, level) = greatest_with_more(greatest);
+        item(depths.greatest_before, level) = greatest_depth_above(greatest);
     }
     return depths;
 }

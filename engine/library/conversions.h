@@ -8,6 +8,8 @@
 #include "engine/mesh/placed_mesh.h"
 #include "engine/view/projection.h"
 
+// From the types of oblong.h to the engine's.
+
 namespace oblong {
 
 /// Converts 256ths of a unit, clamped to the range of the world.

@@ -119,7 +119,7 @@ struct Depth {
     [[gnu::always_inline]] Depth(InverseZ inverse_z, Reciprocal reciprocal) {
         const std::int64_t positive =
             kClamps ? clamp_value(inverse_z, kLeastInverseZ, kGreatestInverseZ).raw : inverse_z.raw;
-        if (positive == 0) __builtin_unreachable();
+        if (positive == 0) __builtin_unreachable();  // fits_range(); saves i386 two tests of a half for 0
         shift = std::countl_zero(static_cast<std::uint64_t>(positive)) - 4;
         if constexpr (kIsShort)
             mantissa = reciprocal.template above_least<false>(positive, shift);

@@ -133,7 +133,7 @@ struct TexelRows {
     if (block.count & 1) draw_next<0>(texel, u, v, walk, out);
 }
 
-/// Whether a block stays within a surface.
+/// Whether a block stays within a surface. Apart, as most surfaces hold all blocks: the loop keeps its registers.
 [[gnu::noinline]] bool is_within(const TexelBlock& block, const SurfaceView& surface) {
     const std::uint32_t beyond_u = ~(surface.u_mask << 16 | 0xffff), beyond_v = ~(surface.v_mask << 16 | 0xffff);
     const auto steps = static_cast<std::uint32_t>(block.count - 1);
