@@ -33,9 +33,10 @@ struct StageCounts {
     std::int64_t sky_blocks = 0, sky_directions = 0;  ///< draw_sky()
     std::int64_t sky_texels = 0;                      ///< composed of both layers; 0: looked up at each pixel
     std::int64_t divided_pixels = 0;                  ///< textured by raster/exact_spans.h; one each in `divisions`
-    std::int64_t exact_divisions = 0;  ///< their real number; less where texels are linear or rows share depths
-    std::int64_t particles = 0;        ///< computed, including those out of view
-    std::int64_t lit_texels = 0;       ///< built, as they were not in the cache
+    /// Their real number; less where texels are linear or rows share depths, but not where AVX-512 divides for eight.
+    std::int64_t exact_divisions = 0;
+    std::int64_t particles = 0;   ///< computed, including those out of view
+    std::int64_t lit_texels = 0;  ///< built, as they were not in the cache
 };
 
 /// Statistics of one frame, collected on request (FrameObservers).
