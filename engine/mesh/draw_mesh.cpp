@@ -60,17 +60,15 @@ const Skin& skin_of(const MeshTriangle& triangle, const MeshContext& mesh) {
     return number < skins.size() && is_whole(item(skins, number)) ? item(skins, number) : mesh.plain;
 }
 
-/// Sets one light for a whole triangle, that of its middle.
-void set_flat_light(const MeshTriangle& triangle, const MeshContext& mesh, const MeshScratch& scratch,
-                    std::array<CornerValues, 3>& values) {
+/// The light of a whole triangle, that of its middle.
+Fixed<std::int64_t, 16> flat_light(const MeshTriangle& triangle, const MeshContext& mesh, const MeshScratch& scratch) {
     Vec3<WorldWide> sum;
     for (const std::uint32_t vertex : triangle.vertices)
         sum = sum + convert<WorldWide>(item(scratch.world_vertices, vertex).position);
     const auto third = [](WorldWide whole) { return convert<World>(whole / 3); };
     const Vec3<Unit> normal = world_normal(triangle, mesh.object_vertices, mesh.transform);
     const MeshLight& light = mesh.drawing.light;
-    const auto shade = rounded_shade(light_at({third(sum.x), third(sum.y), third(sum.z)}, normal, light), light);
-    for (CornerValues& corner : values) corner.light = shade;
+    return rounded_shade(light_at({third(sum.x), third(sum.y), third(sum.z)}, normal, light), light);
 }
 
 void see_vertex(std::uint32_t number, const MeshPlacement& mesh, MeshScratch& scratch) {
@@ -113,12 +111,6 @@ bool may_cover_centre(const std::array<const ViewVertex*, 3>& vertices) {
     return differ(a->screen.x, b->screen.x, c->screen.x) && differ(a->screen.y, b->screen.y, c->screen.y);
 }
 
-/// The corners of a triangle inside the view, without values.
-std::array<ScreenCorner, 3> places_of(const std::array<const ViewVertex*, 3>& vertices) {
-    const auto place = [](const ViewVertex& vertex) { return ScreenCorner{vertex.screen, vertex.inverse_z, {}}; };
-    return {place(*vertices[0]), place(*vertices[1]), place(*vertices[2])};
-}
-
 /// A vertex's values, computed on first use; requires VertexStage::Seen.
 const CornerValues& values_at(std::uint32_t number, const MeshContext& mesh, MeshScratch& scratch) {
     CornerValues& values = item(scratch.values, number);
@@ -131,10 +123,18 @@ const CornerValues& values_at(std::uint32_t number, const MeshContext& mesh, Mes
     return values;
 }
 
-std::array<CornerValues, 3> values_of(const MeshTriangle& triangle, const MeshContext& mesh, MeshScratch& scratch) {
-    std::array<CornerValues, 3> values;
-    for (std::size_t i = 0; i < 3; ++i) values[i] = values_at(triangle.vertices[i], mesh, scratch);
-    if (mesh.placed.shading == Shading::Flat) set_flat_light(triangle, mesh, scratch, values);
+/// The values of a triangle's corners, valid until the next call.
+std::array<const CornerValues*, 3> values_of(const MeshTriangle& triangle, const MeshContext& mesh,
+                                             MeshScratch& scratch) {
+    const auto& [a, b, c] = triangle.vertices;
+    std::array values{&values_at(a, mesh, scratch), &values_at(b, mesh, scratch), &values_at(c, mesh, scratch)};
+    if (mesh.placed.shading != Shading::Flat) return values;
+    const auto light = flat_light(triangle, mesh, scratch);
+    for (std::size_t i = 0; i < 3; ++i) {
+        scratch.flat[i] = *values[i];
+        scratch.flat[i].light = light;
+        values[i] = &scratch.flat[i];
+    }
     return values;
 }
 
@@ -144,8 +144,8 @@ struct TriangleInView {
     LinearQuantity<InverseZ> inverse_z;
 };
 
-/// None if it covers no pixel's centre, is seen from its back, or is hidden. Does not read the corners' values.
-std::optional<TriangleInView> find_triangle(const std::array<const ScreenCorner*, 3>& corners, const MeshTarget& target,
+/// None if it covers no pixel's centre, is seen from its back, or is hidden.
+std::optional<TriangleInView> find_triangle(const std::array<const ScreenPlace*, 3>& corners, const MeshTarget& target,
                                             MeshScratch& scratch, MeshCounts& counts) {
     const std::array places{corners[0]->screen, corners[1]->screen, corners[2]->screen};
     find_triangle_spans(places, target.part, scratch.rows, scratch.spans);
@@ -164,10 +164,10 @@ MeshPaint paint_of(const MeshTriangle& triangle, const MeshContext& mesh) {
             drawing.is_affine,       mesh.halfway,     &mesh.highlights, drawing.after};
 }
 
-void draw_triangle(const TriangleInView& triangle, const MeshPaint& paint, const MeshTarget& target,
-                   MeshScratch& scratch, MeshCounts& counts) {
+void draw_triangle(const TriangleInView& triangle, const std::array<const CornerValues*, 3>& values,
+                   const MeshPaint& paint, const MeshTarget& target, MeshScratch& scratch, MeshCounts& counts) {
     const GradientChoice choice{paint.shading == Shading::Phong, paint.is_affine};
-    const MeshGradients gradients = make_mesh_gradients(triangle.weights, triangle.inverse_z, choice);
+    const MeshGradients gradients = make_mesh_gradients(triangle.weights, values, triangle.inverse_z, choice);
     counts.pixels += draw_mesh_spans(scratch.spans, gradients, paint, target);
 }
 
@@ -175,12 +175,9 @@ void draw_triangle(const TriangleInView& triangle, const MeshPaint& paint, const
 /// shows that uses it: most triangles of a small mesh do not.
 void draw_whole(const MeshTriangle& triangle, const std::array<const ViewVertex*, 3>& vertices, const MeshContext& mesh,
                 MeshScratch& scratch, MeshCounts& counts) {
-    std::array<ScreenCorner, 3> corners = places_of(vertices);
-    const auto found = find_triangle({&corners[0], &corners[1], &corners[2]}, mesh.target, scratch, counts);
+    const auto found = find_triangle({vertices[0], vertices[1], vertices[2]}, mesh.target, scratch, counts);
     if (!found) return;
-    const std::array<CornerValues, 3> values = values_of(triangle, mesh, scratch);
-    for (std::size_t i = 0; i < 3; ++i) corners[i].values = values[i];
-    draw_triangle(*found, paint_of(triangle, mesh), mesh.target, scratch, counts);
+    draw_triangle(*found, values_of(triangle, mesh, scratch), paint_of(triangle, mesh), mesh.target, scratch, counts);
 }
 
 /// Clips a triangle and draws the rest as a fan.
@@ -189,9 +186,9 @@ void draw_clipped(const MeshTriangle& triangle, const std::array<const ViewVerte
     clip_and_project(vertices, values_of(triangle, mesh, scratch), mesh.view, scratch.clip, scratch.polygon);
     const MeshPaint paint = paint_of(triangle, mesh);
     for (std::size_t i = 2; i < scratch.polygon.size(); ++i) {
-        const auto found = find_triangle({&scratch.polygon[0], &scratch.polygon[i - 1], &scratch.polygon[i]},
-                                         mesh.target, scratch, counts);
-        if (found) draw_triangle(*found, paint, mesh.target, scratch, counts);
+        const ScreenCorner &a = scratch.polygon[0], &b = scratch.polygon[i - 1], &c = scratch.polygon[i];
+        const auto found = find_triangle({&a, &b, &c}, mesh.target, scratch, counts);
+        if (found) draw_triangle(*found, {&a.values, &b.values, &c.values}, paint, mesh.target, scratch, counts);
     }
 }
 
@@ -207,11 +204,11 @@ bool is_seen(const MeshTriangle& triangle, const MeshPlacement& mesh, MeshScratc
     const auto vertices = seen_vertices(triangle, mesh, scratch);
     if (is_outside(vertices)) return false;
     if (is_inside(vertices)) {
-        if (!may_cover_centre(vertices)) return false;
-        const std::array<ScreenCorner, 3> corners = places_of(vertices);
-        return find_triangle({&corners[0], &corners[1], &corners[2]}, mesh.target, scratch, counts).has_value();
+        return may_cover_centre(vertices) &&
+               find_triangle({vertices[0], vertices[1], vertices[2]}, mesh.target, scratch, counts);
     }
-    clip_and_project(vertices, {}, mesh.view, scratch.clip, scratch.polygon);
+    const CornerValues none;
+    clip_and_project(vertices, {&none, &none, &none}, mesh.view, scratch.clip, scratch.polygon);
     const std::vector<ScreenCorner>& polygon = scratch.polygon;
     for (std::size_t i = 2; i < polygon.size(); ++i)
         if (find_triangle({&polygon[0], &polygon[i - 1], &polygon[i]}, mesh.target, scratch, counts)) return true;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -27,6 +28,7 @@ struct MeshScratch {
     std::vector<WorldVertex> world_vertices;
     std::vector<ViewVertex> view_vertices;
     std::vector<CornerValues> values;  ///< of vertices
+    std::array<CornerValues, 3> flat;  ///< of one triangle with Shading::Flat
     std::vector<VertexStage> stages;   ///< of vertices: which of the three above are set
     ClipScratch clip;
     std::vector<ScreenCorner> polygon;  ///< one clipped triangle

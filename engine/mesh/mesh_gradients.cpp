@@ -13,7 +13,7 @@ namespace {
 struct Way {
     Screen x, y;
 
-    Way(const ScreenCorner& from, const ScreenCorner& to)
+    Way(const ScreenPlace& from, const ScreenPlace& to)
         : x(to.screen.x - from.screen.x), y(to.screen.y - from.screen.y) {}
     Screen size() const { return std::max(absolute(x), absolute(y)); }
 };
@@ -39,10 +39,10 @@ WeightStep step_along(Screen way) {
     return step_of(way < Screen{} ? -1 : 1, absolute(way).raw);
 }
 
-/// Changes along the side from `from` to `to` only.
-Barycentric along(const ScreenCorner* from, const ScreenCorner* to) {
-    const Way way(*from, *to);
-    Barycentric result{{from, to, from}, {}, {}, {}, {}};
+/// Changes along the side from corner `from` to `to` only.
+Barycentric along(const std::array<const ScreenPlace*, 3>& corners, std::uint8_t from, std::uint8_t to) {
+    const Way way(*corners[from], *corners[to]);
+    Barycentric result{{corners[from], corners[to], corners[from]}, {from, to, from}, {}, {}, {}, {}};
     if (absolute(way.x) >= absolute(way.y))
         result.b_per_column = step_along(way.x);
     else
@@ -50,11 +50,12 @@ Barycentric along(const ScreenCorner* from, const ScreenCorner* to) {
     return result;
 }
 
-/// A quantity from its values at the corners. Its steps have at most 4 bits more than the values; sums at far-away
+/// A quantity from its values at the corners. Those may have fewer fraction bits: their differences then mostly fit 32
+/// bits, whose products are shorter on i386. Its steps have at most 4 bits more than the values; sums at far-away
 /// pixels may wrap (LinearQuantity).
-template <class Value>
-LinearQuantity<Value> quantity_of(const Barycentric& weights, Value a, Value b, Value c) {
-    if (a == b && a == c) return {a, {}, {}};
+template <class Value, class AtCorner>
+LinearQuantity<Value> quantity_of(const Barycentric& weights, AtCorner a, AtCorner b, AtCorner c) {
+    if (a == b && a == c) return {convert<Value>(a), {}, {}};
     LinearQuantity<Value> quantity;
     quantity.per_column = product<Value>(b - a, weights.b_per_column) + product<Value>(c - a, weights.c_per_column);
     quantity.per_row = product<Value>(b - a, weights.b_per_row) + product<Value>(c - a, weights.c_per_row);
@@ -62,20 +63,14 @@ LinearQuantity<Value> quantity_of(const Barycentric& weights, Value a, Value b, 
         const std::int32_t from_centre_8 = 128 - by.raw;
         return stepped(from, Value::from_raw(wrapping_mul_shift(from_centre_8, step.raw, 8)), 1);
     };
-    quantity.origin =
-        moved_back(moved_back(a, quantity.per_column, weights.anchor().x), quantity.per_row, weights.anchor().y);
+    quantity.origin = moved_back(moved_back(convert<Value>(a), quantity.per_column, weights.anchor().x),
+                                 quantity.per_row, weights.anchor().y);
     return quantity;
-}
-
-/// The same for the values value_of(corner).
-auto quantity_of(const Barycentric& weights, auto value_of) {
-    const auto& [a, b, c] = weights.corners;
-    return quantity_of(weights, value_of(*a), value_of(*b), value_of(*c));
 }
 
 }  // namespace
 
-std::optional<Barycentric> make_barycentric(const std::array<const ScreenCorner*, 3>& corners) {
+std::optional<Barycentric> make_barycentric(const std::array<const ScreenPlace*, 3>& corners) {
     constexpr std::int64_t kThinnest_8 = 16;
     const auto& [a, b, c] = corners;
     const Way ab(*a, *b), ac(*a, *c), bc(*b, *c);
@@ -83,36 +78,44 @@ std::optional<Barycentric> make_barycentric(const std::array<const ScreenCorner*
     if (area <= 0) return std::nullopt;
     const Screen longest = std::max({ab.size(), ac.size(), bc.size()});
     if (area < longest.raw * kThinnest_8)
-        return longest == ab.size() ? along(a, b) : longest == ac.size() ? along(a, c) : along(b, c);
-    return Barycentric{corners, step_of(ac.y.raw, area), step_of(-ac.x.raw, area), step_of(-ab.y.raw, area),
+        return longest == ab.size() ? along(corners, 0, 1) : along(corners, longest == ac.size() ? 0 : 1, 2);
+    return Barycentric{corners,
+                       {0, 1, 2},
+                       step_of(ac.y.raw, area),
+                       step_of(-ac.x.raw, area),
+                       step_of(-ab.y.raw, area),
                        step_of(ab.x.raw, area)};
 }
 
 LinearQuantity<InverseZ> inverse_z_over(const Barycentric& weights) {
-    return quantity_of(weights, [](const ScreenCorner& corner) { return corner.inverse_z; });
+    const auto& [a, b, c] = weights.corners;
+    return quantity_of<InverseZ>(weights, a->inverse_z, b->inverse_z, c->inverse_z);
 }
 
-MeshGradients make_mesh_gradients(const Barycentric& weights, const LinearQuantity<InverseZ>& inverse_z,
-                                  const GradientChoice& choice) {
-    // Texels are at most kMostTexel, 1/z kGreatestMeshInverseZ.
-    const auto over_z = [&](Texel texel, const ScreenCorner& corner) {
-        constexpr int kDropped = Texel::kFractionBits + InverseZ::kFractionBits - TexelOverZ::kFractionBits;
-        const auto texel_16 = static_cast<std::int32_t>(texel.raw);
-        return choice.is_affine ? convert<TexelOverZ>(texel)
-                                : TexelOverZ::from_raw(wrapping_mul_shift(texel_16, corner.inverse_z.raw, kDropped));
+MeshGradients make_mesh_gradients(const Barycentric& weights, const std::array<const CornerValues*, 3>& values,
+                                  const LinearQuantity<InverseZ>& inverse_z, const GradientChoice& choice) {
+    const auto quantity = [&]<class Value>(Value, auto value_of) {
+        const auto at = [&](std::size_t i) { return value_of(*values[weights.order[i]], *weights.corners[i]); };
+        return quantity_of<Value>(weights, at(0), at(1), at(2));
     };
-    using Light = Fixed<std::int64_t, 32>;
+    using Corner = const CornerValues&;
+    const auto texels = [&](Texel CornerValues::*texel) {
+        if (choice.is_affine) return quantity(TexelOverZ{}, [=](Corner corner, const auto&) { return corner.*texel; });
+        // Texels are at most kMostTexel, 1/z kGreatestMeshInverseZ.
+        return quantity(TexelOverZ{}, [=](Corner corner, const ScreenPlace& place) {
+            constexpr int kDropped = Texel::kFractionBits + InverseZ::kFractionBits - TexelOverZ::kFractionBits;
+            const auto texel_16 = static_cast<std::int32_t>((corner.*texel).raw);
+            return TexelOverZ::from_raw(wrapping_mul_shift(texel_16, place.inverse_z.raw, kDropped));
+        });
+    };
     MeshGradients gradients;
-    gradients.texture = {
-        inverse_z, quantity_of(weights, [&](const ScreenCorner& corner) { return over_z(corner.values.u, corner); }),
-        quantity_of(weights, [&](const ScreenCorner& corner) { return over_z(corner.values.v, corner); })};
-    gradients.light =
-        quantity_of(weights, [](const ScreenCorner& corner) { return convert<Light>(corner.values.light); });
+    gradients.texture = {inverse_z, texels(&CornerValues::u), texels(&CornerValues::v)};
+    using Light = Fixed<std::int64_t, 32>;
+    gradients.light = quantity(Light{}, [](Corner corner, const auto&) { return convert<Light>(corner.light); });
     if (!choice.has_normal) return gradients;
     const auto normal = [&](Unit Vec3<Unit>::*axis) {
-        return quantity_of(weights, [axis](const ScreenCorner& corner) {
-            return convert<Fixed<std::int64_t, 30>>(corner.values.normal.*axis);
-        });
+        using Wide = Fixed<std::int64_t, 30>;
+        return quantity(Wide{}, [axis](Corner corner, const auto&) { return convert<Wide>(corner.normal.*axis); });
     };
     gradients.normal = {normal(&Vec3<Unit>::x), normal(&Vec3<Unit>::y), normal(&Vec3<Unit>::z)};
     return gradients;

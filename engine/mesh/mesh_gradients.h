@@ -21,7 +21,8 @@ using WeightStep = Fixed<std::int64_t, 48>;
 /// The barycentric coordinates b and c of a triangle's second and third corner over the screen; both are 0 at the
 /// first.
 struct Barycentric {
-    std::array<const ScreenCorner*, 3> corners;
+    std::array<const ScreenPlace*, 3> corners;
+    std::array<std::uint8_t, 3> order;  ///< the corners' numbers in the triangle
     WeightStep b_per_column, b_per_row, c_per_column, c_per_row;
 
     const ScreenVertex& anchor() const { return corners[0]->screen; }
@@ -37,15 +38,14 @@ struct GradientChoice {
 ///     b = ((x - xA) (yC - yA) - (y - yA) (xC - xA)) / area,    c = ((y - yA) (xB - xA) - (x - xA) (yB - yA)) / area,
 /// linear in x and y; each quantity is A's + b (B's - A's) + c (C's - A's). So at a pixel centre inside, it lies
 /// between its values at the corners, however thin or steep the triangle is. In a triangle thinner than 1/16 pixel it
-/// changes along the longest side only. None for a triangle without area or seen from its back. Does not read the
-/// corners' values.
-std::optional<Barycentric> make_barycentric(const std::array<const ScreenCorner*, 3>& corners);
+/// changes along the longest side only. None for a triangle without area or seen from its back.
+std::optional<Barycentric> make_barycentric(const std::array<const ScreenPlace*, 3>& corners);
 
 /// 1/z over the screen.
 LinearQuantity<InverseZ> inverse_z_over(const Barycentric& weights);
 
-/// All gradients; `inverse_z` is from inverse_z_over().
-MeshGradients make_mesh_gradients(const Barycentric& weights, const LinearQuantity<InverseZ>& inverse_z,
-                                  const GradientChoice& choice);
+/// All gradients, from the values of the triangle's corners; `inverse_z` is from inverse_z_over().
+MeshGradients make_mesh_gradients(const Barycentric& weights, const std::array<const CornerValues*, 3>& values,
+                                  const LinearQuantity<InverseZ>& inverse_z, const GradientChoice& choice);
 
 }  // namespace oblong

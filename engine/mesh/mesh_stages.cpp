@@ -194,8 +194,8 @@ Value mixed(Value a, Value b, Value c, const Weights& weights) {
     return Value::from_raw(static_cast<typename Value::Raw>(a.raw + part(b, weights.b) + part(c, weights.c)));
 }
 
-CornerValues mixed(const std::array<CornerValues, 3>& values, const Weights& weights) {
-    const auto& [a, b, c] = values;
+CornerValues mixed(const std::array<const CornerValues*, 3>& values, const Weights& weights) {
+    const CornerValues &a = *values[0], &b = *values[1], &c = *values[2];
     return {mixed(a.u, b.u, c.u, weights),
             mixed(a.v, b.v, c.v, weights),
             mixed(a.light, b.light, c.light, weights),
@@ -279,14 +279,15 @@ ViewVertex view_vertex(const Vec3<World>& world_position, const ViewContext& vie
     return seen;
 }
 
-void clip_and_project(const std::array<const ViewVertex*, 3>& triangle, const std::array<CornerValues, 3>& values,
-                      const ViewContext& view, ClipScratch& scratch, std::vector<ScreenCorner>& polygon) {
+void clip_and_project(const std::array<const ViewVertex*, 3>& triangle,
+                      const std::array<const CornerValues*, 3>& values, const ViewContext& view, ClipScratch& scratch,
+                      std::vector<ScreenCorner>& polygon) {
     const auto& [a, b, c] = triangle;
     polygon.clear();
     if ((a->outcode & b->outcode & c->outcode) != 0) return;
     const unsigned outcodes = a->outcode | b->outcode | c->outcode;
     if (outcodes == 0) {
-        for (std::size_t i = 0; i < 3; ++i) polygon.push_back({triangle[i]->screen, triangle[i]->inverse_z, values[i]});
+        for (std::size_t i = 0; i < 3; ++i) polygon.push_back({*triangle[i], *values[i]});
         return;
     }
     scratch.polygon.clear();
@@ -294,7 +295,7 @@ void clip_and_project(const std::array<const ViewVertex*, 3>& triangle, const st
     clip_polygon(view.frustum, outcodes, scratch);
     for (const ClipVertex& corner : scratch.polygon) {
         const ScreenVertex inside = to_screen_vertex(corner.position, view.projection, view.grid);
-        polygon.push_back({to_screen_border(inside, corner.borders, view.projection), inverse_z_at(corner.position.z),
+        polygon.push_back({{to_screen_border(inside, corner.borders, view.projection), inverse_z_at(corner.position.z)},
                            mixed(values, weights_at(corner.position, a->position, b->position, c->position))});
     }
 }

@@ -33,18 +33,20 @@ struct CornerValues {
     Vec3<Unit> normal;  ///< for Shading::Phong
 };
 
-/// A vertex in viewspace and on the screen.
-struct ViewVertex {
+/// A place on the screen.
+struct ScreenPlace {
+    ScreenVertex screen;
+    InverseZ inverse_z;
+};
+
+/// A vertex in viewspace and, where outcode is 0, on the screen.
+struct ViewVertex : ScreenPlace {
     Vec3<View> position;
     std::uint8_t outcode = 0;
-    ScreenVertex screen;  ///< where outcode is 0
-    InverseZ inverse_z;   ///< where outcode is 0
 };
 
 /// A corner on the screen.
-struct ScreenCorner {
-    ScreenVertex screen;
-    InverseZ inverse_z;
+struct ScreenCorner : ScreenPlace {
     CornerValues values;
 };
 
@@ -77,7 +79,8 @@ Vec3<Unit> world_normal(const MeshTriangle& triangle, std::span<const MeshVertex
 ViewVertex view_vertex(const Vec3<World>& world_position, const ViewContext& view);
 
 /// Clips a triangle to the view and projects it: 3 to 7 corners, or none. `values` belong to its vertices.
-void clip_and_project(const std::array<const ViewVertex*, 3>& triangle, const std::array<CornerValues, 3>& values,
-                      const ViewContext& view, ClipScratch& scratch, std::vector<ScreenCorner>& polygon);
+void clip_and_project(const std::array<const ViewVertex*, 3>& triangle,
+                      const std::array<const CornerValues*, 3>& values, const ViewContext& view, ClipScratch& scratch,
+                      std::vector<ScreenCorner>& polygon);
 
 }  // namespace oblong

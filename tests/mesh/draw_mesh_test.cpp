@@ -34,22 +34,23 @@ void draw_by_stages(const PlacedMesh& placed, const Colormap& colormap, const Me
     const ScreenRectangle all{0, picture.width, 0, picture.height};
     for (const std::uint32_t number : scratch.facing) {
         std::array<const ViewVertex*, 3> vertices{};
-        std::array<CornerValues, 3> values;
+        std::array<const CornerValues*, 3> values{};
         for (std::size_t i = 0; i < 3; ++i) {
             vertices[i] = &scratch.view_vertices[mesh.triangles[number].vertices[i]];
-            values[i] = scratch.values[mesh.triangles[number].vertices[i]];
+            values[i] = &scratch.values[mesh.triangles[number].vertices[i]];
         }
         clip_and_project(vertices, values, picture.view, scratch.clip, scratch.polygon);
         for (std::size_t i = 2; i < scratch.polygon.size(); ++i) {
             const std::array<const ScreenCorner*, 3> fan{&scratch.polygon[0], &scratch.polygon[i - 1],
                                                          &scratch.polygon[i]};
-            const auto weights = make_barycentric(fan);
+            const auto weights = make_barycentric({fan[0], fan[1], fan[2]});
             if (!weights) continue;
             scan_convex(std::array{fan[0]->screen, fan[1]->screen, fan[2]->screen}, scratch.rows);
             scratch.spans.clear();
             append_spans(scratch.rows, all, scratch.spans);
             const MeshGradients gradients =
-                make_mesh_gradients(*weights, inverse_z_over(*weights), {placed.shading == Shading::Phong, false});
+                make_mesh_gradients(*weights, {&fan[0]->values, &fan[1]->values, &fan[2]->values},
+                                    inverse_z_over(*weights), {placed.shading == Shading::Phong, false});
             draw_mesh_spans(
                 scratch.spans, gradients, paint,
                 {picture.depth, {picture.pixels.data(), picture.width, picture.height, picture.width}, all});

@@ -220,7 +220,7 @@ TEST(MeshStages, ClippedCornersHaveTheValuesOfTheirPlace) {
         }
         std::vector<ViewVertex> seen;
         transform_to_view(world, view, seen);
-        clip_and_project({&seen[0], &seen[1], &seen[2]}, values, view, scratch, polygon);
+        clip_and_project({&seen[0], &seen[1], &seen[2]}, {&values[0], &values[1], &values[2]}, view, scratch, polygon);
         ASSERT_LE(polygon.size(), 7u);
         if ((seen[0].outcode | seen[1].outcode | seen[2].outcode) == 0) continue;
         for (const ScreenCorner& corner : polygon) {

@@ -133,7 +133,8 @@ StagedCube::StagedCube(const RowInput& input, Framebuffer part) : mesh(make_cube
             polygon_4.push_back(to_volume() * homogeneous(p));
         }
         for (const Vec4& corner : clip_to_volume(polygon_4)) shown.divided.push_back(*point_of(corner));
-        clip_and_project(corners, {}, view, scratch.clip, shown.corners);
+        const CornerValues none;
+        clip_and_project(corners, {&none, &none, &none}, view, scratch.clip, shown.corners);
         std::vector<ScreenVertex> polygon;
         for (const ScreenCorner& corner : shown.corners) polygon.push_back(corner.screen);
         if (polygon.size() >= 3) {
