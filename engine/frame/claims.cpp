@@ -1,6 +1,7 @@
 #include "engine/frame/claims.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "engine/frame/frame_context.h"
 #include "engine/frame/frame_counts.h"
@@ -141,8 +142,7 @@ void claim_face(VisibleFace& face, bool is_second_walk, const FrameContext& fram
     ClaimScratch& claiming = *scratch.claiming;
     Claims& claims = scratch.claims;
     const std::size_t first = claims.spans.size();
-    face.nearest_z = claiming.polygon.nearest_z;
-    face.farthest_z = claiming.polygon.farthest_z;
+    std::tie(face.nearest_z, face.farthest_z) = claiming.polygon.z_range();
     face.bounds = {std::max(claiming.rows.columns.first, 0), std::min(claiming.rows.columns.end, frame.out.width_px),
                    claiming.rows.first, claiming.rows.end};
     if (is_seen_through)

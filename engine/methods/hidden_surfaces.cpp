@@ -1,6 +1,7 @@
 #include "engine/methods/hidden_surfaces.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "engine/base/table.h"
 #include "engine/frame/frame_context.h"
@@ -51,8 +52,7 @@ void HiddenSurfaceMethod::keep(const VisibleFace& face, const FrameContext& fram
     const EffectSet needs = frame.cache.faces[face.face].effects;
     ScannedFace scanned;
     static_cast<VisibleFace&>(scanned) = face;
-    scanned.nearest_z = scratch.claiming->polygon.nearest_z;
-    scanned.farthest_z = scratch.claiming->polygon.farthest_z;
+    std::tie(scanned.nearest_z, scanned.farthest_z) = scratch.claiming->polygon.z_range();
     scanned.is_seen_through = list_for(needs, frame.settings.allowed_effects) == FaceList::SeeThrough;
     set_plane(frame, scanned);
     const std::span<const Vec3<World>> corners =

@@ -34,15 +34,8 @@ bool clip_and_project(const Outcodes& outcodes, const ViewContext& view, ScreenP
     if (corners.size() < 3) return false;
     const std::span<ScreenVertex> screen = polygon.projected.take(corners.size());
     ScreenVertex* out = screen.data();
-    View nearest = View::highest(), farthest;
-    for (ClipVertex* const corner : corners) {
-        nearest = std::min(nearest, corner->position.z);
-        farthest = std::max(farthest, corner->position.z);
-        *out++ = project_once(*corner, view);
-    }
+    for (ClipVertex* const corner : corners) *out++ = project_once(*corner, view);
     polygon.vertices = screen;
-    polygon.nearest_z = nearest;
-    polygon.farthest_z = farthest;
     return true;
 }
 
@@ -60,6 +53,15 @@ Outcodes gather_corners(std::span<const VertexIndex> corner_indices, const ViewC
 }
 
 }  // namespace
+
+std::pair<View, View> ScreenPolygon::z_range() const {
+    View nearest = View::highest(), farthest;
+    for (const ClipVertex* const corner : clipper.corners()) {
+        nearest = std::min(nearest, corner->position.z);
+        farthest = std::max(farthest, corner->position.z);
+    }
+    return {nearest, farthest};
+}
 
 bool project_face(std::span<const VertexIndex> corner_indices, const ViewContext& view, VertexCache& vertices,
                   ScreenPolygon& polygon) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "engine/base/scratch.h"
 #include "engine/view/clip.h"
@@ -12,12 +13,14 @@ namespace oblong {
 /// A transformed, clipped and projected polygon, with scratch.
 struct ScreenPolygon {
     std::span<const ScreenVertex> vertices;
-    View nearest_z, farthest_z;  ///< of the part in view
-    bool is_clipped = false;     ///< some of its corners are not from the vertex cache
+    bool is_clipped = false;  ///< some of its corners are not from the vertex cache
 
     PolygonClipper clipper;
     Scratch<ClipVertex> own;          ///< corners that are not from the vertex cache
     Scratch<ScreenVertex> projected;  ///< the storage of `vertices`
+
+    /// The nearest and the farthest z of the part in view.
+    std::pair<View, View> z_range() const;
 };
 
 /// Transforms, clips and projects a face of the level, given its vertices' indices, clockwise seen from its front.

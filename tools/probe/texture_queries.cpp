@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "engine/accuracy/dials.h"
@@ -104,10 +105,8 @@ VisibleFace claimed_by_frame(const TexspanQuery& query, const Projection& projec
         claimed.farthest_z = std::max(claimed.farthest_z, convert<View>(corner.position.z));
     }
     ScreenPolygon polygon;
-    if (project_polygon(corners, view_of(projection), polygon)) {
-        claimed.nearest_z = polygon.nearest_z;
-        claimed.farthest_z = polygon.farthest_z;
-    }
+    if (project_polygon(corners, view_of(projection), polygon))
+        std::tie(claimed.nearest_z, claimed.farthest_z) = polygon.z_range();
     return claimed;
 }
 

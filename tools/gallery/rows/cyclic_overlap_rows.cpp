@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 #include "engine/base/table.h"
 #include "engine/draw/drawing.h"
@@ -107,8 +108,7 @@ ScannedFaces scan(std::span<const Piece> pieces, const ViewContext& view, const 
         scan_convex(polygon.vertices, rows);
         ScannedFace face;
         face.face = FaceIndex(static_cast<std::int32_t>(i));
-        face.nearest_z = polygon.nearest_z;
-        face.farthest_z = polygon.farthest_z;
+        std::tie(face.nearest_z, face.farthest_z) = polygon.z_range();
         face.normal = pieces[i].plane.normal;
         face.eye_distance = plane_distance(pieces[i].plane, view.eye);
         face.inverse_z = make_inverse_z(face.normal, face.eye_distance, view.axes, inverse);
