@@ -18,14 +18,16 @@ BoxCuller::BoxCuller(const Frustum& frustum, const Vec3<World>& eye) {
 
 namespace {
 
+using HalfUnits = Fixed<std::int32_t, 1>;
+
 /// A box's extent along one axis of viewspace.
 struct Extent {
     View least, greatest;
 };
 
-Extent extent_along(const Vec3<Unit>& axis, View middle, const Vec3<WorldWide>& half) {
-    const auto part = [](Unit component, WorldWide size) { return absolute(bounded_product(component, size)); };
-    const PlaneDistance sum = part(axis.x, half.x) + part(axis.y, half.y) + part(axis.z, half.z);
+Extent extent_along(const Vec3<Unit>& axis, View middle, const Vec3<HalfUnits>& half) {
+    const auto part = [](Unit component, HalfUnits size) { return absolute(widening_product(component, size)); };
+    const auto sum = part(axis.x, half.x) + part(axis.y, half.y) + part(axis.z, half.z);
     const View reach = convert<View>(sum, Rounding::Floor) + View::from_raw(2);
     return {middle - reach, middle + reach};
 }
@@ -47,13 +49,11 @@ PixelRange project_extent(const ProjectionAxis& axis, const Extent& across, cons
 
 std::optional<ScreenRectangle> rectangle_of(const LevelBox& box, const ViewContext& view) {
     constexpr View kNearest = View::from_int(4);
-    // Half of the sum and half of the difference: half a unit is 2,048 steps of World. The difference is one unit
+    // Half of the sum and half of the difference: half a unit is 2,048 steps of World. Half the difference is one unit
     // larger, as files round boxes.
     const auto middle = [](std::int32_t low, std::int32_t high) { return World::from_raw((low + high) * 2048); };
-    const auto half = [](std::int32_t low, std::int32_t high) {
-        return WorldWide::from_raw((high - low) * std::int64_t{2048} + 4096);
-    };
-    const Vec3<WorldWide> sizes{half(box.mins[0], box.maxs[0]), half(box.mins[1], box.maxs[1]),
+    const auto half = [](std::int32_t low, std::int32_t high) { return HalfUnits::from_raw(high - low + 2); };
+    const Vec3<HalfUnits> sizes{half(box.mins[0], box.maxs[0]), half(box.mins[1], box.maxs[1]),
                                 half(box.mins[2], box.maxs[2])};
     const Vec3<View> centre =
         to_view({middle(box.mins[0], box.maxs[0]), middle(box.mins[1], box.maxs[1]), middle(box.mins[2], box.maxs[2])},

@@ -136,8 +136,11 @@ void FrontToBackWalk::descend(NodeChild at, std::uint8_t sides, bool may_reach_l
         const bool in_front = distance > PlaneDistance{}, has_faces = node.faces.count > 0;
         // They come after the far side, as its leaves mark them.
         const bool takes_back_facing = has_faces && absolute(distance) < kBothSidesDistance && !is_second_walk_;
-        scratch_.steps.push_back({at.node(), has_faces ? WalkStep::Next::FrontFacing : WalkStep::Next::FarSide,
-                                  in_front, takes_back_facing, sides, may_reach_limits});
+        // Named, since GCC does not inline the appending of a temporary.
+        const WalkStep step{at.node(), has_faces ? WalkStep::Next::FrontFacing : WalkStep::Next::FarSide,
+                            in_front,  takes_back_facing,
+                            sides,     may_reach_limits};
+        scratch_.steps.push_back(step);
         at = node.children[!in_front];
     }
 }
