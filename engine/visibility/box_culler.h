@@ -28,6 +28,7 @@ class BoxCuller {
 
     /// Which of `sides` the box crosses; kOutside if it lies outside one of them.
     std::uint8_t sides_crossed(const LevelBox& box, std::uint8_t sides) const {
+        if (sides == 0) return sides;  // of most boxes; before the sums below
         const auto sum = [&box](std::size_t axis) { return Doubled{box.maxs[axis] + box.mins[axis]}; };
         const auto size = [&box](std::size_t axis) { return Doubled{box.maxs[axis] - box.mins[axis]}; };
         const Vec3<Doubled> sums{sum(0), sum(1), sum(2)}, sizes{size(0), size(1), size(2)};

@@ -99,22 +99,23 @@ bool FrontToBackWalk::is_wanted(FaceIndex face) const {
 void FrontToBackWalk::take_step() {
     using Next = WalkStep::Next;
     WalkStep& top = scratch_.steps.back();
-    const WalkStep step = top;
-    const Node& node = level_.nodes[step.node];
-    switch (step.next) {
+    switch (top.next) {
         case Next::FrontFacing:
             top.next = Next::FarSide;
+            take_faces(top, top.in_front);
             // Leaves do not matter to the second walk: it takes all faces of the plane here.
             if (is_second_walk_)
-                scratch_.steps.push_back({step.node, Next::BackFacing, step.in_front, false, 0, step.may_reach_limits});
-            return take_faces(step, step.in_front);
-        case Next::FarSide:
+                scratch_.steps.push_back({top.node, Next::BackFacing, top.in_front, false, 0, top.may_reach_limits});
+            return;
+        case Next::FarSide: {
+            const WalkStep step = top;
             top.next = Next::BackFacing;
             if (!step.takes_back_facing) scratch_.steps.pop_back();
-            return descend(node.children[step.in_front], step.sides, step.may_reach_limits);
+            return descend(level_.nodes[step.node].children[step.in_front], step.sides, step.may_reach_limits);
+        }
         case Next::BackFacing:
-            scratch_.steps.pop_back();
-            return take_faces(step, !step.in_front);
+            take_faces(top, !top.in_front);
+            return scratch_.steps.pop_back();
     }
 }
 
