@@ -57,8 +57,11 @@ template <class Value, class AtCorner>
 LinearQuantity<Value> quantity_of(const Barycentric& weights, AtCorner a, AtCorner b, AtCorner c) {
     if (a == b && a == c) return {convert<Value>(a), {}, {}};
     LinearQuantity<Value> quantity;
-    quantity.per_column = product<Value>(b - a, weights.b_per_column) + product<Value>(c - a, weights.c_per_column);
-    quantity.per_row = product<Value>(b - a, weights.b_per_row) + product<Value>(c - a, weights.c_per_row);
+    // In this order compilers ask once whether a difference has 32 bits.
+    quantity.per_column = product<Value>(b - a, weights.b_per_column);
+    quantity.per_row = product<Value>(b - a, weights.b_per_row);
+    quantity.per_column += product<Value>(c - a, weights.c_per_column);
+    quantity.per_row += product<Value>(c - a, weights.c_per_row);
     const auto moved_back = [](Value from, Value step, Screen by) {
         const std::int32_t from_centre_8 = 128 - by.raw;
         return stepped(from, Value::from_raw(wrapping_mul_shift(from_centre_8, step.raw, 8)), 1);

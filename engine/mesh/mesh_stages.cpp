@@ -64,7 +64,6 @@ constexpr bool is_within_bits(const Vec3<WorldWide>& v) {
     return static_cast<std::uint64_t>((v.x.raw + kEnd) | (v.y.raw + kEnd) | (v.z.raw + kEnd)) >> (kBits + 1) == 0;
 }
 
-#if defined(__i386__)
 /// The same of 32 bits.
 template <int kBits>
 constexpr bool is_within_bits(const Vec3<World>& v) {
@@ -72,6 +71,7 @@ constexpr bool is_within_bits(const Vec3<World>& v) {
     return ((v.x.bits() + kEnd) | (v.y.bits() + kEnd) | (v.z.bits() + kEnd)) >> (kBits + 1) == 0;
 }
 
+#if defined(__i386__)
 /// a x b of vectors within 2^15 steps: its parts are below 2^31.
 constexpr Vec3<Fixed<std::int32_t, 24>> short_cross(const Vec3<World>& a, const Vec3<World>& b) {
     const auto area = [](World ax, World ay, World bx, World by) {
@@ -123,7 +123,7 @@ bool is_facing(const MeshTriangle& triangle, std::span<const MeshVertex> vertice
 
 /// Whether products of the point with entries below 2^5, and their sums, fit 64 bits: within 2^13 units.
 constexpr bool is_small(const Vec3<World>& point) {
-    return size_bits(point) >> (World::kFractionBits + 13) == 0;
+    return is_within_bits<World::kFractionBits + 13>(point);
 }
 
 /// times() for small entries and a small point: the same bits, without products of more than 64 bits.
