@@ -146,6 +146,15 @@ bool is_in_range(const Octave& octave, std::int32_t row, const TextureGradients&
            is_within(gradients.v_over_z.per_column, kSteepest) && fits(octave.first) && fits(octave.end - 1);
 }
 
+/// An octave without the pixels at its ends that are not within the limits. These are linear in 1/z: if two pixels are
+/// within them, so are all between.
+Octave within_limits(const Octave& octave, const OctaveRow& row, const TexelLimits& limits) {
+    std::int32_t first = 0, end = octave.end - octave.first;
+    while (first < end && !row.is_well_within(first, limits)) ++first;
+    while (first < end && !row.is_well_within(end - 1, limits)) --end;
+    return {octave.first + first, octave.first + end, octave.shift};
+}
+
 /// Calls draw(octave, row, pixels) where nothing has to be clamped, and colour_at(position) for all other pixels.
 /// Returns the number of divisions.
 template <class DrawOctave, class ColourAt>
@@ -155,22 +164,27 @@ std::int64_t draw_octaves(std::span<const Span> spans, const BlockCutting& cutti
     std::int64_t divisions = 0;
     for (const Span& span : spans) {
         std::uint8_t* const pixels = out.row(span.y);
+        const auto draw_clamped = [&](std::int32_t first, std::int32_t end) {
+            divisions += end - first;
+            for (std::int32_t column = first; column < end; ++column)
+                pixels[column] = colour_at(texel_at(gradients, cutting.limits, column, span.y));
+        };
         for (std::int32_t column = span.first; column < span.end;) {
             const Octave octave =
                 octave_from(column, span.end, gradients.inverse_z.at(column, span.y), gradients.inverse_z.per_column);
-            if (cutting.fits_range || is_in_range(octave, span.y, gradients)) {
-                const OctaveRow row(octave, span.y, gradients, surface);
-                // The limits are linear in 1/z: if both ends are within them, so is all between.
-                if (row.is_well_within(0, cutting.limits) &&
-                    row.is_well_within(octave.end - 1 - column, cutting.limits)) {
-                    divisions += draw(octave, row, pixels + column);
-                    column = octave.end;
-                    continue;
-                }
+            OctaveRow row(octave, span.y, gradients, surface);
+            Octave within = octave;
+            if (!cutting.fits_range && !is_in_range(octave, span.y, gradients)) {
+                within.end = within.first;
+            } else if (!row.is_well_within(0, cutting.limits) ||
+                       !row.is_well_within(octave.end - 1 - column, cutting.limits)) {
+                within = within_limits(octave, row, cutting.limits);
+                row = OctaveRow(within, span.y, gradients, surface);
             }
-            divisions += octave.end - column;
-            for (; column < octave.end; ++column)
-                pixels[column] = colour_at(texel_at(gradients, cutting.limits, column, span.y));
+            draw_clamped(column, within.first);
+            if (within.first < within.end) divisions += draw(within, row, pixels + within.first);
+            draw_clamped(within.end, octave.end);
+            column = octave.end;
         }
     }
     return divisions;

@@ -155,6 +155,23 @@ TEST(ExactSpans, DrawTheBytesOfBlocksOfOnePixel) {
         }
 }
 
+/// A row of constant depth whose first texels are beyond the surface, by rounding at a face's edge or more.
+TEST(ExactSpans, OnlyClampedPixelsAreDividedOneByOne) {
+    const TestSurface surface;
+    for (const auto& [beyond, clamped] : {std::pair(0.0, 1), std::pair(-10.0, 13)}) {
+        const double w = 1.0 / 8;
+        Case face{{{fixed_of<InverseZ>(w), {}, {}},
+                   along<TexelOverZ>(beyond * w, (beyond + 250) * w),
+                   {fixed_of<TexelOverZ>(100 * w), {}, {}}},
+                  {{0, 0, kWidth}}};
+        std::vector<std::uint8_t> pixels(kWidth * kHeight);
+        EXPECT_EQ(draw_exact_spans(face.spans, cutting_of(face, true), surface.view, {},
+                                   {pixels.data(), kWidth, kHeight, kWidth}, Instructions::Baseline),
+                  clamped + 1)
+            << beyond;
+    }
+}
+
 /// Liquids: the bytes of blocks of one pixel, drawn by the plain kernel of what warps.
 TEST(ExactSpans, DrawTheBytesOfWarpedBlocksOfOnePixel) {
     const TestSurface surface;
