@@ -2,12 +2,23 @@
 const SIZES = {/*@sizes@*/};
 Page.lines = [];  // the program's last messages
 
+// What pack.py wrote as text, 7 bits a letter.
+const bytesOf = letters => {
+  const bytes = new Uint8Array(letters.length * 7 >> 3);
+  for (let at = 0, bits = 0, count = 0, size = 0; at < letters.length; ++at) {
+    bits = bits << 7 | letters.charCodeAt(at) & 127;
+    count += 7;
+    if (count >= 8) bytes[size++] = bits >> (count -= 8);
+  }
+  return bytes;
+};
+
 // The bytes of a file, packed in this page or beside it. The bar shows the progress.
 let loadedBytes = 0;
 const allBytes = Object.values(SIZES).reduce((sum, size) => sum + size, 0);
 const streamOf = async name => {
   const packed = document.getElementById(name);
-  const response = await fetch(packed ? "data:;base64," + packed.textContent.trim() : name);
+  const response = packed ? new Response(bytesOf(packed.textContent)) : await fetch(name);
   if (!response.ok) throw new Error(name + ": " + response.status + " " + response.statusText);
   let stream = response.body;
   if (packed) stream = stream.pipeThrough(new DecompressionStream("gzip"));

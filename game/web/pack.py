@@ -40,6 +40,16 @@ def packed_data(assets, game):
     return struct.pack('<I', len(names)) + names + b''.join(content for _, content in files)
 
 
+# The letters of 0 to 127: ASCII, but for those that a page does not keep or takes for a tag, which are 128 further on.
+LETTERS = [chr(bits + 128 if chr(bits) in '\0\r<' else bits) for bits in range(128)]
+
+
+def as_letters(content):
+    """Bytes as text for a page in UTF-8, 7 bits a letter: a seventh longer, where base64 is a third longer."""
+    bits = bin(int.from_bytes(b'\1' + content, 'big'))[3:]
+    return ''.join(LETTERS[int(bits[at:at + 7].ljust(7, '0'), 2)] for at in range(0, len(bits), 7))
+
+
 def under_own_name(page, game):
     """The page with a game's title and icon. What else is wrong with the game it says itself."""
     try:
@@ -75,7 +85,7 @@ def main(build, assets, site, game=None):
     page = page.replace('/*@program@*/', program).replace('/*@waits@*/', 'false' if program == 'oblong' else 'true')
     page = page.replace('/*@sizes@*/', sizes).replace('/*@game@*/', '"--game", "/assets/game", ' if game else '')
     packed = {name: gzip.compress(content, 9, mtime=0) for name, content in files.items()}
-    inlined = ''.join('<script type="text/plain" id="%s">%s</script>\n' % (name, base64.b64encode(content).decode())
+    inlined = ''.join('<script type="text/plain" id="%s">%s</script>\n' % (name, as_letters(content))
                       for name, content in packed.items())
     os.makedirs(site, exist_ok=True)
     write(page.replace('<!--@files@-->', inlined).encode(), site, program + '.html')
