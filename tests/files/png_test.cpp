@@ -1,12 +1,9 @@
 #include <gtest/gtest.h>
 
-#include <array>
-
 #include "engine/base/input_error.h"
 #include "engine/files/picture.h"
 #include "tests/files/png_writer.h"
 #include "tests/support/folders.h"
-#include "tests/support/pictures.h"
 #include "tests/support/refusal.h"
 
 namespace oblong::test::png_test {
@@ -128,113 +125,6 @@ TEST(Png, NoPrefixOfAFileIsTakenForAWhole) {
     constexpr std::size_t kLastChunkBytes = 12;  // IEND says nothing
     for (std::size_t size = 0; size < file.size() - kLastChunkBytes; ++size)
         EXPECT_NE(complaint_of(PngBytes(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(size))), "") << size;
-}
-
-// Bits turned over, numbers set to their ends, and parts cut out, with CRCs left wrong and with them made right again
-// (then the damage reaches what stands behind that check). A picture comes out whole, or an error.
-class DamagedPng : public testing::TestWithParam<PngBytes> {
-  protected:
-    std::uint32_t random(std::size_t limit) {
-        state_ = state_ * 6364136223846793005u + 1442695040888963407u;
-        return static_cast<std::uint32_t>((state_ >> 33) % limit);
-    }
-    void damage(PngBytes& bytes) {
-        if (bytes.empty()) return;
-        const auto at = static_cast<std::ptrdiff_t>(random(bytes.size()));
-        const auto first = bytes.begin() + at;
-        switch (random(4)) {
-            case 0:
-                *first ^= static_cast<std::uint8_t>(1u << random(8));
-                break;
-            case 1:
-                *first = random(2) == 0 ? 0 : 255;
-                break;
-            case 2:
-                bytes.erase(first, first + 1 + random(bytes.size() - static_cast<std::size_t>(at)));
-                break;
-            default:
-                bytes.insert(first, static_cast<std::uint8_t>(random(256)));
-        }
-    }
-    void expect_whole_or_refused(const PngBytes& file) {
-        try {
-            const PngImage image = decode_png(file);
-            const auto count = static_cast<std::size_t>(image.width_px) * static_cast<std::size_t>(image.height_px);
-            ASSERT_EQ(image.indices.empty() ? image.colours.size() : image.indices.size(), count);
-            ++whole_;
-        } catch (const InputError& error) {
-            ASSERT_EQ(error.where, "image");
-            ASSERT_STRNE(error.what(), "");
-            ++refused_;
-        }
-    }
-    int whole_ = 0, refused_ = 0;
-
-  private:
-    std::uint64_t state_ = 20'261'121;
-};
-
-TEST_P(DamagedPng, IsReadWholeOrRefused) {
-    for (int round = 0; round < 2000; ++round) {
-        PngBytes file = GetParam();
-        for (std::uint32_t count = 1 + random(3); count > 0; --count) damage(file);
-        expect_whole_or_refused(file);
-    }
-    EXPECT_GT(refused_, 1000);
-}
-
-TEST_P(DamagedPng, WithChecksumsThatAgreeIsReadWholeOrRefused) {
-    for (int round = 0; round < 2000; ++round) {
-        std::vector<PngChunk> chunks = chunks_of_png(GetParam());
-        for (std::uint32_t count = 1 + random(2); count > 0; --count) {
-            PngChunk& chunk = chunks[random(chunks.size())];
-            damage(chunk.data);
-            if (random(8) == 0) chunks.erase(chunks.begin() + random(chunks.size()));
-            if (chunks.empty()) break;
-        }
-        expect_whole_or_refused(png_of_chunks(chunks));
-    }
-    EXPECT_GT(refused_, 500);
-    EXPECT_GT(whole_, 10);
-}
-
-PngBytes interlaced_true_colours() {
-    PngBytes header = png_header(1, 2, 8, 6);
-    header.back() = 1;
-    return png_of_rows(header, {1, 9, 8, 7, 0, 4, 1, 2, 3, 200}, {{"gAMA", {0, 0, 0x80, 0}}});
-}
-
-std::vector<PngBytes> kinds() {
-    return {encode_indexed_png(many_indices(256), 16, 16, distinct_colours()),
-            png_of_rows(png_header(4, 2, 2, 3), {0, 0b00011010, 0, 0b10010000},
-                        {{"PLTE", {10, 20, 30, 40, 50, 60, 70, 80, 90}}, {"tRNS", {255, 255, 127}}}),
-            interlaced_true_colours()};
-}
-
-std::string name_of_kind(const testing::TestParamInfo<PngBytes>& kind) {
-    constexpr std::array kNames{"Indexed", "FourColours", "Interlaced"};
-    return kNames[kind.index];
-}
-
-INSTANTIATE_TEST_SUITE_P(Kinds, DamagedPng, testing::ValuesIn(kinds()), name_of_kind);
-
-// What the tests themselves show of a picture that is not as expected (tests/support/pictures.h).
-TEST(SamePicture, SaysWhereItDiffersAndWritesBothPictures) {
-    const PngBytes found{1, 2, 3, 4, 5, 6, 7, 8}, expected{1, 9, 3, 4, 5, 6, 7, 9};
-    EXPECT_TRUE(same_picture(found, found, 4));
-    EXPECT_FALSE(same_picture(found, PngBytes{1, 2, 3, 4}, 4));
-    const testing::AssertionResult result = same_picture(found, expected, 4);
-    EXPECT_FALSE(result);
-    const std::string message = result.message(), part = "2 pixels differ, first column 1, row 0: 2, expected 9. ";
-    EXPECT_TRUE(message.starts_with(part)) << message;
-    const std::string place =
-        build_folder() + "/failed_pictures/SamePicture.SaysWhereItDiffersAndWritesBothPictures-1-";
-    const std::vector<std::pair<std::string, PngBytes>> written{
-        {"found", found}, {"expected", expected}, {"difference", {0, 255, 0, 0, 0, 0, 0, 255}}};
-    for (const auto& [name, pixels] : written) {
-        EXPECT_EQ(decode_png(read_file_bytes(place + name + ".png")).indices, pixels) << name;
-        std::filesystem::remove(place + name + ".png");
-    }
 }
 
 }  // namespace

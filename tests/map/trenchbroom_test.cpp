@@ -132,64 +132,6 @@ TEST_F(TrenchBroom, AWayToCompileThatWasKeptBeforeIsNotLost) {
     EXPECT_NO_THROW(read_compilation_config(text("CompilationProfiles.cfg")));
 }
 
-// A change of an installed file, and whether the editor reads the result.
-struct Mutation {
-    std::string file, part, by;
-    bool is_read = false;
-};
-
-TEST_F(TrenchBroom, ChangedFilesAreRefusedIfTheEditorRefusesThem) {
-    const std::map<std::string, void (*)(const std::string&)> readers{
-        {"GameConfig.cfg", [](const std::string& text) { read_game_config(text); }},
-        {"CompilationProfiles.cfg", [](const std::string& text) { read_compilation_config(text); }},
-        {"GameEngineProfiles.cfg", [](const std::string& text) { read_engine_config(text); }},
-        {"Oblong.fgd", [](const std::string& text) { read_fgd(text); }}};
-    for (const auto& [file, part, by, is_read] : {
-             Mutation{"GameConfig.cfg", "\"version\"", "\"unknown_key\": 1, \"version\"", true},
-             Mutation{"GameConfig.cfg", "\"version\": 9", "\"version\": 8"},
-             Mutation{"GameConfig.cfg", "\"version\": 9", "\"version\": \"9\""},
-             Mutation{"GameConfig.cfg", "\"searchpath\": \".\",", ""},
-             Mutation{"GameConfig.cfg", "\"root\"", "\"roots\""},
-             Mutation{"GameConfig.cfg", "[ \".D\" ]", "\".D\""},
-             Mutation{"GameConfig.cfg", "0.6 0.6 0.6 1.0", "0.6 0.6"},
-             Mutation{"GameConfig.cfg", "-4096 -4096 -4096 4096", "-4096 4096"},
-             Mutation{"GameConfig.cfg", "\"match\": \"material\"", "\"match\": \"texture\""},
-             Mutation{"GameConfig.cfg", "\"material\": \"trigger\"", "\"material\": 5"},
-             Mutation{"GameConfig.cfg", "\"transparent\"", "\"invisible\""},
-             Mutation{"GameConfig.cfg", "\"Skip\"", "\"Clip\""},
-             Mutation{"GameConfig.cfg", "[ scale ]", "[ scale -> ]"},
-             Mutation{"GameConfig.cfg", "\"idpak\" }\n    }", "\"idpak\" }}"},
-             Mutation{"CompilationProfiles.cfg", "\"enabled\": true", "\"enabled\": 1"},
-             Mutation{"CompilationProfiles.cfg", "\"enabled\": true, ", "", true},
-             Mutation{"CompilationProfiles.cfg", "AsError\": true", "AsError\": \"true\""},
-             Mutation{"CompilationProfiles.cfg", "\"name\"", "\"title\""},
-             Mutation{"CompilationProfiles.cfg", "\"export\"", "\"exports\""},
-             Mutation{"CompilationProfiles.cfg", "\"target\"", "\"to\""},
-             Mutation{"CompilationProfiles.cfg", "\"version\": 1", "\"version\": 2"},
-             Mutation{"GameEngineProfiles.cfg", "\"parameters\"", "\"arguments\""},
-             Mutation{"GameEngineProfiles.cfg", "\"id\": \"oblong\",", "", true},
-             Mutation{"GameEngineProfiles.cfg", "]", ""},
-             Mutation{"Oblong.fgd", "size(-16 -16 -24, 16 16 32)", "size(-16 -16, 16 16 32)"},
-             Mutation{"Oblong.fgd", "\"frame\": 1", "\"frame\" 1"},
-             Mutation{"Oblong.fgd", "@SolidClass", "@BrushClass"},
-             Mutation{"Oblong.fgd", "wad(string)", "wad[string]"},
-             Mutation{"Oblong.fgd", " : 0\n", " : -\n"},
-         }) {
-        const std::string before = text(file);
-        const std::size_t at = before.find(part);
-        ASSERT_NE(at, std::string::npos) << file << ": " << part;
-        std::string after = before;
-        after.replace(at, part.size(), by);
-        bool was_read = true;
-        try {
-            readers.at(file)(after);
-        } catch (const std::runtime_error&) {
-            was_read = false;
-        }
-        EXPECT_EQ(was_read, is_read) << file << ": " << part << " -> " << by;
-    }
-}
-
 // What is there in the place of a folder or of a file of the configuration, and what the error names.
 struct InTheWay {
     std::string name, is, where;
@@ -250,25 +192,6 @@ TEST_F(TrenchBroom, ClassesAreReadWithTheirModels) {
         EXPECT_TRUE(model.ends_with(".obj") || model.ends_with(".mdl") || model.ends_with(".bsp")) << model;
     }
     EXPECT_EQ(names, expected);
-}
-
-// What the editor's manual says of its expressions, and what its reader says of a wrong file.
-TEST(EditorFormats, AreReadByTheirRules) {
-    const EditorVariables keys{{"spawnflags", text_of("3")}, {"oblong_map", text_of("/bin/x")}};
-    EXPECT_EQ(evaluate(R"({{ spawnflags & 4 -> "a", spawnflags & 2 -> "b", "c" }})", keys).as_text(), "b");
-    EXPECT_EQ(evaluate(R"({{ spawnflags & 4 -> "a", "c" }})", keys).as_text(), "c");
-    EXPECT_EQ(evaluate(R"({ "pattern": "\**", 'a': [ 1, "\"q\"" ] } // end)").at("pattern").as_text(), R"(\**)");
-    EXPECT_EQ(interpolated("${oblong_map} -o", keys), "/bin/x -o");
-    EXPECT_ANY_THROW(interpolated("${oblong-map}", keys)) << "a difference";
-    EXPECT_EQ(evaluate(R"({ "a": { "b": true } })").at("a").at("b").kind, EditorValue::Kind::Boolean);
-    EXPECT_ANY_THROW(evaluate(R"({ "a": { "b": 1 }})")) << "the end of a choice";
-    EXPECT_ANY_THROW(evaluate("[ trueish ]", {{"trueish", text_of("1")}})) << "two tokens";
-    EXPECT_ANY_THROW(evaluate(R"({ "a": 1, })"));
-    EXPECT_ANY_THROW(evaluate(R"({ "a": 1 } 2)"));
-    EXPECT_ANY_THROW(read_fgd("@PointClass = a : \"x\" [ k(integer) : \"y\" : \"0\" ]")) << "a quoted whole number";
-    EXPECT_ANY_THROW(read_fgd("@SolidClass size(1 2 3, 4 5 6) = a []"));
-    EXPECT_ANY_THROW(read_fgd("@PointClass = a [ k(string) : \"y\" ] @PointClass = a []"));
-    EXPECT_EQ(read_fgd("@PointClass = a [ k(choices) : \"y\" : \"0\" = [ 0 : \"no\" ] ]")[0].keys[0].usual, "0");
 }
 
 }  // namespace
