@@ -1,10 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <random>
 
-#include "tests/support/bsp_writer.h"
-#include "tests/support/folders.h"
+#include "tests/support/levels.h"
 
 namespace oblong {
 
@@ -214,30 +212,11 @@ TEST(BadInput, UnknownVersionAndShortFilesNameTheHeader) {
     EXPECT_EQ(fault_of(Bytes(123, 0)), "header, offset 0");
 }
 
-void expect_read_or_named(const Bytes& whole, int rounds, int most_flips, std::mt19937& random) {
-    for (int round = 0; round < rounds; ++round) {
-        Bytes bad = whole;
-        for (int flips = 1 + round % most_flips; flips > 0; --flips)
-            bad[4 + random() % (bad.size() - 4)] = static_cast<std::uint8_t>(random());
-        const std::string where = fault_of(bad);
-        EXPECT_TRUE(where.empty() || names_a_lump(where)) << where;
-    }
-}
-
-// The tiny level is nearly all structure, so that random damage hits what is checked.
-TEST(BadInput, RandomDamageToTheTinyLevelNeverCrashes) {
-    std::mt19937 random(386);
-    const test::Lumps lumps = test::make_tiny_lumps();
-    expect_read_or_named(test::join_lumps(29, lumps), 20000, 4, random);
-    const Bytes wide = test::join_lumps(version_from_letters("BSP2"), test::widen_lumps(lumps, true));
-    expect_read_or_named(wide, 20000, 4, random);
-}
-
-class BadRealLevel : public testing::TestWithParam<const char*> {
+class BadRealLevel : public test::OfLevel {
   protected:
     void SetUp() override {
-        OBLONG_NEEDS_SHARED_LEVELS();
-        file_ = test::read_shared_file(std::string(GetParam()) + ".bsp");
+        test::OfLevel::SetUp();
+        if (!IsSkipped()) file_ = test::bytes_of_level(GetParam());
     }
     Bytes file_;
 };
@@ -290,12 +269,7 @@ TEST_P(BadRealLevel, LumpMovedOrResizedIsReadOrNamesALump) {
     }
 }
 
-TEST_P(BadRealLevel, RandomDamageNeverCrashes) {
-    std::mt19937 random(20);
-    expect_read_or_named(file_, 400, 8, random);
-}
-
-INSTANTIATE_TEST_SUITE_P(Shared, BadRealLevel, testing::ValuesIn(test::kRealLevels));
+OBLONG_FOR_ALL_LEVELS(BadRealLevel);
 
 }  // namespace
 

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <random>
 
 #include "engine/files/doubles.h"
 #include "engine/files/files.h"
@@ -255,29 +254,6 @@ TEST_F(ObjFiles, BrokenOnesAreRefusedWithTheLine) {
 TEST_F(ObjFiles, ACoordinateIsTooLargeOnceItIsScaled) {
     EXPECT_EQ(error_of(kSquare + "f 1 2 3\n", {.scale = 32767}), "");
     EXPECT_TRUE(error_of(kSquare + "f 1 2 3\n", {.scale = 32768}).starts_with("line 2: "));
-}
-
-TEST_F(ObjFiles, DamagedOnesAreReadOrRefused) {
-    std::mt19937 random(1);
-    const std::string good =
-        kCube + "vt 0.5 0.5\nvn 0 0 1\nusemtl x\ns 1\nf 1/1/1 2/1/1 3/1/1\nt crease 1/2/3 1 2\nvw 0 0 1\n";
-    int read_count = 0;
-    for (int round = 0; round < 3000; ++round) {
-        std::string text = good;
-        for (unsigned i = 0; i <= random() % 3; ++i) text[random() % text.size()] = static_cast<char>(random());
-        if (random() % 8 == 0) text.resize(random() % text.size());
-        try {
-            const Mesh mesh = read(text).mesh;
-            ++read_count;
-            for (const MeshTriangle& triangle : mesh.triangles) {
-                ASSERT_LT(triangle.skin, mesh.skins.size());
-                for (const std::uint32_t vertex : triangle.vertices) ASSERT_LT(vertex, mesh.texels.size());
-            }
-            ASSERT_EQ(mesh.frames[0].vertices.size(), mesh.texels.size());
-        } catch (const FileError&) {
-        }
-    }
-    EXPECT_GT(read_count, 100);
 }
 
 TEST_F(ObjFiles, AMillionTrianglesAreRead) {

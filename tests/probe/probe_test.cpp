@@ -2,9 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 #include <random>
 #include <sstream>
@@ -135,85 +133,11 @@ TEST(Probe, AnEyeInThePlaneOfAPolygonSeesNothingOfIt) {
     EXPECT_NE(ask("clip 320 200 4 3 90 4 8192 3 -3001 -1999.00390625 -500 -999 -2001 1000 3001 1999 500"), "0");
 }
 
-const std::string kQueries[] = {"project 320 200 4 3 90 1 1 4",
-                                "view 320 200 4 3 60 1 2 3 4 5 6 7 8 9",
-                                "coverage 256 0 0 6400 0 0 6400",
-                                "mesh 256 3 0 0 9999 0 0 9999 1 0 1 2",
-                                "clip 320 200 4 3 90 4 8192 3 -9 -9 1 9 -9 5 0 9 50",
-                                "texspan 320 200 4 3 90 -9 -9 4 0 0 9 -9 4 9 0 0 9 4 0 9 100 158 162",
-                                "texspanq bounded 320 200 4 3 90 -9 -9 4 0 0 9 -9 400 9 0 0 9 4 0 9 100 0 320",
-                                "texspanq affine 320 200 4 3 90 -9 -9 4 0 0 9 -9 400 9 0 0 9 4 0 9 100 0 320",
-                                "sqrt 5",
-                                "recip 7",
-                                "sin 8",
-                                "leaf nothing.bsp 1 2 3",
-                                "modes"};
-
-/// A query with some of its bytes replaced, doubled or cut off.
-std::string damaged(std::string line, std::mt19937& random) {
-    constexpr std::string_view kBytes = "0123456789 -+.eE\0\xff\ttexspan";
-    for (int edits = static_cast<int>(random() % 4); edits >= 0 && !line.empty(); --edits) {
-        const std::size_t at = random() % line.size();
-        switch (random() % 4) {
-            case 0:
-                line[at] = kBytes[random() % kBytes.size()];
-                break;
-            case 1:
-                line.insert(at, 1, kBytes[random() % kBytes.size()]);
-                break;
-            case 2:
-                line.erase(at, 1 + random() % 3);
-                break;
-            default:
-                line.insert(at, line.substr(at, random() % 8));
-        }
-    }
-    return line;
-}
-
-TEST(Probe, AnswersEveryLineByOneLineWhateverItsBytes) {
-    std::mt19937 random(7);
-    std::string text;
-    const int line_count = 4000;
-    for (int i = 0; i < line_count; ++i) {
-        std::string line = damaged(kQueries[random() % std::size(kQueries)], random);
-        std::erase(line, '\n');
-        text += line + '\n';
-    }
-    text += std::string(1 << 20, '9') + '\n' + std::string(1 << 20, ' ');  // the last one without its end
-    std::istringstream in(text);
+TEST(Probe, AnswersEachLineByOneLineHoweverLongItIsAndTheLastWithoutItsEnd) {
+    std::istringstream in("sqrt 65536\n" + std::string(1 << 20, '9') + "\n\nsqrt 0");
     std::ostringstream out;
     answer_lines({}, in, out);
-    const std::string answers = out.str();
-    EXPECT_EQ(std::count(answers.begin(), answers.end(), '\n'), line_count + 2);
-}
-
-std::vector<std::string> words_of(const std::string& text) {
-    std::istringstream in(text);
-    return {std::istream_iterator<std::string>(in), {}};
-}
-
-/// A query with some of its fields replaced by the ends of what fields may be.
-std::string with_extremes(const std::string& line, std::mt19937& random) {
-    static const std::vector<std::string> kExtremes = words_of(
-        "32767 -32767 0 0.00390625 -0.00390625 1 2 16384 32768 1048576 1e-14 0.000001 179.99 179.999999999999 "
-        "2147483647 -1 268435456 -268435456 99999999999999999999");
-    std::string result;
-    for (const std::string& field : words_of(line))
-        result += result.empty() ? field : ' ' + (random() % 3 ? field : kExtremes[random() % kExtremes.size()]);
-    return result;
-}
-
-TEST(Probe, SurvivesTheEndsOfEveryField) {
-    std::mt19937 random(8);
-    Probe probe;
-    int answered = 0;
-    for (int i = 0; i < 20000; ++i) {
-        const std::string answer = probe.answer(with_extremes(kQueries[random() % std::size(kQueries)], random));
-        ASSERT_FALSE(answer.empty());
-        answered += answer != "unsupported";
-    }
-    EXPECT_GT(answered, 1000);
+    EXPECT_EQ(out.str(), "1\nunsupported\nunsupported\n0\n");
 }
 
 TEST(Probe, NamesItsTexturingModesMostAccurateFirst) {

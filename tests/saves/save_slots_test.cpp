@@ -226,19 +226,5 @@ TEST_F(SlotFiles, AFolderThatCannotBeMadeIsAnError) {
     EXPECT_FALSE(slots_.load(kQuick).game);
 }
 
-TEST_F(SlotFiles, OfAThousandDamagedOnesTheFormerIsAlwaysThere) {
-    slots_.save(kQuick, first_);
-    slots_.save(kQuick, second_);
-    const Bytes whole = read_file(file("quick1.save"));
-    std::mt19937 random(14);
-    for (int i = 0; i < 1000; ++i) {
-        folder_.write("made/quick1.save", damaged(whole, random));
-        const SlotContent content = slots_.load(kQuick);
-        ASSERT_TRUE(content.game) << i;
-        ASSERT_EQ(content.is_former, !content.refusal.empty()) << i;
-        ASSERT_EQ(content.game->state, (content.is_former ? first_ : second_).state) << i;
-    }
-}
-
 }  // namespace
 }  // namespace oblong::test

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <random>
 #include <span>
 #include <utility>
 #include <vector>
@@ -84,27 +83,6 @@ inline void forge(Bytes& bytes) {
     const std::size_t end = bytes.size() - 8;
     const std::uint64_t checksum = checksum_of(std::span(bytes).first(end));
     for (std::size_t i = 0; i < 8; ++i) bytes[end + i] = static_cast<std::uint8_t>(checksum >> (8 * i));
-}
-
-/// Damage of a file: a cut, bytes put in or left out, or one to four bytes with other bits.
-inline Bytes damaged(const Bytes& whole, std::mt19937& random) {
-    Bytes bytes = whole;
-    const auto place = [&] { return static_cast<std::ptrdiff_t>(random() % bytes.size()); };
-    switch (random() % 8) {
-        case 0:
-            bytes.resize(random() % bytes.size());
-            break;
-        case 1:
-            bytes.insert(bytes.begin() + place(), 1 + random() % 64, static_cast<std::uint8_t>(random()));
-            break;
-        case 2:
-            bytes.erase(bytes.begin() + place());
-            break;
-        default:
-            for (std::size_t flips = 1 + random() % 4; flips > 0; --flips)
-                bytes[random() % bytes.size()] ^= static_cast<std::uint8_t>(1 + random() % 255);
-    }
-    return bytes;
 }
 
 }  // namespace oblong::test

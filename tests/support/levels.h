@@ -22,9 +22,11 @@ inline Level tiny_level() {
     return read_bsp(join_lumps(29, make_tiny_lumps()));
 }
 /// "demo" or one of kRealLevels.
+inline std::vector<std::uint8_t> bytes_of_level(const std::string& name) {
+    return name == "demo" ? read_file_bytes(build_folder() + "/assets/demo.bsp") : read_shared_file(name + ".bsp");
+}
 inline Level read_level(const std::string& name) {
-    return read_bsp(name == "demo" ? read_file_bytes(build_folder() + "/assets/demo.bsp")
-                                   : read_shared_file(name + ".bsp"));
+    return read_bsp(bytes_of_level(name));
 }
 
 /// Tests of each level; those of real ones are skipped where there are none.

@@ -114,7 +114,7 @@ void play_and_draw(const Level& bsp, std::uint64_t seed) {
 
 const Level& stage_level() {
     static const Level level = [] {
-        const std::string text = read_text(test::source_folder() + "/tests/fuzz/stage.map");
+        const std::string text = read_text(test::source_folder() + "/tests/fuzz/corpus/maps/stage.map");
         const std::string bytes = map::to_bytes(test::compile(text, {true}));
         return read_bsp({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
     }();
