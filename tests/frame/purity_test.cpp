@@ -148,21 +148,6 @@ TEST(Purity, WhatIsWatchedTakesThePathThatIsDrawn) {
     EXPECT_GT(held, 0);
 }
 
-TEST(Purity, EveryKernelDrawsTheSameFrame) {
-    Stage stage = demo_stage();
-    ObservedWorkspace work(stage.level, stage.mode);
-    for (const Camera& camera : cameras_at_entities(stage.level, 40)) {
-        work.cache.surfaces.kernel = draw_blocks_plain;
-        stage.draw(camera, work);
-        const std::vector<std::uint8_t> plain = stage.pixels;
-        for (const BlockKernel kernel : {BlockKernel{draw_blocks_packed}, best_block_kernel()}) {
-            work.cache.surfaces.kernel = kernel;
-            stage.draw(camera, work);
-            EXPECT_TRUE(same_picture(stage.pixels, plain));
-        }
-    }
-}
-
 TEST(Purity, AModelThatMovedIsDrawnWhereItIs) {
     Stage stage = demo_stage();
     ASSERT_FALSE(stage.models.empty());

@@ -89,15 +89,6 @@ TEST(RotationMatrix, QuaternionOfEulerAnglesTurnsAsTheyDo) {
     }
 }
 
-TEST(ModelMatrix, ScalesThenTurnsThenMoves) {
-    const Vec3<Entry> scale{Entry::from_int(2), Entry::from_int(3), Entry::from_int(4)};
-    const Vec3<World> position = point_at(100, -50, 7);
-    const Matrix4 model = model_matrix(position, EulerAngles{kQuarterTurn, {}, {}}, scale);
-    // (1, 1, 1) -> (2, 3, 4) -> a quarter turn about z: (-3, 2, 4) -> moved.
-    const Vec3<World> got = transformed_point(model, point_at(1, 1, 1));
-    EXPECT_EQ(got, point_at(97, -48, 11));
-}
-
 TEST(ModelMatrix, IsTheProductOfItsThreeMatrices) {
     std::mt19937 random(6);
     for (int i = 0; i < 2'000; ++i) {
@@ -141,11 +132,6 @@ TEST(TransformedNormal, StaysAtRightAnglesToAStretchedSurface) {
         const Vec3<Unit> surface = normalised(linear_part(model) * convert<Entry>(along));
         ASSERT_LE(std::abs(dot(turned, surface).raw), kOrthonormal60);
     }
-}
-
-TEST(LinearPart, OfAHomogeneousMatrixIsTheMatrix) {
-    const Matrix3 turn = rotation_matrix(EulerAngles{Angle::from_bam(1), Angle::from_bam(2), Angle::from_bam(3)});
-    EXPECT_EQ(linear_part(homogeneous(turn)), turn);
 }
 
 }  // namespace

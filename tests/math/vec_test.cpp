@@ -107,12 +107,6 @@ TEST(PerpendicularTo, IsAUnitVectorAtRightAnglesToEveryDirection) {
 
 const Plane kFloorAt5 = plane_through(point_at(0, 0, 5), kZ);
 
-TEST(DistanceToPlane, IsPositiveInFront) {
-    EXPECT_EQ(distance_to_plane(point_at(1, 2, 10), kFloorAt5), PlaneDistance::from_int(5));
-    EXPECT_EQ(distance_to_plane(point_at(1, 2, -10), kFloorAt5), PlaneDistance::from_int(-15));
-    EXPECT_EQ(distance_to_plane(point_at(1, 2, 5), kFloorAt5), PlaneDistance{});
-}
-
 TEST(IntersectLine, GoesOnBeyondItsEnds) {
     const auto hit = intersect_line(point_at(0, 0, 7), point_at(0, 4, 6), kFloorAt5);
     ASSERT_TRUE(hit);

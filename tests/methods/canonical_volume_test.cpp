@@ -38,26 +38,6 @@ double doubled_area(const std::vector<Vec4>& polygon) {
     return sum;
 }
 
-TEST(SeedN8, BothListsOfACutPentagonHaveBothCrossingsAndTheirAreasAddUp) {
-    // Seed 3's pentagon: Q_2, Q_3 and Q_4 are inside of the bottom side, y = -1; edges cross it at I_1 and I_2.
-    const Vec4 q_1 = corner(-0.25, -2), q_2 = corner(-1, 0), q_3 = corner(0, 1), q_4 = corner(1, 0),
-               q_5 = corner(0.25, -2);
-    const Vec4 i_1 = corner(-0.625, -1), i_2 = corner(0.625, -1);
-    const std::vector<Vec4> pentagon{q_1, q_2, q_3, q_4, q_5};
-    const SplitPolygon split = split_polygon(pentagon, VolumeSide::Bottom);
-    EXPECT_EQ(split.inside, (std::vector{i_1, q_2, q_3, q_4, i_2}));
-    EXPECT_EQ(split.outside, (std::vector{q_1, i_1, i_2, q_5}));
-    EXPECT_DOUBLE_EQ(doubled_area(split.inside) + doubled_area(split.outside), doubled_area(pentagon));
-}
-
-TEST(SeedN7, CrossingOfTheNearPlaneIsAQuarterOfTheWay) {
-    // From Q_1, a unit behind the plane, to Q_2, three in front of it and four to the right.
-    const SplitPolygon split = split_polygon({corner(0, 0, -1, 8), corner(4, 0, 3, 8)}, VolumeSide::Near);
-    const Vec4 crossing = corner(1, 0, 0, 8);
-    EXPECT_EQ(split.outside, (std::vector{crossing, corner(0, 0, -1, 8), crossing}));
-    EXPECT_EQ(split.inside, (std::vector{crossing, crossing, corner(4, 0, 3, 8)}));
-}
-
 TEST(CanonicalVolume, OutcodeHasABitForEachSideAndThoseOnItAreInside) {
     EXPECT_EQ(volume_outcode(corner(-2, 0)), 1u);
     EXPECT_EQ(volume_outcode(corner(2, 0)), 2u);

@@ -250,30 +250,5 @@ TEST_F(DemoFrames, OfSeveralThreadsAreThoseOfOne) {
     }
 }
 
-/// Every so many of the cameras of a real level.
-void for_each_real_camera(const std::string& name, std::size_t every, auto check) {
-    const auto all = parse_cameras(read_shared_file("cameras/" + name + ".csv"), Degrees::from_int(90));
-    EffectStage stage(read_bsp(read_shared_file(name + ".bsp")), {});
-    for (std::size_t i = 0; i < all.size(); i += every) check(all[i], stage);
-}
-
-TEST(RealFrames, ThePainterByTheTreeDrawsTheSamePictureAsTheSpanBuffer) {
-    OBLONG_NEEDS_SHARED_LEVELS();
-    for (const std::string name : kRealLevels)
-        for_each_real_camera(name, 10, [](const Camera& camera, EffectStage& stage) {
-            expect_same_picture(HiddenSurfaces::Painter, camera, stage);
-        });
-}
-
-/// As many as there are: brush models lie in the plane of other faces, and all their pixels are ties, which go to the
-/// first of the file here and to the first of the tree there.
-TEST(RealFrames, TheZBufferDiffersOnlyWhereTwoFacesAreEquallyDeep) {
-    OBLONG_NEEDS_SHARED_LEVELS();
-    for (const std::string name : kRealLevels)
-        for_each_real_camera(name, 3, [](const Camera& camera, EffectStage& stage) {
-            expect_ties_alone(camera, kPicturePixels, stage);
-        });
-}
-
 }  // namespace
 }  // namespace oblong::test

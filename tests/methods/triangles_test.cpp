@@ -100,25 +100,6 @@ RC_GTEST_PROP(Triangles, CoverWhatTheRuleSaysByEveryMethod, ()) {
     RC_ASSERT(scanned(triangle, TriangleMethod::EdgeFunctions, inside_edges_plain) == expected);
 }
 
-TEST(Triangles, CoverWhatTheRuleSaysWithCornersOnEveryHalfPixel) {
-    constexpr std::int32_t kPlaces = 4, kAll = kPlaces * kPlaces;
-    for (std::int32_t i = 0; i < kAll * kAll * kAll; ++i) {
-        const auto at_place = [](std::int32_t place) {
-            return vertex(640 + 128 * (place % kPlaces), 384 + 128 * (place / kPlaces));
-        };
-        const ScreenTriangle triangle{at_place(i % kAll), at_place(i / kAll % kAll), at_place(i / kAll / kAll)};
-        const Picture expected = exact(triangle);
-        for (const TriangleMethod method : kMethods) ASSERT_EQ(scanned(triangle, method), expected) << i;
-    }
-}
-
-RC_GTEST_PROP(Triangles, CoverTheSameInAnyOrderOfCorners, ()) {
-    ScreenTriangle triangle = any_triangle();
-    const Picture first = scanned(triangle, TriangleMethod::FlatParts);
-    std::swap(triangle[0], triangle[1]);
-    for (const TriangleMethod method : kMethods) RC_ASSERT(scanned(triangle, method) == first);
-}
-
 RC_GTEST_PROP(Triangles, CoverTheSameInBandsOfRows, ()) {
     const ScreenTriangle triangle = any_triangle();
     const auto cut = *rc::gen::inRange<std::int32_t>(0, kHeight + 1),
@@ -135,34 +116,6 @@ RC_GTEST_PROP(Triangles, CoverTheSameInBandsOfRows, ()) {
     }
 }
 
-/// A net of quads whose corners are moved at random, each cut along one of its diagonals: convex ones, so that none
-/// overlap.
-RC_GTEST_PROP(Triangles, OfANetCoverEachPixelOnce, ()) {
-    constexpr std::int32_t kColumns = 6, kRows = 4, kStep = 6 * 256 + 60, kMove = 400;
-    std::vector<ScreenVertex> net;
-    for (std::int32_t row = 0; row <= kRows; ++row)
-        for (std::int32_t column = 0; column <= kColumns; ++column) {
-            const bool is_x_fixed = column == 0 || column == kColumns, is_y_fixed = row == 0 || row == kRows;
-            const auto move = [](bool is_fixed) { return is_fixed ? 0 : *rc::gen::inRange(-kMove, kMove); };
-            net.push_back(vertex(column * kStep - 100 + move(is_x_fixed), row * kStep - 100 + move(is_y_fixed)));
-        }
-    for (const TriangleMethod method : kMethods) {
-        TriangleScanner scanner(method, kScreen);
-        std::vector<Span> spans;
-        for (std::int32_t row = 0; row < kRows; ++row)
-            for (std::int32_t column = 0; column < kColumns; ++column) {
-                const auto corner = [&](std::int32_t right, std::int32_t down) {
-                    return net.at(static_cast<std::size_t>((row + down) * (kColumns + 1) + column + right));
-                };
-                scanner.scan({corner(0, 0), corner(1, 0), corner(1, 1)}, spans);
-                scanner.scan({corner(0, 0), corner(1, 1), corner(0, 1)}, spans);
-            }
-        Picture picture(kWidth * kHeight);
-        add_spans(spans, picture);
-        RC_ASSERT(std::count(picture.begin(), picture.end(), 1) == kWidth * kHeight);
-    }
-}
-
 RC_GTEST_PROP(Triangles, OfAnyCoordinatesAreThoseOfClampedOnes, ()) {
     const auto any = [] { return *rc::gen::arbitrary<std::int32_t>(); };
     const ScreenTriangle wild{vertex(any(), any()), vertex(any(), any()),
@@ -174,34 +127,6 @@ RC_GTEST_PROP(Triangles, OfAnyCoordinatesAreThoseOfClampedOnes, ()) {
     const BarycentricWeights weights = barycentric_weights(wild, wild[0]);
     RC_ASSERT(weights.a == weights.whole);
     quantity_over(wild, {CornerQuantity::highest(), CornerQuantity::lowest(), CornerQuantity::ulp()});
-}
-
-RC_GTEST_PROP(EdgeFunctions, AreTheSameBySse2, ()) {
-    EdgeRow row{};
-    for (std::size_t i = 0; i < 3; ++i) {
-        row.step[i] = *rc::gen::inRange<std::int64_t>(-30'000, 30'000);
-        row.value[i] = *rc::gen::inRange<std::int64_t>(-1'000'000, 1'000'000);
-    }
-    for (std::int32_t count = 0; count <= 40; ++count) {
-        const PixelRange plain = inside_edges_plain(row, count), fast = inside_edges_sse2(row, count);
-        RC_ASSERT(plain.first == fast.first);
-        RC_ASSERT(plain.end == fast.end);
-    }
-}
-
-// The notes' alpha, with the sign that they lose (errata N4).
-TEST(BarycentricWeights, AreSignedSharesOfTheWhole) {
-    const ScreenTriangle triangle{vertex(0, 0), vertex(4 * 256, 0), vertex(0, 4 * 256)};
-    const auto pixels = [](ScreenArea area) { return std::ldexp(static_cast<double>(area.raw), -16); };
-    const BarycentricWeights inside = barycentric_weights(triangle, vertex(256, 256));
-    EXPECT_EQ(pixels(inside.whole), 16);
-    EXPECT_EQ(pixels(inside.a) / 16, 0.5);
-    EXPECT_EQ(pixels(inside.b) / 16, 0.25);
-    EXPECT_EQ(pixels(inside.c) / 16, 0.25);
-    const BarycentricWeights outside = barycentric_weights(triangle, vertex(5 * 256, 5 * 256));
-    EXPECT_EQ(pixels(outside.a) / 16, -1.5);
-    EXPECT_EQ(pixels(outside.b) / 16, 1.25);
-    EXPECT_EQ(pixels(outside.c) / 16, 1.25);
 }
 
 RC_GTEST_PROP(BarycentricWeights, AddUpAndFindThePlaceAgain, ()) {

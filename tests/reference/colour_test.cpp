@@ -31,15 +31,6 @@ struct LitFace {
     double at(double u, double v) const { return light_at(level, face, u, v); }
 };
 
-TEST(ReferenceLight, IsTheSampleAtASample) {
-    const LitFace lit;
-    EXPECT_DOUBLE_EQ(lit.at(-16, 32), 0);
-    EXPECT_DOUBLE_EQ(lit.at(0, 32), 0.5);
-    EXPECT_DOUBLE_EQ(lit.at(-16, 48), 0.25);
-    EXPECT_DOUBLE_EQ(lit.at(16, 32), 1);
-    EXPECT_DOUBLE_EQ(lit.at(16, 48), 255 / 128.0);
-}
-
 TEST(ReferenceLight, IsInterpolatedBetweenSamples) {
     const LitFace lit;
     EXPECT_DOUBLE_EQ(lit.at(-8, 32), 0.25);

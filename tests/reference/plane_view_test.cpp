@@ -75,16 +75,6 @@ TEST(PlaneView, PlaceOfIsTheInverseOfTexelAt) {
     EXPECT_GT(compared, 1000);
 }
 
-TEST(PlaneView, APlaceHalfAPixelBesideIsHalfAPixelOff) {
-    std::mt19937 random(3);
-    const RandomPlane plane(random);
-    const PlaneView view = plane.make();
-    const Texel beside = view.texel_at({160.8, 99.9});
-    const auto place = view.place_of(beside.u, beside.v);
-    ASSERT_TRUE(place);
-    EXPECT_NEAR(std::hypot(place->x - 160.5, place->y - 100.3), 0.5, 1e-9);
-}
-
 TEST(PlaneView, TexelsBehindTheEyeHaveNoPlace) {
     Level level = make_level();
     level.texinfos[0] = {{1, 0, 0}, {0, -1, 0}, 0, 0, 0, false};

@@ -70,18 +70,6 @@ TEST(ReferenceRealLevels, AreReadAsTheEngineReadsThem) {
     }
 }
 
-TEST(ReferenceRealLevels, EveryPixelShowsAFace) {
-    OBLONG_NEEDS_SHARED_LEVELS();
-    for (const char* name : test::kRealLevels) {
-        const RealLevel real(name);
-        for (const Camera& camera : real.cameras) {
-            const reference::Frame frame = reference::draw(real.true_level, {}, view_of(camera));
-            for (std::size_t i = 0; i < frame.pixels.size(); ++i)
-                ASSERT_GE(frame.pixels[i].face, 0) << name << " column " << i % 320 << " row " << i / 320;
-        }
-    }
-}
-
 /// Whether a face shows a palette index within 1/100 texel of a place.
 bool shows_nearby(const reference::Texture& texture, double u, double v, std::uint8_t index) {
     const auto wrapped = [](double texel, int size) {
