@@ -106,11 +106,6 @@ void print_memory() {
                  memory.emulated);
 }
 
-// The loaded level makes the archive's bytes redundant: frees them.
-void empty_read_files() {
-    for (const char* name : {"/demo.bsp", "/demo.ready"}) write_file(std::string(kAssets) + name, std::string());
-}
-
 // Frees the sound files: without a card, or after loading, they are not read.
 void empty_sounds() {
     std::vector<std::string> files;
@@ -124,7 +119,6 @@ void print_hashes(const Options& options, std::size_t ticks, dos::Pc& pc) {
     const auto now_ms = [&pc] { return static_cast<unsigned>(pc.now_us() / 1000); };
     const LoadedLevel loaded(level_files_of(options, kAssets));
     const Demo demo = read_parsed(std::string(kAssets) + "/walk.demo", decode_demo);
-    empty_read_files();
     std::fprintf(stderr, "read at %u ms\n", now_ms());
     GameRenderer renderer(loaded.data, loaded.level, options.preferences.mode, nullptr);
     const Settings settings = settings_of(options.preferences);
@@ -161,7 +155,6 @@ void play(const Options& options, dos::Pc& pc) {
     PreferencesStore store;
     store.begin_with(options.preferences);
     ProgramFiles files = load_program_files(options, kAssets);
-    empty_read_files();
     Program(options, std::move(files), store, pc, nullptr, std::move(open_sound)).run();
 }
 
