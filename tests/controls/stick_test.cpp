@@ -116,14 +116,19 @@ TEST(LiveInput, MakesATickOfWhatIsHeld) {
     for (const Case& each : cases) EXPECT_EQ(tick_of(each.held, each.preferences), each.expected) << each.name;
 }
 
-TEST(LiveInput, AStickTurnsSmoothlyBetweenTicks) {
-    LiveInput live;
-    Controls controls;
-    controls.look_stick = {-kFullAxis, 0};
-    live.gather(controls);
-    EXPECT_EQ(live.next().yaw, 1040);
-    EXPECT_EQ(live.look_offset(0).yaw, -1040);
-    EXPECT_EQ(live.look_offset(32'768).yaw, -520);
+TEST(LiveInput, SticksAndKeysTurnSmoothlyBetweenTicks) {
+    Controls stick, keys;
+    stick.look_stick = {-kFullAxis, 0};
+    keys.moves.set(Action::TurnLeft);
+    EXPECT_EQ(tick_of(stick, {}).yaw, 1040);
+    for (const Controls& controls : {stick, keys}) {
+        LiveInput live;
+        live.gather(controls);
+        const std::int32_t whole = live.next().yaw;
+        EXPECT_EQ(live.look_offset(0).yaw, -whole);
+        EXPECT_EQ(live.look_offset(32'768).yaw, -whole / 2);
+        EXPECT_LE(std::abs(live.look_offset(65'535).yaw), 1);
+    }
 }
 
 TEST(LiveInput, SlowMouseMotionAddsUp) {

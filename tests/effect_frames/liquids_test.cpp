@@ -141,22 +141,6 @@ TEST(Underwater, OnlyWhereTheEyeIsInALiquid) {
     EXPECT_FALSE(stage.has("underwater"));
 }
 
-/// Waves move pixels by a few, and invent no colour.
-TEST(Underwater, ShowsPixelsFromNearby) {
-    EffectStage stage(pool("*water"), camera_at(point_at(-200, 3, 16), 0, 10));
-    const Picture waving = stage.draw(500), still = stage.draw_without(Effect::Underwater, 500);
-    constexpr int kReach = 9;  // twice the amplitude of 3 to and fro, and the part that is cut off for it
-    for (int y = 0; y < kPictureHeight; ++y)
-        for (int x = 0; x < kPictureWidth; ++x) {
-            bool is_found = false;
-            for (int v = std::max(y - kReach, 0); v <= std::min(y + kReach, kPictureHeight - 1) && !is_found; ++v)
-                for (int u = std::max(x - kReach, 0); u <= std::min(x + kReach, kPictureWidth - 1); ++u)
-                    is_found |= still[static_cast<std::size_t>(v * kPictureWidth + u)] ==
-                                waving[static_cast<std::size_t>(y * kPictureWidth + x)];
-            ASSERT_TRUE(is_found) << x << " " << y;
-        }
-}
-
 TEST(Sky, DriftsOnItsOwnPixelsAndRepeats) {
     MapText text;
     text.brushes = box({-272, -272, -16}, {272, 272, 0}) + box({-272, -272, 192}, {272, 272, 208}, "sky") +

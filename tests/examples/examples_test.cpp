@@ -162,39 +162,6 @@ TEST(Examples, CornersOfTheCubeAreWhereDoublesPutThem) {
     EXPECT_NEAR(edges.bottom, corners.bottom, 1);
 }
 
-// By each algorithm, the row of each column is the one nearest to the line, in exact fractions: on a tie the one below.
-// What is blended is as bright as it is near. The triangle's part in the window is filled, and nothing else.
-TEST(Examples, LinesAreNearestToTheTrueLineAndTheTriangleIsCutAtTheWindow) {
-    constexpr int kWhite = 63, kBlue = 65, kRun = 66;
-    const Shot shot = shot_of("lines");
-    const Shown shown = show(shot);
-    const auto wave = [&](double degrees) { return std::sin((shot.time_ms() * 8 / 256.0 + degrees) * kDegree); };
-    const int rise = 33 + static_cast<int>(std::trunc(wave(0) * 32));
-    for (int line = 0; line < 3; ++line)
-        for (int i = 0; i <= kRun; ++i) {
-            const int row = 8 + (2 * i * rise + kRun) / (2 * kRun);
-            if ((2 * i * rise + kRun) % (2 * kRun) == 0) continue;  // a tie, which rounded slopes may miss
-            EXPECT_EQ(shown.at(10 + 78 * line + i, row), kWhite) << line << ", " << i;
-        }
-    for (int i = 0; i <= kRun; ++i) {
-        const double row = double(i) * rise / kRun, share = row - std::floor(row);
-        EXPECT_NEAR(shown.at(244 + i, 8 + static_cast<int>(row)), kWhite * (1 - share), 1.1) << i;
-    }
-    const auto x = [&](int at) { return 160 + 90 * wave(at + 90); };
-    const auto y = [&](int at) { return 138 + 75 * wave(at); };
-    const auto side = [&](int a, int b, double column, double row) {
-        return ((x(b) - x(a)) * (row - y(a)) - (y(b) - y(a)) * (column - x(a))) / std::hypot(x(b) - x(a), y(b) - y(a));
-    };
-    for (int row = 75; row < 200; ++row)
-        for (int column = 0; column < 320; ++column) {
-            const double depth =
-                std::min({side(0, 110, column, row), side(110, 250, column, row), side(250, 0, column, row),
-                          column - 110.0, 210.0 - column, row - 105.0, 170.0 - row});
-            EXPECT_TRUE(std::abs(depth) <= 2 || (shown.at(column, row) == kBlue) == (depth > 0))
-                << column << ", " << row;
-        }
-}
-
 /// How many of a thousand pixels from a row down have another colour than `expected` gives.
 template <class Expected>
 int unlike_1000(const Shown& shown, int first_row, const Expected& expected) {

@@ -43,14 +43,6 @@ TEST(HardCaseA3, FlooredProductOfEveryPairOf16BitNumbers) {
     expect_all(0, kAll32, [](auto pair) { return is_product(pair, Rounding::Floor, 0); });
 }
 
-/// Pairs (a, b) with a >= 0: those of -a say the same. The lowest number has no negative.
-TEST(HardCaseA3, ProductOfTheNegativeIsWithinAStepOfTheNegativeProduct) {
-    expect_all(0, kAll32 / 2, [](std::uint64_t pair) {
-        const Short b = first_of(pair), a = second_of(pair);
-        return std::abs(multiply(a, b).raw + multiply(-a, b).raw) <= 1;
-    });
-}
-
 /// Every divisor against every 61st dividend: q is right when |2 (256 a - q b)| <= |b|, or saturated with a's and b's
 /// sign.
 TEST(HardCaseA1, QuotientOfADenseSetOf16BitPairs) {

@@ -121,14 +121,5 @@ TEST(Split, MovesWithTheMouseWhileAButtonIsHeld) {
     EXPECT_EQ(options.split_16, 0);
 }
 
-TEST(Controls, KeysOfPanelsWalk) {
-    Controls controls;
-    controls.panel_moves = {Action::Forward, Action::TurnRight};
-    EXPECT_FALSE(controls.moves.has(Action::Forward));
-    controls.moves |= controls.panel_moves;
-    EXPECT_TRUE(controls.moves.has(Action::Forward) && controls.moves.has(Action::TurnRight));
-    EXPECT_FALSE(controls.moves.has(Action::Back) || controls.moves.has(Action::TurnLeft));
-}
-
 }  // namespace
 }  // namespace oblong::test::lab_options_test

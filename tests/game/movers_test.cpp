@@ -140,27 +140,6 @@ TEST(Mover, HoldsThePlayerInNoneOfManyTicks) {
     EXPECT_GT(teleports, 30);
 }
 
-// Entities are text from anywhere: none may bring the game down.
-TEST(GameLevel, HostileEntitiesAreHarmless) {
-    ToyLevel toy;
-    toy.add_model(floor_and({})).add_model({{200, -64, 0, 216, 64, 128}});
-    for (const char* name : {"func_door", "func_plat", "func_button", "trigger_teleport", "func_wall"})
-        for (const char* model : {"*1", "*0", "*-1", "*99999999999", "*", "", "maps/b.bsp"})
-            toy.add_entity({{"classname", name},
-                            {"model", model},
-                            {"angle", "1e30"},
-                            {"angles", "99999999 99999999 99999999"},
-                            {"speed", "-99999999999"},
-                            {"wait", "999999999"},
-                            {"lip", "-99999999"},
-                            {"height", "nan"},
-                            {"target", "self"},
-                            {"targetname", "self"}});
-    ToyGame game(std::move(toy));
-    game.play(200, kAhead);
-    EXPECT_EQ(game.state.tick, 200);
-}
-
 // A model's box is any number of the file: empty models of some compilers are inside out, damaged ones anywhere.
 TEST(GameLevel, BoxesAndPositionsOutsideTheWorldAreHarmless) {
     for (const std::int32_t far : {40'000, 999'999, 1 << 20}) {
@@ -197,32 +176,6 @@ TEST(GameLevel, AMoverThatWouldLeaveTheFormatStandsStill) {
         ASSERT_EQ(level.walls.size(), 1u);
         EXPECT_EQ(level.walls[0].model, ModelIndex(1));
     }
-}
-
-// As many of each class as no level has; each step of making the level and of a tick passes over them once.
-TEST(GameLevel, TensOfThousandsOfEntities) {
-    constexpr int kCount = 8000;
-    ToyLevel toy;
-    toy.add_model(floor_and({}));
-    for (int i = 0; i < kCount; ++i) {
-        const std::string name = std::to_string(i), model = "*" + std::to_string(i + 1);
-        SubModel box;
-        box.box = {{3 * i, 0, 0}, {3 * i + 3, 10, 64}};
-        toy.level.models.push_back(box);
-        toy.add_entity({{"classname", "func_door"}, {"model", model}, {"angle", "-1"}});
-        toy.add_entity({{"classname", "func_button"}, {"model", model}, {"targetname", "all"}, {"target", "all"}});
-        toy.add_entity({{"classname", "trigger_once"}, {"model", model}, {"target", "all"}});
-        toy.add_entity(
-            {{"classname", "trigger_teleport"}, {"model", model}, {"targetname", "t" + name}, {"target", "t" + name}});
-        toy.add_entity({{"classname", "func_wall"}, {"model", model}});
-    }
-    ToyGame game(std::move(toy));
-    ASSERT_EQ(game.level.movers.size(), 2u * kCount);
-    EXPECT_EQ(game.level.triggers.size(),
-              1u * kCount);  // teleporters have no exit: none of their targets has an origin
-    EXPECT_EQ(game.level.movers.front().touch.box->maxs.x, World::from_int(3 * kCount - 5 + 65));  // linked, end to end
-    game.play(5, kStand);
-    EXPECT_NE(game.state.movers.back().phase, Phase::AtStart);
 }
 
 TEST(GameLevel, TooManyMoversAreRefused) {

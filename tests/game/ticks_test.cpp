@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
-#include <cstdlib>
 
 #include "game/input/tick_input_source.h"
 #include "game/simulation/tick_clock.h"
@@ -68,17 +67,6 @@ TEST(LiveInput, MouseIsNeitherLostNorDoubled) {
     EXPECT_EQ(input.pitch, -150 * 12);
     EXPECT_EQ(live.look_offset(0).yaw, 0);
     EXPECT_EQ(live.next().yaw, 0);
-}
-
-TEST(LiveInput, KeysTurnSmoothlyBetweenTicks) {
-    LiveInput live;
-    Controls controls;
-    controls.moves.set(Action::TurnLeft);
-    live.gather(controls);
-    const std::int32_t whole = live.next().yaw;
-    EXPECT_EQ(live.look_offset(0).yaw, -whole);
-    EXPECT_EQ(live.look_offset(32'768).yaw, -whole / 2);
-    EXPECT_LE(std::abs(live.look_offset(65'535).yaw), 1);
 }
 
 TEST(View, StandsBetweenTwoTicks) {

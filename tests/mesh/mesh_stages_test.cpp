@@ -80,27 +80,6 @@ TEST(MeshStages, PointsAndNormalsGoToTheWorld) {
     }
 }
 
-/// Seed 4's errata A7: a squeezed ball's normals stay at right angles to its surface by the inverse transpose alone.
-TEST(MeshStages, NormalsStayAtRightAnglesWhenAMeshIsSqueezed) {
-    MeshBuilder builder;
-    const Vec3<Unit> normal = unit_vector(1, 0, 1);  // of the plane x + z = 0, in which (1, 0, -1) and (0, 1, 0) lie
-    builder.add(world_point(0, 0, 0), 0, 0, normal);
-    builder.add(world_point(10, 0, -10), 0, 0, normal);
-    const Mesh& mesh = builder.done();
-    PlacedMesh placed = placed_at(mesh);
-    placed.scale.x = Entry::from_int(4);
-    const auto transform = make_mesh_transform(placed);
-    ASSERT_TRUE(transform);
-    std::vector<WorldVertex> world;
-    transform_to_world(mesh.frames[0].vertices, *transform, world);
-    const Point along = to_point(world[1].position), right = to_point(world[0].normal);
-    EXPECT_NEAR(along.x, 40, 1e-3);
-    EXPECT_NEAR(dot(along, right), 0, 1e-3);
-    EXPECT_NEAR(right.x, 1 / std::sqrt(17.0), 1e-8);
-    // By the matrix of the points it would be (4, 0, 1): 150 off from 0.
-    EXPECT_GT(dot(along, {4, 0, 1}), 100);
-}
-
 TEST(MeshStages, FacingIsTheSignOfTheExactProduct) {
     std::mt19937 random(2);
     std::uniform_real_distribution<double> share(-1, 1);

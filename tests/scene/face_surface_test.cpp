@@ -161,18 +161,6 @@ TEST(FaceSurfaces, AMovingLightBrightensAndIsGoneAgain) {
     EXPECT_EQ(scene.look(kNear, {styles}), before);
 }
 
-TEST(FaceSurfaces, AMovingLightFollowsTheModel) {
-    Surfaces scene(two_floors());
-    const LightStyles styles = plain_light_styles();
-    const MovingLight here = light_at(10), there = light_at(310);
-    scene.surfaces.set_moving_lights(std::span(&here, 1), {});
-    const Texels expected = scene.look(kNear, {styles});
-    scene.surfaces.set_moving_lights(std::span(&there, 1), {});
-    EXPECT_NE(scene.look(kNear, {styles}), expected);
-    EXPECT_EQ(scene.look(kNear, {styles, TextureIndex::none(), units(300, 0, 0)}), expected);
-    EXPECT_NE(scene.look(kNear, {styles}), expected) << "the model is back where the light does not reach";
-}
-
 TEST(FaceSurfaces, ALevelWithoutLightStaysFullbright) {
     Level level = two_floors();
     level.lighting.clear();

@@ -129,26 +129,6 @@ TEST(MovingLights, EachSampleIsThatOfDoublePrecision) {
     EXPECT_GT(lit, 10'000);
 }
 
-TEST(MovingLights, LightFallsWithTheDistance) {
-    OneFace scene;
-    scene.finish();
-    std::int32_t before = std::numeric_limits<std::int32_t>::max();
-    for (int height = 9; height < 120; ++height) {
-        const MovingLight light{units(12, 0, height), World::from_int(100)};  // above the sample at u = 16, v = 0
-        MovingLights lights(scene.level, scene.table);
-        lights.set(std::span(&light, 1), {});
-        const LightTouch touch = lights.touch(FaceIndex(0), {});
-        EXPECT_EQ(touch.lights != 0, height < 108) << height;
-        std::vector<std::int32_t> samples(8);
-        lights.add_light(FaceIndex(0), {}, touch.lights, samples);
-        ASSERT_EQ(samples[5], std::max(108 - height, 0) * 256) << height;
-        ASSERT_TRUE(samples[5] < before || height > 108);
-        before = samples[5];
-        ASSERT_GE(samples[5], samples[4]);
-        ASSERT_EQ(samples[4], samples[6]) << "16 units to either side";
-    }
-}
-
 TEST(MovingLights, LightsAdd) {
     OneFace scene;
     scene.finish();

@@ -48,35 +48,9 @@ struct Patch {
         build_lit_surface(texture, light, map, quality, mip, stride, scratch.data(), out.data());
         return out;
     }
-
-    /// The shade at a texel by real numbers: between the four samples around it.
-    double shade_at(std::int32_t x, std::int32_t y, std::int32_t cell) const {
-        const auto corner = [&](std::int32_t column, std::int32_t row) {
-            return shade_of(samples[static_cast<std::size_t>(row * columns + column)]);
-        };
-        const double right = x % cell / double(cell), down = y % cell / double(cell);
-        const std::int32_t column = x / cell, row = y / cell;
-        const double upper = corner(column, row) * (1 - right) + corner(column + 1, row) * right;
-        const double lower = corner(column, row + 1) * (1 - right) + corner(column + 1, row + 1) * right;
-        return upper * (1 - down) + lower * down;
-    }
 };
 
 }  // namespace
-
-TEST(LitSurface, ShadesAreThoseBetweenTheSamples) {
-    std::mt19937 random(6);
-    const Colormap map = numbered_shades();
-    for (int mip = 0; mip < 4; ++mip) {
-        Patch patch(random, 5, 4);
-        const auto lit = patch.build(map, mip, {patch.texels.data(), 64, 64, 0, 0});
-        const std::int32_t cell = 16 >> mip, width = lit_size(5, mip), height = lit_size(4, mip);
-        for (std::int32_t y = 0; y < height; ++y)
-            for (std::int32_t x = 0; x < width; ++x)
-                ASSERT_NEAR(lit[static_cast<std::size_t>(y * width + x)], std::floor(patch.shade_at(x, y, cell)), 1)
-                    << x << ", " << y << ", mip " << mip;
-    }
-}
 
 TEST(LitSurface, LightJustBelowTheBrightestIsTheFirstShadeForEveryScale) {
     // No step on the way may be rounded past the brightest shade: before it there is none.
@@ -95,39 +69,6 @@ TEST(LitSurface, LightJustBelowTheBrightestIsTheFirstShadeForEveryScale) {
             ASSERT_EQ(std::count(lit.begin(), lit.end(), std::uint8_t{200}), std::ssize(lit))
                 << "scale " << scale << ", mip " << mip;
         }
-}
-
-TEST(LitSurface, FullLightIsTheTextureItself) {
-    std::mt19937 random(7);
-    Patch patch(random, 3, 3);
-    std::fill(patch.samples.begin(), patch.samples.end(), static_cast<std::uint8_t>(kFullLight));
-    Colormap map = numbered_shades();
-    for (std::size_t colour = 0; colour < 256; ++colour)
-        map.shades[Colormap::kOwnShade][colour] = static_cast<std::uint8_t>(colour);
-    for (const std::int32_t origin : {0, 16, -16, 1600, -1616}) {
-        const auto lit = patch.build(map, 0, {patch.texels.data(), 64, 64, origin, origin});
-        for (std::int32_t y = 0; y < 32; ++y)
-            for (std::int32_t x = 0; x < 32; ++x) {
-                const std::int32_t u = ((origin + x) % 64 + 64) % 64, v = ((origin + y) % 64 + 64) % 64;
-                ASSERT_EQ(lit[static_cast<std::size_t>(y * 32 + x)],
-                          patch.texels[static_cast<std::size_t>(v * 64 + u)]);
-            }
-    }
-}
-
-TEST(LitSurface, AStyleScalesItsLight) {
-    std::mt19937 random(8);
-    Patch patch(random, 2, 2);
-    std::fill(patch.samples.begin(), patch.samples.end(), std::uint8_t{100});
-    const Colormap map = numbered_shades();
-    const auto shade = [&](std::uint16_t scale) {
-        return patch.build(map, 0, {patch.texels.data(), 64, 64, 0, 0}, scale)[0];
-    };
-    EXPECT_EQ(shade(0), 63);
-    EXPECT_EQ(shade(256), static_cast<int>(shade_of(100)));
-    EXPECT_EQ(shade(512), static_cast<int>(shade_of(200)));
-    EXPECT_EQ(shade(768), 0);
-    EXPECT_EQ(shade(65535), 0);
 }
 
 TEST(LitSurface, BrightnessMultipliesAllLightUpToTheBrightestShade) {
@@ -240,23 +181,6 @@ TEST(LitSurface, EachTexelIsWhatTheFormulaSays) {
                 ASSERT_EQ(item(out, y * stride + x),
                           x < width ? plain_texel(texture, light, map, quality, mip, x, y) : 77)
                     << x << "," << y << " of round " << round;
-    }
-}
-
-TEST(LightQuality, NearestTakesTheSampleOnTheNearerSide) {
-    std::mt19937 random(21);
-    for (int mip = 0; mip < 4; ++mip) {
-        Patch patch(random, 4, 3);
-        const std::int32_t cell = 16 >> mip, width = lit_size(4, mip);
-        const auto lit = patch.build(numbered_shades(), mip, {patch.texels.data(), 64, 64, 0, 0}, 256,
-                                     {LightSampling::Nearest, 64, false});
-        for (std::int32_t y = 0; y < lit_size(3, mip); ++y)
-            for (std::int32_t x = 0; x < width; ++x) {
-                const std::int32_t column = (x + cell / 2) / cell, row = (y + cell / 2) / cell;
-                const std::int32_t light = patch.samples[static_cast<std::size_t>(row * 4 + column)];
-                ASSERT_EQ(lit[static_cast<std::size_t>(y * width + x)], static_cast<int>(shade_of(light)))
-                    << x << "," << y << " of level " << mip;
-            }
     }
 }
 
