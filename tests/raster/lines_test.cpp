@@ -109,6 +109,16 @@ PixelPosition position_within(std::int32_t least, std::int32_t end) {
     return {*rc::gen::inRange(least, end), *rc::gen::inRange(least, end)};
 }
 
+TEST(Bresenham, SetsTheNearestPixelsOfEveryShortLine) {
+    constexpr std::int32_t kSize = 9;
+    for (std::int32_t i = 0; i < kSize * kSize * kSize * kSize; ++i) {
+        const PixelPosition from{i % kSize, i / kSize % kSize},
+            to{i / (kSize * kSize) % kSize, i / (kSize * kSize * kSize)};
+        ASSERT_EQ(drawn(from, to, LineMethod::Bresenham, kSize, kSize), exact_line(from, to, kSize, kSize))
+            << from.column << "," << from.row << " to " << to.column << "," << to.row;
+    }
+}
+
 RC_GTEST_PROP(Bresenham, IsExactFromAnyPositionToAny, ()) {
     const PixelPosition from = any_position(), to = any_position();
     RC_ASSERT(drawn(from, to, LineMethod::Bresenham, 41, 23) == exact_line(from, to, 41, 23));

@@ -86,6 +86,12 @@ TEST(ReferenceFrame, NearerFacesHideFartherOnesInAnyOrder) {
     EXPECT_NEAR(frame.at(39, 39).z, 100, 1e-9);
 }
 
+TEST(ReferenceFrame, FacesThatFaceAwayAreNotDrawn) {
+    Level level = make_level();
+    add_face(level, {shown_at(20, 40, 160), shown_at(40, 40, 160), shown_at(40, 20, 160), shown_at(20, 20, 160)});
+    EXPECT_EQ(rectangle_of(draw(level, {}, make_plain_view()), 0), (Box{320, 200, 0, 0}));
+}
+
 TEST(ReferenceFrame, DepthStaysWithinTheCorners) {
     // A plane through the corners on the left that misses those on the right by far.
     Level level = make_level();
