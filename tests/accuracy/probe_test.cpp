@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
 #include "tests/accuracy/probed_texels.h"
 #include "tests/accuracy/scenes_fixture.h"
@@ -32,9 +31,6 @@ class RowMapping {
         u_over_z_ = first.u * first.inverse_z;
         u_over_z_step_ = (last.u * last.inverse_z - u_over_z_) / length;
     }
-    double inverse_z(double x) const { return inverse_z_ + (x - from_) * inverse_z_step_; }
-    double u(double x) const { return (u_over_z_ + (x - from_) * u_over_z_step_) / inverse_z(x); }
-    double u_slope(double x) const { return (u_over_z_step_ - u(x) * inverse_z_step_) / inverse_z(x); }
     /// The column that shows u.
     double place_of(double u) const {
         return from_ + (u * inverse_z_ - u_over_z_) / (u_over_z_step_ - u * inverse_z_step_);
@@ -44,21 +40,13 @@ class RowMapping {
     double from_, inverse_z_, inverse_z_step_, u_over_z_, u_over_z_step_;
 };
 
-/// The u that the probe samples at each column.
-std::vector<double> ask_for_u(const std::string& mode, const QueriedSpan& span, const Accuracy& accuracy = {}) {
-    std::vector<double> found;
-    for (const auto& texel : ask_for_texels(mode, accuracy, span.corners, span.row, span.first, span.end))
-        found.push_back(texel.x);
-    return found;
-}
-
 /// How far each texel of the probe's answer is from its place along the row, pixels.
 std::vector<float> probed_displacements(const std::string& mode, const QueriedSpan& span) {
     const RowMapping row(span);
     std::vector<float> displacements;
     double centre = span.first + 0.5;
-    for (const double u : ask_for_u(mode, span))
-        displacements.push_back(static_cast<float>(std::abs(row.place_of(u) - centre++)));
+    for (const auto& texel : ask_for_texels(mode, {}, span.corners, span.row, span.first, span.end))
+        displacements.push_back(static_cast<float>(std::abs(row.place_of(texel.x) - centre++)));
     return displacements;
 }
 
@@ -116,51 +104,6 @@ TEST(ReportAgainstProbe, WallsAreAsFarOffInFramesAsTheProbeSays) {
         EXPECT_NEAR(frame.rms, probe.rms, 0.002 + 0.005 * probe.rms) << mode;
         EXPECT_NEAR(frame.max, probe.max, 0.005 + 0.005 * probe.max) << mode;
     }
-}
-
-/// A wall whose depths at two columns are 1:10.
-QueriedSpan wall_1_to_10(std::mt19937& random, int columns) {
-    const int first = static_cast<int>(random() % static_cast<unsigned>(318 - columns));
-    const double near = 4 + static_cast<double>(random() % 6000) / 100;
-    const bool is_near_left = random() % 2 != 0;
-    const auto corner = [](double column, double slope, double depth, double u) {
-        const double z = snapped(depth);
-        return reference::TexturedCorner{
-            {snapped((column - 160) / 160 * z), snapped(slope * z), z}, u, 32 + 32 * slope};
-    };
-    const double left = is_near_left ? near : near * 10, right = is_near_left ? near * 10 : near;
-    return {{corner(first, -0.75, left, 0), corner(first + columns, 0.75, right, 256),
-             corner(first + columns, -0.75, right, 256)},
-            110,
-            first + 1,
-            first + columns - 1};
-}
-
-/// The error of a texel over the exact gradient at its pixel is not how far it is from its place: texels do not run
-/// evenly. With w = 1/z, u a quotient of two linear functions, u(x') - u(x) over u'(x) is (x' - x) w(x) / w(x'): where
-/// the depth changes by a tenth within 3/8 pixel, as it does at the far end of z 1:10 over a dozen columns, a texel 3/8
-/// pixel off measures 0.417 so. Blocks of two pixels are cut there only with reciprocals from tables: else a frame, and
-/// so the probe, divides at each pixel where blocks would be that short.
-TEST(ReportAgainstProbe, TexelErrorOverTheGradientIsMoreThanTheDisplacementWhereDepthChangesFast) {
-    std::mt19937 random(7);
-    Accuracy by_tables;
-    by_tables.reciprocal = ReciprocalMethod::Table256TwoNewton;
-    double furthest = 0, most_over = 1;
-    for (int i = 0; i < 1500; ++i) {
-        const QueriedSpan span = wall_1_to_10(random, 6 + static_cast<int>(random() % 20));
-        const RowMapping row(span);
-        double centre = span.first + 0.5;
-        for (const double u : ask_for_u("bounded", span, by_tables)) {
-            const double displacement = row.place_of(u) - centre, quotient = (u - row.u(centre)) / row.u_slope(centre);
-            const double ratio = row.inverse_z(centre) / row.inverse_z(centre + displacement);
-            ASSERT_NEAR(quotient, displacement * ratio, 1e-6);
-            furthest = std::max(furthest, std::abs(displacement));
-            if (std::abs(displacement) > 0.25) most_over = std::max(most_over, ratio);
-            ++centre;
-        }
-    }
-    EXPECT_LE(furthest, 0.375);
-    EXPECT_GT(most_over, 1.08) << "the walls are too tame to tell the two apart";
 }
 
 }  // namespace

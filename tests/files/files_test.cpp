@@ -2,10 +2,7 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -21,13 +18,9 @@ using Bytes = std::vector<std::uint8_t>;
 
 const std::string kNoPlace = ", expected a place for a file of 65536 bytes";
 
-/// A folder of its own for each test, gone after it.
 class Files : public testing::Test {
   protected:
-    Files() { fs::create_directories(folder_); }
-    ~Files() override { fs::remove_all(folder_); }
-
-    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    std::string path(const std::string& name) const { return temporary_.path(name); }
 
     /// What the error says after the file's name; empty if there is none.
     template <class Work>
@@ -47,7 +40,8 @@ class Files : public testing::Test {
         return complaint(file, [](const std::string& name) { write_file(name, Bytes(1 << 16, 4)); });
     }
 
-    const fs::path folder_ = fs::temp_directory_path() / ("oblong-files-" + std::to_string(getpid()));
+    const TemporaryFolder temporary_;
+    const fs::path folder_ = temporary_.path();
 };
 
 TEST_F(Files, WhatIsWrittenIsRead) {
@@ -70,61 +64,6 @@ TEST_F(Files, NewContentTakesTheOldOnesPlaceAndNothingElseIsLeft) {
     write_file(path("file"), after);
     EXPECT_EQ(read_file(path("file")), after);
     EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
-}
-
-TEST_F(Files, WritingThatFailsLeavesTheOldFile) {
-    const Bytes before{1, 2, 3};
-    write_file(path("file"), before);
-    signal(SIGXFSZ, SIG_IGN);
-    rlimit usual;
-    getrlimit(RLIMIT_FSIZE, &usual);
-    const rlimit small{1000, usual.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &small);
-    const std::string complaint = complaint_of_writing(path("file"));
-    setrlimit(RLIMIT_FSIZE, &usual);
-    EXPECT_EQ(complaint, "write: File too large" + kNoPlace);
-    EXPECT_EQ(read_file(path("file")), before);
-    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
-}
-
-// Each has a name of its own for what is not finished: none takes another's away, and no mixture is left.
-TEST_F(Files, ManyWritersOfOneFileDoNotDisturbEachOther) {
-    std::vector<pid_t> writers;
-    for (std::uint8_t writer = 1; writer <= 4; ++writer) {
-        const pid_t child = fork();
-        if (child != 0) {
-            writers.push_back(child);
-            continue;
-        }
-        int failures = 0;
-        for (int i = 0; i < 200; ++i)
-            failures += complaint(path("file"),
-                                  [&](const std::string& name) { write_file(name, Bytes(70'000, writer)); }) != "";
-        _exit(failures > 0);
-    }
-    for (const pid_t child : writers) {
-        int status = 0;
-        waitpid(child, &status, 0);
-        EXPECT_EQ(status, 0);
-    }
-    const Bytes last = read_file(path("file"));
-    EXPECT_EQ(last, Bytes(70'000, last.at(0)));
-    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
-}
-
-TEST_F(Files, WhatAProgramKeepsIsNoPipeAndNoDevice) {
-    ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
-    const std::string refusal = "is a pipe or a device, expected a regular file";
-    for (const std::string& file : {path("pipe"), test::device_for_writing(folder_.string(), "null"),
-                                    test::device_for_writing(folder_.string(), "full")}) {
-        EXPECT_EQ(complaint(file, [](const std::string& name) { read_file(name, 100, FileUse::Kept); }),
-                  "open: " + refusal);
-        EXPECT_EQ(complaint(file, [](const std::string& name) { write_file(name, Bytes(3), FileUse::Kept); }),
-                  "write: " + refusal);
-    }
-    EXPECT_TRUE(fs::is_fifo(path("pipe")));
-    write_file(path("file"), Bytes{1, 2}, FileUse::Kept);
-    EXPECT_EQ(read_file(path("file"), 2, FileUse::Kept), (Bytes{1, 2}));
 }
 
 TEST_F(Files, ADeviceIsWrittenToAndStays) {

@@ -248,20 +248,6 @@ TEST(HardCaseX9, SpansOf1AndOfABlockAndOneMore) {
         }
 }
 
-TEST(HardCaseX8, SizesThatAreNoPowersOfTwo) {
-    constexpr std::int32_t kWidth = 300, kHeight = 7;
-    std::vector<std::uint8_t> texels(static_cast<std::size_t>(kWidth * kHeight));
-    for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = static_cast<std::uint8_t>(i * 31 % 251);
-    const SurfaceView surface{texels.data(), kWidth, kHeight, 0, 0, 0};
-    std::vector<std::uint8_t> row(320);
-    const TexelBlock block{0, 320, 250u << 16, 5u << 16, 1 << 16, 1 << 14};
-    draw_blocks_any_size({&block, 1}, surface, row.data());
-    for (std::size_t x = 0; x < row.size(); ++x) {
-        const std::size_t u = (250 + x) % kWidth, v = (5 + x / 4) % kHeight;
-        ASSERT_EQ(row[x], texels[v * kWidth + u]) << x;
-    }
-}
-
 TEST(HardCaseX10, InverseDepthIsPositiveWhereverATriangleIsSeen) {
     std::mt19937 random(10);
     for (int i = 0; i < 3000; ++i) {

@@ -1,10 +1,8 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 
 #include "engine/files/files.h"
 #include "engine/files/picture.h"
@@ -20,8 +18,6 @@ namespace fs = std::filesystem;
 class Program : public testing::Test {
   protected:
     void SetUp() override {
-        folder_ = fs::temp_directory_path() / ("oblong-map-test-" + std::to_string(getpid()));
-        fs::create_directories(folder_);
         write_file(path("good.map"),
                    level(room({0, 0, 0}, {64, 64, 64}), entity_at("info_player_start", {32, 32, 28})));
         write_file(path("odd.map"), level(room({0, 0, 0}, {64, 64, 64}), entity_at("light", {32, 32, 32})));
@@ -30,9 +26,7 @@ class Program : public testing::Test {
         write_file(path("t.wad"), wad_bytes({"wall"}));
     }
 
-    void TearDown() override { fs::remove_all(folder_); }
-
-    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    std::string path(const std::string& name) const { return folder_.path(name); }
 
     // The exit code; what is said on standard error goes to `said_`.
     int run(const std::string& arguments) {
@@ -45,20 +39,14 @@ class Program : public testing::Test {
 
     int files_beginning_with(const std::string& name) const {
         int count = 0;
-        for (const auto& file : fs::directory_iterator(folder_))
+        for (const auto& file : fs::directory_iterator(folder_.path()))
             count += file.path().filename().string().starts_with(name) ? 1 : 0;
         return count;
     }
 
-    fs::path folder_;
+    const TemporaryFolder folder_;
     std::string said_;
 };
-
-TEST_F(Program, WritesALevel) {
-    EXPECT_EQ(run(path("good.map") + " -o " + path("good.bsp") + " --wad " + path("t.wad")), 0) << said_;
-    EXPECT_EQ(read_text(path("good.bsp")).substr(0, 4), std::string("\x1d\0\0\0", 4));
-    EXPECT_EQ(said_, "");
-}
 
 TEST_F(Program, WarnsAndWritesALevel) {
     EXPECT_EQ(run(path("odd.map") + " -o " + path("odd.bsp") + " --wad " + path("t.wad")), 0);
@@ -84,6 +72,7 @@ TEST_F(Program, SaysOnStandardOutputWhatItMade) {
               0u)
         << said;
     EXPECT_EQ(read_text(path("good.prt")), "PRT1\n1\n0\n");
+    EXPECT_EQ(said_, "");
 }
 
 // A texture is looked for in what the worldspawn names, from the map's folder; --wad takes the key's place.
@@ -175,9 +164,7 @@ TEST_F(Program, MakesAPartOfALevelOnlyIfThereIsOne) {
 
 TEST_F(Program, NeverReplacesTheSource) {
     const std::string source = read_text(path("good.map"));
-    EXPECT_EQ(run(path("good.map") + " -o " + path("../" + folder_.filename().string() + "/good.map") + " --wad " +
-                  path("t.wad")),
-              2);
+    EXPECT_EQ(run(path("good.map") + " -o " + path("./good.map") + " --wad " + path("t.wad")), 2);
     EXPECT_NE(said_.find("is the source itself"), std::string::npos) << said_;
     EXPECT_EQ(read_text(path("good.map")), source);
 }
@@ -223,14 +210,6 @@ TEST_F(Program, LeavesNoPartOfAFileThatCannotBeWritten) {
     EXPECT_EQ(read_text(path("out.txt")), "") << "nothing was made";
     EXPECT_EQ(files_beginning_with("taken.bsp"), 1) << "the folder that stands in the way";
     EXPECT_EQ(run(path("good.map") + " -o " + path("no/such/folder.bsp") + " --wad " + path("t.wad")), 1);
-}
-
-TEST_F(Program, WrongUsageExitsWith2) {
-    EXPECT_EQ(run(""), 2);
-    EXPECT_EQ(run("--frobnicate"), 2);
-    EXPECT_EQ(run(path("good.map")), 2) << "no output named";
-    EXPECT_EQ(run("--help"), 0);
-    EXPECT_EQ(run("--version"), 0);
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <filesystem>
@@ -88,10 +87,7 @@ std::string with_wad(const std::string& source) {
 // A folder with a source that is watched.
 class MapWatchTest : public testing::Test {
   protected:
-    MapWatchTest() { fs::create_directories(folder_); }
-    ~MapWatchTest() override { fs::remove_all(folder_); }
-
-    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    std::string path(const std::string& name) const { return folder_.path(name); }
 
     std::string level_bytes() const { return read_text(watch.level_file()); }
 
@@ -106,7 +102,7 @@ class MapWatchTest : public testing::Test {
     }
 
   private:
-    const fs::path folder_ = fs::temp_directory_path() / ("oblong-watch-test-" + std::to_string(getpid()));
+    const TemporaryFolder folder_;
     std::uint64_t now_us_ = 0;
     int saves_ = 0;
 

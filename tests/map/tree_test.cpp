@@ -95,16 +95,6 @@ TEST(Tree, SolidIsWhatIsInsideABrush) {
     }
 }
 
-TEST(Tree, BothOrdersOfOverlappingBrushesFillTheSameSpace) {
-    const std::string one = box({0, 0, 0}, {64, 64, 64}, "wall"), two = box({32, 32, 0}, {96, 96, 96}, "other");
-    for (const std::string& order : {one + two, two + one}) {
-        const auto bsp = compile(level(room(kLow, kHigh) + order));
-        EXPECT_EQ(open_edges(bsp), 0);
-        EXPECT_EQ(contents_at(bsp, 0, 0, {48, 48, 80}), contents::kSolid);
-        EXPECT_EQ(contents_at(bsp, 0, 0, {16, 16, 80}), contents::kEmpty);
-    }
-}
-
 TEST(Tree, HeapsAreSealed) {
     std::mt19937 random(12);
     for (const auto& [count, least, most] : {std::tuple{5, 8, 90}, {12, 4, 60}, {24, 1, 16}}) {

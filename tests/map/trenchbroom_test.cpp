@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -31,20 +30,16 @@ EditorValue text_of(const std::string& text) {
 class TrenchBroom : public testing::Test {
   protected:
     void SetUp() override {
-        folder_ = fs::temp_directory_path() / ("oblong-editor-test-" + std::to_string(getpid()));
-        fs::remove_all(folder_);
         ASSERT_EQ(run("'" + program() + "' --install-trenchbroom '" + path("games/Oblong") + "'"), 0);
     }
-    void TearDown() override { fs::remove_all(folder_); }
 
     static std::string program() { return build_folder() + "/bin/oblong-map"; }
-    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    std::string path(const std::string& name) const { return folder_.path(name); }
     std::string installed(const std::string& name) const { return path("games/Oblong/" + name); }
     std::string text(const std::string& name) const { return read_text(installed(name)); }
     bool is_file(const std::string& name) const { return fs::is_regular_file(installed(name)); }
 
     int run(const std::string& command) const {
-        fs::create_directories(folder_);
         return std::system((command + " >'" + path("out.txt") + "' 2>&1").c_str());
     }
 
@@ -58,7 +53,7 @@ class TrenchBroom : public testing::Test {
         return std::regex_replace(map, std::regex("\"_tb_[^\\n]*\n"), "");
     }
 
-    fs::path folder_;
+    const TemporaryFolder folder_;
 };
 
 TEST_F(TrenchBroom, ItsConfigurationNamesFilesThatAreThere) {

@@ -42,24 +42,6 @@ class InterruptedSave : public testing::Test {
     const SavedGame first_ = SavedWalk(10).saved(), second_ = SavedWalk(20).saved(), third_ = SavedWalk(30).saved();
 };
 
-TEST_F(InterruptedSave, KilledAtAnySystemCallLosesNothing) {
-    for (int stops = 1; stops < 2000; ++stops) {
-        int made = 0;
-        TracedProcess process([&] { save_third(); });
-        while (made < stops && process.next()) ++made;
-        if (process.exit_code() == kNotTraced) GTEST_SKIP() << "processes can't be traced here";
-        const bool has_ended = !process.is_stopped();
-        process.end();
-        ASSERT_NO_FATAL_FAILURE(expect_nothing_lost("after half a call more than " + std::to_string(stops)));
-        if (!has_ended) continue;
-        EXPECT_EQ(process.exit_code(), kDone);
-        // Opening, writing, syncing, closing, renaming twice, syncing the folder, each with a beginning and an end.
-        EXPECT_GT(stops, 14);
-        return;
-    }
-    FAIL() << "it does not end";
-}
-
 // What a disk says that is full, or broken, to each system call in turn.
 TEST_F(InterruptedSave, ARefusedSystemCallLosesNothing) {
     if (!TracedProcess::kCanFailCalls) GTEST_SKIP() << "calls can't be made to fail on this processor";

@@ -56,16 +56,6 @@ TEST(DrawableLens, BeginsAtHalfAPixel) {
     EXPECT_TRUE(is_drawable(projection_of(1, 1, 89)));
 }
 
-/// Errata A9: the triangle faces the eye though its normal's z in viewspace points away.
-TEST(SeedA9, NormalAloneIsWrongWhereTheDotProductIsRight) {
-    // In viewspace (x right, y up, z forward): (10, 0, 10), (11, 0, 12), (10, 1, 10), its normal (-2, 0, 1).
-    const Vec3<World> a = point_at(10, 0, 10), b = point_at(11, 0, 12), c = point_at(10, 1, 10);
-    const Vec3<Unit> normal = normalised(cross(b - a, c - a));
-    const Vec3<Unit> forward{{}, {}, Unit::from_int(1)};
-    EXPECT_TRUE(normal_points_away(normal, forward));
-    EXPECT_FALSE(faces_away(a, normal, {}));
-}
-
 /// The sign of the projected area decides on the screen what the dot product decides in the object's own space.
 TEST(FacesAway, InObjectSpaceAgreesWithTheProjectedAreaAndTheNormalAloneDoesNotAlways) {
     std::mt19937 random(1);

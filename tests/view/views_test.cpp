@@ -116,35 +116,6 @@ TEST(ParallelViews, ShiftWhatIsFartherWhereOblique) {
             }
 }
 
-// The silhouette of a sphere under a linear map: along each screen axis it reaches as far as that axis is long.
-TEST(ParallelViews, ShowASphereAsAnEllipseOfTheLengthsOfTheirAxes) {
-    const ScreenMode mode{640, 400, {4, 3}};
-    const std::vector<ViewSpec> views{
-        orthographic_view({}, side_axes(ViewSide::Front), View::from_int(400)),
-        orthographic_view({}, axonometric_axes(Axonometry::Isometric), View::from_int(400)),
-        orthographic_view({}, axonometric_axes(Axonometry::Trimetric), View::from_int(400)),
-        oblique_view({}, side_axes(ViewSide::Front), View::from_int(400), Unit::from_int(1), Angle{0x2000}),
-        oblique_view({}, side_axes(ViewSide::Top), View::from_int(400), Unit::from_raw(1 << 29), Angle{0x1555})};
-    for (const ViewSpec& spec : views) {
-        const ViewContext view = make_view_context(spec, mode);
-        const double shear_x = number_of(spec.shear_x), shear_y = number_of(spec.shear_y);
-        const double across = 100 * std::hypot(1, shear_x) * 640 / 400;
-        const double down = 100 * std::hypot(1, shear_y) * 640 / 400 * (4.0 / 3 * 400 / 640);
-        Extents extents;
-        for (int i = 0; i < 400; ++i)
-            for (int j = 0; j < 200; ++j) {
-                const double yaw = i * 6.283185307179586 / 400, pitch = (j - 100) * 1.5707963267948966 / 100;
-                extents.add(shown(view, point_at(100 * std::cos(yaw) * std::cos(pitch),
-                                                 100 * std::sin(yaw) * std::cos(pitch), 100 * std::sin(pitch))));
-            }
-        // Samples 0.9 degrees apart miss at most 1.3e-4 of the radius.
-        EXPECT_NEAR(extents.right, 320 + across, 0.05);
-        EXPECT_NEAR(extents.left, 320 - across, 0.05);
-        EXPECT_NEAR(extents.bottom, 200 + down, 0.05);
-        EXPECT_NEAR(extents.top, 200 - down, 0.05);
-    }
-}
-
 // The lab's table: 200x200 pixels; its far corners as corrected (errata L1).
 TEST(WindowViews, ShowTheLabsCubeWhereItsGeometrySays) {
     WindowView window;
