@@ -244,12 +244,4 @@ TEST(Share, IsExactWhereTheQuotientIsFarthestOff) {
     }
 }
 
-TEST(Share, OfATieIsTheUpperStep) {
-    EXPECT_EQ(share_of(1, 1, 2), 1);
-    EXPECT_EQ(share_of(-1, 1, 2), 0);
-    EXPECT_EQ(share_of(-3, 1, 2), -1);
-    EXPECT_EQ(share_of(7, 0, 5), 0);
-    EXPECT_EQ(share_of(-7, 5, 5), -7);
-}
-
 }  // namespace oblong::test

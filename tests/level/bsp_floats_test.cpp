@@ -110,23 +110,6 @@ TEST(BspFloats, TexelsAreRoundedAsDoublesAreAndThenToFloats) {
     EXPECT_GT(on_border, 1000);
 }
 
-// An axis turned by an editor: its part of 6e-17 is a double's step or two beyond the border, and no float's.
-TEST(BspFloats, PartsThatNoFloatSeesMoveNoBorder) {
-    const std::array<FloatBits, 4> axis{bits_of(1), bits_of(6.1232e-17F), bits_of(0), bits_of(0)};
-    const std::vector<FloatBits3> polygon = {{bits_of(16), bits_of(-1024), bits_of(0)},
-                                             {bits_of(256), bits_of(1024), bits_of(0)}};
-    const TexelRange range = texel_range(polygon, axis);
-    EXPECT_EQ(range.min, 16);
-    EXPECT_EQ(range.extent, 240);
-    // A float's step below 16 is 2^-20: half of it is a tie that goes to the even 16; more than that is not 16.
-    const std::array<FloatBits, 4> slanted{bits_of(1), bits_of(1), bits_of(0), bits_of(0)};
-    const auto least = [&](float beyond) {
-        return texel_range(std::vector<FloatBits3>{{bits_of(16), bits_of(-beyond), bits_of(0)}}, slanted).min;
-    };
-    EXPECT_EQ(least(0x1p-21F), 16);
-    EXPECT_EQ(least(0x1.000002p-21F), 0);
-}
-
 TEST(BspFloats, TexelsTooSmallForFloatsAreZero) {
     const std::vector<FloatBits3> corner = {{bits_of(-0x1p-100F), bits_of(0), bits_of(0)}};
     const auto range = [&](float axis) {
@@ -135,15 +118,6 @@ TEST(BspFloats, TexelsTooSmallForFloatsAreZero) {
     EXPECT_EQ(range(0x1p-49F).min, -16) << "the least float";
     EXPECT_EQ(range(0x1p-50F).min, 0) << "a tie between it and 0";
     EXPECT_EQ(range(0x1p-120F).min, 0);
-}
-
-// 16 - 2^-21 is a tie of floats, and 2^-75 decides it for a sum of more bits than a double has. The double is the tie.
-TEST(BspFloats, TexelsAreRoundedTwice) {
-    const std::vector<FloatBits3> polygon = {{bits_of(16), bits_of(0x1p-21F), bits_of(0x1p-75F)},
-                                             {bits_of(48), bits_of(0), bits_of(0)}};
-    const TexelRange range = texel_range(polygon, {bits_of(1), bits_of(-1), bits_of(-1), bits_of(0)});
-    EXPECT_EQ(range.min, 16);
-    EXPECT_EQ(range.extent, 32);
 }
 
 TEST(BspFloats, NumbersAreNamed) {

@@ -51,28 +51,6 @@ std::array<Point, 4> square(double x, double half, double left = 0) {
     return {{{x, left + half, half}, {x, left - half, half}, {x, left - half, -half}, {x, left + half, -half}}};
 }
 
-TEST(RayCasting, HitsASquareExactlyWhereTheRayPassesInside) {
-    Scene scene;
-    scene.add(square(100, 40.3));
-    const PixelOwners owners = scene.cast();
-    for (int row = 0; row < kMode.height_px; ++row)
-        for (int column = 0; column < kMode.width_px; ++column) {
-            const Point ray = ray_of(column, row);
-            const bool is_inside = std::abs(ray.y) < 0.403 && std::abs(ray.z) < 0.403;
-            EXPECT_EQ(owners.row(row)[column], is_inside ? 0 : PixelOwners::kNone) << column << " " << row;
-        }
-    EXPECT_EQ(owners.counts.ray_face_tests, 64 * 40);
-}
-
-TEST(RayCasting, TakesTheNearestWhateverTheOrder) {
-    for (const bool near_first : {false, true}) {
-        Scene scene;
-        scene.add(square(near_first ? 50 : 100, 30));
-        scene.add(square(near_first ? 100 : 50, 30));
-        EXPECT_EQ(scene.cast().row(20)[32], near_first ? 0 : 1);
-    }
-}
-
 TEST(RayCasting, PassesFacesThatFaceAwayAndThoseBehindTheEye) {
     Scene scene;
     auto turned = square(50, 30);

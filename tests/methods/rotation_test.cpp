@@ -22,25 +22,6 @@ void expect_near(const Vec3<Unit>& got, const Vec3<Unit>& expected, int steps) {
     ASSERT_LE(std::max({std::abs(off.x.raw), std::abs(off.y.raw), std::abs(off.z.raw)}), steps);
 }
 
-TEST(RotateAboutAxis, TurnsCounterClockwiseAboutEachAxis) {
-    EXPECT_EQ(rotate_about_axis(kX, kZ, kQuarterTurn), kY);
-    EXPECT_EQ(rotate_about_axis(kY, kX, kQuarterTurn), kZ);
-    EXPECT_EQ(rotate_about_axis(kZ, kY, kQuarterTurn), kX);
-    EXPECT_EQ(rotate_about_axis(kZ, kZ, Angle::from_bam(12'345)), kZ);
-}
-
-/// About +z it is yaw, and the engine's view basis knows yaw by other formulas.
-TEST(RotateAboutAxis, AboutUpIsYaw) {
-    const Basis unturned = view_basis({}, {}, {});
-    for (int bam = 0; bam < 65536; bam += 7) {
-        const Basis turned = rotate_about_axis(unturned, kZ, Angle::from_bam(bam));
-        const Basis yawed = view_basis(Angle::from_bam(bam), {}, {});
-        expect_near(turned.forward, yawed.forward, 1);
-        expect_near(turned.right, yawed.right, 1);
-        if (HasFatalFailure()) return;
-    }
-}
-
 /// Rodrigues in 64-bit mantissas.
 TEST(RotateAboutAxis, IsWithinAStepOfTheFormula) {
     std::mt19937 random(1);
@@ -57,13 +38,6 @@ TEST(RotateAboutAxis, IsWithinAStepOfTheFormula) {
             ASSERT_LE(std::abs(got[k] - (b[k] * c + crossed * s + a[k] * along * (1 - c))), 0x1.1p-31L);
         }
     }
-}
-
-TEST(ProjectOntoAxes, GivesTheAxesTheirOwnCoordinates) {
-    const Basis basis = view_basis(Angle::from_bam(4'321), Angle::from_bam(999), Angle::from_bam(-50));
-    expect_near(project_onto_axes(basis.right, basis), kX, 2);
-    expect_near(project_onto_axes(basis.up, basis), kY, 2);
-    expect_near(project_onto_axes(basis.forward, basis), kZ, 2);
 }
 
 TEST(ProjectOntoAxes, IsUndoneBySummingAlongThem) {

@@ -14,15 +14,6 @@ PixelOwners owners_of(const ScannedScene& scene) {
     return owners;
 }
 
-TEST(ZBuffer, NearerFaceOwnsThePixelInWhicheverOrderTheyCome) {
-    for (const auto& [wall, pillar] : {std::pair(0, 1), std::pair(1, 0)}) {
-        ScannedScene scene;
-        scene.add(pillar, {6, 10, 0, kHeight}, 50, 50);
-        scene.add(wall, {0, kWidth, 0, kHeight}, 100, 100);
-        EXPECT_EQ(text_of_row(owners_of(scene), 3), "1111110000111111") << "0: the pillar, first of the scanned faces";
-    }
-}
-
 TEST(ZBuffer, FacesThatCrossArePartedWhereTheyAreEquallyDeep) {
     ScannedScene scene;
     scene.add(0, {0, kWidth, 0, kHeight}, 50, 100);

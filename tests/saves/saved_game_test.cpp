@@ -137,15 +137,5 @@ TEST(SavedGame, AnyOtherValueOfAnyByteOfTheHeaderAndABitOfAnyOtherIsRefused) {
     EXPECT_EQ(refusal_of(bytes), "");
 }
 
-TEST(SavedGame, AStateThatTheLevelCannotHaveIsRefused) {
-    const SavedWalk walk;
-    SavedGame saved = walk.saved();
-    saved.state.active_movers = {1, 0};  // tests/game/state_check_test.cpp has what else is refused
-    const SavedGame loaded = decode_save(encode_save(saved));
-    EXPECT_EQ(loaded, saved);
-    EXPECT_EQ(refusal([&] { check_level(loaded, kToyLevelHash, walk.game.level); }),
-              "state: not one of this level, expected one saved by this version of the game");
-}
-
 }  // namespace
 }  // namespace oblong::test

@@ -49,16 +49,6 @@ TEST(Levels, FallWithDistanceAndTurnWithTheListener) {
                               {world_vector(3, -7, 46), Angle::from_bam(turn), false});
 }
 
-TEST(Levels, ToTheRightAreLouderOnTheRight) {
-    const VoiceLevels right = levels_at(source_at(Sound::SlabStart, 0, -400), kListener);
-    EXPECT_GT(right.right_256, 3 * right.left_256);
-    EXPECT_GT(right.left_256, 0);
-    Listener turned = kListener;
-    turned.yaw = kHalfTurn;
-    const VoiceLevels left = levels_at(source_at(Sound::SlabStart, 0, -400), turned);
-    EXPECT_EQ(left.left_256, right.right_256);
-}
-
 TEST(Levels, OfABoxAreThoseOfItsNearestPoint) {
     SoundSource canal = source_at(Sound::Water, 100, -5'000);
     canal.box.maxs = world_vector(300, 5'000, 46);

@@ -64,14 +64,6 @@ TEST(ParallelViews, ShowASideOfACubeAsASquare) {
             expect_extents(orthographic_view({}, side_axes(side), View::from_int(300)), mode, 0, 1, 0, 1);
 }
 
-TEST(ParallelViews, ShortenAllAxesAlikeWhereIsometric) {
-    // x goes right and up, y left and up, z up, all by the root of 2/3: at 30 degrees.
-    const double across = std::sqrt(0.5), up = std::sqrt(1 / 6.0);
-    for (const ScreenMode& mode : kModes)
-        expect_extents(orthographic_view({}, axonometric_axes(Axonometry::Isometric), View::from_int(300)), mode,
-                       -across, across, 0, 2 * up + std::sqrt(2 / 3.0));
-}
-
 double shortening(const Basis& axes, const Point& axis) {
     return std::hypot(dot(to_point(axes.right), axis), dot(to_point(axes.up), axis));
 }

@@ -78,13 +78,4 @@ TEST(BoxRectangle, OfTheWholeWorldIsAnywhere) {
         EXPECT_FALSE(rectangle_of({{-kFar, -kFar, -kFar}, {kFar, kFar, kFar}}, random_view(random, kFar)));
 }
 
-TEST(BoxRectangle, AroundTheEyeIsAnywhere) {
-    std::mt19937 random(10);
-    const ViewContext view = random_view(random);
-    const auto unit = [](World w) { return floor_shift(w.raw, 12); };
-    const LevelBox box{{unit(view.eye.x) - 8, unit(view.eye.y) - 8, unit(view.eye.z) - 8},
-                       {unit(view.eye.x) + 8, unit(view.eye.y) + 8, unit(view.eye.z) + 8}};
-    EXPECT_FALSE(rectangle_of(box, view));
-}
-
 }  // namespace oblong::test::box_rectangle_test
