@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <regex>
 #include <set>
 
 #include "engine/accuracy/accuracy.h"
 #include "engine/files/arguments.h"
+#include "engine/files/files.h"
 #include "tests/support/folders.h"
 
 namespace oblong::test {
@@ -43,22 +43,18 @@ TEST(Dials, NamesDiffer) {
     EXPECT_EQ(dial_named("focus"), nullptr);
 }
 
-std::string text_of(std::string_view project_file) {
-    const std::vector<std::uint8_t> bytes = read_file_bytes(std::filesystem::path(source_folder()) / project_file);
-    return {bytes.begin(), bytes.end()};
-}
-
 /// `dial<&Accuracy::MEMBER>("NAME"` in the table of dials, and `accuracy.MEMBER` or `accuracy().MEMBER` in the file
 /// that the dial names.
 TEST(Dials, AreReadInTheFileThatTheyName) {
-    const std::string table = text_of("engine/accuracy/dials.cpp");
+    const std::string table = read_text(source_folder() + "/engine/accuracy/dials.cpp");
     const std::regex entry("dial<&Accuracy::(\\w+)>\\(\\s*\"([^\"]+)\"");
     std::size_t found = 0;
     for (std::sregex_iterator it(table.begin(), table.end(), entry), end; it != end; ++it, ++found) {
         const Dial* const dial = dial_named((*it)[2].str());
         ASSERT_NE(dial, nullptr) << (*it)[2];
         const std::regex reading("accuracy(\\(\\))?\\." + (*it)[1].str() + "\\b");
-        EXPECT_TRUE(std::regex_search(text_of(dial->read_in), reading)) << dial->name << " in " << dial->read_in;
+        EXPECT_TRUE(std::regex_search(read_text(source_folder() + "/" + std::string(dial->read_in)), reading))
+            << dial->name << " in " << dial->read_in;
     }
     EXPECT_EQ(found, all_dials().size());
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "engine/level/bsp_read.h"
 #include "tests/support/palettes.h"
 #include "tools/map/compile.h"
 
@@ -36,8 +35,7 @@ Level compile_effects(const MapText& text) {
     if (text.entities.find("info_player_start") == std::string::npos)
         source += entity_at("info_player_start", {0, 0, 64});
     const std::vector<map::Wad> wads{map::Wad(wad_bytes(textures()))};
-    const std::string bytes = map::to_bytes(map::compile_map(map::parse_map(source), wads, {true}));
-    return read_bsp({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+    return engine_level(map::compile_map(map::parse_map(source), wads, {true}));
 }
 
 Colormap effect_colours() {

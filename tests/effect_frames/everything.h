@@ -1,17 +1,12 @@
 #pragma once
 
-#include "engine/level/bsp_read.h"
+#include "engine/files/files.h"
 #include "tests/effect_frames/effect_stage.h"
 #include "tests/support/folders.h"
 #include "tools/gallery/mesh_scene.h"
 
 /// A room that calls for every effect at once (tools/effect_costs/all_effects.map).
 namespace oblong::test {
-
-inline std::string text_of(const std::filesystem::path& path) {
-    const std::vector<std::uint8_t> bytes = read_file_bytes(path);
-    return {bytes.begin(), bytes.end()};
-}
 
 /// A level's entities do not name meshes here: they are placed.
 inline const Mesh& ball() {
@@ -28,11 +23,9 @@ inline std::vector<PlacedMesh> ball_at(const Vec3<World>& position) {
 
 inline EffectStage everything(const Camera& camera) {
     const std::filesystem::path assets = std::filesystem::path(test::build_folder()) / "assets";
-    const std::string source =
-        text_of(std::filesystem::path(test::source_folder()) / "tools" / "effect_costs" / "all_effects.map");
-    const std::vector<map::Wad> wads{map::Wad(text_of(assets / "demo.wad"))};
-    const std::string bytes = map::to_bytes(map::compile_map(map::parse_map(source), wads, {true}));
-    return {read_bsp({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}), camera,
+    const std::string source = read_text(test::source_folder() + "/tools/effect_costs/all_effects.map");
+    const std::vector<map::Wad> wads{map::Wad(read_text((assets / "demo.wad").string()))};
+    return {engine_level(map::compile_map(map::parse_map(source), wads, {true})), camera,
             make_colormap(read_palette(read_file_bytes(assets / "palette.lmp"))), ball_at(point_at(60, 40, 60))};
 }
 

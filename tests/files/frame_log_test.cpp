@@ -12,18 +12,10 @@
 #include "engine/level/bsp_read.h"
 #include "engine/view/views.h"
 #include "tests/support/bsp_writer.h"
+#include "tests/support/palettes.h"
 
 namespace oblong {
 namespace {
-
-Colormap grey_colormap() {
-    Palette palette;
-    for (int i = 0; i < 256; ++i) {
-        const auto grey = static_cast<std::uint8_t>(i);
-        item(palette.colours, i) = {grey, grey, grey};
-    }
-    return make_colormap(palette);
-}
 
 /// A frame of the tiny level, whose floor is 32 x 16 units at z = 8.
 class FrameLogTest : public testing::Test {
@@ -53,7 +45,7 @@ class FrameLogTest : public testing::Test {
     }
 
     const Level level_ = read_bsp(test::join_lumps(29, test::make_tiny_lumps()));
-    const Colormap colormap_ = grey_colormap();
+    const Colormap colormap_ = make_colormap(test::grey_palette());
     const ScreenMode mode_{64, 40, {4, 3}};
     const Settings settings_;
     const Scene scene_{level_, colormap_, {}};

@@ -23,7 +23,6 @@ struct ToyGame {
     double x() const { return state.player.position.x.raw / 4096.0; }
     double y() const { return state.player.position.y.raw / 4096.0; }
     double feet() const { return state.player.position.z.raw / 4096.0 - 24; }
-    double speed() const { return state.player.velocity.x.raw / 4096.0; }
     double travelled(std::size_t mover) const { return state.movers[mover].travelled.raw / 4096.0; }
 
     ToyLevel toy;

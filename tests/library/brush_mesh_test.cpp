@@ -4,9 +4,7 @@
 
 #include <array>
 #include <cmath>
-#include <span>
 
-#include "engine/level/bsp_read.h"
 #include "tests/map/map_source.h"
 #include "tools/map/source/textures.h"
 
@@ -49,8 +47,7 @@ TEST(BrushMesh, IsClosedFacesOutwardAndShowsTheTexelsOfTheLevel) {
                         entity("func_rotating", {}, box({-59, -10, 83}, {61, 20, 117}, "stripes")));
     const std::vector<map::Wad> wads{
         map::Wad(test::wad_bytes(std::vector<test::StripedTexture>{{"wall", 1, 1}, {"stripes", 5, 9}}))};
-    const std::string bytes = map::to_bytes(map::compile_map(map::parse_map(text), wads, {true}));
-    const Level level = read_bsp(std::span(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()));
+    const Level level = test::engine_level(map::compile_map(map::parse_map(text), wads, {true}));
     const SubModel& model = level.models[ModelIndex(1)];
     EXPECT_EQ(point_of(middle_of(model)), (Point{1, 5, 100}));
     std::int64_t texels_left = 100'000;

@@ -16,6 +16,7 @@ using map::cross;
 using map::dot;
 using map::FileFace;
 using map::FilePlane;
+using map::length;
 using map::Point;
 using map::to_point;
 
@@ -47,6 +48,32 @@ FacingPlane facing_plane(const BspFile& bsp, const FileFace& face) {
     const FilePlane& plane = at(bsp.planes, face.plane);
     const double sign = face.is_back != 0 ? -1 : 1;
     return {to_point(plane.normal) * sign, sign * static_cast<double>(plane.distance)};
+}
+
+int light_at(const BspFile& bsp, const FacingPlane& plane, const Point& place, std::size_t style) {
+    for (const auto& face : bsp.faces) {
+        const FacingPlane facing = facing_plane(bsp, face);
+        if (length(facing.normal - plane.normal) > 1e-6 || std::abs(facing.distance - plane.distance) > 1e-6) continue;
+        const auto& axes = at(bsp.texinfos, face.texinfo).axes;
+        std::array<int, 2> low{99999, 99999}, high{-99999, -99999}, step{};
+        for (std::size_t i = 0; i < 2; ++i) {
+            const auto texel = [&](const Point& p) {
+                return dot(to_point(axes[i].direction), p) + static_cast<double>(axes[i].offset);
+            };
+            for (const Point& corner : corners_of(bsp, face)) {
+                low[i] = std::min(low[i], static_cast<int>(std::floor(texel(corner) / 16)));
+                high[i] = std::max(high[i], static_cast<int>(std::ceil(texel(corner) / 16)));
+            }
+            step[i] = static_cast<int>(std::lround(texel(place) / 16)) - low[i];
+        }
+        const int width = high[0] - low[0] + 1, height = high[1] - low[1] + 1;
+        if (step[0] < 0 || step[1] < 0 || step[0] >= width || step[1] >= height) continue;
+        if (face.light_offset < 0 || face.styles.at(style) == 255) return 0;
+        const auto offset = static_cast<std::size_t>(face.light_offset + width * step[1] + step[0]) +
+                            style * static_cast<std::size_t>(width * height);
+        return static_cast<unsigned char>(bsp.lighting.at(offset));
+    }
+    return -1;
 }
 
 int leaf_at(const BspFile& bsp, const Point& point) {
@@ -101,12 +128,6 @@ std::vector<bool> visible_leaves(const BspFile& bsp, int leaf) {
     }
     return seen;
 }
-
-using map::BspFile;
-using map::cross;
-using map::dot;
-using map::length;
-using map::Point;
 
 namespace {
 

@@ -18,6 +18,12 @@ struct FacingPlane {
 };
 FacingPlane facing_plane(const map::BspFile& bsp, const map::FileFace& face);
 
+inline const FacingPlane kFloor{{0, 0, 1}, 0};
+
+/// The sample of a style of the face that lies in the plane, at a place that is a whole number of steps of 16 in both
+/// directions of its texture; the texture lies as Standard maps lay it. -1: there is none.
+int light_at(const map::BspFile& bsp, const FacingPlane& plane, const map::Point& place, std::size_t style = 0);
+
 /// The leaf of the world that a point is in.
 int leaf_at(const map::BspFile& bsp, const map::Point& point);
 

@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "engine/level/bsp_read.h"
+#include "engine/files/doubles.h"
 #include "engine/level/trace.h"
 #include "engine/scene/placed_models.h"
 #include "engine/view/views.h"
@@ -15,20 +15,8 @@
 namespace oblong::test::compile_test {
 namespace {
 
-Level as_engine_level(const map::BspFile& bsp) {
-    const std::string bytes = map::to_bytes(bsp);
-    return read_bsp({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
-}
-
 Vec3<World> to_world(const Point& point) {
-    const auto world = [](double units) {
-        return World::from_raw(static_cast<std::int32_t>(std::lround(units * (1 << World::kFractionBits))));
-    };
-    return {world(point.x), world(point.y), world(point.z)};
-}
-
-double units(World value) {
-    return static_cast<double>(value.raw) / (1 << World::kFractionBits);
+    return {fixed_of<World>(point.x), fixed_of<World>(point.y), fixed_of<World>(point.z)};
 }
 
 // Cameras at random points of a box that are open, in random directions.
@@ -49,7 +37,7 @@ std::vector<Camera> open_cameras(const map::BspFile& bsp, const map::Box& around
 
 // Pixels that are drawn twice, or not at all, over all cameras.
 std::int64_t faulty_pixels(const map::BspFile& bsp, const std::vector<Camera>& cameras) {
-    const Level level = as_engine_level(bsp);
+    const Level level = engine_level(bsp);
     const Colormap colormap = make_colormap(read_palette(std::vector<std::uint8_t>(768, 32)));
     const auto models = models_at_rest(level);
     std::vector<ViewSpec> views;
@@ -103,8 +91,8 @@ TEST(Compile, ThePlayerWalksFromWallToWall) {
         const auto bsp = compile(
             level(room({0, 0, 0}, {256, 256, 512}) + box.text(tail), entity_at("info_player_start", {64, 64, 40})),
             {true});
-        const Level engine_level = as_engine_level(bsp);
-        const GameLevel level = make_game_level(engine_level);
+        const Level bsp_level = engine_level(bsp);
+        const GameLevel level = make_game_level(bsp_level);
         GameState state = start_of(level);
         for (const std::int16_t turn : {std::int16_t{0}, std::int16_t{16384}}) {
             TickInput input;
@@ -113,8 +101,9 @@ TEST(Compile, ThePlayerWalksFromWallToWall) {
             step(level, state, input);
             input.yaw = 0;
             for (int tick = 0; tick < 3 * kTicksPerSecond; ++tick) step(level, state, input);
-            EXPECT_NEAR(turn == 0 ? units(state.player.position.x) : units(state.player.position.y), 256 - 16, 0.1);
-            EXPECT_NEAR(units(state.player.position.z), 24, 0.1);
+            EXPECT_NEAR(turn == 0 ? number_of(state.player.position.x) : number_of(state.player.position.y), 256 - 16,
+                        0.1);
+            EXPECT_NEAR(number_of(state.player.position.z), 24, 0.1);
         }
     }
 }
@@ -143,7 +132,7 @@ TEST(Compile, StepsEndInTheOpen) {
         const double x = random_between(random, -240, 240), y = random_between(random, -240, 240);
         brushes += TurnedBox{{x, y, random_between(random, 0, 100)}, {30, 20, 10}, random_frame(random)}.text();
     }
-    const Level level = as_engine_level(compile(test::level(brushes), {true}));
+    const Level level = engine_level(compile(test::level(brushes), {true}));
     int standing = 0;
     for (int i = 0; i < 2000; ++i) {
         const auto at = [&] { return random_between(random, -256, 256); };

@@ -4,7 +4,6 @@
 #include <map>
 #include <set>
 
-#include "engine/level/bsp_read.h"
 #include "tests/map/bsp_checks.h"
 #include "tests/map/map_source.h"
 
@@ -25,9 +24,7 @@ map::BspFile varied_level() {
 
 TEST(Emit, TheEnginesReaderTakesIt) {
     const auto bsp = varied_level();
-    const std::string bytes = map::to_bytes(bsp);
-    const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
-    const Level level = read_bsp({data, bytes.size()});
+    const Level level = engine_level(bsp);
     EXPECT_EQ(level.faces.size(), bsp.faces.size());
     EXPECT_EQ(level.models.size(), 2u);
     EXPECT_EQ(level.entities[1].value("model"), "*1");
@@ -75,23 +72,6 @@ TEST(Emit, AnEdgeIsUsedOnceEachWayAtMost) {
     EXPECT_EQ(uses.count(0), 0u) << "edge 0 has no other direction";
 }
 
-TEST(Emit, LightmapsHaveAtMost16By16Samples) {
-    const auto bsp = varied_level();
-    for (const auto& face : bsp.faces) {
-        const auto& texinfo = bsp.texinfos.at(static_cast<std::size_t>(face.texinfo));
-        if (texinfo.flags != 0) continue;
-        for (const auto& axis : texinfo.axes) {
-            double low = 1e9, high = -1e9;
-            for (const Point& corner : corners_of(bsp, face)) {
-                const double texel = dot(map::to_point(axis.direction), corner) + static_cast<double>(axis.offset);
-                low = std::min(low, texel);
-                high = std::max(high, texel);
-            }
-            EXPECT_LE(std::ceil(high / 16) - std::floor(low / 16), 15);
-        }
-    }
-}
-
 TEST(Emit, LiquidsAreDrawnFromBothSides) {
     const auto bsp = varied_level();
     int up = 0, down = 0;
@@ -123,8 +103,7 @@ TEST(Emit, ModelsAreStoredAUnitSmallerASide) {
     const auto bsp = varied_level();
     EXPECT_EQ(bsp.models[1].mins, (map::Floats{401, 1, 1}));
     EXPECT_EQ(bsp.models[1].maxs, (map::Floats{415, 63, 95}));
-    const std::string bytes = map::to_bytes(bsp);
-    const Level level = read_bsp({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+    const Level level = engine_level(bsp);
     EXPECT_EQ(level.models[ModelIndex(1)].box.mins, (std::array<std::int32_t, 3>{400, 0, 0}));
     EXPECT_EQ(level.models[ModelIndex(1)].box.maxs, (std::array<std::int32_t, 3>{416, 64, 96}));
 }
@@ -133,8 +112,7 @@ TEST(Emit, AModelWithoutBrushesIsReadable) {
     const auto bsp = compile(
         level(room({0, 0, 0}, {224, 224, 128}), entity("func_wall", {}, box({64, 64, 0}, {96, 96, 128}, "hint"))),
         {true});
-    const std::string bytes = map::to_bytes(bsp);
-    const Level level = read_bsp({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+    const Level level = engine_level(bsp);
     EXPECT_EQ(level.models[ModelIndex(1)].faces.count, 0);
 }
 

@@ -12,35 +12,6 @@
 namespace oblong::test {
 namespace {
 
-// The sample of the face that lies in the plane, at a place that is a whole number of steps of 16 in both directions of
-// its texture; the texture lies as Standard maps lay it. -1: there is none.
-int light_at(const map::BspFile& bsp, const FacingPlane& plane, const Point& place) {
-    for (const auto& face : bsp.faces) {
-        const FacingPlane facing = facing_plane(bsp, face);
-        if (length(facing.normal - plane.normal) > 1e-6 || std::abs(facing.distance - plane.distance) > 1e-6) continue;
-        const auto& axes = bsp.texinfos.at(static_cast<std::size_t>(face.texinfo)).axes;
-        std::array<int, 2> low{99999, 99999}, high{-99999, -99999}, at{};
-        for (std::size_t i = 0; i < 2; ++i) {
-            const auto texel = [&](const Point& p) {
-                return dot(map::to_point(axes[i].direction), p) + static_cast<double>(axes[i].offset);
-            };
-            for (const Point& corner : corners_of(bsp, face)) {
-                low[i] = std::min(low[i], static_cast<int>(std::floor(texel(corner) / 16)));
-                high[i] = std::max(high[i], static_cast<int>(std::ceil(texel(corner) / 16)));
-            }
-            at[i] = static_cast<int>(std::lround(texel(place) / 16)) - low[i];
-        }
-        const int width = high[0] - low[0] + 1, height = high[1] - low[1] + 1;
-        if (at[0] < 0 || at[1] < 0 || at[0] >= width || at[1] >= height) continue;
-        if (face.light_offset < 0) return 0;
-        return static_cast<unsigned char>(
-            bsp.lighting.at(static_cast<std::size_t>(face.light_offset + width * at[1] + at[0])));
-    }
-    return -1;
-}
-
-const FacingPlane kFloor{{0, 0, 1}, 0};
-
 std::string world_with(const std::vector<std::array<std::string, 2>>& pairs, const std::string& brushes) {
     return entity("worldspawn", pairs, brushes);
 }

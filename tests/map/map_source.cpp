@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/level/bsp_read.h"
+
 namespace oblong::test {
 
 using map::cross;
@@ -245,6 +247,14 @@ void expect_complaint(const std::string& source, const std::string& part) {
 
 std::string bytes_of(const std::string& source) {
     return map::to_bytes(compile(source, {true}));
+}
+
+Level engine_level(const std::string& bytes) {
+    return read_bsp({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+}
+
+Level engine_level(const map::BspFile& bsp) {
+    return engine_level(map::to_bytes(bsp));
 }
 
 std::string plain_room() {

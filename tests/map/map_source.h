@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/level/level.h"
 #include "tools/map/compile.h"
 
 /// Writes small map sources, and compiles them with textures made up on the spot.
@@ -87,6 +88,9 @@ void expect_complaint(const std::string& source, const std::string& part);
 
 /// The bytes of the level.
 std::string bytes_of(const std::string& source);
+/// As the engine reads them.
+Level engine_level(const std::string& bytes);
+Level engine_level(const map::BspFile& bsp);
 
 /// A room without anything in it, and a start and a light in it.
 std::string plain_room();

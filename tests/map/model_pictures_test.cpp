@@ -7,7 +7,6 @@
 
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
-#include "engine/level/bsp_read.h"
 #include "tests/map/map_source.h"
 #include "tools/reference/vec.h"
 
@@ -84,9 +83,8 @@ std::optional<std::uint8_t> expected_colour(const std::vector<TexturedBox>& boxe
 Level compile_boxes(const std::vector<TexturedBox>& boxes) {
     std::string models;
     for (const TexturedBox& one : boxes) models += entity("func_wall", {}, box(one.mins, one.maxs, one.texture));
-    const std::string bytes = map::to_bytes(compile(
+    return engine_level(compile(
         level(room(kRoomMins, kRoomMaxs), entity_at("info_player_start", {-240, -240, -200}) + models), {true}));
-    return read_bsp({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
 }
 
 /// Colours as they are, however dark: the source has no lights.

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "engine/files/files.h"
-#include "engine/level/bsp_read.h"
 #include "tests/map/bsp_checks.h"
 #include "tests/map/map_source.h"
 #include "tests/support/folders.h"
@@ -115,9 +114,8 @@ TEST(Entities, FencesAreSeenThroughInTheWorldAndInEntities) {
 }
 
 TEST(Entities, TexturesThatOnlyEntitiesShowAreInTheLevel) {
-    const std::string bytes =
-        bytes_of(hall_with("", entity_at("misc_sprite", {96, 64, 40}, {{"texture", "{BARS"}, {"scale", "2"}})));
-    const Level read = read_bsp({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+    const Level read = engine_level(
+        bytes_of(hall_with("", entity_at("misc_sprite", {96, 64, 40}, {{"texture", "{BARS"}, {"scale", "2"}}))));
     EXPECT_TRUE(std::any_of(read.textures.begin(), read.textures.end(),
                             [](const MipTexture& texture) { return texture.name == "{bars"; }));
     expect_complaint(hall_with("", entity_at("misc_lantern", {96, 64, 40}, {{"texture", "{nosuch"}})),
@@ -133,8 +131,7 @@ TEST(Entities, LightsWithAStyleOfTheirOwnKeepItFromSwitchableOnes) {
 TEST(Entities, QuotesBehindBackslashesArePartOfAValue) {
     const std::string sign = entity("trigger_multiple", {{"message", R"(say \"hi\" now)"}, {"wad", R"(C:\gfx\)"}},
                                     box({160, 160, 0}, {192, 192, 64}, "trigger"));
-    const std::string bytes = bytes_of(level(plain_room(), lights_of_plain_room() + sign));
-    const Level read = read_bsp({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+    const Level read = engine_level(bytes_of(level(plain_room(), lights_of_plain_room() + sign)));
     EXPECT_EQ(read.entities.back().value("message"), R"(say \"hi\" now)");
     EXPECT_EQ(read.entities.back().value("wad"), R"(C:\gfx\)");
 }
@@ -197,7 +194,7 @@ TEST(RealSources, AreSealedAndReadable) {
         EXPECT_EQ(open_edges(bsp), 0) << name;
         EXPECT_EQ(first_fault_of_rays(bsp, 1500, 7), "") << name;
         const std::string bytes = map::to_bytes(bsp);
-        const Level level = read_bsp({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+        const Level level = engine_level(bytes);
         EXPECT_EQ(level.models.size(), bsp.models.size()) << name;
         EXPECT_EQ(map::to_bytes(compile_shared(name)), bytes) << name << ": the same bytes each time";
     }

@@ -1,11 +1,8 @@
 #include <gtest/gtest.h>
 
-#include <set>
-#include <sstream>
 #include <thread>
 
 #include "engine/base/input_error.h"
-#include "engine/level/bsp_read.h"
 #include "engine/platform/worker_threads.h"
 #include "tests/map/map_source.h"
 
@@ -81,47 +78,15 @@ TEST(Threads, TheFirstItemsErrorIsThrownWhicheverComesFirst) {
     }
 }
 
-TEST(Threads, APortalFileShowsTheGapsBetweenClusters) {
-    map::PortalFile portals;
-    compile(row_of_rooms(3), {.portals = &portals});
-    std::istringstream lines(portals.text);
-    std::string kind;
-    std::size_t clusters = 0, count = 0;
-    lines >> kind >> clusters >> count;
-    EXPECT_EQ(kind, "PRT1");
-    EXPECT_EQ(count, portals.count);
-    std::set<std::size_t> seen;
-    for (std::size_t i = 0; i < count; ++i) {
-        std::size_t points = 0, a = 0, b = 0;
-        lines >> points >> a >> b;
-        EXPECT_GE(points, 3u);
-        seen.insert({a, b});
-        for (std::size_t k = 0; k < points; ++k) {
-            double x = 0, y = 0, z = 0;
-            char open = 0, close = 0;
-            lines >> open >> x >> y >> z >> close;
-            EXPECT_EQ(std::string({open, close}), "()");
-            EXPECT_TRUE(x >= 0 && x <= 768 && y >= 0 && y <= 256 && z >= 0 && z <= 128);
-        }
-    }
-    EXPECT_TRUE(lines.good() && seen.size() == clusters) << portals.text;
-    EXPECT_EQ(*seen.rbegin(), clusters - 1);
-}
-
-Level read(const map::BspFile& bsp) {
-    const std::string bytes = map::to_bytes(bsp);
-    return read_bsp({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
-}
-
 // Planes that nothing refers to are too many for version 29: BSP2 has the same level with wider numbers.
 TEST(Threads, ALevelTooLargeForVersion29IsBsp2) {
     map::BspFile bsp = compile(row_of_rooms(3));
     EXPECT_EQ(map::to_bytes(bsp).substr(0, 4), std::string("\x1d\0\0\0", 4));
-    const Level small = read(bsp);
+    const Level small = engine_level(bsp);
     bsp.planes.resize(32768, bsp.planes.front());
     EXPECT_TRUE(map::needs_bsp2(bsp));
     EXPECT_EQ(map::to_bytes(bsp).substr(0, 4), "BSP2");
-    const Level large = read(bsp);
+    const Level large = engine_level(bsp);
     EXPECT_TRUE(large.nodes == small.nodes && large.leaves == small.leaves && large.clip_nodes == small.clip_nodes);
     EXPECT_TRUE(large.faces == small.faces && large.mark_faces == small.mark_faces);
     EXPECT_EQ(large.lighting, small.lighting);

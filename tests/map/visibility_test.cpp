@@ -2,12 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <random>
 #include <sstream>
 
+#include "engine/files/doubles.h"
 #include "engine/files/files.h"
-#include "engine/level/bsp_read.h"
 #include "engine/level/level.h"
 #include "engine/level/side.h"
 #include "tests/map/brush_world.h"
@@ -131,7 +130,9 @@ TEST(Visibility, PortalsInTheFileFaceTheirFirstCluster) {
     std::string word;
     std::size_t clusters = 0, count = 0;
     text >> word >> clusters >> count;
+    EXPECT_EQ(word, "PRT1");
     EXPECT_EQ(clusters, static_cast<std::size_t>(bsp.models[0].visible_leaf_count));
+    EXPECT_EQ(count, portals.count);
     EXPECT_GT(count, 2u);
     for (std::size_t i = 0; i < count; ++i) {
         std::size_t corners = 0;
@@ -150,10 +151,6 @@ TEST(Visibility, PortalsInTheFileFaceTheirFirstCluster) {
 // Lines of sight nearer to a brush than this are not judged.
 constexpr double kMargin = 1.0 / 32;
 
-Level as_engine_level(const std::string& bytes) {
-    return read_bsp({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
-}
-
 // Pairs of points that see each other, found from the brushes alone; what of the level's sets denies it is counted.
 struct Witness {
     int seen = 0, denied = 0;
@@ -162,7 +159,7 @@ struct Witness {
 class Sight {
   public:
     Sight(const std::string& map_text, const std::string& bsp_bytes)
-        : brushes_(map_text), level_(as_engine_level(bsp_bytes)), visible_(visible_set_size(level_)) {}
+        : brushes_(map_text), level_(engine_level(bsp_bytes)), visible_(visible_set_size(level_)) {}
 
     // Half of the pairs lie anywhere, half near each other's height: those see farther.
     Witness test(int pairs, unsigned seed) {
@@ -182,20 +179,15 @@ class Sight {
 
   private:
     Point random_point(std::mt19937& random) const {
-        const auto between = [&](double low, double high) {
-            return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
-        };
         const map::Box& box = brushes_.box();
-        return {between(box.mins.x, box.maxs.x), between(box.mins.y, box.maxs.y), between(box.mins.z, box.maxs.z)};
+        return {random_between(random, box.mins.x, box.maxs.x), random_between(random, box.mins.y, box.maxs.y),
+                random_between(random, box.mins.z, box.maxs.z)};
     }
 
     // The leaf at a point, 0 in brushes and outside of the level.
     LeafIndex open_leaf(const Point& point) const {
-        const auto to_world = [](double units) {
-            return World::from_raw(static_cast<std::int32_t>(std::lround(units * (1 << World::kFractionBits))));
-        };
-        const LeafIndex leaf =
-            find_leaf(level_, level_.world(), {to_world(point.x), to_world(point.y), to_world(point.z)});
+        const LeafIndex leaf = find_leaf(
+            level_, level_.world(), {fixed_of<World>(point.x), fixed_of<World>(point.y), fixed_of<World>(point.z)});
         const std::int32_t filling = level_.leaves[leaf].contents;
         return filling == contents::kSolid || filling == contents::kSky ? kSolidOutside : leaf;
     }
@@ -209,26 +201,6 @@ class Sight {
     Level level_;
     std::vector<std::uint8_t> visible_;
 };
-
-// Three walls of a corridor along x, each with a slit 16 wide across all its height; slit i from y = slits[i] on.
-std::string corridor_of_slits(const std::array<int, 3>& slits) {
-    std::string walls = room({0, 0, 0}, {1024, 512, 128});
-    for (int i = 0; i < 3; ++i) {
-        const int x = 256 * (i + 1), y = slits[static_cast<std::size_t>(i)];
-        walls += box({x - 8, 0, 0}, {x + 8, y, 128}) + box({x - 8, y + 16, 0}, {x + 8, 512, 128});
-    }
-    return walls;
-}
-
-// The slits are lines of 16 by 16 units: what passes the outer two passes y 248 to 264 in the middle.
-TEST(Sight, ThreeSlitsLetThroughWhatPassesAllOfThem) {
-    for (const auto& [middle_slit, is_seen] : {std::pair{248, true}, {216, false}, {280, false}, {32, false}}) {
-        const auto bsp = compile(level(corridor_of_slits({32, middle_slit, 464})));
-        const int west = leaf_at(bsp, {100, 40, 64}), east = leaf_at(bsp, {924, 472, 64});
-        EXPECT_EQ(visible_leaves(bsp, west)[static_cast<std::size_t>(east)], is_seen) << middle_slit;
-        EXPECT_EQ(visible_leaves(bsp, east)[static_cast<std::size_t>(west)], is_seen) << middle_slit;
-    }
-}
 
 TEST(Sight, LinesThatMeetNoBrushAreInTheSets) {
     std::mt19937 random(5);

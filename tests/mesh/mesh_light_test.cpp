@@ -164,16 +164,11 @@ Vec3<Unit> blended(const Mesh& mesh, std::int32_t blend_256) {
     return pose_of(placed, scratch)[0].normal;
 }
 
-Vec3<Unit> any_direction(std::mt19937& random) {
-    const auto any = [&] { return World::from_raw(static_cast<std::int32_t>(random() % 2000001) - 1000000); };
-    return normalised(Vec3<World>{any(), any(), any()});
-}
-
 TEST(HardCaseT5, ABlendIsOfLengthOneEndsExactlyAndStaysOnTheShorterArc) {
     std::mt19937 random(5);
     for (int i = 0; i < 2000; ++i) {
-        const Vec3<Unit> from = any_direction(random);
-        Vec3<Unit> to = any_direction(random);
+        const Vec3<Unit> from = random_direction(random);
+        Vec3<Unit> to = random_direction(random);
         // Every third pair next to each other, or to the opposite.
         const auto half = [](Unit value) { return floor_shift(value, 1); };
         const Vec3<Unit> near{half(from.x), half(from.y), half(from.z) + Unit::from_raw(i + 1)};

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "engine/files/files.h"
 #include "engine/level/bsp_read.h"
 #include "engine/level/entities.h"
@@ -26,13 +24,10 @@ Vec3<World> place(int x, int y, int z) {
 class ModelFolder : public ::testing::Test {
   protected:
     ModelFolder() {
-        const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = std::filesystem::path(::testing::TempDir()) / (std::string("models_") + test->name());
-        for (const char* below : {"maps", "progs", "models", "elsewhere"}) make_folder((folder_ / below).string());
+        for (const char* below : {"maps", "progs", "models", "elsewhere"}) make_folder(path(below));
     }
-    ~ModelFolder() override { std::filesystem::remove_all(folder_); }
 
-    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    std::string path(const std::string& name) const { return folder_.path(name); }
     void write_model(const std::string& name, std::int32_t flags = 0) const {
         MdlFile file = write_mdl(tetrahedron_model());
         put_number(file, kMdlFrames + 8, 4, flags);
@@ -52,7 +47,7 @@ class ModelFolder : public ::testing::Test {
     }
 
   private:
-    std::filesystem::path folder_;
+    const TemporaryFolder folder_;
 };
 
 std::string misc_model(const std::string& keys) {

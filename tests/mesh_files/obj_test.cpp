@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 
 #include "engine/files/doubles.h"
 #include "engine/files/files.h"
+#include "tests/support/folders.h"
 #include "tests/support/palettes.h"
 
 namespace oblong::test::obj_test {
@@ -14,14 +14,7 @@ namespace {
 
 class ObjFiles : public ::testing::Test {
   protected:
-    ObjFiles() {
-        const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = std::filesystem::path(::testing::TempDir()) / (std::string("obj_") + test->name());
-        make_folder(folder_.string());
-    }
-    ~ObjFiles() override { std::filesystem::remove_all(folder_); }
-
-    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    std::string path(const std::string& name) const { return folder_.path(name); }
     ObjModel read(const std::string& text, const ObjOptions& options = {.is_z_up = true}) const {
         write_file(path("model.obj"), text);
         return read_obj(path("model.obj"), grey_palette(), options);
@@ -38,7 +31,7 @@ class ObjFiles : public ::testing::Test {
     }
 
   private:
-    std::filesystem::path folder_;
+    const TemporaryFolder folder_;
 };
 
 const std::string kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";

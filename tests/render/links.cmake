@@ -1,2 +1,2 @@
 find_package(nlohmann_json REQUIRED)
-set(LINKS oblong_level oblong_tool_cameras nlohmann_json::nlohmann_json)
+set(LINKS test_levels oblong_level oblong_tool_cameras nlohmann_json::nlohmann_json)

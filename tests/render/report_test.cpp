@@ -4,6 +4,7 @@
 
 #include "engine/scene/effects.h"
 #include "tests/bad_input/run_program.h"
+#include "tests/map/map_source.h"
 #include "tests/support/folders.h"
 
 // What oblong-render says of its frames.
@@ -102,43 +103,13 @@ TEST_F(Report, WholeFramesHaveNoTimesOfPasses) {
             EXPECT_EQ(pass.at("microseconds"), pass.at("name") == "other" ? frame.at("microseconds") : Json(0.0));
 }
 
-/// A brush of a map source: a point of each face and two more, clockwise seen from outside.
-std::string box(const std::array<int, 3>& low, const std::array<int, 3>& high) {
-    using Step = std::array<int, 3>;
-    const std::array<std::array<Step, 2>, 3> steps{
-        {{{{0, 1, 0}, {0, 0, 1}}}, {{{0, 0, 1}, {1, 0, 0}}}, {{{1, 0, 0}, {0, 1, 0}}}}};
-    std::string text = "{\n";
-    for (const bool is_high : {false, true}) {
-        for (auto [u, v] : steps) {
-            if (is_high) std::swap(u, v);
-            for (const Step& step : {Step{}, u, v}) {
-                text += "( ";
-                for (std::size_t i = 0; i < 3; ++i) text += std::to_string((is_high ? high : low)[i] + step[i]) + ' ';
-                text += ") ";
-            }
-            text += "stone_wall 0 0 0 1 1\n";
-        }
-    }
-    return text + "}\n";
-}
-
 // A brush model of 64 x 64 units squarely before the eye, 64 away. Across, 90 degrees show 128 units there on 320
 // pixels, so it is 160 wide; each pixel is 1.2 times as tall as wide, so it reaches from 33.3 to 166.7 down: over 134
 // centres.
 TEST_F(Report, CountsThePixelsThatBrushModelsOwn) {
-    std::string map = "{\n\"classname\" \"worldspawn\"\n";
-    const std::array<int, 3> low{-128, -128, -64}, high{256, 128, 192};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        std::array<int, 3> below_high = high, above_low = low;
-        below_high[axis] = low[axis];
-        above_low[axis] = high[axis];
-        std::array<int, 3> below_low = low, above_high = high;
-        below_low[axis] -= 16;
-        above_high[axis] += 16;
-        map += box(below_low, below_high) + box(above_low, above_high);
-    }
-    map += "}\n{\n\"classname\" \"info_player_start\"\n\"origin\" \"0 0 64\"\n}\n{\n\"classname\" \"func_wall\"\n" +
-           box({64, -32, 32}, {80, 32, 96}) + "}\n";
+    const std::string map = test::level(room({-128, -128, -64}, {256, 128, 192}, 16, "stone_wall"),
+                                        entity_at("info_player_start", {0, 0, 64}) +
+                                            entity("func_wall", {}, box({64, -32, 32}, {80, 32, 96}, "stone_wall")));
     const std::string source = folder_.write("wall.map", map), level = folder_.path("wall.bsp");
     const Outcome compiled =
         run_program({"oblong-map", source, "-o", level, "--wad", test::build_folder() + "/assets/demo.wad"});

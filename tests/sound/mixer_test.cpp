@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -31,12 +30,11 @@ std::vector<std::int16_t> sine(double hz, double seconds) {
 /// What SDL's driver "disk" writes instead of playing it: 16-bit samples, left and right by turns.
 class DiskAudio {
   public:
-    DiskAudio() : file_((fs::temp_directory_path() / ("oblong_mixer_" + std::to_string(getpid()))).string()) {
+    DiskAudio() {
         setenv("SDL_AUDIODRIVER", "disk", 1);
         setenv("SDL_DISKAUDIOFILE", file_.c_str(), 1);
         setenv("SDL_DISKAUDIODELAY", "1", 1);
     }
-    ~DiskAudio() { fs::remove(file_); }
 
     /// Until a tenth of a second has been written, five minutes at most.
     void wait_for_sound() const {
@@ -65,7 +63,8 @@ class DiskAudio {
     }
 
   private:
-    std::string file_;
+    const test::TemporaryFolder folder_;
+    const std::string file_ = folder_.path("played");
 };
 
 void wait_until_silent(const SoundOutput& output, SoundOutput::VoiceNumber voice) {
