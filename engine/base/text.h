@@ -19,11 +19,11 @@ inline std::string shortened(std::string text, std::size_t most) {
     return text;
 }
 
-/// The parts of a text between separators: one more than there are separators.
-inline std::vector<std::string> split(std::string_view text, char separator) {
+/// The parts of a text between separators (any letter of `separators`): one more than there are separators.
+inline std::vector<std::string> split(std::string_view text, std::string_view separators) {
     std::vector<std::string> parts;
     for (std::size_t start = 0; start <= text.size();) {
-        const std::size_t end = std::min(text.find(separator, start), text.size());
+        const std::size_t end = std::min(text.find_first_of(separators, start), text.size());
         parts.emplace_back(text.substr(start, end - start));
         start = end + 1;
     }

@@ -6,7 +6,6 @@
 #include <span>
 
 #include "engine/effects/fog.h"
-#include "engine/effects/height_fog.h"
 #include "engine/frame/claims.h"
 #include "engine/scene/level_effects.h"
 #include "engine/surface/colormap.h"

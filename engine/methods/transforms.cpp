@@ -1,16 +1,102 @@
 #include "engine/methods/transforms.h"
 
+#include "engine/fixed/arithmetic.h"
+#include "engine/fixed/trig.h"
 #include "engine/math/vec.h"
-#include "engine/methods/rotation.h"
 
 namespace oblong {
-
 namespace {
+
+using Vec60 = Vec3<Sine60>;
+
+Sine60 scaled(Unit component, Sine60 factor) {
+    return product<Sine60>(component, factor);
+}
+Vec60 scaled(const Vec3<Unit>& v, Sine60 factor) {
+    return {scaled(v.x, factor), scaled(v.y, factor), scaled(v.z, factor)};
+}
+
+Sine60 scaled(Sine60 component, Sine60 factor) {
+    return product<Sine60>(component, factor);
+}
+Vec60 scaled(const Vec60& v, Sine60 factor) {
+    return {scaled(v.x, factor), scaled(v.y, factor), scaled(v.z, factor)};
+}
+
+Sine60 times(Unit a, Sine60 b) {
+    return product<Sine60>(a, b);
+}
 
 constexpr Unit kWholeUnit = Unit::from_int(1);
 constexpr Vec3<Unit> kAxisX{kWholeUnit, {}, {}}, kAxisY{{}, kWholeUnit, {}}, kAxisZ{{}, {}, kWholeUnit};
 
 }  // namespace
+
+Vec3<Unit> rotate_about_axis(const Vec3<Unit>& direction, const Vec3<Unit>& axis, Angle angle) {
+    const auto [sine60, cosine60] = sine_cosine(angle);
+    const Sine60 along_axis = scaled(dot(axis, direction), Sine60::from_int(1) - cosine60);
+    return saturating_convert<Unit>(scaled(direction, cosine60) + scaled(cross(axis, direction), sine60) +
+                                    scaled(axis, along_axis));
+}
+
+Basis rotate_about_axis(const Basis& basis, const Vec3<Unit>& axis, Angle angle) {
+    return {.right = rotate_about_axis(basis.right, axis, angle),
+            .up = rotate_about_axis(basis.up, axis, angle),
+            .forward = rotate_about_axis(basis.forward, axis, angle)};
+}
+
+Vec3<Unit> project_onto_axes(const Vec3<Unit>& direction, const Basis& axes) {
+    return saturating_convert<Unit>(
+        Vec60{dot(direction, axes.right), dot(direction, axes.up), dot(direction, axes.forward)});
+}
+
+Vec3<Unit> sum_along_axes(const Vec3<Unit>& coordinates, const Basis& axes) {
+    const auto along = [](const Vec3<Unit>& axis, Unit coordinate) {
+        return Vec60{widening_product(axis.x, coordinate), widening_product(axis.y, coordinate),
+                     widening_product(axis.z, coordinate)};
+    };
+    return saturating_convert<Unit>(along(axes.right, coordinates.x) + along(axes.up, coordinates.y) +
+                                    along(axes.forward, coordinates.z));
+}
+
+Quaternion quaternion_about_axis(const Vec3<Unit>& axis, Angle angle) {
+    const auto [sine60, cosine60] = half_angle_sine_cosine(angle);
+    return {convert<Unit>(cosine60), convert<Unit>(times(axis.x, sine60)), convert<Unit>(times(axis.y, sine60)),
+            convert<Unit>(times(axis.z, sine60))};
+}
+
+Quaternion operator*(const Quaternion& a, const Quaternion& b) {
+    const auto product = [](Unit c, Unit d) { return widening_product(c, d); };
+    return {saturating_convert<Unit>(product(a.w, b.w) - product(a.x, b.x) - product(a.y, b.y) - product(a.z, b.z)),
+            saturating_convert<Unit>(product(a.w, b.x) + product(a.x, b.w) + product(a.y, b.z) - product(a.z, b.y)),
+            saturating_convert<Unit>(product(a.w, b.y) - product(a.x, b.z) + product(a.y, b.w) + product(a.z, b.x)),
+            saturating_convert<Unit>(product(a.w, b.z) + product(a.x, b.y) - product(a.y, b.x) + product(a.z, b.w))};
+}
+
+Quaternion normalised(const Quaternion& quaternion) {
+    const auto unit = normalised_raw(
+        std::array<std::int64_t, 4>{quaternion.w.raw, quaternion.x.raw, quaternion.y.raw, quaternion.z.raw});
+    return {unit[0], unit[1], unit[2], unit[3]};
+}
+
+/// v + 2 w (u x v) + 2 u x (u x v), where u = (x, y, z): rounded once.
+Vec3<Unit> rotate(const Vec3<Unit>& direction, const Quaternion& rotation) {
+    const Vec3<Unit> u{rotation.x, rotation.y, rotation.z};
+    const Vec3<Sine60> once = cross(u, direction);
+    const Vec3<Sine60> twice{times(u.y, once.z) - times(u.z, once.y), times(u.z, once.x) - times(u.x, once.z),
+                             times(u.x, once.y) - times(u.y, once.x)};
+    const auto sum = [&rotation](Unit v, Sine60 first, Sine60 second) {
+        const Sine60 half = times(rotation.w, first) + second;
+        return saturating_convert<Unit>(convert<Sine60>(v) + half + half);
+    };
+    return {sum(direction.x, once.x, twice.x), sum(direction.y, once.y, twice.y), sum(direction.z, once.z, twice.z)};
+}
+
+Basis rotate(const Basis& basis, const Quaternion& rotation) {
+    return {.right = rotate(basis.right, rotation),
+            .up = rotate(basis.up, rotation),
+            .forward = rotate(basis.forward, rotation)};
+}
 
 std::optional<Vec3<Entry>> point_of(const Vec4& homogeneous) {
     if (homogeneous.w == Entry{}) return std::nullopt;

@@ -43,7 +43,7 @@ std::int32_t whole_number(const std::string& field, std::size_t line) {
 }
 
 Fields fields_of(const std::string& text, std::size_t line) {
-    const std::vector<std::string> texts = split(text, ',');
+    const std::vector<std::string> texts = split(text, ",");
     if (texts.size() != kColumns)
         throw InputError(place_of(line), std::to_string(texts.size()) + " fields, expected 8");
     Fields fields;
@@ -109,7 +109,7 @@ std::string words(const Position& p) {
 std::vector<Waypoint> parse_route(std::span<const std::uint8_t> bytes) {
     std::string text(bytes.begin(), bytes.end());
     std::erase(text, '\r');
-    std::vector<std::string> lines = split(text, '\n');
+    std::vector<std::string> lines = split(text, "\n");
     lines[0] = without_byte_order_mark(lines[0]);
     if (lines[0] != kHeader) throw InputError(place_of(1), "'" + lines[0] + "', expected " + std::string(kHeader));
     std::vector<Waypoint> route;

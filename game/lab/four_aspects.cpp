@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/draw/font.h"
+#include "engine/draw/text.h"
 
 namespace oblong {
 namespace {

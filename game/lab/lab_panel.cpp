@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/base/table.h"
-#include "engine/draw/font.h"
+#include "engine/draw/text.h"
 #include "engine/surface/palette.h"
 
 namespace oblong {

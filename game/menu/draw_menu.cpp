@@ -2,7 +2,7 @@
 #include <map>
 
 #include "engine/base/table.h"
-#include "engine/draw/font.h"
+#include "engine/draw/text.h"
 #include "engine/surface/palette.h"
 #include "game/menu/menu_layout.h"
 

@@ -6,9 +6,9 @@
 
 #include "game/input/bindings.h"
 #include "game/input/key_names.h"
-#include "game/menu/menu_page.h"
+#include "game/menu/menu_layout.h"
 #include "game/options/preferences.h"
-#include "game/simulation/goal.h"
+#include "game/simulation/items.h"
 
 namespace oblong {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/base/table.h"
-#include "engine/draw/font.h"
+#include "engine/draw/text.h"
 
 namespace oblong {
 namespace {

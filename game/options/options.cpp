@@ -1,6 +1,8 @@
 #include "game/options/options.h"
 
 #include <array>
+#include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <string_view>
 
@@ -128,6 +130,20 @@ PlayerFolders folders_of(const OptionTexts& texts, const Options& options, const
     return folders;
 }
 
+namespace fs = std::filesystem;
+
+// An absolute path from the environment, with `below` added; empty if there is none.
+fs::path environment_folder(const char* variable, const char* below) {
+    const char* const value = std::getenv(variable);
+    if (value == nullptr || !fs::path(value).is_absolute()) return {};
+    return fs::path(value) / below;
+}
+
+fs::path base_folder(const char* variable, const char* below_home) {
+    const fs::path given = environment_folder(variable, "");
+    return given.empty() ? environment_folder("HOME", below_home) : given;
+}
+
 }  // namespace
 
 int run_with_options(int argument_count, const char* const* arguments,
@@ -148,6 +164,20 @@ int run_with_options(int argument_count, const char* const* arguments,
         store.begin_with(options.preferences);
         body(options, store);
     });
+}
+
+PlayerFolders desktop_folders() {
+    const fs::path config = base_folder("XDG_CONFIG_HOME", ".config");
+    const fs::path data = base_folder("XDG_DATA_HOME", ".local/share");
+    PlayerFolders folders;
+    if (!config.empty()) folders.config_file = (config / "oblong" / "oblong.cfg").string();
+    if (!data.empty()) folders.data = (data / "oblong").string();
+    return folders;
+}
+
+PlayerFolders portable_folders(const std::string& program_folder) {
+    const fs::path folder = fs::path(program_folder) / "oblong-data";
+    return {(folder / "oblong.cfg").string(), folder.string()};
 }
 
 }  // namespace oblong

@@ -9,6 +9,7 @@
 #include "engine/accuracy/dials.h"
 #include "engine/base/input_error.h"
 #include "engine/base/table.h"
+#include "engine/base/text.h"
 #include "engine/files/arguments.h"
 #include "game/options/preference_kinds.h"
 
@@ -177,17 +178,6 @@ void add_sound(Rows& rows) {
                                 tenths, " %"));
 }
 
-// The parts of a text between separators; may be empty.
-std::vector<std::string_view> parts_of(std::string_view text, std::string_view separators) {
-    std::vector<std::string_view> parts;
-    for (std::size_t at = 0; at <= text.size();) {
-        const std::size_t end = std::min(text.find_first_of(separators, at), text.size());
-        parts.push_back(text.substr(at, end - at));
-        at = end + 1;
-    }
-    return parts;
-}
-
 // The light of all games except the museum, which has its own options: "quake:1.4:1:on", a word for each game.
 KeptValue lights_value() {
     KeptValue value;
@@ -206,15 +196,14 @@ KeptValue lights_value() {
     value.parse = [values = value.values](Preferences& of, const std::string& text) {
         Preferences read;
         const std::string_view games = text == "none" ? std::string_view{} : text;
-        for (const std::string_view word : parts_of(games, " \t\n\r\f\v")) {
+        for (const std::string& word : split(games, " \t\n\r\f\v")) {
             if (word.empty()) continue;
-            const std::vector<std::string_view> parts = parts_of(word, ":");
-            if (parts.size() != 4 || parts[0].empty() || parts[0] == kMuseum)
-                refuse("game-lights", std::string(word), values);
+            const std::vector<std::string> parts = split(word, ":");
+            if (parts.size() != 4 || parts[0].empty() || parts[0] == kMuseum) refuse("game-lights", word, values);
             read.game = parts[0];
             for (const auto& [name, part] :
                  {std::pair("brightness", parts[1]), {"gamma", parts[2]}, {"tube-light", parts[3]}})
-                preference_named(name).parse(read, std::string(part));
+                preference_named(name).parse(read, part);
         }
         if (const auto museum = of.lights.find(kMuseum); museum != of.lights.end()) read.lights.insert(*museum);
         of.lights = read.lights;

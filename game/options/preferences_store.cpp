@@ -2,13 +2,133 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
+#include <optional>
 #include <utility>
 
+#include "engine/base/input_error.h"
+#include "engine/base/text.h"
+#include "engine/files/arguments.h"
+#include "engine/files/command_line.h"
 #include "engine/files/files.h"
-#include "game/options/options_text.h"
 
 namespace oblong {
 namespace {
+
+// A line and its assignment.
+struct ReadLine {
+    std::size_t number;  // from 1
+    ConfigLine set;
+};
+
+std::vector<std::string> lines_of_text(const std::string& text) {
+    std::vector<std::string> lines = split(text, "\n");
+    if (lines.back().empty()) lines.pop_back();
+    return lines;
+}
+
+std::string text_of_lines(const std::vector<std::string>& lines) {
+    std::string text;
+    for (const std::string& line : lines) text += line + '\n';
+    return text;
+}
+
+bool is_known(const std::string& name, const std::span<const KeptValue* const> values) {
+    return std::any_of(values.begin(), values.end(), [&](const KeptValue* value) { return value->name == name; });
+}
+
+std::vector<ReadLine> read_lines(const std::string& text, std::vector<LineFault>& faults) {
+    const std::span<const KeptValue* const> values = all_kept_values();
+    std::vector<ReadLine> read;
+    std::size_t number = 0;
+    for (const std::string& line : lines_of_text(text)) {
+        ++number;
+        try {
+            const std::optional<ConfigLine> set =
+                parse_config_line(number == 1 ? std::string(without_byte_order_mark(line)) : line);
+            if (set && !is_known(set->name, values))
+                faults.push_back({number, printable("'" + set->name +
+                                                    "' is unknown, expected a name that this "
+                                                    "version writes; the line is kept")});
+            else if (set)
+                read.push_back({number, *set});
+        } catch (const InputError& error) {
+            faults.push_back({number, error.what()});
+        }
+    }
+    return read;
+}
+
+// An error message without the dashes of a command line.
+std::string without_dashes(const std::string& what) {
+    return printable(what.starts_with("--") ? what.substr(2) : what);
+}
+
+// Applies the lines of a name to the preferences.
+void parse_lines(const KeptValue& value, const std::vector<ReadLine>& lines, ReadPreferences& read) {
+    for (const ReadLine& line : lines) {
+        if (line.set.name != value.name) continue;
+        try {
+            value.parse(read.preferences, line.set.value);
+        } catch (const std::runtime_error& error) {
+            read.faults.push_back({line.number, without_dashes(error.what())});
+        }
+    }
+}
+
+// Mode, field of view and display may each be valid but not together: then mode and field of view keep their defaults.
+void check_together(const std::vector<ReadLine>& lines, ReadPreferences& read) {
+    try {
+        check_view(read.preferences.mode, read.preferences.field_of_view);
+    } catch (const UsageError& error) {
+        const Preferences usual;
+        read.preferences.mode = usual.mode;
+        read.preferences.field_of_view = usual.field_of_view;
+        const auto is_of_view = [](const ReadLine& line) {
+            return line.set.name == "mode" || line.set.name == "fov" || line.set.name == "display";
+        };
+        const auto last = std::find_if(lines.rbegin(), lines.rend(), is_of_view);
+        read.faults.push_back({last->number, without_dashes(error.what())});
+    }
+}
+
+void check_is_text(const std::string& text) {
+    constexpr std::ptrdiff_t kMostControls = 16;  // up to this many: a damaged text
+    const auto is_control = [](char letter) {
+        return static_cast<unsigned char>(letter) < ' ' && letter != '\t' && letter != '\n' && letter != '\r';
+    };
+    const std::ptrdiff_t controls = std::count_if(text.begin(), text.end(), is_control);
+    if (controls > kMostControls)
+        throw InputError("text", std::to_string(controls) + " control characters, expected lines NAME = VALUE");
+}
+
+std::vector<std::string> commented(const KeptValue& value, const Preferences& preferences) {
+    return {"", "# " + value.label + ": " + value.help + ".",
+            "# " + value.values + "; default: " + value.text(Preferences{}),
+            value.name + " = " + value.text(preferences)};
+}
+
+// A line with another value; its spaces and its comment are kept.
+std::string with_value(const std::string& line, const std::string& value) {
+    const std::size_t equals = line.find('=');
+    if (equals == std::string::npos) return line.substr(0, line.find_last_not_of(" \t\r") + 1) + " = " + value;
+    const std::size_t begin = std::min(line.find_first_not_of(" \t", equals + 1), line.size());
+    const std::size_t comment = std::min(line.find('#', begin), line.size());
+    const std::size_t last = comment == begin ? std::string::npos : line.find_last_not_of(" \t\r", comment - 1);
+    const std::size_t end = last == std::string::npos || last < begin ? begin : last + 1;
+    const std::string space = begin == equals + 1 ? " " : "";
+    const std::string before_comment = end == comment && comment < line.size() ? " " : "";
+    return line.substr(0, begin) + space + value + before_comment + line.substr(end);
+}
+
+// Keeps the first faults, and counts the rest.
+void limit_faults(std::vector<LineFault>& faults) {
+    constexpr std::size_t kMost = 16;
+    if (faults.size() <= kMost) return;
+    const std::size_t more = faults.size() - kMost, line = faults[kMost].line;
+    faults.resize(kMost);
+    faults.push_back({line, "this line and " + std::to_string(more - 1) + " others are wrong too"});
+}
 
 namespace fs = std::filesystem;
 
@@ -25,6 +145,47 @@ std::string text_of_file(const std::string& file) {
 }
 
 }  // namespace
+
+ReadPreferences read_preferences(const std::string& text) {
+    check_is_text(text);
+    ReadPreferences read;
+    const std::vector<ReadLine> lines = read_lines(text, read.faults);
+    for (const KeptValue* value : all_kept_values()) parse_lines(*value, lines, read);
+    check_together(lines, read);
+    std::stable_sort(read.faults.begin(), read.faults.end(),
+                     [](const LineFault& a, const LineFault& b) { return a.line < b.line; });
+    limit_faults(read.faults);
+    return read;
+}
+
+std::string write_preferences(const Preferences& preferences) {
+    std::vector<std::string> lines{
+        "# Options of Oblong. The game changes values here and leaves all else as it is:",
+        "# comments, order, and names that it does not know. A line that it can't read is named when it starts."};
+    for (const KeptValue* value : all_kept_values()) {
+        const std::vector<std::string> own = commented(*value, preferences);
+        lines.insert(lines.end(), own.begin(), own.end());
+    }
+    return text_of_lines(lines);
+}
+
+std::string with_values(const std::string& text, const std::vector<const KeptValue*>& changed, const Preferences& now) {
+    std::vector<LineFault> faults;
+    std::map<std::string, std::size_t> line_of_name;  // the last one
+    for (const ReadLine& line : read_lines(text, faults)) line_of_name[line.set.name] = line.number;
+    std::vector<std::string> lines = lines_of_text(text);
+    for (const KeptValue* value : changed) {
+        const auto found = line_of_name.find(value->name);
+        if (found != line_of_name.end()) {
+            std::string& line = lines[found->second - 1];
+            line = with_value(line, value->text(now));
+            continue;
+        }
+        const std::vector<std::string> own = commented(*value, now);
+        lines.insert(lines.end(), own.begin(), own.end());
+    }
+    return text_of_lines(lines);
+}
 
 PreferencesStore::PreferencesStore(std::string file) : file_(std::move(file)) {
     if (!file_.empty() && exists(file_)) {

@@ -8,6 +8,28 @@
 
 namespace oblong {
 
+/// A line of an options file (NAME = VALUE, or a comment) that cannot be read; the others are used.
+struct LineFault {
+    std::size_t line;  ///< from 1
+    std::string what;  ///< what is wrong, what was expected
+};
+
+struct ReadPreferences {
+    Preferences preferences;
+    std::vector<LineFault> faults;  ///< in the order of their lines
+};
+
+/// The preferences of a text, with defaults for missing names. The last line of a name counts. Throws InputError if
+/// this is no text.
+ReadPreferences read_preferences(const std::string& text);
+
+/// A complete text: each value below its help.
+std::string write_preferences(const Preferences& preferences);
+
+/// The text with the current values of some options. Options that it lacks are added at its end; nothing else changes:
+/// names that this version does not know stay in it.
+std::string with_values(const std::string& text, const std::vector<const KeptValue*>& changed, const Preferences& now);
+
 /// The player's preferences in their file. Values from the command line are not written to it; changes in the game are.
 class PreferencesStore {
   public:

@@ -4,7 +4,7 @@
 
 #include "engine/files/arguments.h"
 #include "game/input/key_names.h"
-#include "game/simulation/goal.h"
+#include "game/simulation/items.h"
 #include "game/view/screenshot.h"
 #include "game/view/shown_view.h"
 

@@ -2,14 +2,14 @@
 
 #include <string>
 
-#include "engine/files/log_channels.h"
+#include "engine/files/frame_log.h"
 #include "engine/frame/settings.h"
 #include "engine/platform/platform.h"
 #include "engine/view/present_rect.h"
 #include "game/input/controls.h"
 #include "game/lab/lab_options.h"
 #include "game/options/preferences.h"
-#include "game/view/line_overlays.h"
+#include "game/view/sign_colours.h"
 
 namespace oblong {
 

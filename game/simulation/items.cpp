@@ -27,6 +27,18 @@ std::uint8_t key_of(ItemClass item_class) {
     return item_class == ItemClass::GoldKey ? kGoldKey : std::uint8_t{0};
 }
 
+constexpr std::int32_t kFew = 4;
+constexpr std::int64_t kTangent_12 = 29;  // 12 times that of 67.5 degrees
+
+bool is_lens(const GameLevel& level, std::size_t item) {
+    return level.items[item].item_class == ItemClass::Lens;
+}
+
+std::string name_of(const GameLevel& level, std::size_t item) {
+    const std::string name = level.bsp->entities[level.items[item].entity].value("netname");
+    return name.empty() ? level.lens_names.one : name;
+}
+
 }  // namespace
 
 std::optional<Item> item_of(const Entity& entity) {
@@ -65,6 +77,53 @@ void touch_items(const GameLevel& level, GameState& state, Activations& activati
         state.progress.keys |= key_of(level.items[i].item_class);
         activations.fire({EntityRef::Kind::Item, i});
     }
+}
+
+std::string direction_of(const Position& from, const Position& to) {
+    const auto [east, north, up] = widening_difference(to, from);
+    const WorldWide across = absolute(east), along = absolute(north);
+    if (absolute(up) > std::max(across, along)) return up > WorldWide{} ? "above" : "below";
+    const std::string first = north >= WorldWide{} ? "north" : "south", second = east >= WorldWide{} ? "east" : "west";
+    if (along * 12 > across * kTangent_12) return first;
+    return across * 12 > along * kTangent_12 ? second : first + "-" + second;
+}
+
+std::vector<std::size_t> last_lenses(const GameLevel& level, const GameState& state) {
+    const ItemCount count = count_items(level, state, ItemClass::Lens);
+    std::vector<std::size_t> missing;
+    if (count.all - count.taken > std::min(kFew, count.all / 2)) return missing;
+    for (std::size_t i = 0; i < level.items.size(); ++i)
+        if (is_lens(level, i) && is_there(state, i)) missing.push_back(i);
+    return missing;
+}
+
+Goal goal_of(const GameLevel& level, const GameState& state) {
+    const ItemCount count = count_items(level, state, ItemClass::Lens);
+    Goal goal;
+    if (count.all == 0) return goal;
+    const std::vector<std::size_t> last = last_lenses(level, state);
+    const auto where = [&](std::size_t item) {
+        return " (" + direction_of(state.player.position, level.items[item].position) + ")";
+    };
+    goal.title = level.lens_names.several;
+    if (!goal.title.empty() && goal.title[0] >= 'a' && goal.title[0] <= 'z')
+        goal.title[0] = static_cast<char>(goal.title[0] - 'a' + 'A');
+    goal.count = std::to_string(count.taken) + " of " + std::to_string(count.all);
+    for (const std::size_t lens : last)
+        goal.hint += (goal.hint.empty() ? "Missing: " : ", ") + name_of(level, lens) + where(lens);
+    for (std::size_t i = 0; i < level.items.size(); ++i) {
+        if (!is_lens(level, i)) continue;
+        goal.list += (goal.list.empty() ? "" : "\n") + name_of(level, i);
+        goal.list += !is_there(state, i) ? ": found" : last.empty() ? ": missing" : ": missing" + where(i);
+    }
+    return goal;
+}
+
+std::string found_text(const GameLevel& level, const GameState& before, const GameState& after) {
+    const ItemCount count = count_items(level, after, ItemClass::Lens);
+    if (count.taken <= count_items(level, before, ItemClass::Lens).taken) return "";
+    const Goal goal = goal_of(level, after);
+    return goal.title + ": " + goal.count + (goal.hint.empty() ? "" : ". " + goal.hint);
 }
 
 }  // namespace oblong

@@ -6,7 +6,7 @@
 
 #include "engine/platform/sound.h"
 #include "game/simulation/game_level.h"
-#include "game/sound/sound_source.h"
+#include "game/sound/sound_table.h"
 
 namespace oblong {
 

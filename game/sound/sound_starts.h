@@ -7,7 +7,6 @@
 #include "engine/level/level.h"
 #include "game/simulation/game_level.h"
 #include "game/simulation/tick_report.h"
-#include "game/sound/sound_source.h"
 #include "game/sound/sound_table.h"
 
 namespace oblong {

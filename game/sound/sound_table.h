@@ -6,6 +6,9 @@
 #include <string_view>
 
 #include "engine/base/table.h"
+#include "engine/files/sound_file.h"
+#include "engine/level/level.h"
+#include "game/simulation/geometry.h"
 
 namespace oblong {
 
@@ -86,5 +89,15 @@ std::optional<Sound> find_sound(std::string_view file);
 
 /// "step_stone2.flac"; `variant` from 0.
 std::string file_of(Sound sound, std::int32_t variant);
+
+/// A source of sound.
+struct SoundSource {
+    Sound sound = Sound::Wind;
+    std::int32_t variant = 0;
+    Box box;                                ///< sounds from all of it; unused for sounds without a range
+    std::uint32_t serial = 0;               ///< distinguishes one-shots; 0 for loops
+    ModelIndex model = kWorldModel;         ///< that makes the sound, and does not block it
+    std::int32_t own = LevelSounds::kNone;  ///< the level's own sound that replaces it
+};
 
 }  // namespace oblong

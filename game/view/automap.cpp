@@ -6,7 +6,7 @@
 #include "engine/level/side.h"
 #include "engine/view/clip_line.h"
 #include "engine/view/views.h"
-#include "game/simulation/goal.h"
+#include "game/simulation/items.h"
 #include "game/view/sign_colours.h"
 
 namespace oblong {

@@ -6,7 +6,7 @@
 #include "engine/visibility/visible_set.h"
 #include "game/options/preferences.h"
 #include "game/view/game_renderer.h"
-#include "game/view/line_overlays.h"
+#include "game/view/sign_colours.h"
 
 namespace oblong {
 

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "engine/base/table.h"
-#include "engine/draw/font.h"
+#include "engine/draw/text.h"
 
 namespace oblong {
 namespace {

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "engine/base/table.h"
-#include "engine/draw/font.h"
+#include "engine/draw/text.h"
 
 namespace oblong {
 namespace {

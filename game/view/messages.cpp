@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "engine/base/table.h"
-#include "engine/draw/font.h"
 #include "engine/draw/text.h"
 
 namespace oblong {

@@ -1,7 +1,11 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <memory>
 
+#include "engine/effects/colour_tables.h"
+#include "engine/raster/lines.h"
 #include "engine/surface/palette.h"
 #include "game/options/preferences.h"
 
@@ -18,5 +22,19 @@ struct SignColours {
 };
 
 const SignColours& sign_colours_of(ColourScheme scheme);
+
+/// A colour of lines over the picture, with the table for blending their edges.
+class LineColour {
+  public:
+    LineColour(const Palette& palette, Rgb8 wanted)
+        : colour_(nearest_colour(palette, wanted)),
+          blends_(std::make_unique<FogTable>(make_fog_table(palette, palette.colours[colour_]))) {}
+
+    LineStyle style(LineMethod method) const { return {method, colour_, &blends_->levels}; }
+
+  private:
+    std::uint8_t colour_;
+    std::unique_ptr<FogTable> blends_;
+};
 
 }  // namespace oblong

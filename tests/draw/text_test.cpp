@@ -5,8 +5,6 @@
 #include <set>
 #include <string>
 
-#include "engine/draw/font.h"
-
 namespace oblong {
 
 namespace {

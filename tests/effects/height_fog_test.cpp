@@ -1,12 +1,11 @@
 // Height fog against sums along rays in doubles.
-#include "engine/effects/height_fog.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <random>
 
+#include "engine/effects/fog.h"
 #include "tests/support/random.h"
 
 namespace oblong::test {

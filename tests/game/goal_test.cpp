@@ -1,9 +1,8 @@
-#include "game/simulation/goal.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "game/simulation/items.h"
 #include "tests/game/logic_level.h"
 
 namespace oblong {

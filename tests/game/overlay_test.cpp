@@ -10,7 +10,7 @@
 #include <tuple>
 #include <vector>
 
-#include "engine/draw/font.h"
+#include "engine/draw/text.h"
 #include "game/lab/aspect_guide.h"
 #include "game/lab/error_map.h"
 #include "game/lab/lab.h"

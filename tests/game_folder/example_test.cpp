@@ -7,7 +7,7 @@
 #include "engine/files/files.h"
 #include "engine/platform/headless/headless.h"
 #include "game/program/program.h"
-#include "game/simulation/goal.h"
+#include "game/simulation/items.h"
 #include "tests/support/folders.h"
 #include "tests/support/scripted_input.h"
 

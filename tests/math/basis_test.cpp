@@ -8,7 +8,7 @@
 
 #include "engine/math/vec.h"
 #include "engine/methods/axes.h"
-#include "engine/methods/rotation.h"
+#include "engine/methods/transforms.h"
 #include "tests/math/vectors.h"
 
 namespace oblong::test {

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "engine/draw/font.h"
+#include "engine/draw/text.h"
 
 namespace oblong {
 namespace {

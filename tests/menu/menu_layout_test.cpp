@@ -6,7 +6,7 @@
 #include <random>
 #include <string>
 
-#include "engine/draw/font.h"
+#include "engine/draw/text.h"
 
 namespace oblong::test::menu_layout_test {
 namespace {

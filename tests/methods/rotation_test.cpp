@@ -1,11 +1,10 @@
-#include "engine/methods/rotation.h"
-
 #include <gtest/gtest.h>
 
 #include <numbers>
 #include <random>
 
 #include "engine/math/vec.h"
+#include "engine/methods/transforms.h"
 #include "tests/math/vectors.h"
 
 namespace oblong::test {

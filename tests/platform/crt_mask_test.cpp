@@ -1,10 +1,10 @@
+#include "engine/platform/crt_mask.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include "engine/platform/presenting.h"
 
 namespace oblong {
 namespace {

@@ -1,6 +1,6 @@
-#include <gtest/gtest.h>
+#include "engine/platform/sdl/frame_pacing.h"
 
-#include "engine/platform/presenting.h"
+#include <gtest/gtest.h>
 
 namespace oblong {
 namespace {

@@ -1,5 +1,3 @@
-#include "game/options/options_text.h"
-
 #include <gtest/gtest.h>
 
 #include <random>
@@ -7,6 +5,7 @@
 #include <sstream>
 
 #include "engine/base/input_error.h"
+#include "game/options/preferences_store.h"
 #include "tests/preferences/named.h"
 
 namespace oblong {

@@ -1,3 +1,5 @@
+#include "engine/platform/mixer.h"
+
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
@@ -10,7 +12,6 @@
 #include "engine/base/input_error.h"
 #include "engine/files/files.h"
 #include "engine/platform/sdl/sdl.h"
-#include "engine/platform/voice_filter.h"
 #include "tests/support/folders.h"
 
 namespace oblong {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "engine/base/input_error.h"
-#include "engine/level/bsp_format.h"
+#include "engine/level/bsp_file.h"
 #include "engine/level/bsp_read.h"
 
 /// Writes level files for tests: by hand, and from the lumps of another file.

@@ -9,7 +9,7 @@
 
 #include "engine/base/table.h"
 #include "engine/draw/drawing.h"
-#include "engine/draw/font.h"
+#include "engine/draw/text.h"
 #include "engine/surface/palette.h"
 #include "tools/gallery/row_texts.h"
 

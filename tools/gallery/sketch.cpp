@@ -7,7 +7,7 @@
 
 #include "engine/base/table.h"
 #include "engine/draw/drawing.h"
-#include "engine/draw/font.h"
+#include "engine/draw/text.h"
 #include "engine/fixed/trig.h"
 #include "engine/math/transform.h"
 #include "engine/methods/canonical_volume.h"

@@ -154,7 +154,7 @@ ParsedFixed parse_or_refuse(std::string_view text, int fraction_bits, std::int64
 
 }  // namespace
 
-Fields::Fields(std::string_view line) : texts_(split(line, ' ')) {}
+Fields::Fields(std::string_view line) : texts_(split(line, " ")) {}
 
 void Fields::expect_end() const {
     if (left() != 0) throw Unsupported{};

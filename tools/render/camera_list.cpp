@@ -33,7 +33,7 @@ std::string place(std::size_t line) {
 std::vector<std::size_t> parse_header(const std::string& line) {
     if (trimmed(line).empty()) throw InputError(place(1), "is empty, expected the columns' names: x,y,z,yaw,pitch");
     std::vector<std::size_t> columns;
-    for (const std::string& field : split(line, ',')) {
+    for (const std::string& field : split(line, ",")) {
         const std::string name = trimmed(field);
         const auto known = std::find(kColumns.begin(), kColumns.end(), name);
         const auto index = as_size(known - kColumns.begin());
@@ -57,7 +57,7 @@ World world_of(std::int64_t raw_32, std::size_t line) {
 }
 
 Camera parse_camera(const std::string& text, const std::vector<std::size_t>& columns, std::size_t line) {
-    const std::vector<std::string> fields = split(text, ',');
+    const std::vector<std::string> fields = split(text, ",");
     if (fields.size() != columns.size())
         throw InputError(place(line),
                          std::to_string(fields.size()) + " fields, expected " + std::to_string(columns.size()));
@@ -83,7 +83,7 @@ Camera parse_camera(const std::string& text, const std::vector<std::size_t>& col
 }  // namespace
 
 std::vector<Camera> parse_cameras(std::span<const std::uint8_t> bytes, Degrees field_of_view) {
-    std::vector<std::string> lines = split(std::string(bytes.begin(), bytes.end()), '\n');
+    std::vector<std::string> lines = split(std::string(bytes.begin(), bytes.end()), "\n");
     lines[0] = without_byte_order_mark(lines[0]);
     const std::vector<std::size_t> columns = parse_header(lines[0]);
     std::vector<Camera> cameras;

@@ -87,7 +87,7 @@ EffectSet parse_effects(const std::string& text) {
     if (text == "auto") return EffectSet::all();
     EffectSet effects;
     if (text == "none") return effects;
-    for (const std::string& name : split(text, ',')) {
+    for (const std::string& name : split(text, ",")) {
         const auto known = std::find(kEffectNames.begin(), kEffectNames.end(), name);
         if (known == kEffectNames.end())
             throw UsageError("--effects: '" + text + "', expected auto, none, or names of " + effect_names());

@@ -25,7 +25,7 @@ class ViewKeys {
         const std::size_t colon = text.find(':');
         name = text.substr(0, colon);
         if (colon == std::string::npos) return;
-        for (const std::string& pair : split(text.substr(colon + 1), ',')) {
+        for (const std::string& pair : split(text.substr(colon + 1), ",")) {
             const std::size_t equals = pair.find('=');
             if (equals == std::string::npos || !values_.emplace(pair.substr(0, equals), pair.substr(equals + 1)).second)
                 throw UsageError("--view: '" + pair + "', expected KEY=VALUE, each key once");
@@ -46,7 +46,7 @@ class ViewKeys {
     template <std::size_t Count>
     std::array<World, Count> take_list(const std::string& key, const std::string& otherwise) {
         const std::string text = take(key, otherwise);
-        const std::vector<std::string> parts = split(text, '/');
+        const std::vector<std::string> parts = split(text, "/");
         if (parts.size() != Count)
             throw UsageError("--view: " + key + "='" + text + "', expected " + std::to_string(Count) +
                              " numbers with / between");

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "engine/platform/presenting.h"
+#include "engine/platform/crt_mask.h"
 
 namespace oblong {
 namespace {

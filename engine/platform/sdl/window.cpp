@@ -9,8 +9,8 @@
 #include <thread>
 #include <vector>
 
-#include "engine/platform/presenting.h"
 #include "engine/platform/sdl/crt_look.h"
+#include "engine/platform/sdl/frame_pacing.h"
 #include "engine/platform/sdl/input.h"
 #include "engine/platform/sdl/owned.h"
 #include "engine/platform/sdl/sdl.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/platform/presenting.h"
+#include "engine/platform/crt_mask.h"
 #include "engine/platform/web/web.h"
 
 namespace oblong {

@@ -13,7 +13,7 @@
 #include "engine/level/bsp_read.h"
 #include "engine/mesh/mesh.h"
 #include "engine/methods/hidden_surfaces.h"
-#include "engine/methods/rotation.h"
+#include "engine/methods/transforms.h"
 #include "engine/scene/placed_models.h"
 #include "tools/render/camera_list.h"
 

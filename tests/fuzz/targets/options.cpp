@@ -1,7 +1,7 @@
 // The options file: whatever is read is written so that it is read again, and the player's lines stay.
 
-#include "game/options/options_text.h"
 #include "game/options/preference_table.h"
+#include "game/options/preferences_store.h"
 #include "tests/fuzz/common/fuzz.h"
 
 namespace oblong::fuzz {

@@ -7,7 +7,7 @@
 
 #include "engine/base/table.h"
 #include "engine/draw/drawing.h"
-#include "engine/draw/font.h"
+#include "engine/draw/text.h"
 #include "engine/fixed/trig.h"
 #include "engine/view/project.h"
 #include "tools/gallery/counted.h"

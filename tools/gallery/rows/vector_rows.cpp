@@ -10,7 +10,6 @@
 #include "engine/math/plane.h"
 #include "engine/methods/axes.h"
 #include "engine/methods/line_and_plane.h"
-#include "engine/methods/rotation.h"
 #include "engine/methods/transforms.h"
 #include "tools/gallery/counted.h"
 #include "tools/gallery/diagram.h"

@@ -1,4 +1,4 @@
-#include "engine/platform/presenting.h"
+#include "engine/platform/crt_mask.h"
 
 #include <algorithm>
 #include <array>
@@ -41,22 +41,6 @@ std::vector<std::uint32_t> make_crt_mask(std::int32_t width_px, std::int32_t hei
         for (std::int32_t x = 0; x < width_px; ++x) mask.push_back(item(columns, x % 3));
     }
     return mask;
-}
-
-std::uint64_t FramePacing::next_wait_us(std::uint64_t now_us, std::int32_t frames_per_second) {
-    if (frames_per_second <= 0) return 0;
-    constexpr std::uint64_t kSecond_us = 1'000'000;
-    const auto rate = static_cast<std::uint64_t>(frames_per_second);
-    const std::uint64_t due_us = start_us_ + frames_ * kSecond_us / rate;
-    // More than a frame late: the missed pictures are skipped.
-    if (frames_per_second != frames_per_second_ || now_us > due_us + kSecond_us / rate) {
-        frames_per_second_ = frames_per_second;
-        start_us_ = now_us;
-        frames_ = 1;
-        return 0;
-    }
-    ++frames_;
-    return due_us > now_us ? due_us - now_us : 0;
 }
 
 }  // namespace oblong
