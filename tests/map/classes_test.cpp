@@ -10,8 +10,8 @@
 #include "game/sound/sound_table.h"
 #include "tests/map/editor_formats.h"
 #include "tests/support/folders.h"
-#include "tools/map/source/fgd.h"
 #include "tools/map/source/map_file.h"
+#include "tools/map/trenchbroom.h"
 
 namespace oblong::test {
 namespace {

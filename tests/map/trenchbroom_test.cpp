@@ -12,7 +12,6 @@
 #include "engine/level/entity_classes.h"
 #include "tests/map/editor_formats.h"
 #include "tests/support/folders.h"
-#include "tools/map/source/fgd.h"
 
 namespace oblong::test {
 namespace {

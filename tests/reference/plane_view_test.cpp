@@ -1,11 +1,10 @@
-#include "tools/reference/plane_view.h"
-
 #include <gtest/gtest.h>
 
 #include <random>
 
 #include "tests/reference/made_level.h"
 #include "tests/support/random.h"
+#include "tools/reference/view.h"
 
 namespace oblong::reference::plane_view_test {
 namespace {

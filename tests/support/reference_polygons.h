@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/reference/plane_view.h"
+#include "tools/reference/view.h"
 
 /// Polygons and triangles in doubles or in exact integers: what only tests need besides tools/reference.
 namespace oblong::reference {

@@ -24,10 +24,8 @@ struct BenchLevel {
 
 // Each registers its benchmarks with Google Benchmark. Its arguments must live until these have run.
 
-/// Block kernels, plain and with effects, on blocks of 8 to 64 pixels.
+/// Block kernels, plain and with effects, on blocks of 8 to 64 pixels; the sky, and the building of lit surfaces.
 void register_kernel_benchmarks();
-/// The sky, and the building of lit surfaces.
-void register_surface_benchmarks();
 /// Each stage of a level's frames separately, on the previous stage's results: walk, polygons, scan, coverage, spans.
 void register_stage_benchmarks(const BenchLevel& level, const ScreenMode& mode);
 /// Whole frames of a level, with its surfaces built.

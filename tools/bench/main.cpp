@@ -52,7 +52,6 @@ void run_benchmarks(const Options& options) {
     const BenchLevel level = options.level.empty() ? make_bench_level(options.palette)
                                                    : read_bench_level(options.level, options.cameras, options.palette);
     register_kernel_benchmarks();
-    register_surface_benchmarks();
     register_stage_benchmarks(level, mode);
     register_frame_benchmarks(level, mode);
     benchmark::AddCustomContext("level", level.name);

@@ -5,7 +5,7 @@
 #include "tools/map/source/map_file.h"
 #include "tools/map/source/textures.h"
 #include "tools/map/tree/bsp_file.h"
-#include "tools/map/vis/portal_file.h"
+#include "tools/map/vis/visibility.h"
 #include "tools/map/work_sharing.h"
 
 namespace oblong {

@@ -13,7 +13,6 @@
 #include "tools/map/progress_line.h"
 #include "tools/map/source/checks.h"
 #include "tools/map/source/external_maps.h"
-#include "tools/map/source/fgd.h"
 #include "tools/map/texture_sources.h"
 #include "tools/map/tree/bsp_file.h"
 #include "tools/map/trenchbroom.h"

@@ -4,6 +4,10 @@
 
 namespace oblong::map {
 
+/// entity_classes() as an FGD file for TrenchBroom and Valve's editors. Leaves out families, which editors cannot
+/// place, and the keys `classname` and `origin`, which editors define.
+std::string fgd_text();
+
 inline constexpr const char* kTrenchBroomFolder =  ///< the editor's folder for additional games
 #ifdef __APPLE__
     "~/Library/Application Support/TrenchBroom/games/Oblong";

@@ -11,7 +11,7 @@
 #include "engine/view/screen.h"
 #include "tools/measure/exact.h"
 #include "tools/reference/frame.h"
-#include "tools/reference/plane_view.h"
+#include "tools/reference/view.h"
 
 namespace oblong {
 

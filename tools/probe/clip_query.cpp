@@ -12,7 +12,7 @@
 #include "engine/view/clip.h"
 #include "engine/view/project.h"
 #include "tools/probe/fields.h"
-#include "tools/probe/queries.h"
+#include "tools/probe/probe.h"
 
 namespace oblong {
 

@@ -10,7 +10,7 @@
 #include "engine/view/frustum.h"
 #include "engine/view/project.h"
 #include "tools/probe/fields.h"
-#include "tools/probe/queries.h"
+#include "tools/probe/probe.h"
 
 namespace oblong {
 

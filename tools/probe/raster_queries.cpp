@@ -2,7 +2,7 @@
 
 #include "engine/base/table.h"
 #include "engine/raster/scan.h"
-#include "tools/probe/queries.h"
+#include "tools/probe/probe.h"
 
 namespace oblong {
 

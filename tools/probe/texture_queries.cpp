@@ -14,7 +14,7 @@
 #include "engine/methods/triangles.h"
 #include "engine/view/screen_polygon.h"
 #include "tools/probe/fields.h"
-#include "tools/probe/queries.h"
+#include "tools/probe/probe.h"
 
 namespace oblong {
 

@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "tools/reference/plane_view.h"
 #include "tools/reference/rays.h"
+#include "tools/reference/view.h"
 
 namespace oblong::reference {
 

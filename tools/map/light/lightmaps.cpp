@@ -9,9 +9,8 @@
 #include "engine/surface/palette.h"
 #include "tools/map/light/direct_light.h"
 #include "tools/map/light/face_sampler.h"
-#include "tools/map/light/hemisphere.h"
-#include "tools/map/light/reach.h"
 #include "tools/map/light/sources.h"
+#include "tools/map/light/tracer.h"
 
 namespace oblong::map {
 

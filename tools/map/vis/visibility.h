@@ -7,10 +7,17 @@
 #include "tools/map/tree/bsp_file.h"
 #include "tools/map/tree/mesh.h"
 #include "tools/map/vis/bit_set.h"
-#include "tools/map/vis/portal_file.h"
 #include "tools/map/work_sharing.h"
 
 namespace oblong::map {
+
+/// The portals between clusters of leaves, for editors.
+struct PortalFile {
+    bool has_text = true;  ///< set before: whether the text is required
+    std::size_t count = 0;
+    std::string text;  ///< of a .prt file: "PRT1", the number of clusters and of portals, then a line a portal: number
+                       ///< of points, the cluster that sees them run clockwise, the other one, and the points
+};
 
 /// A set of leaves as in the file: a bit each, leaf 1 first, lowest bit first; a zero byte is followed by the number of
 /// zero bytes that it represents.
