@@ -21,6 +21,8 @@ std::vector<std::int8_t> SmallMixer::at_own_rate(std::span<const std::int16_t> s
         return static_cast<std::size_t>(std::uint64_t{i} * static_cast<std::uint64_t>(rate_hz) / kRate_hz);
     };
     std::vector<std::int8_t> result;
+    const auto rate = static_cast<std::uint64_t>(rate_hz);
+    result.reserve(static_cast<std::size_t>((samples.size() * std::uint64_t{kRate_hz} + rate - 1) / rate));
     for (std::size_t i = 0; place(i) < samples.size(); ++i) {
         const std::size_t from = place(i), to = std::clamp(place(i + 1), from + 1, samples.size());
         std::int32_t sum = 0;
