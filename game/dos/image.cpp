@@ -89,9 +89,9 @@ Bytes museum_archive(const fs::path& assets) {
     files.assets = assets.string();
     files.level = (assets / "demo.bsp").string();
     const GameData data = load_game(files);
-    std::vector<ArchivedFile> archived{{"assets/demo.ready", encode_prepared_game(data)},
+    std::vector<ArchivedFile> archived{{"assets/demo.bsp", encode_prepared_game(data)},
                                        {"assets/demo.edges", encode_t_junctions(data.level, TJunctions(data.level))}};
-    for (const char* name : {"demo.bsp", "palette.lmp", "walk.demo", "game.json"})
+    for (const char* name : {"palette.lmp", "walk.demo", "game.json"})
         archived.push_back({std::string("assets/") + name, read_file((assets / name).string())});
     std::vector<fs::path> sounds(fs::directory_iterator(assets / "sounds"), {});
     std::sort(sounds.begin(), sounds.end());

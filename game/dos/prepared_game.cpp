@@ -2,56 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <map>
 #include <memory>
 #include <type_traits>
 
-#include "engine/base/little_endian.h"
+#include "game/dos/prepared_bytes.h"
 
 namespace oblong {
 namespace {
-
-/// Appends the visited values.
-class Writer {
-  public:
-    template <class Int>
-    void number(const Int& value) {
-        append_little_endian(bytes, value);
-    }
-    template <class T>
-    std::size_t count(const std::vector<T>& list) {
-        number(static_cast<std::uint32_t>(list.size()));
-        return list.size();
-    }
-    void add(std::span<const std::uint8_t> list) { bytes.insert(bytes.end(), list.begin(), list.end()); }
-    std::vector<std::uint8_t> bytes;
-};
-
-/// Reads the visited values.
-class Reader {
-  public:
-    explicit Reader(std::span<const std::uint8_t> bytes) : reader_(bytes) {}
-
-    template <class Int>
-    void number(Int& value) {
-        value = reader_.next<Int>();
-    }
-    template <class T>
-    std::size_t count(std::vector<T>& list) {
-        const auto size = reader_.next<std::uint32_t>();
-        expect_at(reader_.offset(), size <= reader_.rest(), "a list longer than the bytes left");
-        list.resize(size);
-        return size;
-    }
-    void add(std::span<std::uint8_t> list) {
-        const auto from = reader_.take(list.size());
-        std::copy(from.begin(), from.end(), list.begin());
-    }
-    void expect_end() const { expect_at(reader_.offset(), reader_.rest() == 0, "more bytes than expected"); }
-
-  private:
-    LittleEndianReader reader_;
-};
 
 // visit(archive, value) writes or reads, depending on the archive; values are const for a writer.
 template <class Archive, class Value>
@@ -64,11 +23,20 @@ void visit_all(Archive& archive, Values&... values) {
 
 template <class Archive, class List>
 void visit_list(Archive& archive, List& list) {
-    const std::size_t count = archive.count(list);
-    if constexpr (std::is_same_v<typename List::value_type, std::uint8_t>)
+    archive.count(list);
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(*list.data())>, std::uint8_t>)
         archive.add(list);
     else
-        for (std::size_t i = 0; i < count; ++i) visit(archive, list[i]);
+        for (auto& each : list) visit(archive, each);
+}
+
+// Classes of one number: indices, children of nodes, directed edges.
+template <class Archive, class Value>
+void visit_bits(Archive& archive, Value& value) {
+    std::int32_t bits = 0;
+    std::memcpy(&bits, &value, sizeof bits);
+    archive.number(bits);
+    if constexpr (!std::is_const_v<Value>) std::memcpy(static_cast<void*>(&value), &bits, sizeof bits);
 }
 
 template <class Value, class Kind>
@@ -82,6 +50,36 @@ void visit_enum(Archive& archive, Enum& value) {
 }
 
 template <class Archive, class Value>
+void visit_part_of_level(Archive& archive, Value& v) {
+    if constexpr (kIs<Value, LevelPlane>)
+        visit_all(archive, v.normal, v.normal_rest_60, v.distance, v.distance_rest_72, v.axis);
+    else if constexpr (kIs<Value, TexInfo>)
+        visit_all(archive, v.s, v.t, v.s_offset, v.t_offset, v.texture, v.material);
+    else if constexpr (kIs<Value, Face>)
+        visit_all(archive, v.plane, v.is_back, v.edges, v.texinfo, v.styles, v.light_offset, v.texel_min_u,
+                  v.texel_min_v, v.texel_extent_u, v.texel_extent_v);
+    else if constexpr (kIs<Value, Node>)
+        visit_all(archive, v.plane, v.children, v.box, v.faces);
+    else if constexpr (kIs<Value, Leaf>)
+        visit_all(archive, v.contents, v.visibility_offset, v.box, v.mark_faces);
+    else if constexpr (kIs<Value, ClipNode>)
+        visit_all(archive, v.plane, v.children);
+    else if constexpr (kIs<Value, SubModel>)
+        visit_all(archive, v.box, v.origin, v.root, v.clip_roots, v.visible_leaf_count, v.faces);
+    else if constexpr (kIs<Value, MipTexture>)
+        visit_all(archive, v.name, v.width, v.height, v.mips, v.is_missing);
+    else if constexpr (kIs<Value, Edge>)
+        visit_all(archive, v.from, v.to);
+    else if constexpr (kIs<Value, Entity>)
+        visit(archive, v.pairs);
+    else {
+        static_assert(kIs<Value, Level>);
+        visit_all(archive, v.entities, v.planes, v.textures, v.vertices, v.visibility, v.nodes, v.texinfos, v.faces,
+                  v.lighting, v.clip_nodes, v.leaves, v.mark_faces, v.edges, v.surf_edges, v.models, v.sky);
+    }
+}
+
+template <class Archive, class Value>
 void visit_part_of_mesh(Archive& archive, Value& v) {
     if constexpr (kIs<Value, Skin>)
         visit_all(archive, v.width, v.height, v.texels);
@@ -90,20 +88,15 @@ void visit_part_of_mesh(Archive& archive, Value& v) {
     else if constexpr (kIs<Value, MeshTexel>)
         visit_all(archive, v.u, v.v);
     else if constexpr (kIs<Value, MeshTriangle>)
-        visit_all(archive, v.vertices[0], v.vertices[1], v.vertices[2], v.skin);
-    else if constexpr (kIs<Value, MeshBox>)
-        visit_all(archive, v.mins, v.maxs);
+        visit_all(archive, v.vertices, v.skin);
     else if constexpr (kIs<Value, MeshFrame>)
         visit_all(archive, v.vertices, v.mins, v.maxs, v.parts);
     else if constexpr (kIs<Value, MeshSequence>)
         visit_all(archive, v.first, v.ends_ms);
-    else {
-        static_assert(kIs<Value, Mesh>);
-        visit_all(archive, v.frames, v.texels, v.triangles, v.skins, v.frame_sequences, v.skin_sequences);
-        std::uint8_t turns = v.turns;
-        archive.number(turns);
-        if constexpr (!std::is_const_v<Value>) v.turns = turns != 0;
-    }
+    else if constexpr (kIs<Value, Mesh>)
+        visit_all(archive, v.frames, v.texels, v.triangles, v.skins, v.frame_sequences, v.skin_sequences, v.turns);
+    else
+        visit_part_of_level(archive, v);
 }
 
 template <class Archive, class Value>
@@ -118,8 +111,16 @@ void visit(Archive& archive, Value& value) {
         archive.number(value.bam);
     else if constexpr (requires { value.z; })
         visit_all(archive, value.x, value.y, value.z);
+    else if constexpr (requires { std::tuple_size<std::remove_const_t<Value>>::value; })
+        std::apply([&](auto&... parts) { visit_all(archive, parts...); }, value);
     else if constexpr (requires { value.data(); })
         visit_list(archive, value);
+    else if constexpr (sizeof(Value) == sizeof(std::int32_t))
+        visit_bits(archive, value);
+    else if constexpr (requires { value.first.number(), value.count; })
+        visit_all(archive, value.first, value.count);
+    else if constexpr (kIs<Value, MeshBox> || kIs<Value, LevelBox>)
+        visit_all(archive, value.mins, value.maxs);
     else
         visit_part_of_mesh(archive, value);
 }
@@ -135,14 +136,10 @@ void visit_model(Archive& archive, Model& model) {
               model.first_frame, model.frames, model.skin, model.turn_ms);
     auto entity = static_cast<std::uint32_t>(model.entity);
     auto turns = static_cast<std::uint8_t>(std::find(kTurns.begin(), kTurns.end(), model.turns) - kTurns.begin());
-    std::uint8_t is_door = model.is_door;
-    archive.number(entity);
-    archive.number(turns);
-    archive.number(is_door);
+    visit_all(archive, model.is_door, entity, turns);
     if constexpr (!std::is_const_v<Model>) {
         model.entity = entity;
         model.turns = kTurns[turns % kTurns.size()];
-        model.is_door = is_door != 0;
     }
 }
 
@@ -182,7 +179,7 @@ void read_models(Reader& reader, LevelModels& models) {
 
 std::vector<std::uint8_t> encode_prepared_game(const GameData& data) {
     Writer writer;
-    writer.number(data.level_hash);
+    visit_all(writer, data.level_hash, data.level);
     for (const auto& shade : data.colormap.shades) writer.add(shade);
     write_models(data.models, writer);
     return std::move(writer.bytes);
@@ -190,7 +187,7 @@ std::vector<std::uint8_t> encode_prepared_game(const GameData& data) {
 
 void decode_prepared_game(std::span<const std::uint8_t> bytes, GameData& data) {
     Reader reader(bytes);
-    reader.number(data.level_hash);
+    visit_all(reader, data.level_hash, data.level);
     for (auto& shade : data.colormap.shades) reader.add(shade);
     data.colormap.palette = data.palette;
     read_models(reader, data.models);

@@ -7,12 +7,13 @@
 #include "engine/level/t_junctions.h"
 #include "game/level/load.h"
 
-// A level's data after loading: the DOS build's LEVEL.ready, beside LEVEL.bsp. DOS lacks the libraries to load models
-// and pictures, and a 486 is too slow for it. Warnings and the names of frames and skins are left out.
+// A level's data after loading: in the DOS build in place of LEVEL.bsp. DOS lacks the libraries to load
+// models and pictures, and a 486 takes seconds to check a level. Warnings and the names of frames and skins are left
+// out.
 
 namespace oblong {
 
-/// Writes the level's hash, its colormap and its models.
+/// Writes the level, its hash, its colormap and its models.
 std::vector<std::uint8_t> encode_prepared_game(const GameData& data);
 
 /// Reads the same. Throws InputError for bytes that end too early, or are too many.

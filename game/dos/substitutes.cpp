@@ -4,16 +4,15 @@
 #include <string>
 
 #include "engine/base/input_error.h"
-#include "engine/base/little_endian.h"
 #include "engine/files/command_line.h"
 #include "engine/files/files.h"
 #include "engine/files/game_definition.h"
 #include "engine/files/picture.h"
 #include "engine/files/sound_file.h"
-#include "engine/level/bsp_read.h"
 #include "engine/level/t_junctions.h"
 #include "engine/platform/small_mixer.h"
 #include "game/dos/museum.h"
+#include "game/dos/prepared_bytes.h"
 #include "game/dos/prepared_game.h"
 #include "game/program/map_watch.h"
 
@@ -47,22 +46,26 @@ GameData load_game(const LevelFiles& files) {
     const auto file = [&](const char* name) { return (std::filesystem::path(files.assets) / name).string(); };
     GameData data;
     data.level_file = file(kDemoLevelFile);
-    data.level = read_once(data.level_file, read_bsp);
+    data.palette = read_parsed(files.game->palette, read_palette);
+    read_once(data.level_file, [&](std::span<const std::uint8_t> bytes) { return decode_prepared_game(bytes, data); });
     data.sounds = read_level_sounds(data.level, {file("sounds")});
     data.effects = read_level_effects(data.level);
-    data.palette = read_parsed(files.game->palette, read_palette);
-    read_once(file("demo.ready"),
-              [&](std::span<const std::uint8_t> bytes) { return decode_prepared_game(bytes, data); });
     return data;
 }
 
 /// Found by the build in the museum, the only level.
 TJunctions::TJunctions(const Level& level) : found_(level.edges.size()) {
     read_parsed("/assets/demo.edges", [&](std::span<const std::uint8_t> bytes) {
-        LittleEndianReader reader(bytes);
+        Reader reader(bytes);
         for (Found& found : found_) {
-            found = {vertices_.size(), reader.next<std::uint16_t>()};
-            for (std::size_t i = 0; i < found.count; ++i) vertices_.emplace_back(reader.next<std::int32_t>());
+            std::uint16_t count = 0;
+            reader.number(count);
+            found = {vertices_.size(), count};
+            for (std::size_t i = 0; i < count; ++i) {
+                std::int32_t vertex = 0;
+                reader.number(vertex);
+                vertices_.emplace_back(vertex);
+            }
         }
     });
 }
