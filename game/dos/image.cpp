@@ -43,7 +43,8 @@ struct ArchivedFile {
 };
 
 // The format that engine/platform/dos/kernel/files.cpp reads.
-Bytes archive_of(const std::vector<ArchivedFile>& files) {
+// After the first `read_once` files are read, their memory is free.
+Bytes archive_of(const std::vector<ArchivedFile>& files, std::size_t read_once) {
     constexpr std::size_t kHead = 64, kEntry = 64, kName = 56;
     Bytes archive(kHead + kEntry * files.size());
     put_number(archive, 0, files.size());
@@ -57,6 +58,7 @@ Bytes archive_of(const std::vector<ArchivedFile>& files) {
         append(archive, files[i].bytes);
     }
     put_number(archive, 4, archive.size());
+    put_number(archive, 8, read_once);
     return archive;
 }
 
@@ -89,16 +91,17 @@ Bytes museum_archive(const fs::path& assets) {
     files.assets = assets.string();
     files.level = (assets / "demo.bsp").string();
     const GameData data = load_game(files);
-    std::vector<ArchivedFile> archived{{"assets/demo.bsp", encode_prepared_game(data)},
-                                       {"assets/demo.edges", encode_t_junctions(data.level, TJunctions(data.level))}};
-    for (const char* name : {"palette.lmp", "walk.demo", "game.json"})
-        archived.push_back({std::string("assets/") + name, read_file((assets / name).string())});
+    std::vector<ArchivedFile> archived{{"assets/demo.bsp", encode_prepared_game(data)}};
     std::vector<fs::path> sounds(fs::directory_iterator(assets / "sounds"), {});
     std::sort(sounds.begin(), sounds.end());
     for (const fs::path& sound : sounds)
         if (sound.extension() == ".flac")
             archived.push_back({"assets/sounds/" + sound.filename().string(), sound_of(sound.string())});
-    return archive_of(archived);
+    const std::size_t read_once = archived.size();
+    archived.push_back({"assets/demo.edges", encode_t_junctions(data.level, TJunctions(data.level))});
+    for (const char* name : {"palette.lmp", "walk.demo", "game.json"})
+        archived.push_back({std::string("assets/") + name, read_file((assets / name).string())});
+    return archive_of(archived, read_once);
 }
 
 // The image that the loader copies to KERNEL_ADDRESS.

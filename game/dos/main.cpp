@@ -106,7 +106,7 @@ void print_memory() {
                  memory.emulated);
 }
 
-// Frees the sound files: without a card, or after loading, they are not read.
+// Frees the sound files, which are not read without a card.
 void empty_sounds() {
     std::vector<std::string> files;
     for (const auto& entry : std::filesystem::directory_iterator(std::string(kAssets) + "/sounds"))
@@ -150,7 +150,7 @@ void wait_for_key(dos::Pc& pc) {
 }
 
 void play(const Options& options, dos::Pc& pc) {
-    OpenSound open_sound = dos::sound_of_card(empty_sounds);
+    OpenSound open_sound = dos::sound_of_card();
     if (!open_sound) empty_sounds();
     PreferencesStore store;
     store.begin_with(options.preferences);

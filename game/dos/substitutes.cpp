@@ -18,18 +18,6 @@
 
 namespace oblong {
 
-namespace {
-
-/// Reads a file of the archive, from which it is freed before it is parsed: memory is scarce.
-template <class Parse>
-auto read_once(const std::string& path, Parse parse) {
-    const std::vector<std::uint8_t> bytes = read_file(path);
-    write_file(path, std::string());
-    return naming_file(path, [&] { return parse(std::span<const std::uint8_t>(bytes)); });
-}
-
-}  // namespace
-
 /// There is no JSON reader: the build has written the museum's game.json into museum.h.
 GameDefinition read_game_definition(const std::string& folder) {
     GameDefinition game;
@@ -47,7 +35,8 @@ GameData load_game(const LevelFiles& files) {
     GameData data;
     data.level_file = file(kDemoLevelFile);
     data.palette = read_parsed(files.game->palette, read_palette);
-    read_once(data.level_file, [&](std::span<const std::uint8_t> bytes) { return decode_prepared_game(bytes, data); });
+    read_parsed(data.level_file,
+                [&](std::span<const std::uint8_t> bytes) { return decode_prepared_game(bytes, data); });
     data.sounds = read_level_sounds(data.level, {file("sounds")});
     data.effects = read_level_effects(data.level);
     return data;

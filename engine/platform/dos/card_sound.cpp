@@ -14,16 +14,10 @@ namespace {
 constexpr std::size_t kLead = 1024;  // samples that are mixed in advance, 93 ms
 constexpr std::uint32_t kEvery = 8;  // interrupts of the timer: 27 ms
 
-/// Kept while the device is closed.
-struct Kept {
-    std::function<void()> when_loaded;  ///< empty: already called
-    SmallMixer::Recordings recordings;
-};
-
 /// Fills the card's ring buffer in interrupts, so that slow pictures do not interrupt the sound.
 class CardSound final : public SmallMixer {
   public:
-    CardSound(SoundBlaster card, std::shared_ptr<Kept> kept) : card_(card), kept_(std::move(kept)) {
+    CardSound(SoundBlaster card, std::shared_ptr<Recordings> kept) : card_(card), kept_(std::move(kept)) {
         std::fill(ring_.begin(), ring_.end(), kSilence);
         card_.start(ring_, kRate_hz);
         TimerHook hook{[](void* sound) { static_cast<CardSound*>(sound)->fill_sometimes(); }, this};
@@ -33,18 +27,14 @@ class CardSound final : public SmallMixer {
         TimerHook none;
         call(Call::Timer, &none);
         card_.stop();
-        kept_->recordings = std::move(recordings_);
+        *kept_ = std::move(recordings_);
     }
     /// An emptied file stands for a kept recording.
     SoundNumber add_sound(std::span<const std::int16_t> samples, std::int32_t rate_hz) override {
         const std::size_t number = recordings_.size();
-        if (!samples.empty() || number >= kept_->recordings.size()) return SmallMixer::add_sound(samples, rate_hz);
-        recordings_.push_back(std::move(kept_->recordings[number]));
+        if (!samples.empty() || number >= kept_->size()) return SmallMixer::add_sound(samples, rate_hz);
+        recordings_.push_back(std::move((*kept_)[number]));
         return static_cast<SoundNumber>(number);
-    }
-    VoiceNumber start(SoundNumber sound, bool is_loop, const VoiceLevels& levels) override {
-        if (kept_->when_loaded) std::exchange(kept_->when_loaded, nullptr)();
-        return SmallMixer::start(sound, is_loop, levels);
     }
     CardSound(const CardSound&) = delete;
     CardSound& operator=(const CardSound&) = delete;
@@ -80,7 +70,7 @@ class CardSound final : public SmallMixer {
     }
 
     SoundBlaster card_;
-    std::shared_ptr<Kept> kept_;
+    std::shared_ptr<Recordings> kept_;  // while the device is closed
     std::span<std::uint8_t> ring_{reinterpret_cast<std::uint8_t*>(call(Call::LowMemory)), kLowMemory};
     std::uint32_t interrupts_ = 0;
     std::size_t played_ = 0, end_ = 0;  // in the ring: the end of the silence, the end of the samples
@@ -88,10 +78,10 @@ class CardSound final : public SmallMixer {
 
 }  // namespace
 
-OpenSound sound_of_card(std::function<void()> when_loaded) {
+OpenSound sound_of_card() {
     const auto card = SoundBlaster::find(std::getenv("BLASTER"));
     if (!card) return nullptr;
-    auto kept = std::make_shared<Kept>(std::move(when_loaded), SmallMixer::Recordings{});
+    auto kept = std::make_shared<SmallMixer::Recordings>();
     return [card = *card, kept = std::move(kept)] { return std::make_unique<CardSound>(card, kept); };
 }
 

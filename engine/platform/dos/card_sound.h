@@ -1,13 +1,11 @@
 #pragma once
 
-#include <functional>
-
 #include "engine/platform/sound.h"
 
 namespace oblong::dos {
 
-/// Sound through a Sound Blaster; empty if there is none. `when_loaded` is called once, when the first sound begins;
-/// after that, sounds may be added without samples, in the same order.
-OpenSound sound_of_card(std::function<void()> when_loaded);
+/// Sound through a Sound Blaster; empty if there is none. When it is opened again, sounds may be added without samples,
+/// in the same order.
+OpenSound sound_of_card();
 
 }  // namespace oblong::dos

@@ -89,10 +89,26 @@ int make_file(const Path& path, bool is_folder) {
     return kTooManyFiles;
 }
 
-void remove_file(int file) {
-    // An archived file's room is its size.
-    free_pages(files[file].bytes, files[file].room > 1 ? files[file].room : files[file].size);
-    files[file].name[0] = 0;
+void remove_file(int number) {
+    File& file = files[number];
+    if (file.room > 1) free_pages(file.bytes, file.room);
+    if (file.room == 0) free_archived(file);
+    file.name[0] = 0;
+}
+
+void free_archived(File& file) {
+    if (file.size == 0) return;
+    const auto address = [](const File& of) { return reinterpret_cast<std::uint32_t>(of.bytes); };
+    const std::uint32_t end = address(file) + file.size;
+    std::uint32_t first_page = address(file) & ~(kPage - 1), end_page = whole_pages(end);
+    file.size = 0;
+    for (const File& other : files) {
+        if (other.name[0] == 0 || other.room != 0 || other.size == 0) continue;
+        const std::uint32_t other_end = address(other) + other.size;
+        if (other_end < end && other_end > first_page) first_page = whole_pages(other_end);
+        if (address(other) >= end && address(other) < end_page) end_page = address(other) & ~(kPage - 1);
+    }
+    if (first_page < end_page) free_pages(reinterpret_cast<void*>(first_page), end_page - first_page);
 }
 
 void rename_file(int number, const Path& path) {
@@ -112,12 +128,14 @@ bool make_room(File& file, std::uint32_t size) {
 }
 
 void start_files(const std::uint8_t* archive) {
-    const std::uint32_t count = *reinterpret_cast<const std::uint32_t*>(archive);
+    const auto* const head = reinterpret_cast<const std::uint32_t*>(archive);
+    const std::uint32_t count = head[0], read_once = head[2];
     const auto* const archived = reinterpret_cast<const ArchivedFile*>(archive + 64);
     for (std::uint32_t i = 0; i < count && i < kMostFiles; ++i) {
         copy_name(archived[i].name, files[i].name);
         files[i].bytes = archive + archived[i].offset;
         files[i].size = archived[i].size;
+        files[i].is_read_once = i < read_once;
     }
 }
 

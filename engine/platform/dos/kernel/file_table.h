@@ -32,6 +32,7 @@ struct File {
     const std::uint8_t* bytes;
     std::uint32_t size, room;  // room 0: in the archive, read-only
     bool is_folder;
+    bool is_read_once;  // its memory is freed when it has been read
 };
 
 /// A normalised name: "/a/./b//c/" is "a/b/c".
@@ -51,6 +52,8 @@ const char* name_in(const char* folder, const char* name);
 /// The number of a new file, or an Error.
 int make_file(const Path& path, bool is_folder);
 void remove_file(int number);
+/// Empties a file of the archive, and frees its memory but for pages that it shares with other files.
+void free_archived(File& file);
 void rename_file(int number, const Path& path);
 /// Whether a file is stored in DOS (dos_files.cpp).
 bool is_kept(const File& file);

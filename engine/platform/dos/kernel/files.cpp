@@ -69,6 +69,15 @@ std::int32_t write(std::uint32_t descriptor, const char* from, std::uint32_t siz
     return static_cast<std::int32_t>(size);
 }
 
+std::int32_t close(std::uint32_t descriptor) {
+    Open* const open = open_file(descriptor);
+    if (open == nullptr) return 0;
+    File& file = file_of(open->file);
+    if (file.is_read_once && open->at == file.size) free_archived(file);
+    open->file = -1;
+    return 0;
+}
+
 struct Piece {
     char* bytes;
     std::uint32_t size;
@@ -220,9 +229,8 @@ std::int32_t system_call_of_files(Registers& registers, bool& is_known) {
             return open(text(b), c);
         case 295:
             return open(text(c), d);  // openat
-        case 6:                       // close
-            if (Open* const open = open_file(b)) open->file = -1;
-            return 0;
+        case 6:
+            return close(b);
         case 10:
             return unlink(text(b), false);
         case 301:

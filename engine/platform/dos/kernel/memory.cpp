@@ -77,17 +77,10 @@ void* take_pages(std::uint32_t bytes) {
     return memset(reinterpret_cast<void*>(at), 0, size);
 }
 
-// Files of the archive share pages: a page shared by two files is freed when both are, if the first one is freed first.
 void free_pages(const void* bytes, std::uint32_t size) {
-    constexpr std::uint32_t kFilesApart = 16;
-    static std::uint32_t freed_from, freed_to;
-    const std::uint32_t at = reinterpret_cast<std::uint32_t>(bytes), its_page = at & ~(kPage - 1);
+    const std::uint32_t at = reinterpret_cast<std::uint32_t>(bytes);
     if (at >= end || size > end - at) return;
-    const bool goes_on = at - freed_to < kFilesApart;
-    if (!goes_on) freed_from = at;
-    freed_to = at + size;
-    for (std::uint32_t page = goes_on && freed_from <= its_page ? its_page : whole_pages(at); page + kPage <= freed_to;
-         page += kPage) {
+    for (std::uint32_t page = whole_pages(at); page + kPage <= at + size; page += kPage) {
         taken -= is_taken[page / kPage];
         is_taken[page / kPage] = false;
     }
