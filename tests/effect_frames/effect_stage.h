@@ -26,6 +26,14 @@ struct MapText {
     std::vector<std::array<std::string, 2>> world_keys;
 };
 
+/// A room of 512 x 512 x 192 units with these in it, and a start west of its middle.
+inline MapText room_with(const std::string& brushes, const std::string& entities = "",
+                         std::string_view walls = "wall") {
+    return {room({-256, -256, 0}, {256, 256, 192}, 16, walls) + brushes,
+            entities + entity_at("info_player_start", {-100, 0, 64}),
+            {}};
+}
+
 /// With wall, floor, other, *water (striped), *slime, *lava, sky, +0sign to +2sign, +asign, {bars (striped with holes),
 /// {lamp and mirror; a start where `MapText::entities` has none.
 Level compile_effects(const MapText& text);

@@ -40,10 +40,8 @@ TEST(Everything, HardCaseT1_GoesOnWhereCountersOfMillisecondsWrap) {
 /// A wall at x = 128, of brushes of which one is an entity: their faces lie in one plane, and one of them covers part
 /// of the other.
 TEST(Coplanar, HardCaseE11_TheFaceOfAModelInTheWallsPlaneIsShownAlikeFromEverywhere) {
-    MapText text;
-    text.brushes = room({-256, -256, 0}, {256, 256, 192}) + box({128, -200, 0}, {144, 200, 160});
-    text.entities = entity_at("info_player_start", {-100, 0, 64}) +
-                    entity("func_wall", {}, box({128, -60, 40}, {140, 60, 120}, "other"));
+    const MapText text = room_with(box({128, -200, 0}, {144, 200, 160}),
+                                   entity("func_wall", {}, box({128, -60, 40}, {140, 60, 120}, "other")));
     EffectStage stage(text, camera_at(point_at(-100, 0, 64), 0));
     std::set<std::uint8_t> shown;
     int looks = 0;

@@ -13,10 +13,7 @@ struct HiddenThing {
 
 /// A room that a wall, 64 units wide and as high as the room, stands in; behind it one thing.
 MapText room_with_hidden(const HiddenThing& thing) {
-    MapText text;
-    text.brushes = room({-256, -256, 0}, {256, 256, 192}) + box({-16, -32, 0}, {16, 32, 192}, "other");
-    text.entities = entity_at("info_player_start", {-200, 0, 64}) + thing.entity;
-    return text;
+    return room_with(box({-16, -32, 0}, {16, 32, 192}, "other"), thing.entity);
 }
 
 constexpr HiddenThing kThings[]{

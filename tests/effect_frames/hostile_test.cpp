@@ -13,10 +13,7 @@ Camera in_room() {
 }
 
 MapText plain_box() {
-    MapText text;
-    text.brushes = room({-256, -256, 0}, {256, 256, 192}, 16, "other");
-    text.entities = entity_at("info_player_start", {-100, 0, 64}) + entity_at("light", {0, 0, 120});
-    return text;
+    return room_with("", entity_at("light", {0, 0, 120}), "other");
 }
 
 Entity entity_of(std::vector<std::pair<std::string, std::string>> pairs) {

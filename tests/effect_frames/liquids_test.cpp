@@ -19,9 +19,7 @@ constexpr std::int64_t periods_past_huge(std::int64_t period_ms) {
 
 /// A room whose floor is under 32 units of a liquid.
 MapText pool(const std::string& liquid, const std::vector<std::array<std::string, 2>>& world_keys = {}) {
-    MapText text;
-    text.brushes = room({-256, -256, 0}, {256, 256, 192}, 16, "floor");
-    if (!liquid.empty()) text.brushes += box({-256, -256, 0}, {256, 256, 32}, liquid);
+    MapText text = room_with(liquid.empty() ? "" : box({-256, -256, 0}, {256, 256, 32}, liquid), "", "floor");
     text.world_keys = world_keys;
     return text;
 }

@@ -8,11 +8,10 @@ namespace {
 
 /// A room with a mirror on its far wall, a lantern near the eye, and lamps at both sides.
 MapText mirror_room(const std::string& entities = "") {
-    MapText text;
-    text.brushes = room({-256, -256, 0}, {256, 256, 192}, 16, "other");
-    text.entities = entity("func_wall", {}, box({248, -100, 30}, {254, 100, 160}, "mirror")) +
-                    entity_at("info_player_start", {-100, 0, 64}) + entity_at("light", {0, 0, 120}) + entities;
-    return text;
+    return room_with("",
+                     entity("func_wall", {}, box({248, -100, 30}, {254, 100, 160}, "mirror")) +
+                         entity_at("light", {0, 0, 120}) + entities,
+                     "other");
 }
 
 Camera toward_mirror() {

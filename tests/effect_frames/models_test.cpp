@@ -27,10 +27,7 @@ PlacedMesh ball_at(const Vec3<World>& position) {
 
 /// A room with a pillar in the middle.
 MapText pillared_room(const std::string& entities = "") {
-    MapText text;
-    text.brushes = room({-256, -256, 0}, {256, 256, 192}) + box({-16, -16, 0}, {16, 16, 192}, "other");
-    text.entities = entity_at("info_player_start", {-100, 0, 64}) + entities;
-    return text;
+    return room_with(box({-16, -16, 0}, {16, 16, 192}, "other"), entities);
 }
 
 Camera before_pillar() {
@@ -131,9 +128,7 @@ TEST(Models, NotAllowedAreNotDrawn) {
 
 /// Water that is half seen through, up to z = 100, whose surface the ball breaks.
 TEST(Models, StandOutOfTranslucentWater) {
-    MapText text;
-    text.brushes = room({-256, -256, 0}, {256, 256, 192}) + box({-256, -256, 0}, {256, 256, 60}, "*water");
-    text.entities = entity_at("info_player_start", {-100, 0, 164});
+    MapText text = room_with(box({-256, -256, 0}, {256, 256, 60}, "*water"));
     text.world_keys = {{"wateralpha", "0.5"}};
     EffectStage stage(text, camera_at(point_at(-200, 3, 120), 0, 0));
     stage.meshes = {ball_at(point_at(0, 0, 60))};
@@ -165,10 +160,7 @@ TEST(Models, StandOutOfTranslucentWater) {
 }
 
 TEST(Models, ShowInTheHolesOfAFenceBeforeThem) {
-    MapText text;
-    text.brushes = room({-256, -256, 0}, {256, 256, 192});
-    text.entities = entity("func_wall", {}, box({-4, -256, 0}, {4, 256, 192}, "{bars")) +
-                    entity_at("info_player_start", {-100, 0, 64});
+    const MapText text = room_with("", entity("func_wall", {}, box({-4, -256, 0}, {4, 256, 192}, "{bars")));
     EffectStage stage(text, camera_at(point_at(-150, 3, 90), 0, 0));
     for (const int x : {-60, 60}) {
         stage.meshes = {ball_at(point_at(x, 0, 90))};
@@ -187,10 +179,7 @@ TEST(Models, ShowInTheHolesOfAFenceBeforeThem) {
 
 /// As in a level that ended the program: no span of the fence is left.
 TEST(Models, MayHideAllOfAFence) {
-    MapText text;
-    text.brushes = room({-256, -256, 0}, {256, 256, 192});
-    text.entities =
-        entity("func_wall", {}, box({0, -8, 82}, {2, 8, 98}, "{bars")) + entity_at("info_player_start", {-100, 0, 64});
+    const MapText text = room_with("", entity("func_wall", {}, box({0, -8, 82}, {2, 8, 98}, "{bars")));
     for (const Preset preset : kPresets) {
         EffectStage stage(text, camera_at(point_at(-150, 3, 90), 0, 0));
         stage.settings.accuracy = accuracy_of(preset);

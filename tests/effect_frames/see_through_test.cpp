@@ -7,11 +7,8 @@ namespace {
 
 /// A fence across a room at x = 0, and a striped wall behind it.
 MapText fenced_room(const std::string& entities = "") {
-    MapText text;
-    text.brushes = room({-256, -256, 0}, {256, 256, 192});
+    MapText text = room_with("", entity("func_wall", {}, box({-4, -256, 0}, {4, 256, 192}, "{bars")) + entities);
     for (int y = -240; y < 240; y += 48) text.brushes += box({200, y, 0}, {256, y + 24, 192}, "other");
-    text.entities = entity("func_wall", {}, box({-4, -256, 0}, {4, 256, 192}, "{bars")) +
-                    entity_at("info_player_start", {-100, 0, 64}) + entities;
     return text;
 }
 
@@ -83,10 +80,8 @@ TEST(Particles, HideBehindWallsAndAppearBefore) {
     const auto dust = [](const Whole& origin) {
         return entity_at("misc_dust", origin, {{"size", "40 200 100"}, {"count", "500"}, {"colour", "211 211"}});
     };
-    MapText text;
-    text.brushes = room({-256, -256, 0}, {256, 256, 192});
-    text.entities = entity("func_wall", {}, box({0, -256, 0}, {16, 256, 192}, "other")) +
-                    entity_at("info_player_start", {-100, 0, 64}) + dust({120, 0, 80});
+    MapText text =
+        room_with("", entity("func_wall", {}, box({0, -256, 0}, {16, 256, 192}, "other")) + dust({120, 0, 80}));
     EffectStage hidden(text, before_fence());
     for (const std::int64_t time_ms : {0, 5'000, 12'345}) {
         EXPECT_EQ(count_of(hidden.draw(time_ms), 211), 0);
@@ -108,11 +103,8 @@ TEST(Particles, HideBehindWallsAndAppearBefore) {
 }
 
 TEST(Particles, ReturnAfterTheirPeriod) {
-    MapText text;
-    text.brushes = room({-256, -256, 0}, {256, 256, 192});
-    text.entities = entity_at("misc_sparks", {0, 0, 64}, {{"period", "1.5"}, {"count", "200"}}) +
-                    entity_at("info_player_start", {-100, 0, 64});
-    EffectStage stage(text, before_fence());
+    EffectStage stage(room_with("", entity_at("misc_sparks", {0, 0, 64}, {{"period", "1.5"}, {"count", "200"}})),
+                      before_fence());
     const Picture some = stage.draw(700);
     EXPECT_NE(stage.draw(900), some);
     EXPECT_EQ(stage.draw(700 + 1'500), some);
@@ -120,10 +112,8 @@ TEST(Particles, ReturnAfterTheirPeriod) {
 }
 
 TEST(Shadows, FallOnTheirFloorAndOnNothingElse) {
-    MapText text;
-    text.brushes = room({-256, -256, 0}, {256, 256, 192}) + box({10, -100, 0}, {60, 100, 40}, "other");
-    text.entities = entity_at("misc_sprite", {0, 0, 40}, {{"texture", "{lamp"}, {"shadow", "40"}}) +
-                    entity_at("info_player_start", {-100, 0, 64});
+    const MapText text = room_with(box({10, -100, 0}, {60, 100, 40}, "other"),
+                                   entity_at("misc_sprite", {0, 0, 40}, {{"texture", "{lamp"}, {"shadow", "40"}}));
     EffectStage stage(text, camera_at(point_at(-150, 3, 120), 0, 30));
     const Picture with = stage.draw();
     EXPECT_TRUE(stage.has("shadows"));

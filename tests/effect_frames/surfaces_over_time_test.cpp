@@ -7,11 +7,8 @@ namespace oblong::test {
 namespace {
 
 MapText sign_room() {
-    MapText text;
-    text.brushes = room({-256, -256, 0}, {256, 256, 192}) + box({100, -100, 40}, {110, -20, 120}, "+0sign");
-    text.entities = entity("func_button", {}, box({100, 20, 40}, {110, 100, 120}, "+0sign")) +
-                    entity_at("info_player_start", {-100, 0, 64});
-    return text;
+    return room_with(box({100, -100, 40}, {110, -20, 120}, "+0sign"),
+                     entity("func_button", {}, box({100, 20, 40}, {110, 100, 120}, "+0sign")));
 }
 
 /// The sign's colour at a time: five of three frames a second.

@@ -34,9 +34,8 @@ double number_of(const EditorValue& value) {
     return value.number;
 }
 
-// The language's operators, the loosest first: of each level, all group from the left.
-constexpr std::array<std::array<std::string_view, 6>, 9> kLevels{
-    {{"->"}, {"||"}, {"&&"}, {"|"}, {"&"}, {"==", "!="}, {"<=", ">=", "<", ">"}, {"+", "-"}, {"*", "/", "%"}}};
+// Of the language's operators those that Oblong's files have, the loosest first; they group from the left.
+constexpr std::array<std::string_view, 2> kOperators{"->", "&"};
 
 class Expression {
   public:
@@ -73,41 +72,16 @@ class Expression {
         if (!take(symbol)) fail(at_, "'" + std::string(symbol) + "'");
     }
 
-    std::string_view take_operator(std::size_t level) {
-        for (const std::string_view symbol : kLevels[level]) {
-            if (symbol.empty() || !is_next(symbol)) continue;
-            if (symbol == "-" && is_next("->")) continue;
-            if ((symbol == "|" || symbol == "&") && text_.substr(at_ + 1, 1) == symbol) continue;
-            at_ += symbol.size();
-            return symbol;
-        }
-        return "";
-    }
-
     EditorValue level(std::size_t index) {
-        if (index == kLevels.size()) return term();
+        if (index == kOperators.size()) return term();
         EditorValue left = level(index + 1);
-        for (std::string_view symbol = take_operator(index); !symbol.empty(); symbol = take_operator(index))
-            left = combined(symbol, left, level(index + 1));
+        while (take(kOperators[index])) left = combined(kOperators[index], left, level(index + 1));
         return left;
     }
 
     static EditorValue combined(std::string_view symbol, const EditorValue& a, const EditorValue& b) {
         if (symbol == "->") return number_of(a) != 0 ? b : EditorValue{};
-        if (symbol == "==" && a.kind == Kind::Text) return number_value(a.text == b.text);
-        const double x = number_of(a), y = number_of(b);
-        if (symbol == "||") return number_value(x != 0 || y != 0);
-        if (symbol == "&&") return number_value(x != 0 && y != 0);
-        if (symbol == "|") return number_value(static_cast<double>(static_cast<long>(x) | static_cast<long>(y)));
-        if (symbol == "&") return number_value(static_cast<double>(static_cast<long>(x) & static_cast<long>(y)));
-        if (symbol == "==") return number_value(x == y);
-        if (symbol == "+") return number_value(x + y);
-        if (symbol == "-") {
-            if (a.kind == Kind::Undefined || b.kind == Kind::Undefined)
-                throw std::runtime_error("a difference of undefined values");
-            return number_value(x - y);
-        }
-        throw std::runtime_error("the operator " + std::string(symbol) + " is not read here");
+        return number_value(static_cast<double>(static_cast<long>(number_of(a)) & static_cast<long>(number_of(b))));
     }
 
     EditorValue term() {
