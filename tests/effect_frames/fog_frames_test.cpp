@@ -61,18 +61,6 @@ TEST(FogFrames, ShareOfFogIsThatOfTheDepthAndNeverFallsWithIt) {
     EXPECT_LE(by_depth.front().second, kWall + 6);
 }
 
-/// Along a row of the floor, or down a column of a wall, no rounding comes between.
-TEST(FogFrames, NeverFallsTowardTheFarEndOfAFloor) {
-    EffectStage stage(corridor("0.1 0.784 0.784 0.784"), along_corridor());
-    const Picture picture = stage.draw();
-    for (std::size_t row = 150; row < kPictureHeight; ++row) {
-        const std::size_t below = row * kPictureWidth + 160, above = below - kPictureWidth;
-        ASSERT_GE(picture[above], picture[below]) << row;
-    }
-    for (std::size_t column = 0; column < 100; ++column)
-        ASSERT_LE(picture[100 * kPictureWidth + column], picture[100 * kPictureWidth + column + 1]) << column;
-}
-
 TEST(FogFrames, NotAllowedOrAskedForThereIsNone) {
     EffectStage clear(corridor(""), along_corridor()), fog(corridor("0.1 0.784 0.784 0.784"), along_corridor());
     const Picture expected = clear.draw();
