@@ -140,6 +140,27 @@ TEST(Mover, HoldsThePlayerInNoneOfManyTicks) {
     EXPECT_GT(teleports, 30);
 }
 
+// Entities are text from anywhere: none may bring the game down.
+TEST(GameLevel, HostileEntitiesAreHarmless) {
+    ToyLevel toy;
+    toy.add_model(floor_and({})).add_model({{200, -64, 0, 216, 64, 128}});
+    for (const char* name : {"func_door", "func_plat", "func_button", "trigger_teleport", "func_wall"})
+        for (const char* model : {"*1", "*0", "*-1", "*99999999999", "*", "", "maps/b.bsp"})
+            toy.add_entity({{"classname", name},
+                            {"model", model},
+                            {"angle", "1e30"},
+                            {"angles", "99999999 99999999 99999999"},
+                            {"speed", "-99999999999"},
+                            {"wait", "999999999"},
+                            {"lip", "-99999999"},
+                            {"height", "nan"},
+                            {"target", "self"},
+                            {"targetname", "self"}});
+    ToyGame game(std::move(toy));
+    game.play(200, kAhead);
+    EXPECT_EQ(game.state.tick, 200);
+}
+
 // A model's box is any number of the file: empty models of some compilers are inside out, damaged ones anywhere.
 TEST(GameLevel, BoxesAndPositionsOutsideTheWorldAreHarmless) {
     for (const std::int32_t far : {40'000, 999'999, 1 << 20}) {
