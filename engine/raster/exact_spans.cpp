@@ -172,12 +172,15 @@ std::int64_t draw_octaves(std::span<const Span> spans, const BlockCutting& cutti
         for (std::int32_t column = span.first; column < span.end;) {
             const Octave octave =
                 octave_from(column, span.end, gradients.inverse_z.at(column, span.y), gradients.inverse_z.per_column);
+            if (!cutting.fits_range && !is_in_range(octave, span.y, gradients)) {
+                draw_clamped(column, octave.end);
+                column = octave.end;
+                continue;
+            }
             OctaveRow row(octave, span.y, gradients, surface);
             Octave within = octave;
-            if (!cutting.fits_range && !is_in_range(octave, span.y, gradients)) {
-                within.end = within.first;
-            } else if (!row.is_well_within(0, cutting.limits) ||
-                       !row.is_well_within(octave.end - 1 - column, cutting.limits)) {
+            if (!row.is_well_within(0, cutting.limits) ||
+                !row.is_well_within(octave.end - 1 - column, cutting.limits)) {
                 within = within_limits(octave, row, cutting.limits);
                 row = OctaveRow(within, span.y, gradients, surface);
             }
