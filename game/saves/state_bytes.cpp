@@ -24,11 +24,7 @@ class Writer {
         append_little_endian(bytes_, number.raw);
     }
     void operator()(const Angle& angle) { append_little_endian(bytes_, angle.bam); }
-    void operator()(const MoverState& mover) { visit_fields(mover, *this); }
-    void operator()(const TriggerState& trigger) { visit_fields(trigger, *this); }
-    void operator()(const DelayedFiring& delayed) { visit_fields(delayed, *this); }
-    void operator()(const WaitingFiring& waiting) { visit_fields(waiting, *this); }
-    void operator()(const Backlog& backlog) { visit_fields(backlog, *this); }
+    void operator()(const HasFields auto& each) { visit_fields(each, *this); }
     template <class Element>
     void operator()(const std::vector<Element>& list) {
         append_little_endian(bytes_, static_cast<std::uint32_t>(list.size()));
@@ -57,11 +53,7 @@ class Reader {
         number.raw = bytes_.next<Int>();
     }
     void operator()(Angle& angle) { angle.bam = bytes_.next<std::uint16_t>(); }
-    void operator()(MoverState& mover) { visit_fields(mover, *this); }
-    void operator()(TriggerState& trigger) { visit_fields(trigger, *this); }
-    void operator()(DelayedFiring& delayed) { visit_fields(delayed, *this); }
-    void operator()(WaitingFiring& waiting) { visit_fields(waiting, *this); }
-    void operator()(Backlog& backlog) { visit_fields(backlog, *this); }
+    void operator()(HasFields auto& each) { visit_fields(each, *this); }
     template <class Element>
     void operator()(std::vector<Element>& list) {
         const auto length = bytes_.next<std::uint32_t>();
@@ -83,11 +75,7 @@ class Layout {
         fnv_.add(sizeof(Field));
         fnv_.add(std::is_enum_v<Field> ? 'e' : std::is_integral_v<Field> ? 'i' : 'f');
     }
-    void operator()(const MoverState& mover) { visit_fields(mover, *this); }
-    void operator()(const TriggerState& trigger) { visit_fields(trigger, *this); }
-    void operator()(const DelayedFiring& delayed) { visit_fields(delayed, *this); }
-    void operator()(const WaitingFiring& waiting) { visit_fields(waiting, *this); }
-    void operator()(const Backlog& backlog) { visit_fields(backlog, *this); }
+    void operator()(const HasFields auto& each) { visit_fields(each, *this); }
     template <class Element>
     void operator()(const std::vector<Element>&) {
         fnv_.add('[');

@@ -45,7 +45,12 @@ void BoxTree::add_node(std::uint32_t first, std::uint32_t end) {
 
 std::vector<std::uint32_t> BoxTree::overlapping(const Box& area) const {
     std::vector<std::uint32_t> found;
-    if (!nodes_.empty()) collect(0, area, found);
+    std::uint32_t from = 0;
+    do {
+        const Part part = part_overlapping(area, from);
+        found.insert(found.end(), part.numbers.begin(), part.numbers.end());
+        from = part.next;
+    } while (from != 0);
     std::sort(found.begin(), found.end());
     return found;
 }
@@ -72,17 +77,6 @@ bool BoxTree::collect_part(std::uint32_t index, const Box& area, std::uint32_t f
     for (std::uint32_t i = std::max(node.first, from); i < node.end; ++i)
         if (entries_[i].box.overlaps(area)) part.numbers.push_back(entries_[i].number);
     return true;
-}
-
-void BoxTree::collect(std::uint32_t index, const Box& area, std::vector<std::uint32_t>& found) const {
-    const Node& node = nodes_[index];
-    if (!node.bounds.overlaps(area)) return;
-    if (node.second_child != 0) {
-        collect(index + 1, area, found);
-        return collect(node.second_child, area, found);
-    }
-    for (std::uint32_t i = node.first; i < node.end; ++i)
-        if (entries_[i].box.overlaps(area)) found.push_back(entries_[i].number);
 }
 
 }  // namespace oblong

@@ -43,7 +43,6 @@ class BoxTree {
     };
 
     void add_node(std::uint32_t first, std::uint32_t end);
-    void collect(std::uint32_t node, const Box& area, std::vector<std::uint32_t>& found) const;
     bool collect_part(std::uint32_t node, const Box& area, std::uint32_t from, Part& part) const;
 
     std::vector<Entry> entries_;

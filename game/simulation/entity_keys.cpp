@@ -20,9 +20,8 @@ struct PitchYaw {
 
 PitchYaw angles_of(const Entity& entity) {
     const World bound = World::from_int(kLargestAngle);
-    const auto is_angle = [&](World w) { return w <= bound && w >= -bound; };
     const auto angles = parse_world_vector(entity.value("angles"));
-    if (angles && is_angle(angles->x) && is_angle(angles->y)) return {angles->x, angles->y};
+    if (angles && is_within(angles->x, bound) && is_within(angles->y, bound)) return {angles->x, angles->y};
     return {World{}, number_of(entity, "angle", kLargestAngle)};
 }
 
@@ -34,9 +33,7 @@ Unit product(Unit a, Unit b) {
 
 std::optional<Position> origin_of(const Entity& entity) {
     const auto origin = parse_world_vector(entity.value("origin"));
-    const auto is_inside = [](World w) { return w <= World::from_int(kWorldEnd) && w >= World::from_int(-kWorldEnd); };
-    if (!origin || !is_inside(origin->x) || !is_inside(origin->y) || !is_inside(origin->z)) return {};
-    return origin;
+    return origin && is_within(*origin, World::from_int(kWorldEnd)) ? origin : std::nullopt;
 }
 
 Angle yaw_of(const Entity& entity) {
@@ -62,7 +59,7 @@ Vec3<Unit> direction_of(const Entity& entity) {
 World number_of(const Entity& entity, const char* key, std::int32_t largest) {
     const World bound = World::from_int(largest);
     const auto number = parse_world_number(entity.value(key));
-    if (number && *number != World{} && *number <= bound && *number >= -bound) return *number;
+    if (number && *number != World{} && is_within(*number, bound)) return *number;
     return parse_world_number(usual_text(entity.value("classname"), key)).value_or(World{});
 }
 

@@ -49,6 +49,14 @@ inline World component_along(const Vec3<World>& v, const Vec3<Unit>& direction) 
     return convert<World>(dot(v, direction));
 }
 
+/// Whether a number, or every component of a vector, is from -most to most.
+inline bool is_within(World value, World most) {
+    return value <= most && value >= -most;
+}
+inline bool is_within(const Vec3<World>& v, World most) {
+    return is_within(v.x, most) && is_within(v.y, most) && is_within(v.z, most);
+}
+
 /// An axis-aligned box in world units; its sides belong to it.
 struct Box {
     Position mins, maxs;

@@ -143,12 +143,9 @@ Mover lift(const Entity& entity, const Box& box) {
     return mover;
 }
 
-bool is_within(const Mover& mover, World longest) {
-    return std::all_of(mover.legs.begin(), mover.legs.end(), [&](const Leg& leg) {
-        const auto is_near = [&](World w) { return w <= longest && w >= -longest; };
-        const Vec3<World> end = leg.from + leg.way;
-        return leg.length <= longest && is_near(end.x) && is_near(end.y) && is_near(end.z);
-    });
+bool keeps_within(const Mover& mover, World longest) {
+    return std::all_of(mover.legs.begin(), mover.legs.end(),
+                       [&](const Leg& leg) { return leg.length <= longest && is_within(leg.from + leg.way, longest); });
 }
 
 }  // namespace
@@ -174,7 +171,7 @@ std::optional<Mover> mover_of(const Entity& entity, const Level& bsp, World long
     if (role == ClassRole::SecretDoor) mover = secret_door(entity, box);
     if (role == ClassRole::Button) mover = button(entity, box);
     if (role == ClassRole::Lift) mover = lift(entity, box);
-    if (!mover || !is_within(*mover, longest)) return {};
+    if (!mover || !keeps_within(*mover, longest)) return {};
     mover->model = *model;
     return mover;
 }

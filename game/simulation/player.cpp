@@ -169,9 +169,7 @@ Position eye_of(const Player& player) {
 
 bool was_teleported(const Player& before, const Player& after) {
     static constexpr World kLongestMotion = World::from_int(128);
-    const auto is_near = [](World way) { return way <= kLongestMotion && way >= -kLongestMotion; };
-    const Vec3<World> way = eye_of(after) - eye_of(before);
-    return !(is_near(way.x) && is_near(way.y) && is_near(way.z));
+    return !is_within(eye_of(after) - eye_of(before), kLongestMotion);
 }
 
 void step_player(const GameLevel& level, GameState& state, const TickInput& input) {

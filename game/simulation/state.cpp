@@ -19,10 +19,7 @@ struct Hash {
     }
     void operator()(World number) { add(number.raw); }
     void operator()(Angle angle) { add(angle.bam); }
-    void operator()(const MoverState& mover) { visit_fields(mover, *this); }
-    void operator()(const TriggerState& trigger) { visit_fields(trigger, *this); }
-    void operator()(const DelayedFiring& delayed) { visit_fields(delayed, *this); }
-    void operator()(const WaitingFiring& waiting) { visit_fields(waiting, *this); }
+    void operator()(const HasFields auto& each) { visit_fields(each, *this); }
     void operator()(const Backlog& backlog) {
         if (!backlog.is_empty()) visit_fields(backlog, *this);
     }

@@ -28,14 +28,6 @@ class Check {
     std::string wrong_;
 };
 
-bool is_within(World value, World most) {
-    return value <= most && value >= -most;
-}
-
-bool is_within(const Vec3<World>& v, World most) {
-    return is_within(v.x, most) && is_within(v.y, most) && is_within(v.z, most);
-}
-
 bool is_tick(std::int64_t tick) {
     return tick >= 0 && tick <= kLastTick;
 }

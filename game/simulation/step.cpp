@@ -18,9 +18,7 @@ void respawn(GameState& state) {
 
 // A player who falls out of a level that leaks respawns.
 void respawn_outside(GameState& state) {
-    const Position& at = state.player.position;
-    const auto is_outside = [](World w) { return w > kFarthestPlayer || w < -kFarthestPlayer; };
-    if (is_outside(at.x) || is_outside(at.y) || is_outside(at.z)) respawn(state);
+    if (!is_within(state.player.position, kFarthestPlayer)) respawn(state);
 }
 
 }  // namespace

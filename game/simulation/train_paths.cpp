@@ -41,11 +41,6 @@ Path path_of(const Entity& train, const EntitiesByName& by_name, const Position&
     return path;
 }
 
-bool is_near(const Corner& corner, World longest) {
-    const auto is_within = [&](World w) { return w <= longest && w >= -longest; };
-    return is_within(corner.offset.x) && is_within(corner.offset.y) && is_within(corner.offset.z);
-}
-
 Leg leg_between(const Corner& from, const Corner& to, std::size_t next) {
     Leg leg;
     leg.from = from.offset;
@@ -79,7 +74,7 @@ std::optional<Mover> train_of(const Entity& entity, const EntitiesByName& by_nam
     const Path path = path_of(entity, by_name, model_box(bsp, *model).mins);
     if (path.corners.empty()) return {};
     for (const Corner& corner : path.corners)
-        if (!is_near(corner, longest)) return {};
+        if (!is_within(corner.offset, longest)) return {};
     Mover mover;
     mover.kind = MoverKind::Train;
     mover.model = *model;
