@@ -49,13 +49,11 @@ void Diagram::arrow(PlanePoint from, PlanePoint to, std::uint8_t colour) {
 
 void Diagram::circle(PlanePoint centre, double radius, std::uint8_t colour) {
     constexpr int kCorners = 96;
-    for (int i = 0; i < kCorners; ++i) {
-        const auto at = [&](int corner) {
-            const double angle = corner * 2 * std::numbers::pi / kCorners;
-            return PlanePoint{centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle)};
-        };
-        line(at(i), at(i + 1), colour);
-    }
+    const auto at = [&](int corner) {
+        const double angle = corner * 2 * std::numbers::pi / kCorners;
+        return PlanePoint{centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle)};
+    };
+    curve(kCorners, at, colour);
 }
 
 void Diagram::disc(PlanePoint centre, double radius, std::uint8_t colour) {
@@ -73,13 +71,6 @@ void Diagram::rectangle(PlanePoint lowest, PlanePoint highest, std::uint8_t colo
     fill_area(canvas_,
               {x, y, static_cast<std::int32_t>(std::lround(b.x)) - x, static_cast<std::int32_t>(std::lround(b.y)) - y},
               colour);
-}
-
-void Diagram::outline(PlanePoint lowest, PlanePoint highest, std::uint8_t colour) {
-    line(lowest, {highest.x, lowest.y}, colour);
-    line({highest.x, lowest.y}, highest, colour);
-    line(highest, {lowest.x, highest.y}, colour);
-    line({lowest.x, highest.y}, lowest, colour);
 }
 
 void Diagram::text(PlanePoint at, std::string_view line, std::uint8_t colour, std::int32_t right_px,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -25,11 +27,23 @@ class Diagram {
 
     void fill(std::uint8_t colour);  ///< the whole canvas
     void line(PlanePoint from, PlanePoint to, std::uint8_t colour);
+    /// Lines from at(0) to at(1) and on to at(parts).
+    template <class At>
+    void curve(int parts, const At& at, std::uint8_t colour) {
+        for (int i = 0; i < parts; ++i) line(at(i), at(i + 1), colour);
+    }
+    /// Lines between corners; the last one leads back.
+    void outline(std::span<const PlanePoint> corners, std::uint8_t colour) {
+        curve(
+            static_cast<int>(corners.size()), [&](int i) { return corners[as_size(i) % corners.size()]; }, colour);
+    }
     void arrow(PlanePoint from, PlanePoint to, std::uint8_t colour);
     void circle(PlanePoint centre, double radius, std::uint8_t colour);
     void disc(PlanePoint centre, double radius, std::uint8_t colour);
     void rectangle(PlanePoint lowest, PlanePoint highest, std::uint8_t colour);
-    void outline(PlanePoint lowest, PlanePoint highest, std::uint8_t colour);
+    void outline(PlanePoint lowest, PlanePoint highest, std::uint8_t colour) {
+        outline(std::array{lowest, PlanePoint{highest.x, lowest.y}, highest, PlanePoint{lowest.x, highest.y}}, colour);
+    }
     /// Text whose upper left corner is `right_px` right of and `below_px` below the point.
     void text(PlanePoint at, std::string_view line, std::uint8_t colour, std::int32_t right_px = 3,
               std::int32_t below_px = -4);

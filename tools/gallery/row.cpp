@@ -11,7 +11,7 @@
 #include "engine/draw/drawing.h"
 #include "engine/draw/text.h"
 #include "engine/surface/palette.h"
-#include "tools/gallery/row_texts.h"
+#include "tools/gallery/texts.h"
 
 namespace oblong {
 
@@ -144,6 +144,12 @@ Entry entry_of(double value) {
 std::string decimal_text(double value, const char* format) {
     char text[64];
     std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+std::string decimals_text(std::initializer_list<double> values, const char* format, const char* between) {
+    std::string text;
+    for (const double value : values) text += (text.empty() ? "" : between) + decimal_text(value, format);
     return text;
 }
 

@@ -41,6 +41,13 @@ struct Parameter {
     std::vector<std::string> choices = {};
 };
 Parameter choice_parameter(std::string name, std::vector<std::string> choices, std::int64_t start = 0);
+/// A choice of the rows of a table, by their names.
+template <class Table>
+Parameter choice_of(std::string name, const Table& table) {
+    std::vector<std::string> choices;
+    for (const auto& row : table) choices.emplace_back(row.name);
+    return choice_parameter(std::move(name), std::move(choices));
+}
 
 /// The data that rows draw with.
 struct GalleryAssets {
@@ -109,6 +116,13 @@ Entry entry_of(double value);
 
 /// A number as text: "%.3f" or another format.
 std::string decimal_text(double value, const char* format = "%.3f");
+
+/// Several of them.
+std::string decimals_text(std::initializer_list<double> values, const char* format, const char* between = "");
+/// A row of a matrix.
+inline std::string row_text(const std::array<Entry, 4>& row, const char* format) {
+    return decimals_text({number_of(row[0]), number_of(row[1]), number_of(row[2]), number_of(row[3])}, format);
+}
 
 void fill(Framebuffer canvas, std::uint8_t colour);
 /// Each pixel has the colour that colour_at(column, row) gives.

@@ -23,11 +23,6 @@ namespace {
 
 constexpr double kNearest = 0.25, kFarthest = 8192;
 
-/// The mode of a part of a picture, with pixels of the same shape.
-ScreenMode mode_of_part(const ScreenMode& mode, Framebuffer part) {
-    return {part.width_px, part.height_px, mode.pixel() * Ratio{part.width_px, part.height_px}};
-}
-
 Screen screen_of(Entry pixels) {
     return convert<Screen>(convert<ScreenWide>(pixels));
 }

@@ -19,6 +19,11 @@
 
 namespace oblong {
 
+/// The mode of a part of a picture, with pixels of the same shape.
+inline ScreenMode mode_of_part(const ScreenMode& mode, Framebuffer part) {
+    return {part.width_px, part.height_px, mode.pixel() * Ratio{part.width_px, part.height_px}};
+}
+
 /// The view of a sketch.
 struct SketchEye {
     Vec3<World> eye, target;

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 #include "engine/methods/canonical_volume.h"
 #include "engine/methods/mesh_stages.h"
 #include "engine/methods/transforms.h"
 #include "engine/raster/scan.h"
 #include "engine/view/views.h"
+#include "tools/gallery/sketch.h"
 
 namespace oblong {
 
@@ -36,17 +36,6 @@ Mesh make_cube() {
     return cube;
 }
 
-/// The mode of a part of the picture, with pixels of the same shape.
-ScreenMode mode_of(const RowInput& input, Framebuffer part) {
-    return {part.width_px, part.height_px, input.mode.pixel() * Ratio{part.width_px, part.height_px}};
-}
-
-std::string row_of(const char* format, double a, double b, double c) {
-    char text[64];
-    std::snprintf(text, sizeof text, format, a, b, c);
-    return text;
-}
-
 std::string outcode_letters(unsigned outcode) {
     constexpr std::array<char, 5> kLetters{'L', 'R', 'B', 'T', 'Z'};
     std::string text;
@@ -57,7 +46,7 @@ std::string outcode_letters(unsigned outcode) {
 
 template <class T>
 std::string place_text(const Vec3<T>& p) {
-    return row_of("%6.2f%6.2f%6.2f", number_of(p.x), number_of(p.y), number_of(p.z));
+    return decimals_text({number_of(p.x), number_of(p.y), number_of(p.z)}, "%6.2f");
 }
 
 std::string span_text(const ShownTriangle& triangle, Stage stage) {
@@ -76,16 +65,17 @@ std::string span_text(const ShownTriangle& triangle, Stage stage) {
 void add_lines_of(const ShownTriangle& triangle, Stage stage, const MeshLight& light, std::vector<std::string>& lines) {
     const std::string number = std::to_string(triangle.number);
     if (stage == Stage::Lit)
-        lines.push_back(row_of("%3.0f %8.3f %8.1f", triangle.number,
-                               number_of(dot(triangle.world_normal, light.directional.toward)), triangle.light));
+        lines.push_back(decimal_text(triangle.number, "%3.0f") +
+                        decimal_text(number_of(dot(triangle.world_normal, light.directional.toward)), " %8.3f") +
+                        decimal_text(triangle.light, " %8.1f"));
     if (stage == Stage::Clipped) lines.push_back("triangle " + number + ": " + std::to_string(triangle.corners.size()));
     if (stage == Stage::Divided)
         for (const Vec3<Entry>& corner : triangle.divided)
-            lines.push_back(row_of("%7.3f%7.3f%7.3f", number_of(corner.x), number_of(corner.y), number_of(corner.z)));
+            lines.push_back(decimals_text({number_of(corner.x), number_of(corner.y), number_of(corner.z)}, "%7.3f"));
     if (stage == Stage::Projected)
         for (const ScreenCorner& corner : triangle.corners)
-            lines.push_back(row_of("%6.1f%6.1f%7.2f", number_of(corner.screen.x), number_of(corner.screen.y),
-                                   1 / number_of(corner.inverse_z)));
+            lines.push_back(decimals_text({number_of(corner.screen.x), number_of(corner.screen.y)}, "%6.1f") +
+                            decimal_text(1 / number_of(corner.inverse_z), "%7.2f"));
     if (stage >= Stage::Scanned && !triangle.spans.empty()) lines.push_back(number + span_text(triangle, stage));
 }
 
@@ -109,7 +99,8 @@ StagedCube::StagedCube(const RowInput& input, Framebuffer part) : mesh(make_cube
     placed.yaw = input.angle(1);
     placed.colour = input.assets.colour(230, 160, 70);
     placed.shading = Shading::Flat;
-    view = make_view_context(look_at_view({}, world_point(2, 0, -1), Degrees::from_int(60)), mode_of(input, part));
+    view = make_view_context(look_at_view({}, world_point(2, 0, -1), Degrees::from_int(60)),
+                             mode_of_part(input.mode, part));
     const MeshTransform transform = *make_mesh_transform(placed);
     const auto object = pose_of(placed, scratch.object_vertices);
     object_eye = to_object(view.eye, transform);
@@ -164,7 +155,8 @@ std::vector<std::string> StagedCube::lines_of(Stage stage) const {
         const auto normal =
             convert<World>(cross(object[c].position - object[a].position, object[b].position - object[a].position));
         const double product = number_of(dot(normal, object_eye - object[a].position));
-        lines.push_back(row_of("%3.0f %8.2f", i, product, 0) + (faces_eye(i) ? "  faces" : "  away"));
+        lines.push_back(decimal_text(i, "%3.0f") + decimal_text(product, " %8.2f") +
+                        (faces_eye(i) ? "  faces" : "  away"));
     }
     if (stage == Stage::InWorld)
         for (const WorldVertex& vertex : scratch.world_vertices) lines.push_back(place_text(vertex.position));

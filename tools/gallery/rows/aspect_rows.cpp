@@ -34,19 +34,9 @@ constexpr std::array<NamedMode, 8> kModes{{{"320x200 on 4:3", {320, 200, {4, 3}}
                                            {"360x480 on 4:3", {360, 480, {4, 3}}, {9, 16}},
                                            {"320x200 on 8:5", {320, 200, {8, 5}}, {1, 1}}}};
 
-Parameter mode_parameter() {
-    std::vector<std::string> names;
-    for (const NamedMode& named : kModes) names.push_back(named.name);
-    return choice_parameter("mode", names);
-}
-
-const NamedMode& mode_of(const RowInput& input, std::size_t parameter) {
-    return item(kModes, input.values[parameter]);
-}
-
 /// The display's outline, with a disc of few pixels, which shows their shape.
 Figures draw_pixel_aspect(const RowInput& input, Framebuffer canvas) {
-    const NamedMode& named = mode_of(input, 0);
+    const NamedMode& named = item(kModes, input.values[0]);
     const double wide = number_of(named.mode.display), shape = number_of(named.mode.pixel());
     Diagram diagram(input, canvas, {0, 0}, 1.12);
     diagram.fill(input.colour(20, 24, 36));
@@ -253,7 +243,7 @@ Figures draw_seven_steps(const RowInput& input, Framebuffer canvas) {
 }  // namespace
 
 std::vector<Row> aspect_rows() {
-    return {{"pixel-aspect", draw_pixel_aspect, {mode_parameter()}},
+    return {{"pixel-aspect", draw_pixel_aspect, {choice_of("mode", kModes)}},
             {"field-of-view",
              draw_field_of_view,
              {choice_parameter("field of view", {"60 degrees", "90 degrees", "120 degrees"}, 1),

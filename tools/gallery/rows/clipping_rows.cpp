@@ -230,6 +230,11 @@ Figures draw_two_lists(const RowInput& input, Framebuffer canvas) {
     const std::vector pentagon{corner(-0.5, -2), corner(-2, 0), corner(0, 2), corner(2, 0), corner(0.5, -2)};
     const SplitPolygon split = split_polygon(pentagon, VolumeSide::Bottom);
     const auto flat = [&](const Vec4& v) { return PlanePoint{number_of(v.x), number_of(v.y) + height + 1}; };
+    const auto all_flat = [&](const std::vector<Vec4>& polygon) {
+        std::vector<PlanePoint> points;
+        for (const Vec4& v : polygon) points.push_back(flat(v));
+        return points;
+    };
     const auto area = [&](const std::vector<Vec4>& polygon) {
         double sum = 0;
         for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -243,12 +248,8 @@ Figures draw_two_lists(const RowInput& input, Framebuffer canvas) {
     const std::uint8_t blue = input.colour(90, 130, 220);
     diagram.line({-5, height}, {5, height}, blue);
     diagram.arrow({-3, height}, {-3, height + 0.7}, blue);
-    const auto outline = [&](const std::vector<Vec4>& polygon, std::uint8_t colour) {
-        for (std::size_t i = 0; i < polygon.size(); ++i)
-            diagram.line(flat(polygon[i]), flat(polygon[(i + 1) % polygon.size()]), colour);
-    };
-    outline(split.outside, input.colour(220, 90, 80));
-    outline(split.inside, input.colour(240, 190, 90));
+    diagram.outline(all_flat(split.outside), input.colour(220, 90, 80));
+    diagram.outline(all_flat(split.inside), input.colour(240, 190, 90));
     for (std::size_t i = 0; i < pentagon.size(); ++i) {
         const PlanePoint place = flat(pentagon[i]);
         diagram.text(place, "Q" + std::to_string(i + 1), input.colour(235, 235, 225), place.x < 0 ? -16 : 4);

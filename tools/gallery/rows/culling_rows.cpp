@@ -72,15 +72,15 @@ Figures draw_culling(const RowInput& input, Framebuffer canvas) {
     Sketch sketch(input, canvas, scene_area(canvas), from);
     const std::uint8_t right = input.colour(90, 110, 150), edge = input.colour(30, 34, 50);
     const std::uint8_t kept = input.colour(220, 60, 50), missing = input.colour(240, 200, 60);
-    int faces = 0, wrong_by_dot = 0, wrong_by_normal = 0, wrong_on_screen = 0;
+    int faces = 0;
+    std::array<int, 3> wrong{};  // by rule
     for (int column = -2; column <= 2; ++column)
         for (int row = -1; row <= 1; ++row)
             for (const BallFace& face : make_ball(60, column * 26.0, row * 26.0, 11)) {
                 const bool faces_eye = faces_eye_in_double(face, from.eye);
                 ++faces;
-                wrong_by_dot += is_drawn(face, CullRule::ObjectDot, sketch.view()) != faces_eye;
-                wrong_by_normal += is_drawn(face, CullRule::ViewNormal, sketch.view()) != faces_eye;
-                wrong_on_screen += is_drawn(face, CullRule::ScreenArea, sketch.view()) != faces_eye;
+                for (std::size_t by = 0; by < wrong.size(); ++by)
+                    wrong[by] += is_drawn(face, static_cast<CullRule>(by), sketch.view()) != faces_eye;
                 const bool draws = is_drawn(face, rule, sketch.view());
                 if (faces_eye) {
                     sketch.polygon(face.corners, draws ? right : missing);
@@ -92,10 +92,9 @@ Figures draw_culling(const RowInput& input, Framebuffer canvas) {
     // Errata A9: (10, 0, 10), (11, 0, 12), (10, 1, 10) in viewspace has the normal (-2, 0, 1) and faces the eye.
     const Vec3<World> a = world_point(10, 0, 10), b = world_point(11, 0, 12), c = world_point(10, 1, 10);
     const auto normal = cross(b - a, c - a);
-    return {count_figure("wrong by normal . (vertex - eye), in object space", 0, wrong_by_dot),
-            measured("wrong by the normal's z in viewspace",
-                     std::to_string(wrong_by_normal) + " of " + std::to_string(faces)),
-            count_figure("wrong by the sign of the area on the screen", 0, wrong_on_screen),
+    return {count_figure("wrong by normal . (vertex - eye), in object space", 0, wrong[0]),
+            measured("wrong by the normal's z in viewspace", std::to_string(wrong[1]) + " of " + std::to_string(faces)),
+            count_figure("wrong by the sign of the area on the screen", 0, wrong[2]),
             number_figure(
                 "normal . vertex of the seed's triangle, below 0: faces the eye", -10,
                 number_of(dot(convert<WorldWide>(a), Vec3<Unit>{Unit::from_int(1), {}, {}})) * number_of(normal.x) +

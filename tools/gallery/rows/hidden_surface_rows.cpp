@@ -66,6 +66,11 @@ std::int64_t show_differences(std::span<const std::uint8_t> shown, std::span<con
     return differences;
 }
 
+/// A count of wrong pixels: none is expected of an exact picture.
+Figure wrong_pixels(std::string name, std::int64_t wrong, bool is_exact) {
+    return is_exact ? count_figure(std::move(name), 0, wrong) : measured(std::move(name), wrong);
+}
+
 /// Whether a method is exact with these settings. With coarsely rounded 1/z and corners, the z-buffer's depths and the
 /// rays' exact outlines may differ from the span buffer's picture.
 bool is_exact(HiddenSurfaces method, const Accuracy& accuracy) {
@@ -81,10 +86,8 @@ Figures draw_hidden_surface_methods(const RowInput& input, Framebuffer canvas) {
     const auto warning = input.values[1] == 1 ? std::optional(input.assets.colour(90, 255, 90)) : std::nullopt;
     const std::int64_t wrong = show_differences(frame.pixels, right.pixels, warning, canvas);
     const HiddenSurfaceCounts& counts = frame.counts();
-    const std::string name = "pixels unlike the span buffer's";
     const std::size_t pixels = frame.pixels.size();
-    Figures figures;
-    figures.push_back(is_exact(method, input.settings.accuracy) ? count_figure(name, 0, wrong) : measured(name, wrong));
+    Figures figures{wrong_pixels("pixels unlike the span buffer's", wrong, is_exact(method, input.settings.accuracy))};
     if (method == HiddenSurfaces::SpanBuffer) {
         figures.push_back(measured("rows of faces looked up", frame.counted.stages.claimed_rows));
         figures.push_back(measured("faces scanned", frame.counted.faces_visited));
@@ -196,15 +199,12 @@ Figures draw_depth(const RowInput& input, Framebuffer canvas) {
     const InverseZ inverse_z = item(frame.by.depths(), checked.row * canvas.width_px + checked.column);
     const double z = std::ldexp(1.0, InverseZ::kFractionBits) / static_cast<double>(inverse_z.raw);
     const double by_tree = depth_by_tree(input.assets.demo_level, camera_in_hall(), input.mode, checked);
-    Figures figures;
-    const std::string name = "pixels that go to another face than by the tree";
     const bool is_whole = input.values[0] == InverseZ::kFractionBits;
-    figures = {is_whole && is_exact(HiddenSurfaces::ZBuffer, rounded.settings.accuracy) ? count_figure(name, 0, wrong)
-                                                                                        : measured(name, wrong),
-               is_whole ? number_figure("z on the left wall, units", by_tree, z, 0.01, 2)
-                        : measured("z on the left wall, units", decimal_text(z, "%.2f")),
-               measured("pixels written and then hidden", frame.counts().pixels_written - std::ssize(frame.pixels))};
-    return figures;
+    return {wrong_pixels("pixels that go to another face than by the tree", wrong,
+                         is_whole && is_exact(HiddenSurfaces::ZBuffer, rounded.settings.accuracy)),
+            is_whole ? number_figure("z on the left wall, units", by_tree, z, 0.01, 2)
+                     : measured("z on the left wall, units", decimal_text(z, "%.2f")),
+            measured("pixels written and then hidden", frame.counts().pixels_written - std::ssize(frame.pixels))};
 }
 
 /// From near to far.
@@ -242,9 +242,8 @@ Figures draw_tree_order(const RowInput& input, Framebuffer canvas) {
         }
     }
     const std::int64_t wrong = count_differences(frame.owners().faces, depths.owners().faces);
-    const std::string name = "pixels whose last face is not the nearest";
-    return {is_exact(HiddenSurfaces::ZBuffer, input.settings.accuracy) ? count_figure(name, 0, wrong)
-                                                                       : measured(name, wrong),
+    return {wrong_pixels("pixels whose last face is not the nearest", wrong,
+                         is_exact(HiddenSurfaces::ZBuffer, input.settings.accuracy)),
             measured("faces painted", static_cast<std::int64_t>(painted)),
             measured("of", static_cast<std::int64_t>(order.size()))};
 }

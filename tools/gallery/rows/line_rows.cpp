@@ -149,9 +149,7 @@ Figures draw_lines_row(const RowInput& input, Framebuffer canvas) {
 }  // namespace
 
 std::vector<Row> line_rows() {
-    std::vector<std::string> names;
-    for (const NamedLine& line : kLines) names.push_back(line.name);
-    return {{"lines", draw_lines_row, {choice_parameter("line", names)}}};
+    return {{"lines", draw_lines_row, {choice_of("line", kLines)}}};
 }
 
 }  // namespace oblong

@@ -96,14 +96,13 @@ void draw_depths(const std::array<const Matrix4*, 2>& matrices, double nearest, 
     diagram.text({0, 1}, "depth 1", grey, 2, -10);
     diagram.text({kWide * nearest / farthest, 0}, "near", grey, -4, 6);
     diagram.text({kWide, 0}, "far", grey, -12, 6);
-    for (std::size_t which = 0; which < 2; ++which)
-        for (int step = 0; step < 96; ++step) {
-            const auto place = [&](int part) {
-                const double z = nearest + (farthest - nearest) * std::pow(part / 96.0, 3);
-                return PlanePoint{kWide * z / farthest, depth_of(*matrices[which], z)};
-            };
-            diagram.line(place(step), place(step + 1), colours[which]);
-        }
+    for (std::size_t which = 0; which < 2; ++which) {
+        const auto place = [&](int part) {
+            const double z = nearest + (farthest - nearest) * std::pow(part / 96.0, 3);
+            return PlanePoint{kWide * z / farthest, depth_of(*matrices[which], z)};
+        };
+        diagram.curve(96, place, colours[which]);
+    }
 }
 
 Figures draw_projection_matrix(const RowInput& input, Framebuffer canvas) {
@@ -117,10 +116,7 @@ Figures draw_projection_matrix(const RowInput& input, Framebuffer canvas) {
     const Matrix4& shown = is_listed ? listed : corrected;
     draw_depths({&listed, &corrected}, nearest, farthest, input, canvas);
     std::vector<std::string> lines{is_listed ? "as listed (red)" : "corrected (green)", ""};
-    for (const auto& row : shown.rows) {
-        lines.emplace_back();
-        for (const Entry entry : row) lines.back() += decimal_text(number_of(entry), "%7.3f");
-    }
+    for (const auto& row : shown.rows) lines.push_back(row_text(row, "%7.3f"));
     lines.insert(lines.end(),
                  {"", std::string("a = ") + (is_listed ? "4/3, width / height" : "3/4, height / width"),
                   "f = 4/3, 1 / tan(fov / 2)", "lambda = " + decimal_text(number_of(shown.rows[2][2]), "%.6f")});
@@ -183,11 +179,10 @@ Figures draw_opengl_quad(const RowInput& input, Framebuffer canvas) {
         worst_px = std::max(worst_px, std::hypot(found.x - expected.x, found.y - expected.y));
         shoelace += (expected.x * next.y - next.x * expected.y) / 2;
         const Vec& p = kQuad[i];
-        lines.push_back("glVertex3f(" + decimal_text(p.x, "%.0f") + ", " + decimal_text(p.y, "%.0f") + ", " +
-                        decimal_text(p.z, "%.0f") + ")");
+        lines.push_back("glVertex3f(" + decimals_text({p.x, p.y, p.z}, "%.0f", ", ") + ")");
         const Vec3<World>& w = corners[i];
         const Vec3<Entry> divided = *point_of(sketch.world_to_volume() * homogeneous(w));
-        lines.push_back(decimal_text(number_of(divided.x), "%7.3f") + decimal_text(number_of(divided.y), "%7.3f") +
+        lines.push_back(decimals_text({number_of(divided.x), number_of(divided.y)}, "%7.3f") +
                         decimal_text(number_of(divided.z), "%7.4f"));
         lines.push_back("  " + decimal_text(found.x, "%7.2f") + decimal_text(found.y, "%8.2f"));
     }

@@ -198,9 +198,8 @@ Figures draw_normals(const RowInput& input, Framebuffer canvas) {
     const std::optional<Matrix3> normals = normal_matrix(matrix);
     if (!normals) return {};
     const auto on_ellipse = [scale](double angle) { return PlanePoint{scale * std::cos(angle), std::sin(angle)}; };
-    for (int step = 0; step < 96; ++step)
-        diagram.line(on_ellipse(step * std::numbers::pi / 48), on_ellipse((step + 1) * std::numbers::pi / 48),
-                     input.colour(150, 160, 180));
+    diagram.curve(
+        96, [&](int step) { return on_ellipse(step * std::numbers::pi / 48); }, input.colour(150, 160, 180));
     double worst_normal = 0, worst_point = 0, expected_point = 0;
     for (int step = 0; step < 12; ++step) {
         const double angle = (step + 0.5) * std::numbers::pi / 6, c = std::cos(angle), s = std::sin(angle);

@@ -45,16 +45,6 @@ Vec3<World> cube_corner(int number) {
     return world_point(x, z, y);
 }
 
-std::vector<std::string> matrix_text(const Matrix4& matrix) {
-    std::vector<std::string> lines;
-    for (const auto& row : matrix.rows) {
-        std::string line;
-        for (const Entry entry : row) line += decimal_text(number_of(entry), "%5.2f");
-        lines.push_back(line);
-    }
-    return lines;
-}
-
 const std::array kAxisEnds{world_point(4, 0, 0), world_point(0, 4, 0), world_point(0, 0, 3)};
 
 void draw_cube(Sketch& sketch, const Matrix4& model, std::uint8_t colour) {
@@ -81,7 +71,7 @@ Figures draw_model_to_world(const RowInput& input, Framebuffer canvas) {
     draw_cube(sketch, Matrix4::identity(), assets.colour(70, 78, 100));
     draw_cube(sketch, model, assets.colour(240, 190, 90));
     std::vector<std::string> lines{"model to world:"};
-    for (const std::string& line : matrix_text(model)) lines.push_back(line);
+    for (const auto& row : model.rows) lines.push_back(row_text(row, "%5.2f"));
     draw_column(canvas, canvas.width_px * kTextColumn_320 / 320 - 10, kHeader_px + 8, lines, assets.text);
 
     const double angle = step >= 1 ? input.radians(1) : 0;

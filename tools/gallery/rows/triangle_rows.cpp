@@ -301,9 +301,8 @@ Figures draw_perspective(const RowInput& input, Framebuffer canvas) {
 }  // namespace
 
 std::vector<Row> triangle_rows() {
-    std::vector<std::string> methods, places;
+    std::vector<std::string> methods;
     for (int i = 0; i < kTriangleMethodCount; ++i) methods.push_back(name_of(static_cast<TriangleMethod>(i)));
-    for (const NamedPlace& place : kPlaces) places.push_back(place.name);
     return {{"triangles",
              draw_triangle_methods,
              {choice_parameter("method", methods, 2),
@@ -312,7 +311,7 @@ std::vector<Row> triangle_rows() {
             {"top-left-rule",
              draw_top_left_rule,
              {{"top corner, half columns", 13, 27, 1, 23}, {"right corner, half rows", 4, 16, 1, 11}}},
-            {"barycentric", draw_barycentric, {choice_parameter("P", places)}},
+            {"barycentric", draw_barycentric, {choice_of("P", kPlaces)}},
             {"perspective-correct", draw_perspective, {{"far depth", 2, 9, 1, 3}}}};
 }
 

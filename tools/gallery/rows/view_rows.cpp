@@ -247,17 +247,11 @@ Figures draw_view_matrix(const RowInput& input, Framebuffer canvas) {
         number_figure("its z", ahead, number_of(seen.z), 0.02)};
 }
 
-Parameter lab_parameter() {
-    std::vector<std::string> names;
-    for (const LabView& lab : kLabViews) names.push_back(lab.name);
-    return choice_parameter("view", names);
-}
-
 }  // namespace
 
 std::vector<Row> view_rows() {
     return {
-        {"view-window", draw_lab_cube, {lab_parameter(), {"window moved, tenths", -5, 5, 1, 0}}},
+        {"view-window", draw_lab_cube, {choice_of("view", kLabViews), {"window moved, tenths", -5, 5, 1, 0}}},
         {"front-plane", draw_front_plane, {{"height", -50, 400, 50, 50}}},
         {"zoom-dolly",
          draw_dolly_zoom,
