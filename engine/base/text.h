@@ -13,6 +13,13 @@ constexpr std::string_view without_byte_order_mark(std::string_view text) {
     return text.starts_with(kMark) ? text.substr(kMark.size()) : text;
 }
 
+inline std::string lower_case(std::string_view text) {
+    std::string lower(text);
+    for (char& letter : lower)
+        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+    return lower;
+}
+
 /// Truncates a text longer than `most`, and appends "...".
 inline std::string shortened(std::string text, std::size_t most) {
     if (text.size() > most) text.replace(most, std::string::npos, "...");

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/base/table.h"
+#include "engine/base/text.h"
 #include "engine/effects/entity_values.h"
 #include "engine/files/doubles.h"
 #include "engine/files/files.h"
@@ -41,12 +42,6 @@ struct ModelFile {
         return std::tie(path, scale, is_z_up, dither) < std::tie(b.path, b.scale, b.is_z_up, b.dither);
     }
 };
-
-std::string lower_case(std::string text) {
-    for (char& letter : text)
-        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
-    return text;
-}
 
 class ModelFinder {
   public:

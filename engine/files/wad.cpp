@@ -84,12 +84,6 @@ void check_texture_size(std::int64_t width, std::int64_t height, const std::stri
                      std::to_string(width) + "x" + std::to_string(height) + ", expected multiples of 16 up to 4096");
 }
 
-std::string lookup_name(std::string name) {
-    for (char& letter : name)
-        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter + 32);
-    return name;
-}
-
 std::vector<WadTexture> read_wad(std::span<const std::uint8_t> file) {
     if (file.size() < sizeof kSignature || !std::equal(std::begin(kSignature), std::end(kSignature), file.begin()))
         throw InputError("header", "not a WAD2 file, expected it to begin with 'WAD2'");

@@ -18,9 +18,6 @@ struct WadTexture {
     std::span<const std::uint8_t> miptex;  ///< its header of 40 bytes and what follows, as BSP files hold it too
 };
 
-/// The name by which levels find a texture: in lower case.
-std::string lookup_name(std::string name);
-
 /// The textures of a WAD2, in the file's order; it points into `file`. Throws InputError where a size or an offset
 /// leads out of the file.
 std::vector<WadTexture> read_wad(std::span<const std::uint8_t> file);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/base/input_error.h"
+#include "engine/base/text.h"
 
 namespace oblong::test {
 namespace {
@@ -26,7 +27,7 @@ TEST(Wad, TexturesComeBackInTheirOrder) {
         EXPECT_EQ(read[i].name, textures[i].name);
         EXPECT_EQ(parse_miptex(read[i].miptex), textures[i]);
     }
-    EXPECT_EQ(lookup_name(read[1].name), "*water");
+    EXPECT_EQ(lower_case(read[1].name), "*water");
 }
 
 // As the format's description has it, byte by byte.

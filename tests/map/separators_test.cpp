@@ -1,11 +1,10 @@
-#include "tools/map/vis/separators.h"
-
 #include <gtest/gtest.h>
 
 #include <numbers>
 #include <random>
 
 #include "tests/support/random.h"
+#include "tools/map/vis/visibility.h"
 
 namespace oblong::test {
 namespace {

@@ -1,7 +1,6 @@
 #include "tools/map/compile.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <deque>
 #include <set>
 #include <tuple>
@@ -144,12 +143,6 @@ std::vector<CompiledModel> compile_models(LevelBrushes& level, const std::vector
     std::vector<CompiledModel> models;
     for (ModelCompiler& compiler : compilers) models.push_back(std::move(compiler.result().model));
     return models;
-}
-
-std::string number_text(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", value);
-    return text;
 }
 
 LightOptions light_options(const CompileOptions& options, const TextureList& textures) {

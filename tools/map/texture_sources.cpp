@@ -6,9 +6,9 @@
 #include <sstream>
 
 #include "engine/base/input_error.h"
+#include "engine/base/text.h"
 #include "engine/files/arguments.h"
 #include "engine/files/files.h"
-#include "engine/files/wad.h"
 #include "tools/texture/texture_files.h"
 
 namespace oblong::map {
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 constexpr std::array kPictures{".png", ".tga", ".jpg", ".jpeg", ".bmp"};
 
 bool is_picture(const fs::path& path) {
-    const std::string extension = lookup_name(path.extension().string());
+    const std::string extension = lower_case(path.extension().string());
     return std::find(kPictures.begin(), kPictures.end(), extension) != kPictures.end();
 }
 
@@ -101,7 +101,7 @@ std::vector<Wad> read_texture_sources(const TextureSources& sources, const MapEn
     }
     for (const std::string& name : sources.glowing)
         if (std::none_of(wads.begin(), wads.end(),
-                         [&](const Wad& wad) { return wad.find(lookup_name(name)) != nullptr; }))
+                         [&](const Wad& wad) { return wad.find(lower_case(name)) != nullptr; }))
             throw UsageError("--glow: '" + name + "' is not the name of any of the textures");
     return wads;
 }

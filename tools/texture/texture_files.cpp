@@ -7,6 +7,7 @@
 
 #include "engine/base/input_error.h"
 #include "engine/base/table.h"
+#include "engine/base/text.h"
 #include "engine/files/arguments.h"
 #include "engine/files/files.h"
 #include "engine/files/picture.h"
@@ -55,7 +56,7 @@ std::map<std::string, std::string> files_by_name(const std::vector<std::string>&
     std::map<std::string, std::string> files;
     for (const std::string& path : picture_paths) {
         const std::string name = naming_file(path, [&] { return texture_name_of_file(path); });
-        const auto [other, is_new] = files.emplace(lookup_name(name), path);
+        const auto [other, is_new] = files.emplace(lower_case(name), path);
         if (!is_new)
             throw FileError(
                 path, "name",
@@ -140,7 +141,7 @@ std::vector<std::uint8_t> packed_textures(const std::vector<std::string>& pictur
     const std::map<std::string, std::string> files = files_by_name(picture_paths);
     std::set<std::string> glowing_files;
     for (const std::string& name : glowing)
-        if (const auto file = files.find(lookup_name(name)); file != files.end()) glowing_files.insert(file->second);
+        if (const auto file = files.find(lower_case(name)); file != files.end()) glowing_files.insert(file->second);
     std::vector<MipTexture> textures;
     for (const std::string& path : picture_paths)
         textures.push_back(read_png_texture(path, palette, {glowing_files.contains(path), dither}));
@@ -151,7 +152,7 @@ void pack_textures(const std::vector<std::string>& picture_paths, const std::vec
                    const std::string& wad_path, const Palette& palette, Dither dither) {
     const std::map<std::string, std::string> files = files_by_name(picture_paths);
     for (const std::string& name : glowing)
-        if (!files.contains(lookup_name(name)))
+        if (!files.contains(lower_case(name)))
             throw UsageError("--glow: '" + name + "' is not the name of any of the textures");
     write_file(wad_path, packed_textures(picture_paths, glowing, palette, dither));
 }

@@ -1,5 +1,6 @@
 // WAD2 files: their textures, by the tools' reader and the compiler's, written and read again.
 
+#include "engine/base/text.h"
 #include "engine/files/wad.h"
 #include "tests/fuzz/common/fuzz.h"
 #include "tools/map/source/textures.h"
@@ -15,7 +16,7 @@ void run(Input input) {
     const map::Wad compilers(text_of(input));
     std::vector<MipTexture> textures;
     for (const WadTexture& texture : read_wad(input)) {
-        expect(compilers.find(lookup_name(texture.name)) != nullptr, "the texture by its name");
+        expect(compilers.find(lower_case(texture.name)) != nullptr, "the texture by its name");
         textures.push_back(parse_miptex(texture.miptex));
         textures.back().name = textures.back().name.substr(0, kLongestName);
     }

@@ -7,14 +7,14 @@
 #include <map>
 #include <set>
 
-#include "engine/files/wad.h"
+#include "engine/base/text.h"
 
 namespace oblong::map {
 namespace {
 
 // A float, as in engines.
-float texel_at(const FileTexAxis& axis, const Floats& point) {
-    return static_cast<float>(dot(to_point(axis.direction), to_point(point)) + static_cast<double>(axis.offset));
+float texel_at(const FileTexAxis& axis, const Point& point) {
+    return static_cast<float>(dot(to_point(axis.direction), point) + static_cast<double>(axis.offset));
 }
 
 Point nearest_on_segment(const Point& point, const Point& from, const Point& to) {
@@ -55,13 +55,13 @@ LightGrid light_grid(const BspFile& bsp, const FileFace& face) {
     return grid;
 }
 
-std::vector<Floats> face_corners(const BspFile& bsp, const FileFace& face) {
-    std::vector<Floats> corners;
+Winding face_corners(const BspFile& bsp, const FileFace& face) {
+    Winding corners;
     corners.reserve(as_size(face.edge_count));
     for (int i = 0; i < face.edge_count; ++i) {
         const int edge = item(bsp.surf_edges, face.first_surf_edge + i);
         const auto& ends = item(bsp.edges, std::abs(edge));
-        corners.push_back(item(bsp.vertices, ends[edge < 0 ? 1 : 0]));
+        corners.push_back(to_point(item(bsp.vertices, ends[edge < 0 ? 1 : 0])));
     }
     return corners;
 }
@@ -76,12 +76,9 @@ FaceSampler::FaceSampler(const BspFile& bsp, const FileFace& face, SmoothFace sm
     : tracer_(tracer), all_(all), grid_(light_grid(bsp, face)), smooth_(std::move(smooth)) {
     const FilePlane& plane = item(bsp.planes, face.plane);
     const Point plane_normal = to_point(plane.normal);
-    normal_ = face.is_back != 0 ? -plane_normal : plane_normal;
-    for (const auto& corner : face_corners(bsp, face)) {
-        corners_.push_back(to_point(corner) + normal_ * kLift);
-        centre_ = centre_ + corners_.back();
-    }
-    centre_ = centre_ * (1.0 / static_cast<double>(corners_.size()));
+    normal_ = face_normal(bsp, face);
+    for (const Point& corner : face_corners(bsp, face)) corners_.push_back(corner + normal_ * kLift);
+    centre_ = middle(corners_);
     for (const Point& corner : corners_) radius_ = std::max(radius_, length(corner - centre_));
     for (std::size_t i = 0; i < corners_.size(); ++i) {
         const Point along = corners_[(i + 1) % corners_.size()] - corners_[i];
@@ -184,7 +181,7 @@ Point FaceSampler::nearest_over_face(const Point& point) const {
 // The name at the beginning of a miptex: 16 bytes, the rest zero.
 std::string texture_name(const BspFile& bsp, const FileFace& face) {
     const std::string& miptex = item(bsp.textures, item(bsp.texinfos, face.texinfo).texture);
-    return lookup_name(miptex.substr(0, std::min<std::size_t>(miptex.find('\0'), 16)));
+    return lower_case(miptex.substr(0, std::min<std::size_t>(miptex.find('\0'), 16)));
 }
 
 std::vector<std::vector<int>> whole_surfaces(const BspFile& bsp, const std::function<bool(const FileFace&)>& is_meant) {

@@ -12,7 +12,7 @@
 namespace oblong::map {
 
 /// A face's corners in order, and the direction that it faces.
-std::vector<Floats> face_corners(const BspFile& bsp, const FileFace& face);
+Winding face_corners(const BspFile& bsp, const FileFace& face);
 Point face_normal(const BspFile& bsp, const FileFace& face);
 
 /// The samples of a face's lightmap: at multiples of 16 texels, from the one at or below its corners' least texel to

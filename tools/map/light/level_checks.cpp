@@ -19,13 +19,6 @@ bool is_lit(const BspFile& bsp, const FileFace& face) {
     return item(bsp.texinfos, face.texinfo).flags == 0;
 }
 
-Winding winding_of_face(const BspFile& bsp, const FileFace& face) {
-    Winding winding;
-    winding.reserve(as_size(face.edge_count));
-    for (const Floats& corner : face_corners(bsp, face)) winding.push_back(to_point(corner));
-    return winding;
-}
-
 bool contains(const MapBrush& brush, const Point& point) {
     constexpr double kSlack = 1.0 / 8;
     return std::all_of(brush.sides.begin(), brush.sides.end(),
@@ -40,7 +33,7 @@ bool faces_as(const MapSide& side, const Point& normal, const Point& point) {
 
 // The line of a face's side; the world's if none is found (a sliver).
 int line_of(const BspFile& bsp, const std::vector<MapEntity>& entities, const FileFace& face) {
-    const Point normal = face_normal(bsp, face), point = middle(winding_of_face(bsp, face));
+    const Point normal = face_normal(bsp, face), point = middle(face_corners(bsp, face));
     const std::string texture = texture_name(bsp, face);
     for (const MapEntity& entity : entities)
         for (const MapBrush& brush : entity.brushes)
@@ -130,13 +123,13 @@ class LevelChecker {
     double texels_of(const FileFace& face) const {
         const FileTexInfo& texinfo = item(bsp_.texinfos, face.texinfo);
         const Point u = to_point(texinfo.axes[0].direction), v = to_point(texinfo.axes[1].direction);
-        return std::abs(dot(cross(u, v), area_vector(winding_of_face(bsp_, face)))) / 2;
+        return std::abs(dot(cross(u, v), area_vector(face_corners(bsp_, face)))) / 2;
     }
 
     int least_samples(const FileFace& face) const {
         constexpr double kSlack = 1.0 / 64;  // of a step
         const FileTexInfo& texinfo = item(bsp_.texinfos, face.texinfo);
-        const Winding corners = winding_of_face(bsp_, face);
+        const Winding corners = face_corners(bsp_, face);
         int count = 1;
         for (const FileTexAxis& axis : texinfo.axes) {
             double low = Box::kFar, high = -Box::kFar;

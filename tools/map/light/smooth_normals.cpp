@@ -33,15 +33,14 @@ constexpr double kStraight = std::numbers::pi - 1e-3;
 
 // A corner within an edge, where only faces that are not smoothed have one, divides the edge: its normal lies between
 // those of the edge's ends.
-void interpolate_within_edges(const std::vector<Floats>& corners, const std::vector<bool>& is_within,
-                              std::vector<Point>& normals) {
+void interpolate_within_edges(const Winding& corners, const std::vector<bool>& is_within, std::vector<Point>& normals) {
     for (std::size_t k = 0; k < corners.size(); ++k) {
         if (!is_within[k]) continue;
         std::size_t first = k, last = k;
         while (is_within[first]) first = (first + corners.size() - 1) % corners.size();
         while (is_within[last]) last = (last + 1) % corners.size();
-        const Point from = to_point(corners[first]);
-        const double share = length(to_point(corners[k]) - from) / length(to_point(corners[last]) - from);
+        const Point& from = corners[first];
+        const double share = length(corners[k] - from) / length(corners[last] - from);
         normals[k] = normals[first] * (1 - share) + normals[last] * share;
     }
 }
@@ -79,11 +78,11 @@ std::vector<SmoothFace> smooth_faces(const BspFile& bsp, const std::vector<doubl
         for (std::size_t i = 0; i < bsp.faces.size(); ++i) {
             const FileFace& face = bsp.faces[i];
             if (static_cast<std::size_t>(face.texinfo) >= degrees.size() || item(degrees, face.texinfo) <= 0) continue;
-            const std::vector<Floats> corners = face_corners(bsp, face);
+            const Winding corners = face_corners(bsp, face);
             for (std::size_t k = 0; k < corners.size(); ++k) {
-                const Point here = to_point(corners[k]), next = to_point(corners[(k + 1) % corners.size()]),
-                            last = to_point(corners[(k + corners.size() - 1) % corners.size()]);
-                use(i, corners[k],
+                const Point &here = corners[k], &next = corners[(k + 1) % corners.size()],
+                            &last = corners[(k + corners.size() - 1) % corners.size()];
+                use(i, to_floats(here),
                     FaceCorner{face_normal(bsp, face), item(degrees, face.texinfo),
                                angle_between(next - here, last - here)});
             }

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "engine/base/input_error.h"
-#include "engine/files/wad.h"
+#include "engine/base/text.h"
 #include "engine/level/entity_classes.h"
 #include "tools/map/source/entities.h"
 
@@ -115,7 +115,7 @@ LightSource source_of(const MapEntity& entity, const Point& origin, const std::v
     source.style = static_cast<int>(style);
     source.direction = spot_direction(entity, origin, entities);
     source.radius = std::max(value_of(entity, "radius"), 0.0);
-    source.surface = lookup_name(entity.value("_surface"));
+    source.surface = lower_case(entity.value("_surface"));
     source.surface_offset = value_of(entity, "_surface_offset");
     source.is_surface_spotlight = value_of(entity, "_surface_spotlight") > 0;
     const double cone = value_of(entity, "angle");

@@ -72,10 +72,7 @@ void add_pieces(const Windings& windings, std::vector<Windings>& pieces) {
 void add_lights_of_surface(std::vector<LightSource>& sources, const LightSource& pattern, const BspFile& bsp,
                            const std::vector<int>& faces) {
     Windings windings;
-    for (const int face : faces) {
-        Winding& winding = windings.emplace_back();
-        for (const Floats& corner : face_corners(bsp, item(bsp.faces, face))) winding.push_back(to_point(corner));
-    }
+    for (const int face : faces) windings.push_back(face_corners(bsp, item(bsp.faces, face)));
     const Point normal = face_normal(bsp, item(bsp.faces, faces.front()));
     std::vector<Windings> pieces;
     add_pieces(windings, pieces);

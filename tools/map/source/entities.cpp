@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "engine/base/input_error.h"
-#include "engine/files/wad.h"
+#include "engine/base/text.h"
 #include "engine/level/entity_classes.h"
 #include "tools/map/source/brush.h"
 
@@ -104,7 +104,7 @@ std::vector<TextureUse> shown_textures(const std::vector<MapEntity>& entities) {
         const ClassRole role = role_of(entity);
         if (role != ClassRole::Billboard && role != ClassRole::FlyingLamp) continue;
         for (const MapPair& pair : entity.pairs) {
-            if (pair.key == "texture") uses.push_back({lookup_name(pair.value), pair.line});
+            if (pair.key == "texture") uses.push_back({lower_case(pair.value), pair.line});
         }
     }
     return uses;

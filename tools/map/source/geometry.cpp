@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <iterator>
 #include <optional>
+#include <utility>
 
 namespace oblong::map {
 
@@ -94,9 +97,10 @@ Point crossing(const Point& front, double front_height, const Point& back, doubl
 // Calls add_front(point) and add_back(point) for the corners of the parts on either side.
 template <class AddFront, class AddBack>
 void cut(const Winding& winding, const Plane& plane, const Heights& heights, AddFront add_front, AddBack add_back) {
+    double there = heights[0];
     for (std::size_t i = 0; i < winding.size(); ++i) {
         const std::size_t next = i + 1 == winding.size() ? 0 : i + 1;
-        const double here = heights[i], there = heights[next];
+        const double here = std::exchange(there, heights[next]);
         if (here >= 0) add_front(winding[i]);
         if (here <= 0) add_back(winding[i]);
         if (here * there >= 0) continue;
@@ -180,6 +184,11 @@ void add(std::vector<Boxed>& done, Winding piece, const Point& normal) {
 
 }  // namespace
 
+std::string number_text(double number) {
+    char digits[32];
+    return {digits, std::to_chars(std::begin(digits), std::end(digits), number, std::chars_format::general, 6).ptr};
+}
+
 int plane_type(const Plane& plane) {
     const int axis = longest_axis(plane.normal);
     return plane.normal[axis] == 1.0 ? axis : axis + 3;
@@ -233,9 +242,9 @@ SplitWinding split(Winding winding, const Plane& plane) {
     return parts;
 }
 
-void clip_to_front(Winding& winding, const Plane& plane, Winding& spare) {
+void clip_to_front(Winding& winding, const Plane& plane, Winding& spare, bool keeps_on) {
     const Heights heights(winding, plane);
-    if (!heights.has_back) return;
+    if (!heights.has_back && (heights.has_front || keeps_on)) return;
     spare.clear();
     spare.reserve(winding.size() + 1);
     if (heights.has_front)

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "engine/base/table.h"
@@ -15,6 +16,9 @@ namespace oblong::map {
 /// A point or direction of the world in doubles, in world units: the compiler's arithmetic.
 using Point = reference::Vec;
 using reference::cross, reference::dot, reference::length;
+
+/// With six digits.
+std::string number_text(double number);
 
 /// The unit vector along axis 0, 1 or 2.
 inline Point axis_vector(int axis) {
@@ -145,8 +149,9 @@ struct SplitWinding {
 /// Cuts by a plane. The new points are bit-identical for the two polygons at an edge, regardless of their directions.
 SplitWinding split(Winding winding, const Plane& plane);
 
-/// Keeps the part in front of the plane or on it. `spare`: memory for reuse by the next cut.
-void clip_to_front(Winding& winding, const Plane& plane, Winding& spare);
+/// Keeps the part in front of the plane or on it; nothing of a polygon that is all on it, unless `keeps_on`. `spare`:
+/// memory for reuse by the next cut.
+void clip_to_front(Winding& winding, const Plane& plane, Winding& spare, bool keeps_on = true);
 
 /// The winding's extents in front of and behind a plane (both at least 0).
 struct Reach {

@@ -141,19 +141,11 @@ void take_axis(MapTokens& tokens, Point& axis, double& offset) {
     tokens.expect("]", "after a texture axis");
 }
 
-std::string lowered(std::string_view text) {
-    std::string name(text);
-    for (char& letter : name) {
-        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
-    }
-    return name;
-}
-
 TextureFields take_texture(MapTokens& tokens) {
     TextureFields texture;
     const MapToken name = tokens.take();
     if (name.is_end || name.text.empty()) tokens.fail(name, "a texture's name");
-    texture.name = lowered(name.text);
+    texture.name = lower_case(name.text);
     texture.has_axes = tokens.peek().is("[");
     if (texture.has_axes) {
         take_axis(tokens, texture.axes[0], texture.offset[0]);

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "engine/base/input_error.h"
+#include "engine/base/text.h"
 #include "engine/files/wad.h"
 #include "tools/map/source/brush.h"
 
@@ -110,7 +111,7 @@ int TextureList::find_or_add_name(const TextureUse& use) {
 Wad::Wad(const std::string& bytes) {
     const std::span file(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
     for (const WadTexture& texture : read_wad(file))
-        textures_.emplace(lookup_name(texture.name), std::string(texture.miptex.begin(), texture.miptex.end()));
+        textures_.emplace(lower_case(texture.name), std::string(texture.miptex.begin(), texture.miptex.end()));
 }
 
 const std::string* Wad::find(const std::string& name) const {

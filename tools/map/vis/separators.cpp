@@ -1,6 +1,6 @@
-#include "tools/map/vis/separators.h"
-
 #include <algorithm>
+
+#include "tools/map/vis/visibility.h"
 
 namespace oblong::map {
 
@@ -76,36 +76,6 @@ void find_separators(const Winding& source, const Winding& pass, std::vector<Pla
     add_separators_at_edges(pass, source, planes);
     for (Plane& plane : planes) plane = plane.flipped();
     add_separators_at_edges(source, pass, planes);
-}
-
-void SightCutter::cut_to_front(Winding& winding, const Plane& plane) {
-    if (heights_.size() < winding.size()) heights_.resize(winding.size());
-    double highest = 0, lowest = 0;
-    for (std::size_t i = 0; i < winding.size(); ++i) {
-        const double height = heights_[i] = plane.height_of(winding[i]);
-        highest = std::max(highest, height);
-        lowest = std::min(lowest, height);
-    }
-    if (highest <= kOnEpsilon) {
-        winding.clear();
-    } else if (lowest < -kOnEpsilon) {
-        keep_front(winding);
-        std::swap(winding, kept_);
-    }
-}
-
-void SightCutter::keep_front(const Winding& winding) {
-    const std::size_t count = winding.size();
-    for (std::size_t i = 0; i < count; ++i)
-        if (std::abs(heights_[i]) <= kOnEpsilon) heights_[i] = 0;
-    kept_.clear();
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t next = i + 1 == count ? 0 : i + 1;
-        if (heights_[i] >= 0) kept_.push_back(winding[i]);
-        if (heights_[i] * heights_[next] >= 0) continue;
-        const double part = heights_[i] / (heights_[i] - heights_[next]);
-        kept_.push_back(winding[i] + (winding[next] - winding[i]) * part);
-    }
 }
 
 }  // namespace oblong::map

@@ -3,7 +3,6 @@
 #include <numeric>
 #include <span>
 
-#include "tools/map/vis/separators.h"
 #include "tools/map/vis/visibility.h"
 
 namespace oblong::map {
@@ -19,15 +18,14 @@ bool reaches_into(const Winding& winding, const std::vector<Plane>& frustum) {
 
 BitSet narrowed(const VisGraph& graph, const VisPortal& base) {
     BitSet found(graph.portals.size());
-    SightCutter cutter;
     std::vector<Plane> frustum;
     for (const int index : item(graph.portals_of_cluster, base.cluster)) {
         const auto i = static_cast<std::size_t>(index);
         if (!base.might_see.has(i)) continue;
         const VisPortal& next = graph.portals[i];
-        Winding source = base.winding, target = next.winding;
-        cutter.cut_to_front(target, base.plane);
-        cutter.cut_to_front(source, next.plane.flipped());
+        Winding source = base.winding, target = next.winding, spare;
+        clip_to_front(target, base.plane, spare, false);
+        clip_to_front(source, next.plane.flipped(), spare, false);
         if (source.empty() || target.empty()) continue;
         found.add(i);
         find_separators(source, target, frustum);
@@ -123,7 +121,7 @@ class Flow {
 
     // `part`: a part of the portal, which is completely in front of most planes.
     void cut_where_near(Winding& part, const VisPortal& portal, const Plane& plane) {
-        if (plane.height_of(portal.centre) < portal.radius) cutter_.cut_to_front(part, plane);
+        if (plane.height_of(portal.centre) < portal.radius) clip_to_front(part, plane, spare_, false);
     }
 
     // In a deque, since references to links must stay valid while it grows.
@@ -138,7 +136,7 @@ class Flow {
     const VisPortal& base_;
     const long max_steps_;
     BitSet found_;
-    SightCutter cutter_;
+    Winding spare_;
     std::deque<Link> links_;
     long steps_ = 0;
 };

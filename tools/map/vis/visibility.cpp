@@ -1,8 +1,6 @@
 #include "tools/map/vis/visibility.h"
 
 #include <algorithm>
-#include <charconv>
-#include <iterator>
 #include <map>
 #include <tuple>
 
@@ -140,13 +138,6 @@ VisPortal make_portal(const Winding& winding, const Plane& plane, int cluster) {
     return portal;
 }
 
-// With six digits, and a space.
-void add_number(std::string& text, double number) {
-    char digits[32];
-    text.append(digits, std::to_chars(std::begin(digits), std::end(digits), number, std::chars_format::general, 6).ptr);
-    text += ' ';
-}
-
 // Sets the count, and the text if required.
 void describe_portals(const VisGraph& graph, PortalFile& file) {
     file.count = graph.portals.size() / 2;
@@ -158,7 +149,7 @@ void describe_portals(const VisGraph& graph, PortalFile& file) {
                      std::to_string(graph.portals[i + 1].cluster);
         for (const Point& point : portal.winding) {
             file.text += " (";
-            for (int axis = 0; axis < 3; ++axis) add_number(file.text, point[axis]);
+            for (int axis = 0; axis < 3; ++axis) file.text += number_text(point[axis]) + ' ';
             file.text += ")";
         }
         file.text += "\n";

@@ -87,6 +87,10 @@ void find_might_see(VisGraph& graph, const WorkSharing& sharing);
 /// but only for the first two portals of a chain, so that its cost is bounded.
 void narrow_might_see(VisGraph& graph, const WorkSharing& sharing);
 
+/// The planes through an edge of one polygon and a corner of the other that have the source on one side and the pass on
+/// the other, into `planes`. All points visible from a point of `source` through `pass` are in front of all of them.
+void find_separators(const Winding& source, const Winding& pass, std::vector<Plane>& planes);
+
 /// For each portal, the portals that a line of sight through it may pass afterwards. Follows all chains of portals from
 /// each, and clips the view with the planes that separate its first portal from the last passed one (Teller's
 /// anti-penumbra, as in Quake's vis). Needs might_see, which is the result for a portal with too many chains. A close
