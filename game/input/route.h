@@ -8,7 +8,7 @@
 #include "game/simulation/demo.h"
 #include "game/simulation/game_level.h"
 #include "game/simulation/state.h"
-#include "game/simulation/tick_input.h"
+#include "game/simulation/tick.h"
 
 namespace oblong {
 

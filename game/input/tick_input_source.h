@@ -5,7 +5,7 @@
 #include "game/input/controls.h"
 #include "game/simulation/demo.h"
 #include "game/simulation/game_level.h"
-#include "game/simulation/tick_report.h"
+#include "game/simulation/tick.h"
 
 namespace oblong {
 

@@ -8,7 +8,7 @@
 #include "engine/view/screen.h"
 #include "game/input/actions.h"
 #include "game/program/program.h"
-#include "game/simulation/tick_input.h"
+#include "game/simulation/tick.h"
 
 namespace oblong {
 namespace {

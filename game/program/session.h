@@ -13,10 +13,10 @@
 #include "game/program/shown_overlays.h"
 #include "game/program/view_options.h"
 #include "game/saves/saved_game.h"
-#include "game/simulation/tick_clock.h"
+#include "game/simulation/tick.h"
 #include "game/sound/game_sound.h"
 #include "game/view/game_renderer.h"
-#include "game/view/messages.h"
+#include "game/view/hud.h"
 #include "game/view/shown_palette.h"
 
 namespace oblong {

@@ -2,7 +2,7 @@
 
 #include "engine/files/crosshair.h"
 #include "game/input/key_names.h"
-#include "game/lab/aspect_guide.h"
+#include "game/lab/aspects.h"
 #include "game/view/sign_colours.h"
 
 namespace oblong {

@@ -8,7 +8,7 @@
 
 #include "engine/files/frame_log.h"
 #include "engine/platform/platform.h"
-#include "game/lab/four_aspects.h"
+#include "game/lab/aspects.h"
 #include "game/lab/lab.h"
 #include "game/level/load.h"
 #include "game/program/view_options.h"

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "engine/base/table.h"
-#include "game/lab/aspect_guide.h"
+#include "game/lab/aspects.h"
 #include "game/options/preference_table.h"
 
 namespace oblong {

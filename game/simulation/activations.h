@@ -5,12 +5,12 @@
 
 #include "game/simulation/game_level.h"
 #include "game/simulation/state.h"
-#include "game/simulation/tick_report.h"
+#include "game/simulation/tick.h"
 
 namespace oblong {
 
 /// What is activated in one tick. Entities activate others, which may activate each other in turn. Activations beyond a
-/// tick's bounds (tick_report.h) wait for the next ticks, in order.
+/// tick's bounds (tick.h) wait for the next ticks, in order.
 class Activations {
   public:
     /// The most activations that may wait, and the most firings with a delay; further ones are dropped.

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "game/simulation/tick_input.h"
+#include "game/simulation/tick.h"
 
 namespace oblong {
 

@@ -5,7 +5,7 @@
 #include "engine/fixed/trig.h"
 #include "engine/level/entities.h"
 #include "engine/level/entity_classes.h"
-#include "game/simulation/tick_input.h"
+#include "game/simulation/tick.h"
 
 namespace oblong {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "engine/fixed/trig.h"
 #include "game/simulation/level_builder.h"
-#include "game/simulation/tick_input.h"
+#include "game/simulation/tick.h"
 
 namespace oblong {
 namespace {

@@ -5,7 +5,7 @@
 #include "engine/scene/placed_models.h"
 #include "game/simulation/entity_keys.h"
 #include "game/simulation/entity_specs.h"
-#include "game/simulation/tick_input.h"
+#include "game/simulation/tick.h"
 
 namespace oblong {
 namespace {

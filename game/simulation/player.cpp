@@ -3,7 +3,6 @@
 #include "engine/fixed/arithmetic.h"
 #include "engine/fixed/trig.h"
 #include "game/simulation/collision.h"
-#include "game/simulation/slide_move.h"
 #include "game/simulation/step.h"
 
 namespace oblong {

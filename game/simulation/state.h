@@ -96,7 +96,7 @@ struct WaitingFiring {
     bool operator==(const WaitingFiring&) const = default;
 };
 
-/// Work beyond the bounds of a tick (tick_report.h), which continues in the next ones. Empty except in levels made
+/// Work beyond the bounds of a tick (tick.h), which continues in the next ones. Empty except in levels made
 /// to exceed them.
 struct Backlog {
     std::vector<WaitingFiring> waiting;                                         ///< the next one last

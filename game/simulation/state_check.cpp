@@ -1,7 +1,7 @@
 #include "engine/base/table.h"
 #include "game/simulation/activations.h"
+#include "game/simulation/collision.h"
 #include "game/simulation/game_level.h"
-#include "game/simulation/slide_move.h"
 #include "game/simulation/step.h"
 
 namespace oblong {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/base/table.h"
-#include "game/simulation/tick_input.h"
+#include "game/simulation/tick.h"
 
 namespace oblong {
 namespace {

@@ -12,7 +12,7 @@
 #include "engine/level/entities.h"
 #include "engine/level/entity_classes.h"
 #include "engine/scene/level_effects.h"
-#include "game/simulation/tick_input.h"
+#include "game/simulation/tick.h"
 
 namespace oblong {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "engine/level/level.h"
 #include "game/simulation/game_level.h"
-#include "game/simulation/tick_report.h"
+#include "game/simulation/tick.h"
 #include "game/sound/sound_table.h"
 
 namespace oblong {

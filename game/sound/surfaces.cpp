@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string>
 
+#include "engine/base/text.h"
 #include "engine/level/entity_classes.h"
 #include "engine/scene/pick.h"
 #include "game/sound/sound_starts.h"
@@ -43,9 +43,7 @@ std::string_view texture_below(const GameLevel& level, const GameState& state) {
 }  // namespace
 
 Sound step_sound_of_texture(std::string_view name) {
-    std::string lower(name);
-    std::transform(lower.begin(), lower.end(), lower.begin(),
-                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    const std::string lower = lower_case(name);
     const auto found = std::find_if(kNameParts.begin(), kNameParts.end(),
                                     [&](const NamePart& part) { return lower.find(part.part) != lower.npos; });
     return found == kNameParts.end() ? Sound::StepStone : found->step;

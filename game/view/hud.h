@@ -6,9 +6,41 @@
 
 #include "engine/view/screen.h"
 #include "game/view/frame_cost.h"
-#include "game/view/messages.h"
 
 namespace oblong {
+
+/// Messages to the player: the newest one is shown, for as long as it takes to read. All are kept in a list.
+class Messages {
+  public:
+    /// Replaces the current message.
+    void show(std::string text);
+
+    /// The lines to show from `now_us` on, at most `most_lines` of `columns` letters. Until then, the time of the lines
+    /// returned last passes. A longer message is shown in parts.
+    std::vector<std::string> lines(std::uint64_t now_us, std::int32_t columns, std::size_t most_lines);
+
+    /// Whether no message is shown.
+    bool is_empty() const { return parts_.empty(); }
+
+    /// All messages, the newest first, each text once; only the last 32 are kept.
+    const std::vector<std::string>& told() const { return told_; }
+
+    /// How long a text is shown: 60 ms a letter, at least 2.5 s.
+    static std::uint64_t reading_time_us(const std::string& text);
+
+  private:
+    struct Part {
+        std::string text;
+        std::uint64_t left_us;
+    };
+    void pass_time(std::uint64_t now_us);
+    void split_first(std::int32_t columns, std::size_t most_lines);
+
+    std::vector<Part> parts_;  // of the newest message; the first is shown now or next
+    std::vector<std::string> told_;
+    bool is_up_ = false;
+    std::uint64_t last_us_ = 0;
+};
 
 /// The text over a picture, except messages.
 struct HudText {

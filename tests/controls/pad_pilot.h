@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/simulation/tick_input.h"
+#include "game/simulation/tick.h"
 #include "tests/controls/virtual_pad.h"
 
 namespace oblong::test {

@@ -1,10 +1,9 @@
-#include "game/lab/aspect_guide.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "engine/view/projection.h"
+#include "game/lab/aspects.h"
 
 namespace oblong {
 namespace {

@@ -1,6 +1,6 @@
-#include "game/lab/four_aspects.h"
-
 #include <gtest/gtest.h>
+
+#include "game/lab/aspects.h"
 
 namespace oblong::test::four_aspects_test {
 namespace {

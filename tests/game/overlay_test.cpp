@@ -11,8 +11,7 @@
 #include <vector>
 
 #include "engine/draw/text.h"
-#include "game/lab/aspect_guide.h"
-#include "game/lab/error_map.h"
+#include "game/lab/aspects.h"
 #include "game/lab/lab.h"
 #include "game/lab/lab_panel.h"
 #include "game/menu/menu_layout.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/simulation/slide_move.h"
+#include "game/simulation/collision.h"
 #include "tests/game/scenario.h"
 #include "tests/game/toy_game.h"
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "game/input/tick_input_source.h"
-#include "game/simulation/tick_clock.h"
+#include "game/simulation/tick.h"
 #include "game/view/game_renderer.h"
 #include "tests/game/toy_game.h"
 

@@ -1,10 +1,10 @@
-#include "game/view/messages.h"
-
 #include <gtest/gtest.h>
 
 #include <map>
 #include <random>
 #include <sstream>
+
+#include "game/view/hud.h"
 
 namespace oblong {
 namespace {

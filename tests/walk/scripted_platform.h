@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "engine/platform/platform.h"
-#include "game/simulation/tick_input.h"
+#include "game/simulation/tick.h"
 #include "tests/support/scripted_input.h"
 
 namespace oblong::test {
