@@ -10,7 +10,6 @@
 #include "engine/math/vec.h"
 #include "engine/view/gradients.h"
 #include "engine/view/screen.h"
-#include "engine/view/view_directions.h"
 
 namespace oblong {
 

@@ -8,7 +8,7 @@
 #include "engine/base/table.h"
 #include "engine/fixed/root.h"
 #include "engine/raster/kernels/kernels.h"
-#include "engine/view/view_directions.h"
+#include "engine/view/gradients.h"
 
 namespace oblong {
 

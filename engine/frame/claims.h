@@ -12,7 +12,7 @@
 #include "engine/view/screen.h"
 #include "engine/view/view_context.h"
 #include "engine/visibility/front_to_back.h"
-#include "engine/visibility/span_list.h"
+#include "engine/visibility/span_buffer.h"
 
 namespace oblong {
 

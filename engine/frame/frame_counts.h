@@ -13,7 +13,6 @@
 #include "engine/raster/texture_blocks.h"
 #include "engine/view/screen.h"
 #include "engine/view/screen_polygon.h"
-#include "engine/view/vertex_cache.h"
 
 namespace oblong {
 

@@ -7,7 +7,7 @@
 #include "engine/frame/frame_counts.h"
 #include "engine/frame/torn_pixels.h"
 #include "engine/frame/view_scratch.h"
-#include "engine/view/view_directions.h"
+#include "engine/view/gradients.h"
 
 namespace oblong {
 

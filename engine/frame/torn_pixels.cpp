@@ -7,11 +7,11 @@
 #include "engine/frame/frame_context.h"
 #include "engine/frame/frame_record.h"
 #include "engine/frame/view_scratch.h"
-#include "engine/level/line_walk.h"
+#include "engine/level/side.h"
 #include "engine/raster/perspective.h"
 #include "engine/scene/light_styles.h"
 #include "engine/surface/lit_surface.h"
-#include "engine/view/view_directions.h"
+#include "engine/view/gradients.h"
 
 namespace oblong {
 

@@ -4,7 +4,6 @@
 #include "engine/level/bsp_parts.h"
 
 namespace oblong {
-
 namespace {
 
 constexpr std::int32_t kWorldLimit = 1 << 19;                ///< units: the limit of World
@@ -99,6 +98,113 @@ Table<SurfEdge> read_surf_edges(const BspFile& file) {
         const std::int64_t number = in.read_i32(), edge = number < 0 ? -number : number;
         if (edge >= file.count(Lump::Edges)) in.fail(describe_bad_index("edge", edge, file.count(Lump::Edges)));
         return SurfEdge{EdgeIndex(static_cast<std::int32_t>(edge)), number < 0};
+    });
+}
+
+namespace {
+
+constexpr std::int32_t kAxisLimit = 255;        ///< texels a unit: TexelAxis holds 256, so there is room for rounding
+constexpr std::int32_t kOffsetLimit = 1 << 30;  ///< texels: plus the axes' part (below 2^29) it fits 32 bits
+constexpr std::int64_t kTexInfoSize = 40;       ///< bytes
+
+TexelAxis read_axis_part(LumpReader& in) {
+    return TexelAxis::from_raw(
+        static_cast<std::int32_t>(in.read_fixed(TexelAxis::kFractionBits, kAxisLimit, "component of a texture axis")));
+}
+
+Vec3<TexelAxis> read_axis(LumpReader& in) {
+    const TexelAxis x = read_axis_part(in), y = read_axis_part(in), z = read_axis_part(in);
+    return {x, y, z};
+}
+
+Texel read_texel_offset(LumpReader& in) {
+    return Texel::from_raw(in.read_fixed(Texel::kFractionBits, kOffsetLimit, "texture offset"));
+}
+
+std::array<FloatBits, 4> read_axis_floats(LumpReader& in) {
+    std::array<FloatBits, 4> axis;
+    for (FloatBits& part : axis) part = in.read_float();
+    return axis;
+}
+
+/// The floats of a face's corners, in order.
+void gather_polygon(const Level& level, const Face& face, const Table<FloatBits3, Vertex>& vertex_floats,
+                    std::vector<FloatBits3>& polygon) {
+    polygon.clear();
+    for (const SurfEdge edge : level.edges_of(face)) polygon.push_back(vertex_floats[level.start_of(edge)]);
+}
+
+Face read_face(LumpReader& in, const BspFile& file) {
+    Face face;
+    face.plane = check_index<LevelPlane>(in, in.read_index(), file, Lump::Planes, "plane");
+    face.is_back = in.read_index() != 0;
+    const std::int32_t first_edge = in.read_i32(), edge_count = in.read_index();
+    if (edge_count < 3) in.fail(std::to_string(edge_count) + " edges, expected 3 or more");
+    face.edges = in.check_range<SurfEdge>(first_edge, edge_count, file.count(Lump::SurfEdges), "surfedges");
+    face.texinfo = check_index<TexInfo>(in, in.read_index(), file, Lump::TexInfos, "texinfo");
+    for (std::uint8_t& style : face.styles) style = in.read_u8();
+    face.light_offset = in.read_i32();
+    return face;
+}
+
+/// One lightmap for each style before the first kNoStyle.
+std::int64_t lightmaps_size(const Face& face) {
+    std::int64_t maps = 0;
+    for (const std::uint8_t style : face.styles) {
+        if (style == kNoStyle) break;
+        ++maps;
+    }
+    return maps * (face.texel_extent_u / 16 + 1) * (face.texel_extent_v / 16 + 1);
+}
+
+/// Sky, liquids and all faces of a level without lighting get no lightmap, whatever their offset. The extent of lit
+/// faces is limited in any case, as frames cache their surfaces.
+void check_light(const LumpReader& in, const BspFile& file, Material material, Face& face) {
+    if (material != Material::Lit || file.count(Lump::Lighting) == 0) face.light_offset = -1;
+    if (material != Material::Lit) return;
+    if (face.texel_extent_u > kMaxLitExtent || face.texel_extent_v > kMaxLitExtent)
+        in.fail("a lit face of " + std::to_string(face.texel_extent_u) + "x" + std::to_string(face.texel_extent_v) +
+                " texels, expected 2000 a side at most");
+    if (face.light_offset == -1) return;
+    in.check_extent(face.light_offset, lightmaps_size(face), file.count(Lump::Lighting), "light samples");
+}
+
+}  // namespace
+
+Table<TexInfo> read_texinfos(const BspFile& file, const Level& level) {
+    return read_records<Table<TexInfo>>(file, Lump::TexInfos, [&level](LumpReader& in) {
+        TexInfo texinfo;
+        texinfo.s = read_axis(in);
+        texinfo.s_offset = read_texel_offset(in);
+        texinfo.t = read_axis(in);
+        texinfo.t_offset = read_texel_offset(in);
+        texinfo.texture = TextureIndex(in.check_index(in.read_i32(), level.textures.count(), "texture"));
+        const bool is_unlit = (in.read_u32() & kTexInfoSpecial) != 0;
+        texinfo.material = material_of_texture(level.textures[texinfo.texture].name);
+        if (is_unlit && texinfo.material == Material::Lit) texinfo.material = Material::Liquid;
+        return texinfo;
+    });
+}
+
+Table<Face> read_faces(const BspFile& file, const Level& level, const Table<FloatBits3, Vertex>& vertex_floats) {
+    LumpReader axes(file, Lump::TexInfos);
+    std::vector<FloatBits3> polygon;
+    // Faces share surfedges only in files made to waste time.
+    std::int64_t work_left = std::int64_t{file.count(Lump::SurfEdges)} * 8;
+    return read_records<Table<Face>>(file, Lump::Faces, [&](LumpReader& in) {
+        Face face = read_face(in, file);
+        work_left -= face.edges.count;
+        if (work_left < 0) in.fail("faces share surfedges, expected each to have its own");
+        gather_polygon(level, face, vertex_floats, polygon);
+        axes.seek(face.texinfo.number() * kTexInfoSize);
+        const TexelRange u = texel_range(polygon, read_axis_floats(axes));
+        const TexelRange v = texel_range(polygon, read_axis_floats(axes));
+        face.texel_min_u = u.min;
+        face.texel_min_v = v.min;
+        face.texel_extent_u = u.extent;
+        face.texel_extent_v = v.extent;
+        check_light(in, file, level.texinfos[face.texinfo].material, face);
+        return face;
     });
 }
 

@@ -1,10 +1,12 @@
 #include "engine/level/bsp_read.h"
 
+#include <algorithm>
+
+#include "engine/base/table.h"
 #include "engine/level/bsp_parts.h"
 #include "engine/level/entities.h"
 
 namespace oblong {
-
 namespace {
 
 std::vector<std::uint8_t> copy_lump(const BspFile& file, Lump lump) {
@@ -64,6 +66,112 @@ Level read_bsp(std::span<const std::uint8_t> bytes) {
 std::vector<MipTexture> read_bsp_textures(std::span<const std::uint8_t> bytes) {
     const Table<MipTexture> textures = read_textures(open_bsp(bytes));
     return {textures.begin(), textures.end()};
+}
+
+namespace {
+
+template <class Record>
+[[noreturn]] void fail_in_record(const BspFile& file, Lump lump, Index<Record> index, const std::string& what) {
+    const std::int64_t size = item(file.format.record_sizes, lump);
+    fail_in_lump(lump, file.range(lump).offset + index.number() * size, what);
+}
+
+/// Finds depths by topological sorting: a node whose parents have all been visited passes its depth to its children.
+/// Nodes that are never visited are on a cycle or below one.
+template <class TreeNode>
+class TreeCheck {
+  public:
+    using Counts = Table<std::int32_t, TreeNode>;  ///< one number a node
+
+    explicit TreeCheck(const Table<TreeNode>& nodes) : nodes_(nodes), parents_(nodes.size()), depths_(nodes.size(), 1) {
+        for (const TreeNode& node : nodes)
+            for (const auto child : node.children)
+                if (!child.is_leaf()) ++parents_[child.node()];
+    }
+
+    const Counts& parent_counts() const { return parents_; }
+
+    /// The depth of each node below its farthest root; 0 for those on a cycle or below one.
+    Counts find_depths() {
+        Counts parents_left = parents_;
+        std::vector<Index<TreeNode>> ready;
+        for (const auto node : nodes_.indices())
+            if (parents_left[node] == 0) ready.push_back(node);
+        for (std::size_t next = 0; next < ready.size(); ++next) pass_depth_on(ready[next], parents_left, ready);
+        for (const auto node : nodes_.indices())
+            if (parents_left[node] > 0) depths_[node] = 0;
+        return depths_;
+    }
+
+  private:
+    void pass_depth_on(Index<TreeNode> node, Counts& parents_left, std::vector<Index<TreeNode>>& ready) {
+        for (const auto child : nodes_[node].children) {
+            if (child.is_leaf()) continue;
+            depths_[child.node()] = std::max(depths_[child.node()], depths_[node] + 1);
+            if (--parents_left[child.node()] == 0) ready.push_back(child.node());
+        }
+    }
+
+    const Table<TreeNode>& nodes_;
+    Counts parents_, depths_;
+};
+
+template <class TreeNode>
+void check_depths(const BspFile& file, Lump lump, const Table<TreeNode>& nodes) {
+    const auto depths = TreeCheck<TreeNode>(nodes).find_depths();
+    for (const auto node : nodes.indices()) {
+        if (depths[node] == 0) fail_in_record(file, lump, node, "on or below a cycle, expected every way down to end");
+        if (depths[node] > kMaxTreeDepth)
+            fail_in_record(file, lump, node, "over 1024 nodes below its root, expected 1024 at most");
+    }
+}
+
+/// The packed size of a row in bytes. A byte that is not 0 is literal; a 0 is followed by a count of zeros.
+std::int64_t packed_row_size(LumpReader& in, std::int64_t start, std::int64_t row_size) {
+    in.seek(start);
+    std::int64_t packed = 0;
+    for (std::int64_t unpacked = 0; unpacked < row_size;) {
+        const bool is_run = in.read_u8() == 0;
+        unpacked += is_run ? in.read_u8() : 1;
+        packed += is_run ? 2 : 1;
+    }
+    return packed;
+}
+
+}  // namespace
+
+void check_node_tree(const BspFile& file, const Table<Node>& nodes) {
+    const TreeCheck<Node> check(nodes);
+    for (const NodeIndex node : nodes.indices())
+        if (check.parent_counts()[node] > 1)
+            fail_in_record(file, Lump::Nodes, node, "child of two nodes, expected one at most");
+    check_depths(file, Lump::Nodes, nodes);
+}
+
+void check_clip_nodes(const BspFile& file, const Table<ClipNode>& clip_nodes) {
+    check_depths(file, Lump::ClipNodes, clip_nodes);
+}
+
+void check_visibility(const BspFile& file, const Level& level) {
+    LumpReader in(file, Lump::Visibility);
+    const std::int64_t row_size = (level.world().visible_leaf_count + 7) / 8;
+    std::vector<std::int32_t> starts;
+    for (const LeafIndex leaf : level.leaves.indices()) {
+        const std::int32_t start = level.leaves[leaf].visibility_offset;
+        if (start == -1) continue;
+        if (start < 0 || start > in.size())
+            fail_in_record(file, Lump::Leaves, leaf, describe_bad_index("byte of visibility", start, in.size()));
+        starts.push_back(start);
+    }
+    std::sort(starts.begin(), starts.end());
+    starts.erase(std::unique(starts.begin(), starts.end()), starts.end());
+
+    // Rows overlap only in files made to waste time.
+    std::int64_t work_left = in.size() * 64;
+    for (const std::int32_t start : starts) {
+        work_left -= packed_row_size(in, start, row_size);
+        if (work_left < 0) in.fail("rows of visible leaves overlap, expected each to have its own bytes");
+    }
 }
 
 }  // namespace oblong

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <optional>
+
 #include "engine/base/range_probe.h"
+#include "engine/fixed/arithmetic.h"
 #include "engine/level/level.h"
 
 namespace oblong {
@@ -20,5 +23,27 @@ int plane_side(const LevelPlane& plane, Vec3<World> p);
 
 /// The leaf of a model that holds a point. A point on a plane belongs to its back. `p` is in the model's coordinates.
 LeafIndex find_leaf(const Level& level, const SubModel& model, Vec3<World> p);
+
+/// Calls visit(leaf, entered, place) for each leaf along a line, in order, until one returns true; returns whether one
+/// did. `place` is where the line enters the leaf, `entered` the node on whose plane that is, none for the first leaf.
+/// The ends are up to 2^18 units apart.
+template <class Visit>
+bool walk_line(const Level& level, NodeChild at, Vec3<World> from, const Vec3<World>& to,
+               std::optional<NodeIndex> entered, const Visit& visit) {
+    while (!at.is_leaf()) {
+        const NodeIndex index = at.node();
+        const Node& node = level.nodes[index];
+        const PlaneDistance first = plane_distance(level.planes[node.plane], from),
+                            last = plane_distance(level.planes[node.plane], to);
+        const bool starts_back = first < PlaneDistance{}, ends_back = last < PlaneDistance{};
+        at = node.children[ends_back];
+        if (starts_back == ends_back) continue;
+        const Vec3<World> middle = between(from, to, first, first - last);
+        if (walk_line(level, node.children[starts_back], from, middle, entered, visit)) return true;
+        from = middle;
+        entered = index;
+    }
+    return visit(at.leaf(), entered, from);
+}
 
 }  // namespace oblong

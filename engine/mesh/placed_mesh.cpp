@@ -5,7 +5,7 @@
 
 #include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"
-#include "engine/math/transform.h"
+#include "engine/math/matrix.h"
 
 namespace oblong {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/methods/pixel_owners.h"
-#include "engine/view/view_directions.h"
+#include "engine/view/gradients.h"
 
 namespace oblong {
 

@@ -5,7 +5,7 @@
 
 #include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"
-#include "engine/level/line_walk.h"
+#include "engine/level/side.h"
 
 namespace oblong {
 

@@ -3,6 +3,8 @@
 #include <cstdint>
 
 #include "engine/fixed/fixed.h"
+#include "engine/math/basis.h"
+#include "engine/view/projection.h"
 
 namespace oblong {
 
@@ -41,5 +43,15 @@ inline TextureGradients rounded_to(const TextureGradients& gradients, int invers
     return {rounded_to(gradients.inverse_z, inverse_z_bits), rounded_to(gradients.u_over_z, over_z_bits),
             rounded_to(gradients.v_over_z, over_z_bits)};
 }
+
+/// A component of a direction of view: 34.30.
+using DirectionPart = Fixed<std::int64_t, 30>;
+
+/// The directions through pixel centres in world axes, scaled to a depth of one unit: linear on the screen.
+struct ViewDirections {
+    LinearQuantity<DirectionPart> x, y, z;
+};
+
+ViewDirections make_view_directions(const Basis& axes, const Projection& projection);
 
 }  // namespace oblong

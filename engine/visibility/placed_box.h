@@ -4,7 +4,7 @@
 
 #include "engine/level/level.h"
 #include "engine/visibility/box_culler.h"
-#include "engine/visibility/leaf_set.h"
+#include "engine/visibility/visible_set.h"
 
 namespace oblong {
 

@@ -80,7 +80,7 @@ SaveHead decode_save_head(std::span<const std::uint8_t> bytes);
 /// Throws InputError unless the game was saved in this level and can be continued in it.
 void check_level(const SavedGame& game, std::uint64_t level_hash, const GameLevel& level);
 
-/// The fields of a state as bytes, in the order of visit_fields() (game/simulation/state_fields.h): each number in its
+/// The fields of a state as bytes, in the order of visit_fields() (game/simulation/state.h): each number in its
 /// own width, each list after its length (u32).
 void append_state(std::vector<std::uint8_t>& bytes, const GameState& state);
 

@@ -2,7 +2,7 @@
 
 #include "engine/base/checksum.h"
 #include "game/saves/saved_game.h"
-#include "game/simulation/state_fields.h"
+#include "game/simulation/state.h"
 
 namespace oblong {
 namespace {

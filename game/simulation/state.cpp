@@ -1,7 +1,6 @@
 #include "game/simulation/state.h"
 
 #include "engine/base/checksum.h"
-#include "game/simulation/state_fields.h"
 
 namespace oblong {
 namespace {

@@ -3,7 +3,6 @@
 #include "engine/fixed/trig.h"
 #include "engine/math/basis.h"
 #include "engine/math/vec.h"
-#include "engine/methods/axes.h"
 #include "engine/methods/transforms.h"
 #include "tests/math/vectors.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/methods/axes.h"
+#include "engine/methods/transforms.h"
 #include "engine/view/screen_polygon.h"
 #include "tests/support/random.h"
 #include "tools/probe/probe.h"

@@ -6,7 +6,7 @@
 
 #include "engine/math/plane.h"
 #include "engine/math/vec.h"
-#include "engine/methods/line_and_plane.h"
+#include "engine/methods/lines.h"
 #include "engine/raster/scan.h"
 #include "tests/hard_cases/hard_case.h"
 #include "tools/reference/view.h"

@@ -7,7 +7,6 @@
 #include <random>
 
 #include "engine/math/vec.h"
-#include "engine/methods/axes.h"
 #include "engine/methods/transforms.h"
 #include "tests/math/vectors.h"
 

@@ -1,11 +1,10 @@
-#include "engine/math/transform.h"
-
 #include <gtest/gtest.h>
 
 #include <numbers>
 #include <random>
 
 #include "engine/fixed/trig.h"
+#include "engine/math/matrix.h"
 #include "engine/methods/transforms.h"
 #include "tests/math/vectors.h"
 

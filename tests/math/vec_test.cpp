@@ -4,7 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "engine/math/plane.h"
-#include "engine/methods/line_and_plane.h"
+#include "engine/methods/lines.h"
 #include "tests/math/vectors.h"
 
 namespace oblong::test {

@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/methods/axes.h"
-#include "engine/methods/clip_line.h"
+#include "engine/methods/lines.h"
+#include "engine/methods/transforms.h"
 #include "engine/view/project.h"
 
 namespace oblong::test::clip_line_test {

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "engine/math/plane.h"
-#include "engine/methods/line_and_plane.h"
+#include "engine/methods/lines.h"
 #include "engine/view/projection.h"
 #include "tests/support/point.h"
 #include "tests/support/random.h"

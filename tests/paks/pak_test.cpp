@@ -1,7 +1,6 @@
-#include "engine/files/pak.h"
-
 #include <gtest/gtest.h>
 
+#include "engine/files/game_files.h"
 #include "tests/paks/pak_writer.h"
 #include "tests/support/refusal.h"
 

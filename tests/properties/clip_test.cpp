@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <array>
 
-#include "engine/methods/axes.h"
 #include "engine/methods/polygons.h"
+#include "engine/methods/transforms.h"
 
 namespace oblong::test {
 namespace {

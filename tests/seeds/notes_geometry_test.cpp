@@ -10,7 +10,6 @@
 
 #include "engine/math/matrix.h"
 #include "engine/math/vec.h"
-#include "engine/methods/axes.h"
 #include "engine/methods/polygons.h"
 #include "engine/methods/transforms.h"
 #include "engine/view/clip.h"

@@ -8,7 +8,7 @@
 #include "engine/fixed/trig.h"
 #include "engine/math/plane.h"
 #include "engine/math/vec.h"
-#include "engine/methods/line_and_plane.h"
+#include "engine/methods/lines.h"
 #include "engine/methods/transforms.h"
 #include "tests/seeds/seed_values.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/base/input_error.h"
-#include "engine/surface/oklab.h"
+#include "engine/surface/colormap.h"
 #include "tests/surface/true_oklab.h"
 
 namespace oblong {

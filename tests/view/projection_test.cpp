@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/math/transform.h"
+#include "engine/math/matrix.h"
 #include "engine/methods/polygons.h"
 #include "engine/methods/transforms.h"
 #include "engine/raster/scan.h"

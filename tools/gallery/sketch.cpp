@@ -9,7 +9,7 @@
 #include "engine/draw/drawing.h"
 #include "engine/draw/text.h"
 #include "engine/fixed/trig.h"
-#include "engine/math/transform.h"
+#include "engine/math/matrix.h"
 #include "engine/methods/canonical_volume.h"
 #include "engine/raster/lines.h"
 #include "engine/raster/scan.h"

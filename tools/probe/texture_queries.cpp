@@ -10,7 +10,7 @@
 #include "engine/frame/frame_record.h"
 #include "engine/frame/surface_pass.h"
 #include "engine/math/soft_float.h"
-#include "engine/methods/axes.h"
+#include "engine/methods/transforms.h"
 #include "engine/methods/triangles.h"
 #include "engine/view/screen_polygon.h"
 #include "tools/probe/fields.h"

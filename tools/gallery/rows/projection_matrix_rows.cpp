@@ -8,7 +8,7 @@
 
 #include "engine/math/plane.h"
 #include "engine/methods/canonical_volume.h"
-#include "engine/methods/line_and_plane.h"
+#include "engine/methods/lines.h"
 #include "engine/methods/transforms.h"
 #include "tools/gallery/row.h"
 #include "tools/gallery/sketch.h"

@@ -1,4 +1,4 @@
-#include "engine/view/view_directions.h"
+#include "engine/view/gradients.h"
 
 #include "engine/fixed/arithmetic.h"
 
