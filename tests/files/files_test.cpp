@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "tests/support/folders.h"
+#include "tests/support/refusal.h"
 
 namespace oblong::test {
 
@@ -25,13 +26,9 @@ class Files : public testing::Test {
     /// What the error says after the file's name; empty if there is none.
     template <class Work>
     std::string complaint(const std::string& file, Work work) const {
-        try {
-            work(file);
-        } catch (const FileError& error) {
-            const std::string said = error.what();
-            return said.starts_with(file + ": ") ? said.substr(file.size() + 2) : "another file: " + said;
-        }
-        return {};
+        const std::string said = refusal<FileError>([&] { work(file); });
+        if (said.empty()) return said;
+        return said.starts_with(file + ": ") ? said.substr(file.size() + 2) : "another file: " + said;
     }
     std::string complaint_of_reading(const std::string& file, std::size_t most_bytes = kLargestFile_bytes) const {
         return complaint(file, [&](const std::string& name) { read_file(name, most_bytes); });
@@ -64,6 +61,20 @@ TEST_F(Files, NewContentTakesTheOldOnesPlaceAndNothingElseIsLeft) {
     write_file(path("file"), after);
     EXPECT_EQ(read_file(path("file")), after);
     EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
+}
+
+// Whatever stands where a file that is not whole yet would: another's link leads to nothing that is written.
+TEST_F(Files, AnUnfinishedFileIsANewOne) {
+    write_file(path("victim"), Bytes{7, 7, 7});
+    const std::string name = path("file") + "." + std::to_string(getpid()) + "-";
+    fs::create_symlink(path("victim"), name + "0" + kUnfinishedExtension);
+    fs::create_hard_link(path("victim"), name + "1" + kUnfinishedExtension);
+    write_file(path("file"), Bytes{2, 0, 3});
+    EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(path("file"))));
+    EXPECT_EQ(read_file(path("file")), (Bytes{2, 0, 3}));
+    EXPECT_EQ(read_file(path("victim")), (Bytes{7, 7, 7}));
+    EXPECT_EQ(fs::hard_link_count(path("victim")), 2u) << "both are another's, and stay";
+    EXPECT_TRUE(fs::is_symlink(name + "0" + kUnfinishedExtension));
 }
 
 TEST_F(Files, ADeviceIsWrittenToAndStays) {
