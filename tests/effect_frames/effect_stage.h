@@ -26,6 +26,10 @@ struct MapText {
     std::vector<std::array<std::string, 2>> world_keys;
 };
 
+inline Point place_of(const Whole& p) {
+    return {p[0] + 0.0, p[1] + 0.0, p[2] + 0.0};
+}
+
 /// A room of 512 x 512 x 192 units with these in it, and a start west of its middle.
 inline MapText room_with(const std::string& brushes, const std::string& entities = "",
                          std::string_view walls = "wall") {

@@ -89,31 +89,10 @@ std::vector<PlacedMesh> placed_balls(const Meeting& meeting) {
     for (const Whole& at : meeting.balls) {
         placed.emplace_back();
         placed.back().mesh = &mesh;
-        placed.back().position = point_at(at[0], at[1], at[2]);
+        placed.back().position = to_world(place_of(at));
         placed.back().least_light = 256;  // all shades but the shadows' are the colour itself
     }
     return placed;
-}
-
-std::array<double, 3> numbers_of(const Point& p) {
-    return {p.x, p.y, p.z};
-}
-
-/// Where a ray enters and leaves a box; entry above exit where it misses.
-struct Passage {
-    double entry = -INFINITY, exit = INFINITY;
-};
-
-Passage passage_of(const Point& eye, const Point& ray, const Whole& mins, const Whole& maxs) {
-    Passage passage;
-    const auto from = numbers_of(eye), along = numbers_of(ray);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        double near = (mins[axis] - from[axis]) / along[axis], far = (maxs[axis] - from[axis]) / along[axis];
-        if (near > far) std::swap(near, far);
-        passage.entry = std::max(passage.entry, near);
-        passage.exit = std::min(passage.exit, far);
-    }
-    return passage;
 }
 
 bool is_seen_through(const RoomBox& box) {
@@ -132,7 +111,7 @@ Sight sight_along(const Point& eye, const Point& ray, const Meeting& meeting) {
     double nearest = passage_of(eye, ray, {-256, -256, 0}, {256, 256, 192}).exit;
     std::vector<std::pair<double, const RoomBox*>> met;
     for (const RoomBox& box : meeting.boxes) {
-        const auto [entry, exit] = passage_of(eye, ray, box.mins, box.maxs);
+        const auto [entry, exit] = passage_of(eye, ray, place_of(box.mins), place_of(box.maxs));
         if (entry >= exit || exit <= 0) continue;
         met.push_back({entry, &box});
         if (!is_seen_through(box) && entry > 0) nearest = std::min(nearest, entry);

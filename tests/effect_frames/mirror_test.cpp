@@ -1,4 +1,4 @@
-// Mirrors: what is in them, and what they leave of the frame around them. Rays through one are in tests/map.
+// Mirrors: what is in them, and what they leave of the frame around them. Rays through one: brush_models_test.cpp.
 
 #include "tests/effect_frames/effect_stage.h"
 #include "tools/gallery/mesh_scene.h"

@@ -76,7 +76,7 @@ bool shows_wall(const EffectStage& stage) {
     });
 }
 
-TEST(PlanOfRealLevels, HoldsTheEffectsThatOwnPixelsAndNothingElseInEveryFrame) {
+TEST(PlanOfRealLevels, HardCaseP5_HoldsTheEffectsThatOwnPixelsAndNothingElseInEveryFrame) {
     OBLONG_NEEDS_SHARED_LEVELS();
     int frames = 0, empty = 0;
     for (const std::string name : kRealLevels) {

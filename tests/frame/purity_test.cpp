@@ -24,50 +24,7 @@ bool is_named(const Level& level, const Face& face, const char* start) {
     return level.texture_of(face).name.starts_with(start);
 }
 
-/// Whether a leaf that may be seen from `leaf` is bordered by a face whose texture's name starts so.
-bool sees_texture(const Level& level, LeafIndex leaf, const char* start) {
-    std::vector<std::uint8_t> visible(visible_set_size(level));
-    unpack_visible_set(level, leaf, visible);
-    for (const LeafIndex other : level.visible_leaves()) {
-        if (!is_in_set(visible, other)) continue;
-        for (const FaceIndex face : level.faces_at(level.leaves[other]))
-            if (is_named(level, level.faces[face], start)) return true;
-    }
-    return false;
-}
-
-/// Whether a pixel shows such a face.
-bool shows_texture(const FrameRecord& record, const Level& level, const char* start) {
-    return std::any_of(record.pixels.begin(), record.pixels.end(), [&](const PixelRecord& pixel) {
-        return !pixel.face.is_none() && is_named(level, level.faces[pixel.face], start);
-    });
-}
-
 }  // namespace
-
-TEST(Purity, WhatWasDrawnBeforeMakesNoDifference) {
-    Stage stage = demo_stage();
-    ObservedWorkspace used(stage.level, stage.mode);
-    for (const Camera& camera : cameras_at_entities(stage.level, 40)) {
-        stage.draw(camera, used);
-        const std::vector<std::uint8_t> in_used = stage.pixels;
-        std::fill(stage.pixels.begin(), stage.pixels.end(), std::uint8_t{0x5a});
-        EXPECT_TRUE(same_picture(drawn_afresh(stage, camera), in_used));
-    }
-}
-
-TEST(Purity, CountingMakesNoDifference) {
-    Stage stage = demo_stage();
-    ObservedWorkspace work(stage.level, stage.mode);
-    for (const Camera& camera : cameras_at_entities(stage.level, 40)) {
-        work.observers.counts = nullptr;
-        stage.draw(camera, work);
-        const std::vector<std::uint8_t> uncounted = stage.pixels;
-        work.count();
-        stage.draw(camera, work);
-        EXPECT_TRUE(same_picture(stage.pixels, uncounted));
-    }
-}
 
 /// What kernels were given to draw, in order: a kernel is a plain function, so this can't be handed to it.
 struct DrawnBlocks {
@@ -164,30 +121,6 @@ TEST(Purity, AModelThatMovedIsDrawnWhereItIs) {
         any_differs |= moved != at_rest;
     }
     EXPECT_TRUE(any_differs) << "no camera saw a model move";
-}
-
-TEST(Plan, HardCaseP5_HoldsWhatOwnsPixelsAndIsAllowed) {
-    OBLONG_NEEDS_SHARED_LEVELS();
-    int with_sky = 0, without_sky = 0, not_shown = 0;
-    for (const char* name : kRealLevels) {
-        Stage stage = real_stage(name);
-        ObservedWorkspace work(stage.level, stage.mode);
-        work.keep_record();
-        for (const Camera& camera : cameras_at_entities(stage.level, 40)) {
-            stage.draw(camera, work);
-            const bool has_sky = work.plan.effects.has(Effect::Sky), has_liquid = work.plan.effects.has(Effect::Liquid);
-            EXPECT_EQ(has_sky, shows_texture(work.record, stage.level, "sky"));
-            EXPECT_EQ(has_liquid, shows_texture(work.record, stage.level, "*"));
-            not_shown += !has_liquid && sees_texture(stage.level, place_eye(stage.level, camera.eye).leaf, "*");
-            ++(has_sky ? with_sky : without_sky);
-        }
-        stage.settings.allowed_effects = {};
-        stage.draw(cameras_at_entities(stage.level, 40)[0], work);
-        EXPECT_EQ(work.plan.effects, EffectSet{});
-    }
-    EXPECT_GT(with_sky, 0);
-    EXPECT_GT(without_sky, 0);
-    EXPECT_GT(not_shown, 0) << "no camera's visible set held a liquid without a pixel";
 }
 
 TEST(Plan, WhatIsLeftOutIsOneColourAndStillClosesTheWorld) {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "engine/files/doubles.h"
 #include "engine/math/vec.h"
 #include "tools/measure/exact.h"
@@ -12,6 +15,20 @@ using Point = reference::Vec;
 
 inline Point along(const Point& a, const Point& b, double t) {
     return a + (b - a) * t;
+}
+
+/// Where a ray from `from` along `ray` enters and leaves a box, in lengths of the ray; entry above exit: it misses.
+struct BoxPassage {
+    double entry = -INFINITY, exit = INFINITY;
+};
+inline BoxPassage passage_of(const Point& from, const Point& ray, const Point& mins, const Point& maxs) {
+    BoxPassage passage;
+    for (const int axis : {0, 1, 2}) {
+        const double low = (mins[axis] - from[axis]) / ray[axis], high = (maxs[axis] - from[axis]) / ray[axis];
+        passage.entry = std::max(passage.entry, std::min(low, high));
+        passage.exit = std::min(passage.exit, std::max(low, high));
+    }
+    return passage;
 }
 
 inline Vec3<World> to_world(Point p) {
