@@ -7,6 +7,7 @@
 #include "engine/math/plane.h"
 #include "engine/math/vec.h"
 #include "engine/methods/lines.h"
+#include "engine/methods/polygons.h"
 #include "engine/raster/scan.h"
 #include "tests/hard_cases/hard_case.h"
 #include "tools/reference/view.h"
@@ -100,7 +101,7 @@ TEST(HardCaseV7, TheLabsCubeShrinksByDepthAndDoesNotSlide) {
 
 TEST(HardCaseV8, ScreenAreaTellsTheSideThatAFaceShows) {
     std::mt19937 random(8);
-    int compared = 0;
+    int compared = 0, wrong_by_normal = 0;
     for (int i = 0; i < 5000; ++i) {
         std::array<Vec, 3> corners;
         std::array<ScreenVertex, 3> screen;
@@ -124,9 +125,13 @@ TEST(HardCaseV8, ScreenAreaTellsTheSideThatAFaceShows) {
         }
         const Plane plane = plane_through(world[0], normalised(cross(world[1] - world[0], world[2] - world[0])));
         ASSERT_EQ(area > ScreenArea{}, distance_to_plane({}, plane) > PlaneDistance{}) << i;
+        ASSERT_EQ(area < ScreenArea{}, faces_away(world[0], plane.normal, {})) << i;
+        wrong_by_normal += normal_points_away(plane.normal, {{}, {}, Unit::from_int(1)}) != (area < ScreenArea{});
         ++compared;
     }
     EXPECT_GT(compared, 4000);
+    EXPECT_GT(wrong_by_normal, 100);
+    EXPECT_LT(wrong_by_normal, compared / 2);
 }
 
 TEST(HardCaseV10, FarOffTheScreenNothingWraps) {

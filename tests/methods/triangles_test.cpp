@@ -10,6 +10,8 @@
 #include <limits>
 #include <vector>
 
+#include "tests/support/reference_polygons.h"
+
 namespace oblong::test::triangles_test {
 namespace {
 
@@ -41,35 +43,11 @@ Picture scanned(const ScreenTriangle& triangle, TriangleMethod method, EdgeRowKe
     return picture;
 }
 
-__extension__ using Wide = __int128;
-
-Wide cross2(ScreenVertex a, ScreenVertex b, ScreenVertex p) {
-    return (Wide{b.x.raw} - a.x.raw) * (Wide{p.y.raw} - a.y.raw) -
-           (Wide{b.y.raw} - a.y.raw) * (Wide{p.x.raw} - a.x.raw);
-}
-
-/// The rule as it is written: inside, or on an edge that has the triangle below it or on its right.
-bool covers(const ScreenTriangle& clockwise, ScreenVertex p) {
-    for (int i = 0; i < 3; ++i) {
-        const ScreenVertex a = clockwise.at(static_cast<std::size_t>(i)),
-                           b = clockwise.at(static_cast<std::size_t>((i + 1) % 3));
-        const Wide side = cross2(a, b, p);
-        const bool is_top = a.y == b.y && b.x > a.x, is_left = b.y < a.y;
-        if (side < 0 || (side == 0 && !is_top && !is_left)) return false;
-    }
-    return true;
-}
-
-Picture exact(ScreenTriangle triangle) {
-    Picture picture(kWidth * kHeight);
-    const Wide area = cross2(triangle[0], triangle[1], triangle[2]);
-    if (area < 0) std::swap(triangle[1], triangle[2]);
-    if (area == 0) return picture;
-    for (std::int32_t y = 0; y < kHeight; ++y)
-        for (std::int32_t x = 0; x < kWidth; ++x)
-            picture.at(static_cast<std::size_t>(y * kWidth + x)) =
-                covers(triangle, vertex(x * 256 + 128, y * 256 + 128));
-    return picture;
+Picture exact(const ScreenTriangle& triangle) {
+    reference::CoverageMap map{kWidth, kHeight, Picture(kWidth * kHeight)};
+    const auto corner = [&](std::size_t i) { return reference::GridPoint{triangle[i].x.raw, triangle[i].y.raw}; };
+    reference::add_triangle({corner(0), corner(1), corner(2)}, map);
+    return map.counts;
 }
 
 /// On and around the screen, often on pixel centres, borders and each other's rows; or anywhere in range.
@@ -128,6 +106,8 @@ RC_GTEST_PROP(Triangles, OfAnyCoordinatesAreThoseOfClampedOnes, ()) {
     RC_ASSERT(weights.a == weights.whole);
     quantity_over(wild, {CornerQuantity::highest(), CornerQuantity::lowest(), CornerQuantity::ulp()});
 }
+
+__extension__ using Wide = __int128;
 
 RC_GTEST_PROP(BarycentricWeights, AddUpAndFindThePlaceAgain, ()) {
     const ScreenTriangle triangle = any_triangle();

@@ -5,8 +5,6 @@
 #include "engine/math/matrix.h"
 #include "engine/methods/polygons.h"
 #include "engine/methods/transforms.h"
-#include "engine/raster/scan.h"
-#include "engine/view/project.h"
 #include "engine/view/texture_gradients.h"
 #include "tests/support/random.h"
 
@@ -54,36 +52,6 @@ TEST(DrawableLens, BeginsAtHalfAPixel) {
     // 90 degrees, one pixel: exactly half a pixel, whose reciprocal of 2 takes one bit too many.
     EXPECT_FALSE(is_drawable(projection_of(1, 1, 90)));
     EXPECT_TRUE(is_drawable(projection_of(1, 1, 89)));
-}
-
-/// The sign of the projected area decides on the screen what the dot product decides in the object's own space.
-TEST(FacesAway, InObjectSpaceAgreesWithTheProjectedAreaAndTheNormalAloneDoesNotAlways) {
-    std::mt19937 random(1);
-    const auto any = [&] { return random_between(random, -1, 1); };
-    const Projection projection = make_projection({}, Degrees::from_int(90));
-    int wrong_by_normal = 0, compared = 0;
-    for (int i = 0; i < 5'000; ++i) {
-        const Vec3<World> a = point_at(90 + 60 * any(), 80 * any(), 60 * any());
-        const Vec3<World> b = a + point_at(20 * any(), 20 * any(), 20 * any());
-        const Vec3<World> c = a + point_at(20 * any(), 20 * any(), 20 * any());
-        const Basis axes = view_basis({}, {}, {});
-        std::array<ScreenVertex, 3> screen;
-        const std::array corners{a, b, c};
-        for (std::size_t k = 0; k < 3; ++k) {
-            const ScreenPosition p = project(to_view(corners[k], {}, axes), projection);
-            screen[k] = {Screen::from_raw(static_cast<std::int32_t>(p.x.raw)),
-                         Screen::from_raw(static_cast<std::int32_t>(p.y.raw))};
-        }
-        const auto area = doubled_area(screen);
-        if (std::abs(area.raw) < 16 * 65536) continue;  // rounding of the corners may turn slivers over
-        ++compared;
-        // Clockwise seen from the front; right-handed axes.
-        const Vec3<Unit> normal = normalised(cross(c - a, b - a));
-        ASSERT_EQ(faces_away(a, normal, {}), area.raw < 0) << i;
-        wrong_by_normal += normal_points_away(normal, axes.forward) != (area.raw < 0);
-    }
-    EXPECT_GT(compared, 4'000);
-    EXPECT_GT(wrong_by_normal, 100);
 }
 
 /// The eye is brought into the object's space instead of the object into the eye's.
