@@ -1,7 +1,7 @@
 // The program's answers to wrong usage and bad input, all before it measures anything.
 
-#include "tests/bad_input/run_program.h"
 #include "tests/support/bsp_writer.h"
+#include "tests/support/programs.h"
 
 namespace oblong::test {
 namespace {

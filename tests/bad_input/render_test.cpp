@@ -1,8 +1,8 @@
 #include <map>
 #include <sstream>
 
-#include "tests/bad_input/run_program.h"
 #include "tests/support/folders.h"
+#include "tests/support/programs.h"
 
 // oblong-render against files and arguments that it must refuse: each names the file and what is wrong with it.
 namespace oblong::test::render_test {
@@ -68,7 +68,7 @@ TEST_F(BadRender, Palettes) {
     const std::string missing = folder_.path("missing.lmp");
     EXPECT_TRUE(names_fault(render(kLevel, {"--palette", missing}), kProgram, missing, "expected a readable file"));
     for (const std::size_t size : {0u, 767u, 769u, 3u}) {
-        const std::string path = folder_.write("wrong.lmp", Bytes(size));
+        const std::string path = folder_.write("wrong.lmp", std::vector<std::uint8_t>(size));
         EXPECT_TRUE(names_fault(render(kLevel, {"--palette", path}), kProgram, path,
                                 std::to_string(size) + " bytes, expected 256"))
             << size;
@@ -116,7 +116,7 @@ TEST_F(BadRender, CameraListsOfOtherProgramsAreTaken) {
         EXPECT_EQ(outcome.exit_code, 0) << cameras << outcome.error;
         return read_file_bytes(folder_.path("00000.png"));
     };
-    const Bytes expected = picture_of("x,y,z,yaw,pitch\n0.0625,-368,54,90,0\n");
+    const auto expected = picture_of("x,y,z,yaw,pitch\n0.0625,-368,54,90,0\n");
     for (const std::string cameras :
          {"\xef\xbb\xbfx,y,z,yaw,pitch\r\n0.0625,-368,54,90,0\r\n", "x, y, z, yaw, pitch\n 0.0625, -368, 54, 90, 0",
           "roll,pitch,yaw,z,y,x\n360,-0,-270,54,-368.0,.0625\n"})

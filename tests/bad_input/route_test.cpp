@@ -1,4 +1,4 @@
-#include "tests/bad_input/run_program.h"
+#include "tests/support/programs.h"
 
 // oblong --route against routes that it must refuse.
 namespace oblong::test {

@@ -1,11 +1,9 @@
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "engine/files/files.h"
 #include "engine/level/bsp_read.h"
 #include "tests/demo/visitor.h"
-#include "tests/support/folders.h"
+#include "tests/support/programs.h"
 
 namespace oblong::test {
 namespace {
@@ -14,11 +12,10 @@ namespace {
 // door, which opens, rides the lift to the ledge, and jumps over the rim of the basin.
 TEST(FirstLevel, HasADoorThatOpensALiftThatLiftsAndWater) {
     const TemporaryFolder folder;
-    const std::string map = source_folder() + "/assets/first_level.map", bsp = folder.path("first.bsp");
-    ASSERT_EQ(std::system((build_folder() + "/bin/oblong-map --strict " + map + " -o " + bsp + " --wad " +
-                           build_folder() + "/assets/demo.wad")
-                              .c_str()),
-              0);
+    const std::string bsp = folder.path("first.bsp");
+    const Outcome compiled = run_program({"oblong-map", "--strict", source_folder() + "/assets/first_level.map", "-o",
+                                          bsp, "--wad", build_folder() + "/assets/demo.wad"});
+    ASSERT_EQ(compiled.exit_code, 0) << compiled.error;
     const Level level = read_bsp(read_file(bsp));
     Visitor visitor(level);
     const Player& player = visitor.state().player;

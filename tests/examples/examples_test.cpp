@@ -9,8 +9,8 @@
 
 #include "engine/files/files.h"
 #include "engine/files/picture.h"
-#include "tests/support/folders.h"
 #include "tests/support/pictures.h"
+#include "tests/support/programs.h"
 
 // The programs of engine/examples, run without a window.
 namespace oblong::test {
@@ -54,10 +54,11 @@ struct Shown {
 Shown show(const Shot& shot, const std::string& accuracy = "") {
     static const TemporaryFolder folder;
     const std::string file = folder.path(shot.name + std::string(".png")), printed = folder.path("printed");
-    const std::string command = "OBLONG_HEADLESS=" + std::to_string(shot.pictures) + ":" + file + " " + build_folder() +
-                                "/bin/example_" + shot.example + " " + build_folder() + "/assets " + accuracy + " > " +
-                                printed + " 2>&1";
-    EXPECT_EQ(std::system(command.c_str()), 0) << command << "\n" << read_text(printed);
+    const std::string line = "OBLONG_HEADLESS=" + std::to_string(shot.pictures) + ":" + file + " " +
+                             program(std::string("example_") + shot.example) + " '" + build_folder() + "/assets' " +
+                             accuracy;
+    const Outcome outcome = run_line(line, printed);
+    EXPECT_EQ(outcome.exit_code, 0) << line << "\n" << outcome.error;
     return {decode_png(read_file(file)), file, read_text(printed)};
 }
 

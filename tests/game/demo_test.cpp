@@ -5,6 +5,7 @@
 #include "engine/base/input_error.h"
 #include "game/input/tick_input_source.h"
 #include "tests/game/toy_game.h"
+#include "tests/support/refusal.h"
 
 namespace oblong {
 namespace {
@@ -88,12 +89,7 @@ TEST(Demo, BadFieldsAreRefusedWithTheirOffset) {
     const auto where = [&](std::size_t at, std::uint8_t value) {
         auto bad = bytes;
         bad[at] = value;
-        try {
-            decode_demo(bad);
-        } catch (const InputError& error) {
-            return error.where;
-        }
-        return std::string("accepted");
+        return test::place_of_refusal([&] { decode_demo(bad); });
     };
     EXPECT_EQ(where(0, 'X'), "offset 0");
     EXPECT_EQ(where(8, 2), "offset 8");       // version

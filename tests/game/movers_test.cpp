@@ -124,15 +124,11 @@ ToyLevel crowded_room() {
 
 TEST(Mover, HoldsThePlayerInNoneOfManyTicks) {
     ToyGame game(crowded_room());
-    std::uint32_t seed = 1;
-    TickInput input = kAhead;
+    RandomRun run;
     int inside = 0, teleports = 0;
     for (int tick = 0; tick < 50'000; ++tick) {
-        seed = seed * 1'664'525 + 1'013'904'223;
-        input.buttons = (seed >> 12) % 8 == 0 ? kJumpButton : std::uint8_t{0};
-        if ((seed >> 16) % 25 == 0) input.yaw = static_cast<std::int16_t>(static_cast<int>(seed >> 20) % 3000 - 1500);
         const double before = game.x();
-        game.play(1, input);
+        game.play(1, run.next());
         teleports += std::abs(game.x() - before) > 50;
         inside = is_out(game) ? 0 : inside + 1;
         ASSERT_LE(inside, 1) << "tick " << tick << " at " << game.x() << ' ' << game.y() << ' ' << game.feet();

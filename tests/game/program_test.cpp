@@ -1,39 +1,36 @@
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include "tests/support/folders.h"
+#include "engine/files/files.h"
+#include "tests/support/programs.h"
 
 namespace oblong {
 namespace {
 
 namespace fs = std::filesystem;
 
-// Runs the game as a user would, in a folder of its own; what it ends with.
+// Runs the game as a user would, in a folder of its own; what it ends with. What is said on standard error goes to
+// `error_`.
 class Program : public testing::Test {
   protected:
-    int run(const std::string& arguments) const {
-        const std::string command = "cd '" + folder_.string() +
-                                    "' && XDG_CONFIG_HOME=\"$PWD\" XDG_DATA_HOME=\"$PWD\" '" + test::build_folder() +
-                                    "/bin/oblong' " + arguments + " > out.txt 2> err.txt";
-        const int status = std::system(command.c_str());
-        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    }
-    std::string said(const char* file) const {
-        const auto bytes = test::read_file_bytes(folder_ / file);
-        return {bytes.begin(), bytes.end()};
+    int run(const std::string& arguments) {
+        const std::string line =
+            "cd '" + folder_.string() + "' && " + test::at_home_in(folder_) + test::program("oblong") + " " + arguments;
+        const auto [exit_code, error] = test::run_line(line, folder_ / "out.txt");
+        error_ = error;
+        return exit_code;
     }
 
     const test::TemporaryFolder temporary_;
     const fs::path folder_ = temporary_.path();
+    std::string error_;
 };
 
 TEST_F(Program, HeadlessWritesAPictureATick) {
-    ASSERT_EQ(run("--headless 12 --out walk"), 0) << said("err.txt");
+    ASSERT_EQ(run("--headless 12 --out walk"), 0) << error_;
     for (int frame = 0; frame < 12; ++frame) {
         const std::string number = std::to_string(frame);
         const auto bytes =
@@ -49,8 +46,8 @@ TEST_F(Program, HeadlessWritesAPictureATick) {
 
 // The display is the window's business: the picture itself is another only for another projection.
 TEST_F(Program, AspectOptionsSetTheStart) {
-    ASSERT_EQ(run("--headless 1 --out usual"), 0) << said("err.txt");
-    ASSERT_EQ(run("--headless 1 --out squeezed --aspect-projection square"), 0) << said("err.txt");
+    ASSERT_EQ(run("--headless 1 --out usual"), 0) << error_;
+    ASSERT_EQ(run("--headless 1 --out squeezed --aspect-projection square"), 0) << error_;
     ASSERT_EQ(run("--headless 1 --out shown --aspect-display square --aspect-projection display"), 0);
     const auto picture = [&](const char* name) { return test::read_file_bytes(folder_ / name / "00000.png"); };
     EXPECT_NE(picture("squeezed"), picture("usual"));
@@ -58,8 +55,8 @@ TEST_F(Program, AspectOptionsSetTheStart) {
 }
 
 TEST_F(Program, ThreadsShowTheSamePictures) {
-    ASSERT_EQ(run("--headless 30 --out one --mode 640x480"), 0) << said("err.txt");
-    ASSERT_EQ(run("--headless 30 --out three --mode 640x480 --threads 3"), 0) << said("err.txt");
+    ASSERT_EQ(run("--headless 30 --out one --mode 640x480"), 0) << error_;
+    ASSERT_EQ(run("--headless 30 --out three --mode 640x480 --threads 3"), 0) << error_;
     for (const char* name : {"00000.png", "00015.png", "00029.png"})
         EXPECT_EQ(test::read_file_bytes(folder_ / "one" / name), test::read_file_bytes(folder_ / "three" / name))
             << name;
@@ -67,19 +64,20 @@ TEST_F(Program, ThreadsShowTheSamePictures) {
 }
 
 TEST_F(Program, AReplayShowsWhatWasRecorded) {
-    ASSERT_EQ(run("--headless 60 --out live --record walk.demo"), 0) << said("err.txt");
-    ASSERT_EQ(run("--headless 60 --out again --replay walk.demo"), 0) << said("err.txt");
+    ASSERT_EQ(run("--headless 60 --out live --record walk.demo"), 0) << error_;
+    ASSERT_EQ(run("--headless 60 --out again --replay walk.demo"), 0) << error_;
     for (const char* name : {"00000.png", "00030.png", "00059.png"})
         EXPECT_EQ(test::read_file_bytes(folder_ / "live" / name), test::read_file_bytes(folder_ / "again" / name))
             << name;
-    ASSERT_EQ(run("--timedemo walk.demo"), 0) << said("err.txt");
-    EXPECT_EQ(said("out.txt").rfind("60 frames, ", 0), 0u) << said("out.txt");
+    ASSERT_EQ(run("--timedemo walk.demo"), 0) << error_;
+    const std::string said = read_text(folder_ / "out.txt");
+    EXPECT_EQ(said.rfind("60 frames, ", 0), 0u) << said;
 }
 
 TEST_F(Program, ADemoThatCannotBeKeptIsNotPlayed) {
     for (const char* file : {"no/such/walk.demo", "."}) {
         EXPECT_EQ(run(std::string("--headless 3 --out walk --record ") + file), 1);
-        EXPECT_EQ(said("err.txt").rfind(std::string("oblong: ") + file + ": write: ", 0), 0u) << said("err.txt");
+        EXPECT_EQ(error_.rfind(std::string("oblong: ") + file + ": write: ", 0), 0u) << error_;
         EXPECT_FALSE(fs::exists(folder_ / "walk")) << file;
     }
 }
@@ -112,7 +110,7 @@ TEST_F(Program, EndsWith2ForWrongUsageAnd1ForBadFiles) {
          {"missing.bsp", ".", "--palette missing.lmp --headless 1 --out x",
           "--replay missing.demo --headless 1 --out x", "--timedemo out.txt", "--headless 1 --out out.txt"}) {
         EXPECT_EQ(run(bad), 1) << bad;
-        EXPECT_EQ(said("err.txt").rfind("oblong: ", 0), 0u) << said("err.txt");
+        EXPECT_EQ(error_.rfind("oblong: ", 0), 0u) << error_;
     }
     EXPECT_EQ(run("--help"), 0);
     EXPECT_EQ(run("--version"), 0);

@@ -64,31 +64,15 @@ void step_everything(const GameLevel& level, GameState& state, const TickInput& 
     step(level, state, input);
 }
 
-// Runs, jumps and turns at random.
-class RandomInput {
-  public:
-    TickInput next() {
-        seed_ = seed_ * 1'664'525 + 1'013'904'223;
-        input_.buttons = (seed_ >> 12) % 16 == 0 ? kJumpButton : std::uint8_t{0};
-        input_.yaw = 0;
-        if ((seed_ >> 16) % 20 == 0) input_.yaw = static_cast<std::int16_t>(static_cast<int>(seed_ >> 18) % 12'000);
-        return input_;
-    }
-
-  private:
-    std::uint32_t seed_ = 3;
-    TickInput input_ = kAhead;
-};
-
 TEST(AtRest, TheGameIsTheSameAsIfEverythingWereStepped) {
     ToyGame game(field());
     const GameLevel all_near = where_all_is_near(game.level);
     GameState reference = game.state;
-    RandomInput random;
+    test::RandomRun run;
     std::size_t most = 0, at_rest = 0;
     std::uint64_t styles_seen = 0;
     for (int tick = 0; tick < 20'000; ++tick) {
-        const TickInput input = random.next();
+        const TickInput input = run.next();
         step(game.level, game.state, input);
         step_everything(all_near, reference, input);
         ASSERT_EQ(game.state, reference) << "tick " << tick;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <random>
 #include <string>
 #include <utility>
 
@@ -31,5 +32,20 @@ struct ToyGame {
 };
 
 inline constexpr TickInput kStand{}, kAhead{127, 0, 0, 0, 0}, kJump{0, 0, 0, 0, kJumpButton};
+
+/// Runs ahead or askew, turns and jumps, at random.
+class RandomRun {
+  public:
+    TickInput next() {
+        TickInput input = kAhead;
+        if (random_() % 8 == 0) input.right = 127;
+        if (random_() % 20 == 0) input.yaw = static_cast<std::int16_t>(random_());
+        if (random_() % 12 == 0) input.buttons = kJumpButton;
+        return input;
+    }
+
+  private:
+    std::mt19937 random_{1};
+};
 
 }  // namespace oblong::test

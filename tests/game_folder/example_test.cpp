@@ -1,14 +1,13 @@
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <cstdlib>
 #include <filesystem>
 
 #include "engine/files/files.h"
 #include "engine/platform/headless/headless.h"
 #include "game/program/program.h"
 #include "game/simulation/items.h"
-#include "tests/support/folders.h"
+#include "tests/support/programs.h"
+#include "tests/support/refusal.h"
 #include "tests/support/scripted_input.h"
 
 // The example of a game without C++ (game/example), compiled and played as its page says.
@@ -54,19 +53,17 @@ class ExampleGame : public testing::Test {
             ASSERT_EQ(
                 run("oblong-map " + map + ".map -o " + map + ".bsp --wad " + assets_ + "/demo.wad --game " + folder_),
                 0)
-                << said();
-            EXPECT_EQ(said(), "") << "a warning";
+                << said_;
+            EXPECT_EQ(said_, "") << "a warning";
         }
     }
-    // A program of the build, with its options; what it says is said().
-    int run(const std::string& command) const {
-        const std::string home = temporary_.path("home");
-        const int status = std::system(("XDG_CONFIG_HOME='" + home + "' XDG_DATA_HOME='" + home + "' " +
-                                        test::build_folder() + "/bin/" + command + " 2> " + temporary_.path("err.txt"))
-                                           .c_str());
-        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    // A program of the build, with its options; what it says on standard error goes to `said_`.
+    int run(const std::string& command) {
+        const auto [exit_code, error] =
+            test::run_line(test::at_home_in(temporary_.path("home")) + test::build_folder() + "/bin/" + command);
+        said_ = error;
+        return exit_code;
     }
-    std::string said() const { return read_text(temporary_.path("err.txt")); }
     Options options() const {
         Options options;
         options.game = folder_;
@@ -86,6 +83,7 @@ class ExampleGame : public testing::Test {
 
     const test::TemporaryFolder temporary_;
     const std::string folder_ = temporary_.path("three"), assets_ = test::build_folder() + "/assets";
+    std::string said_;
 };
 
 // Ahead, always jumping, with Enter once a second: from the title through the three rooms.
@@ -147,14 +145,13 @@ TEST_F(ExampleGame, AnEntitysOwnValueWins) {
 // The room of the demo has no entity of the class whose rule changes: its start is the same state.
 TEST_F(ExampleGame, DemosAndSavesBelongToTheirRules) {
     const std::string demo = temporary_.path("walk.demo"), pictures = " --headless 40 --out " + temporary_.path("out");
-    ASSERT_EQ(run("oblong --game " + folder_ + pictures + " --record " + demo), 0) << said();
-    EXPECT_EQ(run("oblong --game " + folder_ + pictures + " --replay " + demo), 0) << said();
+    ASSERT_EQ(run("oblong --game " + folder_ + pictures + " --record " + demo), 0) << said_;
+    EXPECT_EQ(run("oblong --game " + folder_ + pictures + " --replay " + demo), 0) << said_;
     EXPECT_EQ(run("oblong " + folder_ + "/maps/first.bsp" + pictures + " --replay " + demo), 1);
     const std::uint64_t level_hash = loaded("first").data.level_hash;
     replace_in_definition("\"30\"", "\"31\"");
     EXPECT_EQ(run("oblong --game " + folder_ + pictures + " --replay " + demo), 1);
-    EXPECT_EQ(said(),
-              "oblong: " + demo + ": start: recorded on another level or by other rules, expected this one's\n");
+    EXPECT_EQ(said_, "oblong: " + demo + ": start: recorded on another level or by other rules, expected this one's\n");
     EXPECT_NE(loaded("first").data.level_hash, level_hash) << "what saves are held to";
 }
 
@@ -169,8 +166,7 @@ TEST_F(ExampleGame, LevelsFollowInTheirOrder) {
 TEST_F(ExampleGame, ALevelThatIsNotThereIsNamedBeforeTheGameBegins) {
     fs::remove(folder_ + "/maps/third.bsp");
     EXPECT_EQ(run("oblong --game " + folder_ + " --headless 1 --out " + temporary_.path("out")), 1);
-    EXPECT_TRUE(said().starts_with("oblong: " + folder_ + "/game.json: /levels/2: there is no maps/third.bsp"))
-        << said();
+    EXPECT_TRUE(said_.starts_with("oblong: " + folder_ + "/game.json: /levels/2: there is no maps/third.bsp")) << said_;
 }
 
 TEST_F(ExampleGame, SaysCoinsForLenses) {
@@ -201,13 +197,13 @@ TEST_F(ExampleGame, ASoundThatIsMissingIsAWarningAndABrokenOneAnError) {
     fs::remove(folder_ + "/sounds/creak.wav");
     replace_in_definition("\"sounds/creak.wav\"", "\"sounds/coin.wav\"");
     EXPECT_EQ(run("oblong --game " + folder_ + pictures), 0);
-    EXPECT_NE(said().find("(func_door_rotating): there is no file sounds/creak.wav for its noise, expected one in " +
-                          folder_ + "\n"),
+    EXPECT_NE(said_.find("(func_door_rotating): there is no file sounds/creak.wav for its noise, expected one in " +
+                         folder_ + "\n"),
               std::string::npos)
-        << said();
+        << said_;
     write_file(folder_ + "/sounds/creak.wav", "RIFF1234AVI ");
     EXPECT_EQ(run("oblong --game " + folder_ + pictures), 1);
-    EXPECT_EQ(said(), "oblong: " + folder_ + "/sounds/creak.wav: offset 8: no sound, expected WAVE\n");
+    EXPECT_EQ(said_, "oblong: " + folder_ + "/sounds/creak.wav: offset 8: no sound, expected WAVE\n");
 }
 
 TEST_F(ExampleGame, AnIconThatIsTooLargeIsRefused) {
@@ -215,20 +211,16 @@ TEST_F(ExampleGame, AnIconThatIsTooLargeIsRefused) {
     replace_in_definition("icon.png", "large.png");
     NamedWindow platform(1, [](std::int64_t) { return PlatformInput{}; });
     PreferencesStore store;
-    try {
-        const Program program(options(), load_program_files(options(), assets_), store, platform, nullptr);
-        FAIL();
-    } catch (const FileError& error) {
-        const std::string said = error.what();
-        EXPECT_TRUE(said.starts_with(folder_ + "/large.png: size: ")) << said;
-        EXPECT_TRUE(said.ends_with("expected up to 256x256 of an icon")) << said;
-    }
+    const std::string said = test::refusal<FileError>(
+        [&] { Program(options(), load_program_files(options(), assets_), store, platform, nullptr); });
+    EXPECT_TRUE(said.starts_with(folder_ + "/large.png: size: ")) << said;
+    EXPECT_TRUE(said.ends_with("expected up to 256x256 of an icon")) << said;
 }
 
 TEST_F(ExampleGame, ACaptionOfNoSoundIsNamed) {
     replace_in_definition("\"lenses\"", "\"lense\"");
     EXPECT_EQ(run("oblong --game " + folder_ + " --headless 1 --out " + temporary_.path("out")), 1);
-    EXPECT_TRUE(said().starts_with("oblong: " + folder_ + "/game.json: /captions/lense: is no sound")) << said();
+    EXPECT_TRUE(said_.starts_with("oblong: " + folder_ + "/game.json: /captions/lense: is no sound")) << said_;
 }
 
 struct Fault {
@@ -267,12 +259,8 @@ TEST(GameDefinition, FaultsAreNamedWithTheirPlace) {
              Fault{"{\"classes\": {\"x\": {\"as\": \"func_door\"}}}", "/classes/x/as: is unknown"},
          }) {
         folder.write("game.json", std::string(text));
-        try {
-            read_game_definition(folder.path());
-            ADD_FAILURE() << text;
-        } catch (const FileError& error) {
-            EXPECT_TRUE(std::string(error.what()).starts_with(file + ": " + said)) << error.what();
-        }
+        const std::string found = test::refusal<FileError>([&] { read_game_definition(folder.path()); });
+        EXPECT_TRUE(found.starts_with(file + ": " + said)) << text << ": " << found;
     }
 }
 

@@ -9,6 +9,8 @@
 #include "engine/level/entities.h"
 #include "engine/level/side.h"
 #include "tests/support/bsp_writer.h"
+#include "tests/support/point.h"
+#include "tests/support/refusal.h"
 
 namespace oblong {
 
@@ -16,10 +18,6 @@ namespace {
 
 Level read_tiny(test::Lumps lumps = test::make_tiny_lumps()) {
     return read_bsp(test::join_lumps(29, lumps));
-}
-
-Vec3<World> point(std::int32_t x, std::int32_t y, std::int32_t z) {
-    return {World::from_int(x), World::from_int(y), World::from_int(z)};
 }
 
 TEST(TinyLevel, FaceCoversItsTexels) {
@@ -36,7 +34,7 @@ TEST(TinyLevel, FaceCoversItsTexels) {
 
 TEST(TinyLevel, NumbersAreInTheFormatsOfTheEngine) {
     const Level level = read_tiny();
-    EXPECT_EQ(level.vertices[VertexIndex(3)], point(32, 16, 8));
+    EXPECT_EQ(level.vertices[VertexIndex(3)], test::point_at(32, 16, 8));
     EXPECT_EQ(level.planes.front().normal.z, Unit::from_int(1));
     EXPECT_EQ(level.planes.front().distance, PlaneDistance::from_int(8));
     EXPECT_EQ(level.planes.front().axis, 2);
@@ -48,7 +46,7 @@ TEST(TinyLevel, NumbersAreInTheFormatsOfTheEngine) {
 
 TEST(TinyLevel, PointOnThePlaneBelongsToItsBack) {
     const Level level = read_tiny();
-    Vec3<World> p = point(1, 1, 8);
+    Vec3<World> p = test::point_at(1, 1, 8);
     EXPECT_EQ(find_leaf(level, level.world(), p), kSolidOutside);
     p.z += World::ulp();
     EXPECT_EQ(find_leaf(level, level.world(), p), LeafIndex(1));
@@ -183,14 +181,8 @@ struct Fault {
 TEST(Entities, FaultsTellTheirOffset) {
     for (const Fault& fault :
          {Fault{"x", "maps, offset 100"}, Fault{"{ \"key\" }", "maps, offset 108"},
-          Fault{"{ \"key\" \"val", "maps, offset 108"}, Fault{"{ \"a\" \"b\"", "maps, offset 109"}}) {
-        try {
-            parse_entities(fault.text, "maps", 100);
-            FAIL() << "read: " << fault.text;
-        } catch (const InputError& error) {
-            EXPECT_EQ(error.where, fault.where) << error.what();
-        }
-    }
+          Fault{"{ \"key\" \"val", "maps, offset 108"}, Fault{"{ \"a\" \"b\"", "maps, offset 109"}})
+        EXPECT_EQ(test::place_of_refusal([&] { parse_entities(fault.text, "maps", 100); }), fault.where) << fault.text;
 }
 
 TEST(Decimal, RoundsToNearest) {

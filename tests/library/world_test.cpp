@@ -7,6 +7,7 @@
 #include "tests/map/map_source.h"
 #include "tests/support/folders.h"
 #include "tests/support/palettes.h"
+#include "tests/support/refusal.h"
 
 namespace oblong {
 namespace {
@@ -274,12 +275,8 @@ TEST(LibraryLevel, TurningDoorIsInTheWayWhileItIsShut) {
 TEST(LibraryLevel, ErrorsNameTheFile) {
     const test::TemporaryFolder folder;
     const std::string file = folder.write("broken.bsp", std::string("nothing"));
-    try {
-        LevelScene level(file, test::grey_palette());
-        FAIL();
-    } catch (const std::runtime_error& error) {
-        EXPECT_TRUE(std::string(error.what()).starts_with(file + ": ")) << error.what();
-    }
+    const std::string said = test::refusal<std::runtime_error>([&] { LevelScene(file, test::grey_palette()); });
+    EXPECT_TRUE(said.starts_with(file + ": ")) << said;
 }
 
 // Two triangles in one colour, 2 x 2 units around (at, 0, 0), that face west.

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "engine/level/level.h"
+#include "tests/support/random.h"
 
 namespace oblong::test {
 
@@ -236,13 +237,10 @@ class CheckedLevel {
     std::vector<std::vector<int>> marked_;
 };
 
-double random_unit(std::mt19937& random) {
-    return static_cast<double>(random()) / 4294967296.0;
-}
-
 Point random_direction(std::mt19937& random) {
     while (true) {
-        const Point p{2 * random_unit(random) - 1, 2 * random_unit(random) - 1, 2 * random_unit(random) - 1};
+        const auto part = [&] { return random_between(random, -1, 1); };
+        const Point p{part(), part(), part()};
         if (length(p) > 0.1 && length(p) < 1) return p * (1 / length(p));
     }
 }
@@ -254,9 +252,8 @@ std::optional<Point> random_open_point(const CheckedLevel& level, std::mt19937& 
     const auto& box = level.bsp().leaves[static_cast<std::size_t>(index)].box;
     if (level.is_blocking(index)) return std::nullopt;
     for (int tries = 0; tries < 50; ++tries) {
-        std::array<double, 3> p{};
-        for (std::size_t i = 0; i < 3; ++i) p[i] = box.mins[i] + (box.maxs[i] - box.mins[i]) * random_unit(random);
-        const Point point{p[0], p[1], p[2]};
+        Point point;
+        for (std::size_t i = 0; i < 3; ++i) point[i] = random_between(random, box.mins[i], box.maxs[i]);
         if (leaf_at(level.bsp(), point) == index) return point;
     }
     return std::nullopt;

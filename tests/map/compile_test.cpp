@@ -15,10 +15,6 @@
 namespace oblong::test::compile_test {
 namespace {
 
-Vec3<World> to_world(const Point& point) {
-    return {fixed_of<World>(point.x), fixed_of<World>(point.y), fixed_of<World>(point.z)};
-}
-
 // Cameras at random points of a box that are open, in random directions.
 std::vector<Camera> open_cameras(const map::BspFile& bsp, const map::Box& around, int count, std::mt19937& random) {
     std::vector<Camera> cameras;
@@ -113,10 +109,10 @@ TEST(Compile, ADraftStopsPlayersWhereTheLevelDoes) {
                                    box({40, -256, 0}, {72, 100, 256}));
     const auto full = compile(hall), draft = compile(hall, {.is_fast = true});
     std::mt19937 random(24);
-    std::uniform_real_distribution<double> across(-290, 290), up(-30, 290);
+    const auto across = [&] { return random_between(random, -290, 290); };
     int open = 0;
     for (int i = 0; i < 5000; ++i) {
-        const map::Point point{across(random), across(random), up(random)};
+        const Point point{across(), across(), random_between(random, -30, 290)};
         const int expected = contents_at(full, 0, 1, point);
         ASSERT_EQ(contents_at(draft, 0, 1, point), expected) << point.x << ' ' << point.y << ' ' << point.z;
         open += expected == contents::kEmpty ? 1 : 0;

@@ -8,6 +8,7 @@
 #include "engine/files/files.h"
 #include "tests/map/bsp_checks.h"
 #include "tests/map/map_source.h"
+#include "tests/support/refusal.h"
 #include "tools/map/source/brush.h"
 
 namespace oblong::test {
@@ -32,14 +33,9 @@ std::vector<map::MapEntity> included(const std::string& source, const Sources& o
 }
 
 std::string complaint(const std::string& source, const Sources& others) {
-    try {
-        included(source, others);
-    } catch (const InputError& error) {
-        return error.where + ": " + error.what();
-    } catch (const FileError& error) {
-        return error.what();
-    }
-    return "none";
+    std::string of_line;
+    const std::string of_file = refusal<FileError>([&] { of_line = refusal([&] { included(source, others); }); });
+    return of_file + of_line;
 }
 
 map::BspFile compiled(const std::string& source, const Sources& others) {

@@ -1,14 +1,12 @@
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <cstdlib>
 #include <filesystem>
 
 #include "engine/files/files.h"
 #include "engine/files/picture.h"
 #include "engine/level/bsp_read.h"
 #include "tests/map/map_source.h"
-#include "tests/support/folders.h"
+#include "tests/support/programs.h"
 
 namespace oblong::test {
 namespace {
@@ -30,11 +28,9 @@ class Program : public testing::Test {
 
     // The exit code; what is said on standard error goes to `said_`.
     int run(const std::string& arguments) {
-        const std::string command = "'" + test::build_folder() + "/bin/oblong-map' " + arguments + " >" +
-                                    path("out.txt") + " 2>" + path("said.txt");
-        const int status = std::system(command.c_str());
-        said_ = read_text(path("said.txt"));
-        return WEXITSTATUS(status);
+        const auto [exit_code, error] = run_line(program("oblong-map") + " " + arguments, path("out.txt"));
+        said_ = error;
+        return exit_code;
     }
 
     int files_beginning_with(const std::string& name) const {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine/level/bsp_read.h"
+#include "tests/support/refusal.h"
 
 namespace oblong::test {
 
@@ -189,10 +190,6 @@ map::BspFile compile(std::vector<map::MapEntity> entities, const map::CompileOpt
     return map::compile_map(std::move(entities), wads, options);
 }
 
-double random_between(std::mt19937& random, double low, double high) {
-    return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
-}
-
 Frame random_frame(std::mt19937& random) {
     const Point first = unit(random_point(random) + Point{0, 0, 2});
     const Point second = unit(cross(first, random_point(random) + Point{0, 2, 0}));
@@ -233,12 +230,8 @@ std::string replaced(std::string text, const std::string& part, const std::strin
 }
 
 std::string complaint_of(const std::string& source) {
-    try {
-        compile(source, {true});
-    } catch (const InputError& error) {
-        return error.where + ": " + error.what();
-    }
-    return "none";
+    const std::string said = refusal([&] { compile(source, {true}); });
+    return said.empty() ? "none" : said;
 }
 
 void expect_complaint(const std::string& source, const std::string& part) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/level/level.h"
+#include "tests/support/random.h"
 #include "tools/map/compile.h"
 
 /// Writes small map sources, and compiles them with textures made up on the spot.
@@ -75,9 +76,6 @@ struct TurnedBox {
 
 /// A room of six such boxes around the inside of `inside`: walls of 16 units that overlap nowhere.
 std::string turned_room(const TurnedBox& inside);
-
-/// From `low` up to `high`.
-double random_between(std::mt19937& random, double low, double high);
 
 /// `text` with every `part` replaced.
 std::string replaced(std::string text, const std::string& part, const std::string& by);

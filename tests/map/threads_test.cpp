@@ -5,6 +5,7 @@
 #include "engine/base/input_error.h"
 #include "engine/platform/worker_threads.h"
 #include "tests/map/map_source.h"
+#include "tests/support/refusal.h"
 
 namespace oblong::test {
 namespace {
@@ -66,15 +67,11 @@ TEST(Threads, AnErrorOfAnItemIsThrownAfterAllOthers) {
 TEST(Threads, TheFirstItemsErrorIsThrownWhicheverComesFirst) {
     for (int times = 0; times < 50; ++times) {
         WorkerThreads workers(3);
-        try {
-            map::WorkSharing(&workers, nullptr).for_each(20, [](std::size_t i) {
-                if (i == 3) std::this_thread::yield();
-                if (i >= 3) throw InputError("item", std::to_string(i));
-            });
-            ADD_FAILURE();
-        } catch (const InputError& error) {
-            ASSERT_EQ(std::string(error.what()), "3");
-        }
+        const auto work = [](std::size_t i) {
+            if (i == 3) std::this_thread::yield();
+            if (i >= 3) throw InputError("item", std::to_string(i));
+        };
+        ASSERT_EQ(refusal([&] { map::WorkSharing(&workers, nullptr).for_each(20, work); }), "item: 3");
     }
 }
 

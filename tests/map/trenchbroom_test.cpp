@@ -1,9 +1,7 @@
 #include "tools/map/trenchbroom.h"
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <regex>
 #include <set>
@@ -11,7 +9,7 @@
 #include "engine/files/files.h"
 #include "engine/level/entity_classes.h"
 #include "tests/map/editor_formats.h"
-#include "tests/support/folders.h"
+#include "tests/support/programs.h"
 
 namespace oblong::test {
 namespace {
@@ -28,19 +26,15 @@ EditorValue text_of(const std::string& text) {
 // As `oblong-map --install-trenchbroom` writes it.
 class TrenchBroom : public testing::Test {
   protected:
-    void SetUp() override {
-        ASSERT_EQ(run("'" + program() + "' --install-trenchbroom '" + path("games/Oblong") + "'"), 0);
-    }
+    void SetUp() override { ASSERT_EQ(install("games/Oblong").exit_code, 0); }
 
-    static std::string program() { return build_folder() + "/bin/oblong-map"; }
+    Outcome install(const std::string& folder) const {
+        return run_program({"oblong-map", "--install-trenchbroom", path(folder)});
+    }
     std::string path(const std::string& name) const { return folder_.path(name); }
     std::string installed(const std::string& name) const { return path("games/Oblong/" + name); }
     std::string text(const std::string& name) const { return read_text(installed(name)); }
     bool is_file(const std::string& name) const { return fs::is_regular_file(installed(name)); }
-
-    int run(const std::string& command) const {
-        return std::system((command + " >'" + path("out.txt") + "' 2>&1").c_str());
-    }
 
     // As the editor writes the initial map with a layer for its light, which has no brushes.
     std::string exported(const EditorValue& task) const {
@@ -84,8 +78,9 @@ TEST_F(TrenchBroom, EveryWayToCompileMakesALevel) {
             }
             const std::string tool = interpolated(task.at("tool").as_text(), variables),
                               parameters = interpolated(task.at("parameters").as_text(), variables);
-            if (tool == program()) {
-                EXPECT_EQ(run("'" + tool + "' " + parameters + " --strict"), 0) << read_text(path("out.txt"));
+            if (tool == build_folder() + "/bin/oblong-map") {
+                const Outcome outcome = run_line("'" + tool + "' " + parameters + " --strict");
+                EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
             } else {
                 EXPECT_EQ(tool, build_folder() + "/bin/oblong");
                 EXPECT_TRUE(parameters == "\"" + level + "\"" ||
@@ -111,7 +106,7 @@ TEST_F(TrenchBroom, TheGameIsStartedWithTheMapsLevel) {
 
 TEST_F(TrenchBroom, AChangedWayToCompileIsKept) {
     write_file(installed("CompilationProfiles.cfg"), "{ mine }");
-    ASSERT_EQ(run("'" + program() + "' --install-trenchbroom '" + path("games/Oblong") + "'"), 0);
+    ASSERT_EQ(install("games/Oblong").exit_code, 0);
     EXPECT_EQ(text("CompilationProfiles.cfg.old"), "{ mine }");
     EXPECT_NO_THROW(read_compilation_config(text("CompilationProfiles.cfg")));
 }
@@ -119,7 +114,7 @@ TEST_F(TrenchBroom, AChangedWayToCompileIsKept) {
 TEST_F(TrenchBroom, AWayToCompileThatWasKeptBeforeIsNotLost) {
     for (const char* const text : {"{ mine }", "{ newer }"}) {
         write_file(installed("CompilationProfiles.cfg"), text);
-        ASSERT_EQ(run("'" + program() + "' --install-trenchbroom '" + path("games/Oblong") + "'"), 0);
+        ASSERT_EQ(install("games/Oblong").exit_code, 0);
     }
     EXPECT_EQ(text("CompilationProfiles.cfg.old"), "{ mine }");
     EXPECT_EQ(text("CompilationProfiles.cfg.old2"), "{ newer }");
@@ -142,9 +137,7 @@ TEST_P(TrenchBroomInstaller, NamesWhatIsInTheWayAndLeavesNothingHalfWritten) {
     if (is == "a folder") fs::create_directory(in_the_way);
     if (is == "a file") write_file(in_the_way.string(), std::string("mine"));
     if (is == "a full disk") fs::create_symlink("/dev/full", in_the_way);
-    EXPECT_EQ(WEXITSTATUS(run("'" + program() + "' --install-trenchbroom '" + path("other/Oblong") + "'")), 1);
-    EXPECT_NE(read_text(path("out.txt")).find("oblong-map: " + path("other/" + where) + ": "), std::string::npos)
-        << read_text(path("out.txt"));
+    EXPECT_TRUE(names_fault(install("other/Oblong"), "oblong-map", path("other/" + where), ""));
     if (is == "a file") {
         EXPECT_EQ(read_text(in_the_way.string()), "mine");
     }

@@ -186,8 +186,7 @@ class Sight {
 
     // The leaf at a point, 0 in brushes and outside of the level.
     LeafIndex open_leaf(const Point& point) const {
-        const LeafIndex leaf = find_leaf(
-            level_, level_.world(), {fixed_of<World>(point.x), fixed_of<World>(point.y), fixed_of<World>(point.z)});
+        const LeafIndex leaf = find_leaf(level_, level_.world(), to_world(point));
         const std::int32_t filling = level_.leaves[leaf].contents;
         return filling == contents::kSolid || filling == contents::kSky ? kSolidOutside : leaf;
     }

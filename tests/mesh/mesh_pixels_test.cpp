@@ -81,9 +81,6 @@ Hit hit(const std::array<Point, 3>& corners, const std::array<std::array<double,
         double row) {
     const Point ray{1, -(column - 160) / 160, -(row - 100) / (160 / 1.2)};
     const Point &a = corners[0], &b = corners[1], &c = corners[2];
-    const auto cross = [](Point p, Point q) {
-        return Point{p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
-    };
     const double whole = dot(a, cross(b, c));
     const double wa = dot(ray, cross(b, c)) / whole, wb = dot(ray, cross(c, a)) / whole,
                  wc = dot(ray, cross(a, b)) / whole;

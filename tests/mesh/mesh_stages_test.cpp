@@ -99,11 +99,9 @@ TEST(MeshStages, FacingIsTheSignOfTheExactProduct) {
         const auto& vertices = builder.mesh.frames[0].vertices;
         const Point a = to_point(vertices[0].position), b = to_point(vertices[1].position),
                     c = to_point(vertices[2].position), e = to_point(eye);
-        const Point ab{b.x - a.x, b.y - a.y, b.z - a.z}, ac{c.x - a.x, c.y - a.y, c.z - a.z};
-        // Clockwise seen from the front in right-handed axes: ac x ab points to the front. In doubles only its sign
-        // near 0 may be wrong.
-        const Point normal{ac.y * ab.z - ac.z * ab.y, ac.z * ab.x - ac.x * ab.z, ac.x * ab.y - ac.y * ab.x};
-        const double side = dot(normal, {e.x - a.x, e.y - a.y, e.z - a.z});
+        // Clockwise seen from the front in right-handed axes: this product points to the front. In doubles only its
+        // sign near 0 may be wrong.
+        const double side = dot(cross(c - a, b - a), e - a);
         if (std::abs(side) < 1e-12 * edge * edge * (edge + most)) continue;
         ASSERT_EQ(!facing.empty(), side > 0);
         facing_count += side > 0;

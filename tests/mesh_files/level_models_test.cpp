@@ -10,15 +10,13 @@
 #include "tests/mesh_files/mdl_writer.h"
 #include "tests/support/bsp_writer.h"
 #include "tests/support/folders.h"
+#include "tests/support/point.h"
+#include "tests/support/refusal.h"
 
 namespace oblong {
 namespace {
 
 using namespace test;
-
-Vec3<World> place(int x, int y, int z) {
-    return {World::from_int(x), World::from_int(y), World::from_int(z)};
-}
 
 /// A folder with maps/level.bsp beside progs/ and models/; the level's floor is at z = 8.
 class ModelFolder : public ::testing::Test {
@@ -61,10 +59,10 @@ TEST_F(ModelFolder, AMiscModelShowsAFileAtItsPlace) {
     ASSERT_EQ(models.models.size(), 1u);
     EXPECT_TRUE(models.warnings.empty());
     const PlacedMesh placed = at(models, 0);
-    EXPECT_EQ(placed.position, place(5, 6, 70));
+    EXPECT_EQ(placed.position, point_at(5, 6, 70));
     EXPECT_EQ(placed.yaw, kQuarterTurn);
     EXPECT_EQ(placed.skin, 1u);
-    EXPECT_EQ(placed.mesh->frames[0].maxs, place(50, 50, 50));
+    EXPECT_EQ(placed.mesh->frames[0].maxs, point_at(50, 50, 50));
     EXPECT_EQ(at(models, 600).skin, 2u) << "skins of a group take turns: 0.5 s, 0.25 s";
     EXPECT_EQ(at(models, 750).skin, 1u);
     EXPECT_EQ(at(models, 123456).yaw, kQuarterTurn);
@@ -127,9 +125,9 @@ TEST_F(ModelFolder, ItemsOfQuakeStandOnTheFloor) {
                                        { "classname" "monster_ogre" "origin" "5 6 70" })",
                                     path("progs"));
     ASSERT_EQ(models.models.size(), 2u);
-    EXPECT_EQ(at(models, 0, 0).position, place(5, 6, 8));
+    EXPECT_EQ(at(models, 0, 0).position, point_at(5, 6, 8));
     EXPECT_EQ(at(models, 0, 0).skin, 1u);
-    EXPECT_EQ(at(models, 0, 1).position, place(5, 6, 70));
+    EXPECT_EQ(at(models, 0, 1).position, point_at(5, 6, 70));
 }
 
 TEST_F(ModelFolder, KeysAreThoseOfTheWorldsKind) {
@@ -181,12 +179,13 @@ TEST_F(ModelFolder, LensesAndKeysHaveModelsOfTheirOwn) {
         write_file(path(std::string("elsewhere/") + name), kTriangle);
     const LevelModels models = read(lens + key);
     ASSERT_EQ(models.models.size(), 2u);
-    EXPECT_EQ(at(models, 0).position, place(5, 6, 70)) << "where the level has it";
-    EXPECT_EQ(at(models, 0, 1).position, place(5, 6, 8 + 28)) << "over the floor";
+    EXPECT_EQ(at(models, 0).position, point_at(5, 6, 70)) << "where the level has it";
+    EXPECT_EQ(at(models, 0, 1).position, point_at(5, 6, 8 + 28)) << "over the floor";
     EXPECT_NE(at(models, 900).yaw, at(models, 0).yaw) << "they turn";
     EXPECT_EQ(models.models[1].entity, 2u);
     write_model("progs/w_s_key.mdl");
-    EXPECT_EQ(read(key, path("progs")).meshes.at(0)->frames[0].maxs, place(100, 100, 100)) << "Quake's own comes first";
+    EXPECT_EQ(read(key, path("progs")).meshes.at(0)->frames[0].maxs, point_at(100, 100, 100))
+        << "Quake's own comes first";
 }
 
 TEST_F(ModelFolder, WhatIsGoneIsNotPlaced) {
@@ -213,7 +212,7 @@ TEST_F(ModelFolder, DoorsThatTurnAreShownOnlyAtTheAnglesOfAGame) {
     const std::vector<Angle> turned{kQuarterTurn, kHalfTurn};
     place_models(models, 2500, {{}, turned}, placed);
     ASSERT_EQ(placed.size(), 2u);
-    EXPECT_EQ(placed[0].position, place(1, 2, 3));
+    EXPECT_EQ(placed[0].position, point_at(1, 2, 3));
     EXPECT_EQ(placed[0].pitch, kQuarterTurn);
     EXPECT_EQ(placed[0].yaw, Angle{});
     EXPECT_EQ(placed[1].yaw, -kQuarterTurn) << "no door";
@@ -255,20 +254,18 @@ TEST_F(ModelFolder, BadValuesAreReplacedAndReported) {
 TEST_F(ModelFolder, ABrokenFileIsAnErrorThatNamesIt) {
     write_file(path("models/bad.mdl"), std::string("IDPO"));
     write_file(path("models/bad.obj"), std::string("v 1 2 x\n"));
-    for (const std::string name : {"bad.mdl", "bad.obj"}) try {
-            read(misc_model("\"model\" \"" + name + "\""));
-            ADD_FAILURE() << name;
-        } catch (const FileError& error) {
-            EXPECT_NE(std::string(error.what()).find("models/" + name + ": "), std::string::npos) << error.what();
-        }
+    for (const std::string name : {"bad.mdl", "bad.obj"}) {
+        const std::string said = refusal<FileError>([&] { read(misc_model("\"model\" \"" + name + "\"")); });
+        EXPECT_NE(said.find("models/" + name + ": "), std::string::npos) << said;
+    }
 }
 
 TEST_F(ModelFolder, AnObjFileIsScaledWhereItIsRead) {
     write_file(path("models/lens.obj"), std::string("v 0 0 0\nv 0.001 0 0\nv 0 0.002 0\nf 1 2 3\n"));
     const LevelModels y_up = read(misc_model("\"model\" \"lens.obj\" \"scale\" \"1000\"")),
                       z_up = read(misc_model("\"model\" \"lens.obj\" \"scale\" \"1000\" \"up\" \"z\""));
-    EXPECT_EQ(at(y_up, 0).mesh->frames[0].maxs, place(0, 1, 2));
-    EXPECT_EQ(at(z_up, 0).mesh->frames[0].maxs, place(1, 2, 0));
+    EXPECT_EQ(at(y_up, 0).mesh->frames[0].maxs, point_at(0, 1, 2));
+    EXPECT_EQ(at(z_up, 0).mesh->frames[0].maxs, point_at(1, 2, 0));
 }
 
 /// Armour and batteries of the real levels, by their entities.

@@ -8,6 +8,8 @@
 #include "engine/mesh/mesh.h"
 #include "tests/mesh_files/mdl_writer.h"
 #include "tests/support/folders.h"
+#include "tests/support/point.h"
+#include "tests/support/refusal.h"
 
 namespace oblong {
 namespace {
@@ -18,25 +20,17 @@ using namespace test;
 double volume_6(const Mesh& mesh, const MeshFrame& frame) {
     double sum = 0;
     for (const MeshTriangle& triangle : mesh.triangles) {
-        double p[3][3];
-        for (int i = 0; i < 3; ++i) {
-            const Vec3<World>& at = frame.vertices[triangle.vertices[static_cast<std::size_t>(i)]].position;
-            p[i][0] = number_of(at.x), p[i][1] = number_of(at.y), p[i][2] = number_of(at.z);
-        }
-        sum -= p[0][0] * (p[1][1] * p[2][2] - p[1][2] * p[2][1]) - p[0][1] * (p[1][0] * p[2][2] - p[1][2] * p[2][0]) +
-               p[0][2] * (p[1][0] * p[2][1] - p[1][1] * p[2][0]);
+        const auto corner = [&](std::size_t i) { return to_point(frame.vertices[triangle.vertices[i]].position); };
+        sum -= dot(corner(0), cross(corner(1), corner(2)));
     }
     return sum;
 }
 
 std::string fault_of(const MdlFile& file) {
-    try {
-        read_mdl(file);
-        return "";
-    } catch (const InputError& error) {
-        EXPECT_NE(std::string(error.what()).find("expected"), std::string::npos) << error.what();
-        return error.where;
-    }
+    const std::string said = refusal([&] { read_mdl(file); });
+    if (said.empty()) return said;
+    EXPECT_NE(said.find("expected"), std::string::npos) << said;
+    return said.substr(0, said.find(": "));
 }
 
 TEST(MdlRead, ATetrahedronHasItsFramesSkinsAndTimes) {

@@ -8,6 +8,8 @@
 #include "engine/files/files.h"
 #include "tests/support/folders.h"
 #include "tests/support/palettes.h"
+#include "tests/support/point.h"
+#include "tests/support/refusal.h"
 
 namespace oblong::test::obj_test {
 namespace {
@@ -20,14 +22,10 @@ class ObjFiles : public ::testing::Test {
         return read_obj(path("model.obj"), grey_palette(), options);
     }
     std::string error_of(const std::string& text, const ObjOptions& options = {.is_z_up = true}) const {
-        try {
-            read(text, options);
-            return "";
-        } catch (const FileError& error) {
-            const std::string message = error.what();
-            EXPECT_NE(message.find("expected"), std::string::npos) << message;
-            return message.substr(message.find("model.obj: ") + 11);
-        }
+        const std::string message = refusal<FileError>([&] { read(text, options); });
+        if (message.empty()) return message;
+        EXPECT_NE(message.find("expected"), std::string::npos) << message;
+        return message.substr(message.find("model.obj: ") + 11);
     }
 
   private:
@@ -42,27 +40,16 @@ const std::string kCube =
     "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
 
 /// Of a triangle, outward by the project's winding: clockwise seen from the front.
-std::array<double, 3> normal_of(const Mesh& mesh, std::size_t triangle) {
-    double p[3][3];
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Vec3<World>& at = mesh.frames[0].vertices[mesh.triangles[triangle].vertices[i]].position;
-        p[i][0] = number_of(at.x), p[i][1] = number_of(at.y), p[i][2] = number_of(at.z);
-    }
-    std::array<double, 3> normal{};
-    for (int i = 0; i < 3; ++i) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        normal[static_cast<std::size_t>(i)] =
-            (p[2][j] - p[0][j]) * (p[1][k] - p[0][k]) - (p[2][k] - p[0][k]) * (p[1][j] - p[0][j]);
-    }
-    return normal;
+Point normal_of(const Mesh& mesh, std::size_t triangle) {
+    const auto corner = [&](std::size_t i) {
+        return to_point(mesh.frames[0].vertices[mesh.triangles[triangle].vertices[i]].position);
+    };
+    return cross(corner(2) - corner(0), corner(1) - corner(0));
 }
 
 double area_of(const Mesh& mesh) {
     double area = 0;
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const auto normal = normal_of(mesh, i);
-        area += std::hypot(normal[0], normal[1], normal[2]) / 2;
-    }
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) area += length(normal_of(mesh, i)) / 2;
     return area;
 }
 

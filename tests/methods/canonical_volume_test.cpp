@@ -14,12 +14,8 @@ namespace {
 
 using Real4 = std::array<double, 4>;
 
-Entry entry(double value) {
-    return Entry::from_raw(static_cast<std::int64_t>(std::ldexp(value, 32)));
-}
-
 Vec4 corner(double x, double y, double z = 0.5, double w = 1) {
-    return {entry(x), entry(y), entry(z), entry(w)};
+    return {fixed_of<Entry>(x), fixed_of<Entry>(y), fixed_of<Entry>(z), fixed_of<Entry>(w)};
 }
 
 /// The coordinates that the six sides of the volume compare, without the engine's function.
@@ -127,7 +123,7 @@ TEST(CanonicalVolume, CornersAtTheEndsOfTheFormatDoNotOverflow) {
 
 TEST(VolumeMatrix, PutsTheViewsCornersOnTheVolumesCornersAndDepthsOn0And1) {
     const Projection projection = make_projection({320, 200, {4, 3}}, Degrees::from_int(90));
-    const Matrix4 matrix = volume_matrix(projection, entry(4), entry(1000));
+    const Matrix4 matrix = volume_matrix(projection, fixed_of<Entry>(4), fixed_of<Entry>(1000));
     // At depth 40 the view is 40 wide to each side, and 30 high: 4:3.
     const Vec4 at_corner = matrix * corner(40, 30, 40);
     EXPECT_NEAR(number_of(at_corner.x) / number_of(at_corner.w), 1, 1e-8);
@@ -141,7 +137,7 @@ TEST(VolumeMatrix, LeadsToTheScreenPositionsThatProjectGives) {
     std::uniform_real_distribution<double> any(-1, 1);
     for (const ScreenMode& mode : {ScreenMode{320, 200, {4, 3}}, ScreenMode{640, 480, {16, 9}}}) {
         const Projection projection = make_projection(mode, Degrees::from_int(75));
-        const Matrix4 matrix = volume_matrix(projection, entry(1), entry(500));
+        const Matrix4 matrix = volume_matrix(projection, fixed_of<Entry>(1), fixed_of<Entry>(500));
         for (int i = 0; i < 2'000; ++i) {
             const double z = 50 + 40 * any(random), x = z * any(random) / 2, y = z * any(random) / 2;
             const auto view = [](double value) { return View::from_raw(std::llround(std::ldexp(value, 16))); };

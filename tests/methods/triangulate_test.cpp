@@ -7,15 +7,12 @@
 #include <set>
 
 #include "engine/methods/polygons.h"
+#include "tests/support/point.h"
 
-namespace oblong {
+namespace oblong::test::triangulate_test {
 namespace {
 
 using Polygon = std::vector<Vec3<World>>;
-
-Vec3<World> at(std::int32_t x, std::int32_t y, std::int32_t z = 0) {
-    return {World::from_int(x), World::from_int(y), World::from_int(z)};
-}
 
 /// Twice the signed area as seen from +z, in square steps of 2^-24 units, exact for what is tested here.
 std::int64_t doubled_area(const Polygon& corners, std::span<const std::uint32_t> order) {
@@ -101,10 +98,12 @@ TEST(Triangulation, DiagonalsTileConcavePolygonsOfEitherOrientation) {
 }
 
 TEST(Triangulation, CornersOnALineAndRepeatedOnesStillGiveTwoFewerTriangles) {
-    const Polygon on_edges{at(0, 0), at(2, 0), at(4, 0), at(4, 4), at(4, 4), at(2, 4), at(0, 4), at(0, 2)};
+    const Polygon on_edges{point_at(0, 0, 0), point_at(2, 0, 0), point_at(4, 0, 0), point_at(4, 4, 0),
+                           point_at(4, 4, 0), point_at(2, 4, 0), point_at(0, 4, 0), point_at(0, 2, 0)};
     EXPECT_EQ(triangulate_by_diagonals(on_edges).size(), on_edges.size() - 2);
     expect_tiling(on_edges, on_edges, triangulate_by_diagonals(on_edges));
-    const Polygon point(5, at(1, 1, 1)), bow{at(0, 0), at(4, 4), at(4, 0), at(0, 4)};
+    const Polygon point(5, point_at(1, 1, 1)),
+        bow{point_at(0, 0, 0), point_at(4, 4, 0), point_at(4, 0, 0), point_at(0, 4, 0)};
     EXPECT_EQ(triangulate_by_diagonals(point).size(), 3u);
     EXPECT_EQ(triangulate_by_diagonals(bow).size(), 2u) << "crosses itself";
     EXPECT_TRUE(triangulate_by_diagonals({}).empty());
@@ -126,4 +125,4 @@ TEST(Triangulation, SeesAPolygonFromWhereItIsLargestAndAtTheEndsOfTheFormat) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test::triangulate_test

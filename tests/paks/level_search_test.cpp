@@ -7,6 +7,7 @@
 #include "tests/paks/pak_writer.h"
 #include "tests/support/bsp_writer.h"
 #include "tests/support/folders.h"
+#include "tests/support/refusal.h"
 
 namespace oblong {
 namespace {
@@ -67,15 +68,10 @@ TEST_F(Game, ANameLeadsToNoOtherFolder) {
 
 TEST_F(Game, AMissingLevelIsNamedWithAllPlacesWhereItWasLookedFor) {
     places_.beside = folder_.path("mine/start.bsp");
-    try {
-        find_named_level("e1m8", places_);
-        FAIL();
-    } catch (const FileError& error) {
-        const std::string text = error.what();
-        for (const std::string& part : {std::string("e1m8.bsp: "), folder_.path("mine"), std::string(" maps,"),
-                                        folder_.path("game/maps"), "pak files in " + folder_.path("game")})
-            EXPECT_NE(text.find(part), std::string::npos) << text;
-    }
+    const std::string text = test::refusal<FileError>([&] { find_named_level("e1m8", places_); });
+    for (const std::string& part : {std::string("e1m8.bsp: "), folder_.path("mine"), std::string(" maps,"),
+                                    folder_.path("game/maps"), "pak files in " + folder_.path("game")})
+        EXPECT_NE(text.find(part), std::string::npos) << text;
 }
 
 TEST_F(Game, AllLevelsAreListedOnceTheDemoLevelFirst) {
@@ -128,12 +124,8 @@ TEST_F(Game, AFaultInALevelOfAPakFileIsNamedByItsPath) {
     const Bytes broken(40, 7);
     folder_.write("game/pak0.pak", test::write_pak({{"maps/bad.bsp", broken}}));
     const std::string file = find_named_level("bad", places_);
-    try {
-        load_game({file, "", folder_.path("mine"), ""});
-        FAIL();
-    } catch (const FileError& error) {
-        EXPECT_TRUE(std::string(error.what()).starts_with(file + ": ")) << error.what();
-    }
+    const std::string said = test::refusal<FileError>([&] { load_game({file, "", folder_.path("mine"), ""}); });
+    EXPECT_TRUE(said.starts_with(file + ": ")) << said;
     EXPECT_THROW(read_game_file(folder_.path("game/pak0.pak/maps/none.bsp")), FileError);
 }
 

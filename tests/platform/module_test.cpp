@@ -8,6 +8,7 @@
 
 #include "engine/base/input_error.h"
 #include "engine/platform/module_player.h"
+#include "tests/support/refusal.h"
 
 namespace oblong {
 namespace {
@@ -209,18 +210,13 @@ TEST(Module, SaysTheSameInPieces) {
 
 TEST(Module, SaysWhatIsWrongAndWhere) {
     const std::vector<std::uint8_t> good = ModuleFile().sample(square(32)).bytes();
-    const auto place_of_error = [](const std::vector<std::uint8_t>& bytes) -> std::string {
-        try {
-            parse_module(bytes);
-            return "none";
-        } catch (const InputError& error) {
-            return error.where;
-        }
+    const auto place_of_error = [](const std::vector<std::uint8_t>& bytes) {
+        return test::place_of_refusal([&] { parse_module(bytes); });
     };
     for (std::size_t size = 0; size < 1084 + 1024; ++size)
         EXPECT_EQ(place_of_error({good.begin(), good.begin() + static_cast<std::ptrdiff_t>(size)}),
                   "offset " + std::to_string(size));
-    EXPECT_EQ(place_of_error({good.begin(), good.end() - 20}), "none");  // a sample that is cut off is as long as it is
+    EXPECT_EQ(place_of_error({good.begin(), good.end() - 20}), "");  // a sample that is cut off is as long as it is
     const auto changed = [&](std::size_t at, std::uint8_t to) {
         auto bytes = good;
         bytes[at] = to;

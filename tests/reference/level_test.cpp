@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/bsp_writer.h"
+#include "tests/support/refusal.h"
 #include "tools/reference/edge_mender.h"
 
 namespace oblong::reference::level_test {
@@ -92,27 +93,16 @@ TEST(ReferenceLevel, WhatTheFileDoesNotHoldIsAnErrorThatNamesTheLump) {
                            Lie{Lump::Models, 60, 4, 2, "models"}, Lie{Lump::Models, 56, 4, 1, "models"}}) {
         Lumps lumps = make_tiny_lumps();
         test::put_number(test::lump_of(lumps, lie.lump), lie.offset, lie.size, lie.value);
-        try {
-            reference::read_level(join_lumps(29, lumps));
-            ADD_FAILURE() << lie.named << " at " << lie.offset;
-        } catch (const std::runtime_error& error) {
-            EXPECT_NE(std::string(error.what()).find(std::string("lump '") + lie.named + "'"), std::string::npos)
-                << error.what();
-        }
+        const std::string said =
+            test::refusal<std::runtime_error>([&] { reference::read_level(join_lumps(29, lumps)); });
+        EXPECT_NE(said.find(std::string("lump '") + lie.named + "'"), std::string::npos) << lie.offset << ": " << said;
     }
 }
 
 TEST(ReferenceLevel, EveryCutFileIsAnErrorOrALevel) {
     const test::Bytes whole = join_lumps(29, make_tiny_lumps());
-    int errors = 0;
-    for (std::size_t size = 0; size < whole.size(); ++size) {
-        try {
-            reference::read_level({whole.data(), size});
-        } catch (const std::runtime_error&) {
-            ++errors;
-        }
-    }
-    EXPECT_EQ(errors, static_cast<int>(whole.size()));  // the models, which every reader needs, come last
+    for (std::size_t size = 0; size < whole.size(); ++size)  // the models, which every reader needs, come last
+        EXPECT_THROW(reference::read_level({whole.data(), size}), std::runtime_error) << size;
     EXPECT_THROW(reference::read_level(join_lumps(30, make_tiny_lumps())), std::runtime_error);
 }
 

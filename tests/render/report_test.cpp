@@ -3,9 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/scene/effects.h"
-#include "tests/bad_input/run_program.h"
 #include "tests/map/map_source.h"
 #include "tests/support/folders.h"
+#include "tests/support/programs.h"
 
 // What oblong-render says of its frames.
 namespace oblong::test {
@@ -24,7 +24,7 @@ class Report : public testing::Test {
         words.insert(words.end(), more.begin(), more.end());
         const Outcome outcome = run_program(words, folder_.path("output"));
         EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
-        const Bytes output = read_file_bytes(folder_.path("output"));
+        const auto output = read_file_bytes(folder_.path("output"));
         return Json::parse(output.begin(), output.end());
     }
     TemporaryFolder folder_;

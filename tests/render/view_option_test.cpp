@@ -4,6 +4,7 @@
 
 #include "engine/base/input_error.h"
 #include "engine/files/arguments.h"
+#include "tests/support/refusal.h"
 #include "tools/render/camera_list.h"
 
 namespace oblong {
@@ -48,19 +49,11 @@ TEST(ViewOption, GivesTheViewThatItsKeysSay) {
     EXPECT_EQ(shown(window, 0, 0, 10).y, ScreenWide::from_int(200));
 }
 
-std::string refusal(const std::string& text) {
-    try {
-        parse_view(text)(camera_at(0, 0, 0));
-    } catch (const UsageError& error) {
-        return error.what();
-    } catch (const InputError& error) {
-        return error.where + ": " + error.what();
-    }
-    return "";
-}
-
 void expect_refused(const std::string& text, const std::string& words) {
-    EXPECT_NE(refusal(text).find(words), std::string::npos) << text << ": " << refusal(text);
+    std::string of_view;
+    const std::string of_usage =
+        test::refusal<UsageError>([&] { of_view = test::refusal([&] { parse_view(text)(camera_at(0, 0, 0)); }); });
+    EXPECT_NE((of_usage + of_view).find(words), std::string::npos) << text << ": " << of_usage << of_view;
 }
 
 TEST(ViewOption, SaysWhatIsWrong) {
@@ -80,12 +73,9 @@ TEST(ViewOption, SaysWhatIsWrong) {
 }
 
 TEST(ViewOption, NamesTheCameraWhoseViewCannotBeDrawn) {
-    try {
-        checked_view(parse_view("top:width=0"), camera_at(0, 0, 0), {}, "--view at camera 7");
-        FAIL();
-    } catch (const InputError& error) {
-        EXPECT_EQ(error.where, "--view at camera 7");
-    }
+    EXPECT_EQ(test::place_of_refusal(
+                  [] { checked_view(parse_view("top:width=0"), camera_at(0, 0, 0), {}, "--view at camera 7"); }),
+              "--view at camera 7");
 }
 
 }  // namespace

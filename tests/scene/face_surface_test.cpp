@@ -123,7 +123,7 @@ TEST(FaceSurfaces, ALiquidShowsItsFrame) {
 }
 
 MovingLight light_at(int x) {
-    return {units(x, -4, 20), World::from_int(60)};
+    return {point_at(x, -4, 20), World::from_int(60)};
 }
 
 TEST(FaceSurfaces, AMovingLightRelightsOnlyWhatItTouches) {
@@ -151,7 +151,7 @@ TEST(FaceSurfaces, AMovingLightBrightensAndIsGoneAgain) {
     Surfaces scene(two_floors());
     const LightStyles styles = plain_light_styles();
     const Texels before = scene.look(kNear, {styles});
-    const MovingLight light{units(12, 16, 20), World::from_int(30)};  // adds 18 to sample 1 of row 0
+    const MovingLight light{point_at(12, 16, 20), World::from_int(30)};  // adds 18 to sample 1 of row 0
     scene.surfaces.set_moving_lights(std::span(&light, 1), {});
     const Texels with = scene.look(kNear, {styles});
     EXPECT_EQ(before[16], 32 + (128 - 100) * 31 / 128);
@@ -192,7 +192,7 @@ TEST(FaceSurfaces, NothingIsEverStale) {
             if (random() % 3 == 0) lights.push_back(light);
         std::shuffle(lights.begin(), lights.end(), random);
         const SurfaceState state{styles, TextureIndex(static_cast<std::int32_t>(random() % 3)),
-                                 units(static_cast<int>(random() % 2) * 30, 0, 0)};
+                                 point_at(static_cast<int>(random() % 2) * 30, 0, 0)};
         const FaceIndex face(static_cast<std::int32_t>(random() % 2));
         const int mip = static_cast<int>(random() % 2);
         Surfaces fresh(level);

@@ -132,8 +132,8 @@ TEST(MovingLights, EachSampleIsThatOfDoublePrecision) {
 TEST(MovingLights, LightsAdd) {
     OneFace scene;
     scene.finish();
-    const std::vector<MovingLight> both{{units(0, -8, 20), World::from_int(64)},
-                                        {units(20, 0, 30), World::from_int(90), 77}};
+    const std::vector<MovingLight> both{{point_at(0, -8, 20), World::from_int(64)},
+                                        {point_at(20, 0, 30), World::from_int(90), 77}};
     MovingLights lights(scene.level, scene.table);
     lights.set(both, {});
     std::vector<std::int32_t> sum(8), together(8);
@@ -155,19 +155,19 @@ TEST(MovingLights, OnlyWhatIsInFrontAndInReachIsTouched) {
         return lights.touch(FaceIndex(0), offset).lights != 0;
     };
     const World radius = World::from_int(50);
-    EXPECT_TRUE(is_touched({units(10, 5, 20), radius}));
-    EXPECT_FALSE(is_touched({units(10, 5, 7), radius})) << "behind";
-    EXPECT_FALSE(is_touched({units(10, 5, 8), radius})) << "on the plane";
-    EXPECT_FALSE(is_touched({units(10, 5, 58), radius})) << "too high";
-    EXPECT_FALSE(is_touched({units(200, 5, 20), radius})) << "too far to the side";
-    EXPECT_FALSE(is_touched({units(10, 200, 20), radius}));
-    EXPECT_FALSE(is_touched({units(10, 5, 20), World{}})) << "without radius";
-    EXPECT_FALSE(is_touched({units(10, 5, 20), radius, 0})) << "without brightness";
-    EXPECT_FALSE(is_touched({units(10, 5, 20), -radius, -5}));
-    EXPECT_TRUE(is_touched({units(210, 5, 20), radius}, units(200, 0, 0))) << "the model has moved there";
-    EXPECT_FALSE(is_touched({units(10, 5, 20), radius}, units(200, 0, 0))) << "and has left here";
+    EXPECT_TRUE(is_touched({point_at(10, 5, 20), radius}));
+    EXPECT_FALSE(is_touched({point_at(10, 5, 7), radius})) << "behind";
+    EXPECT_FALSE(is_touched({point_at(10, 5, 8), radius})) << "on the plane";
+    EXPECT_FALSE(is_touched({point_at(10, 5, 58), radius})) << "too high";
+    EXPECT_FALSE(is_touched({point_at(200, 5, 20), radius})) << "too far to the side";
+    EXPECT_FALSE(is_touched({point_at(10, 200, 20), radius}));
+    EXPECT_FALSE(is_touched({point_at(10, 5, 20), World{}})) << "without radius";
+    EXPECT_FALSE(is_touched({point_at(10, 5, 20), radius, 0})) << "without brightness";
+    EXPECT_FALSE(is_touched({point_at(10, 5, 20), -radius, -5}));
+    EXPECT_TRUE(is_touched({point_at(210, 5, 20), radius}, point_at(200, 0, 0))) << "the model has moved there";
+    EXPECT_FALSE(is_touched({point_at(10, 5, 20), radius}, point_at(200, 0, 0))) << "and has left here";
     scene.face().is_back = true;
-    EXPECT_TRUE(is_touched({units(10, 5, 7), radius})) << "the front is below now";
+    EXPECT_TRUE(is_touched({point_at(10, 5, 7), radius})) << "the front is below now";
 }
 
 TEST(MovingLights, ExtremePositionsAreNoFault) {
@@ -209,10 +209,10 @@ TEST(MovingLights, OfTenThousandTheNearestCount) {
     scene.finish();
     std::vector<MovingLight> many;
     for (int i = 0; i < 10'000; ++i)
-        many.push_back({units(static_cast<int>(random() % 300), static_cast<int>(random() % 300),
-                              static_cast<int>(random() % 300)),
+        many.push_back({point_at(static_cast<int>(random() % 300), static_cast<int>(random() % 300),
+                                 static_cast<int>(random() % 300)),
                         World::from_int(static_cast<int>(random() % 60) + 1)});
-    const Vec3<World> eye = units(20, 0, 30);
+    const Vec3<World> eye = point_at(20, 0, 30);
     MovingLights all(scene.level, scene.table), nearest(scene.level, scene.table);
     all.set(many, eye);
     nearest.set(nearest_by_sorting(many, eye), eye);
@@ -226,10 +226,10 @@ TEST(MovingLights, OfTenThousandTheNearestCount) {
 TEST(MovingLights, OfEqualOnesTheFirstCount) {
     OneFace scene;
     scene.finish();
-    std::vector<MovingLight> many(64, {units(12, 0, 20), World::from_int(64), 256});
+    std::vector<MovingLight> many(64, {point_at(12, 0, 20), World::from_int(64), 256});
     for (std::size_t i = 32; i < 64; ++i) many[i].brightness_256 = 1;
     MovingLights lights(scene.level, scene.table);
-    lights.set(many, units(0, 0, 20));
+    lights.set(many, point_at(0, 0, 20));
     std::vector<std::int32_t> samples(8);
     lights.add_light(FaceIndex(0), {}, lights.touch(FaceIndex(0), {}).lights, samples);
     EXPECT_EQ(samples[5], 32 * (64 - 12) * 256);
@@ -240,7 +240,7 @@ TEST(MovingLights, TheVersionChangesWithWhatTouches) {
     OneFace scene;
     scene.finish();
     MovingLights lights(scene.level, scene.table);
-    const MovingLight near{units(10, 0, 20), World::from_int(50)}, far{units(9000, 0, 20), World::from_int(50)};
+    const MovingLight near{point_at(10, 0, 20), World::from_int(50)}, far{point_at(9000, 0, 20), World::from_int(50)};
     MovingLight moved = near;
     moved.position.x += World::ulp();
     MovingLight far_moved = far;
@@ -260,7 +260,7 @@ TEST(MovingLights, TheVersionChangesWithWhatTouches) {
     EXPECT_NE(version({near}), second);
     const std::uint32_t doubled = version({near, near});
     EXPECT_NE(doubled, version({near}));
-    EXPECT_NE(version({near}), version({near}, units(1, 0, 0))) << "the model has moved";
+    EXPECT_NE(version({near}), version({near}, point_at(1, 0, 0))) << "the model has moved";
     EXPECT_EQ(version({far}), 0u);
     EXPECT_EQ(version({}), 0u);
 }

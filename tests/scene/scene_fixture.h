@@ -27,8 +27,4 @@ inline Colormap plain_colormap() {
     return map;
 }
 
-inline Vec3<World> units(int x, int y, int z) {
-    return {World::from_int(x), World::from_int(y), World::from_int(z)};
-}
-
 }  // namespace oblong::test

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -9,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/base/input_error.h"
 #include "engine/level/bsp_file.h"
 #include "engine/level/bsp_read.h"
+#include "tests/support/refusal.h"
 
 /// Writes level files for tests: by hand, and from the lumps of another file.
 
@@ -125,13 +123,7 @@ inline Lumps widen_lumps(Lumps lumps, bool float_boxes) {
 
 /// Where read_bsp finds fault; empty if it reads a level.
 inline std::string fault_of(const Bytes& file) {
-    try {
-        read_bsp(file);
-        return "";
-    } catch (const InputError& error) {
-        EXPECT_NE(std::string(error.what()), "");
-        return error.where;
-    }
+    return place_of_refusal([&] { read_bsp(file); });
 }
 
 inline std::string lump_label(std::size_t lump) {

@@ -13,6 +13,7 @@
 #include "engine/level/bsp_read.h"
 #include "tests/files/png_writer.h"
 #include "tests/support/folders.h"
+#include "tests/support/refusal.h"
 #include "tests/texture/test_palette.h"
 
 namespace oblong {
@@ -29,13 +30,9 @@ class TextureFiles : public testing::Test {
         return write(name, encode_indexed_png(test::scattered_texels(width * height, 256), width, height, palette_));
     }
     /// What the error says, all of it; empty if there is none.
-    std::string complaint_of_packing(const std::string& png) const {
-        try {
-            pack_textures({png}, {}, path("out.wad"), palette_);
-        } catch (const FileError& error) {
-            return error.what();
-        }
-        return {};
+    std::string complaint_of_packing(const std::string& png) const { return complaint_of_packing(std::vector{png}); }
+    std::string complaint_of_packing(const std::vector<std::string>& files) const {
+        return test::refusal<FileError>([&] { pack_textures(files, {}, path("out.wad"), palette_); });
     }
 
     const Palette palette_ = test::scattered_palette();
@@ -254,13 +251,9 @@ TEST_F(TextureFiles, TransparentPixelsElsewhereAreAnError) {
 TEST_F(TextureFiles, TwoSourcesOfOneNameAreAnError) {
     std::filesystem::create_directories(path("more"));
     const std::string one = write_png("wall.png", 16, 16), other = write_png("more/Wall.png", 16, 16);
-    try {
-        pack_textures({one, other}, {}, path("out.wad"), palette_);
-        FAIL() << "packed";
-    } catch (const FileError& error) {
-        EXPECT_NE(std::string(error.what()).find(one), std::string::npos) << error.what();
-        EXPECT_NE(std::string(error.what()).find(other), std::string::npos) << error.what();
-    }
+    const std::string said = complaint_of_packing(std::vector{one, other});
+    EXPECT_NE(said.find(one), std::string::npos) << said;
+    EXPECT_NE(said.find(other), std::string::npos) << said;
     EXPECT_FALSE(std::filesystem::exists(path("out.wad")));
 }
 

@@ -12,6 +12,7 @@
 #include "engine/base/input_error.h"
 #include "engine/fixed/trig.h"
 #include "tests/support/random.h"
+#include "tests/support/refusal.h"
 
 namespace oblong::test::views_test {
 namespace {
@@ -194,19 +195,11 @@ TEST(WindowViews, ShowAWindowOfAnotherShapeWholeAndUndistorted) {
     EXPECT_NEAR(shown(view, point_at(10, 0, 0)).x, 160 + 10 * (100 / 60.0) / (5 / 6.0), 0.01);  // pixels are 5:6
 }
 
-std::string refused(const WindowView& window) {
-    try {
-        window_view(window);
-    } catch (const InputError& error) {
-        return error.where + ": " + error.what();
-    }
-    return "";
-}
-
 TEST(WindowViews, SayWhatIsWrong) {
     WindowView good;
     good.normal = point_at(0, 1, 0), good.up = point_at(0, 0, 1), good.centre_of_projection = point_at(0, -100, 0);
     good.u_min = good.v_min = fixed_of<World>(-10), good.u_max = good.v_max = fixed_of<World>(10);
+    const auto refused = [](const WindowView& window) { return refusal([&] { window_view(window); }); };
     EXPECT_EQ(refused(good), "");
     const std::vector<std::pair<void (*)(WindowView&), const char*>> cases{
         {[](WindowView& w) { w.normal = {}; }, "VPN: is zero, expected a direction"},
