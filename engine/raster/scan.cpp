@@ -127,7 +127,8 @@ PolygonShape shape_of(std::span<const ScreenVertex> vertices, std::int32_t heigh
     for (const ScreenVertex& to : vertices) {
         least = {std::min(least.x, to.x), std::min(least.y, to.y)};
         greatest = {std::max(greatest.x, to.x), std::max(greatest.y, to.y)};
-        if (to.y > from.y) way_down += ScreenWide::from_raw(to.y.bits() - from.y.bits());  // in 32 bits, unsigned
+        const Screen lower = std::max(to.y, from.y);  // by a maximum: a branch is mispredicted at every third corner
+        way_down += ScreenWide::from_raw(lower.bits() - from.y.bits());  // in 32 bits, unsigned
         from = to;
     }
     const bool is_monotone = way_down == widening_difference(greatest.y, least.y);
