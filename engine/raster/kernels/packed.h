@@ -14,6 +14,12 @@ template <class Fetch>
     out[3] = fetch(vu + 3 * step);
 }
 
+template <class Fetch>
+[[gnu::always_inline]] inline void draw_eight(std::uint64_t vu, std::uint64_t step, std::uint8_t* out, Fetch fetch) {
+    draw_four(vu, step, out, fetch);
+    draw_four(vu + 4 * step, step, out + 4, fetch);
+}
+
 /// The loop of the packed kernels. v is in the upper and u in the lower half of one word; since both stay in [0,
 /// 65,535] texels, no carry crosses. `fetch` maps the word to a texel. The last pixels may overlap those before: a loop
 /// over the remainder would often be mispredicted, which takes longer.
@@ -30,15 +36,15 @@ template <class Fetch>
         begin[count - 1] = fetch(first + (count - 1) * step);
         return;
     }
-    std::uint8_t* const last = begin + (count - 4);
-    std::uint64_t vu = first;
-    std::uint8_t* out = begin;
-    for (; last - out >= 8; out += 8, vu += 8 * step) {
-        draw_four(vu, step, out, fetch);
-        draw_four(vu + 4 * step, step, out + 4, fetch);
+    if (count < 8) {
+        draw_four(first, step, begin, fetch);
+        draw_four(first + (count - 4) * step, step, begin + (count - 4), fetch);
+        return;
     }
-    for (; out < last; out += 4, vu += 4 * step) draw_four(vu, step, out, fetch);
-    draw_four(first + (count - 4) * step, step, last, fetch);
+    std::uint8_t* const last = begin + (count - 8);
+    std::uint64_t vu = first;
+    for (std::uint8_t* out = begin; out < last; out += 8, vu += 8 * step) draw_eight(vu, step, out, fetch);
+    draw_eight(first + (count - 8) * step, step, last, fetch);
 }
 
 /// Computes the texel's offset with shifts and masks.
