@@ -1,9 +1,6 @@
 #include <SDL.h>
 #include <gtest/gtest.h>
 
-#include <memory>
-
-#include "engine/platform/sdl/input.h"
 #include "game/input/input_mapper.h"
 #include "tests/controls/virtual_pad.h"
 
@@ -13,26 +10,12 @@ namespace {
 using test::VirtualPad;
 using Commands = std::vector<Action>;
 
-// A window of SDL's driver that shows nothing, so that it has no focus: gamepads are heard all the same.
 class SdlInputTest : public testing::Test {
   protected:
-    void SetUp() override {
-        SDL_SetHint(SDL_HINT_VIDEODRIVER, "dummy");
-        SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1");
-        ASSERT_EQ(SDL_Init(SDL_INIT_VIDEO), 0) << SDL_GetError();
-        window_ = SDL_CreateWindow("test", 0, 0, 640, 480, 0);
-        ASSERT_NE(window_, nullptr) << SDL_GetError();
-        input_ = std::make_unique<SdlInput>(window_);
-        poll();
-    }
-    void TearDown() override {
-        input_.reset();
-        SDL_DestroyWindow(window_);
-        SDL_Quit();
-    }
+    void SetUp() override { poll(); }
 
     /// What the game makes of what SDL reported.
-    Controls poll() { return mapper_.take(input_->poll(), SDL_GetTicks64()); }
+    Controls poll() { return mapper_.take(window_.input->poll(), SDL_GetTicks64()); }
 
     void push_key(const char* name, bool is_down, bool is_repeat = false, std::uint16_t modifiers = 0) {
         SDL_Event event{};
@@ -75,8 +58,7 @@ class SdlInputTest : public testing::Test {
         SDL_PushEvent(&event);
     }
 
-    SDL_Window* window_ = nullptr;
-    std::unique_ptr<SdlInput> input_;
+    test::UnseenWindow window_;
     Bindings bindings_ = default_bindings();
     InputMapper mapper_{bindings_};
 };
@@ -140,7 +122,7 @@ TEST_F(SdlInputTest, AFreeMousePointsInPixelsOfTheWindow) {
 
 TEST_F(SdlInputTest, ACapturedMouseTurnsAndItsButtonsAct) {
     push_motion(1, 1, 500, 500);  // before it is captured
-    input_->capture_mouse(true);
+    window_.input->capture_mouse(true);
     ASSERT_EQ(SDL_GetRelativeMouseMode(), SDL_TRUE);
     EXPECT_EQ(poll().mouse_x, 0);
     push_motion(0, 0, 7, -3);
@@ -157,7 +139,7 @@ TEST_F(SdlInputTest, ACapturedMouseTurnsAndItsButtonsAct) {
     EXPECT_FALSE(controls.holds_button);
     push_button(SDL_BUTTON_LEFT, true);
     EXPECT_TRUE(poll().holds_button);
-    input_->capture_mouse(false);
+    window_.input->capture_mouse(false);
     EXPECT_FALSE(poll().moves.has(Action::Forward));
 }
 
@@ -172,7 +154,7 @@ TEST_F(SdlInputTest, TheWheelGoesThroughMenusNotchByNotch) {
 TEST_F(SdlInputTest, LosingTheFocusLetsGoOfAllAndFreesTheMouse) {
     VirtualPad pad;
     poll();
-    input_->capture_mouse(true);
+    window_.input->capture_mouse(true);
     push_key("W", true);
     push_button(SDL_BUTTON_RIGHT, true);
     pad.set(PadAxis::LeftX, 30'000);
@@ -253,10 +235,10 @@ TEST_F(SdlInputTest, ADeviceThatSdlDoesNotKnowIsIgnoredAndNamed) {
 }
 
 TEST_F(SdlInputTest, LocalNamesArePrintable) {
-    EXPECT_EQ(input_->local_name_of(input_named("W")), "W");
-    EXPECT_EQ(input_->local_name_of(input_named("Left Bracket")), "[");
-    EXPECT_EQ(input_->local_name_of(input_named("Left Shift")), "Left Shift");
-    EXPECT_EQ(input_->local_name_of(input_named("Pad A")), "Pad A");
+    EXPECT_EQ(window_.input->local_name_of(input_named("W")), "W");
+    EXPECT_EQ(window_.input->local_name_of(input_named("Left Bracket")), "[");
+    EXPECT_EQ(window_.input->local_name_of(input_named("Left Shift")), "Left Shift");
+    EXPECT_EQ(window_.input->local_name_of(input_named("Pad A")), "Pad A");
 }
 
 }  // namespace

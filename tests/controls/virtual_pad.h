@@ -1,12 +1,40 @@
 #pragma once
 
 #include <SDL.h>
+#include <gtest/gtest.h>
 
 #include <cstdint>
+#include <memory>
 
 #include "engine/platform/input.h"
+#include "engine/platform/sdl/input.h"
 
 namespace oblong::test {
+
+/// SDL with a window of a driver that shows nothing, so that it has no focus: gamepads are heard all the same.
+class UnseenWindow {
+  public:
+    UnseenWindow() {
+        SDL_SetHint(SDL_HINT_VIDEODRIVER, "dummy");
+        SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1");
+        EXPECT_EQ(SDL_Init(SDL_INIT_VIDEO), 0) << SDL_GetError();
+        window_ = SDL_CreateWindow("test", 0, 0, 640, 480, 0);
+        EXPECT_NE(window_, nullptr) << SDL_GetError();
+        input = std::make_unique<SdlInput>(window_);
+    }
+    ~UnseenWindow() {
+        input.reset();
+        SDL_DestroyWindow(window_);
+        SDL_Quit();
+    }
+    UnseenWindow(const UnseenWindow&) = delete;
+    UnseenWindow& operator=(const UnseenWindow&) = delete;
+
+    std::unique_ptr<SdlInput> input;
+
+  private:
+    SDL_Window* window_ = nullptr;
+};
 
 /// A gamepad that SDL takes for one that is plugged in, until it goes out of scope. SDL's joysticks must be up.
 class VirtualPad {

@@ -10,6 +10,7 @@
 #include "engine/methods/transforms.h"
 #include "engine/view/screen_polygon.h"
 #include "tests/support/random.h"
+#include "tests/support/views.h"
 #include "tools/probe/probe.h"
 #include "tools/reference/view.h"
 
@@ -52,24 +53,12 @@ inline std::int32_t random_integer(std::mt19937& random, std::int32_t low, std::
 /// The frame's own way from a polygon in the world to its polygon on the screen: 320x200 on 4:3, 90 degrees across, the
 /// eye at the origin, and the world's axes those of viewspace.
 struct FrameOutline {
-    ViewContext view;
+    ViewContext view = view_along({}, y_up_basis({}, {}, {}));
     ScreenPolygon polygon;
-
-    FrameOutline() {
-        view.axes = y_up_basis({}, {}, {});
-        view.viewpoint = {view.eye};
-        view.rays = view.axes;
-        view.projection = make_projection({}, Degrees::from_int(90));
-        view.frustum = make_frustum(view.axes, view.projection);
-        view.grid = SubpixelGrid::of_bits(8);
-    }
 
     bool make(const std::vector<reference::Vec>& corners) {
         std::vector<Vec3<World>> world;
-        const auto raw = [](double value) {
-            return World::from_raw(static_cast<std::int32_t>(std::llround(value * 4096)));
-        };
-        for (const reference::Vec& corner : corners) world.push_back({raw(corner.x), raw(corner.y), raw(corner.z)});
+        for (const reference::Vec& corner : corners) world.push_back(to_world(corner));
         return project_polygon(world, view, polygon);
     }
 

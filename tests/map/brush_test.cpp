@@ -57,7 +57,7 @@ TEST(Brushes, GrownByAMoverAreSolidWhereTheMoversBoxOverlapsABrush) {
         const Point at{random_between(random, -160, 160), random_between(random, -160, 160),
                        random_between(random, 96, 416)};
         for (const int hull : {1, 2}) {
-            const Box& mover = hull == 1 ? map::kPlayerBox : map::kLargeBox;
+            const Box mover = hull == 1 ? Box{{-16, -16, -24}, {16, 16, 32}} : Box{{-32, -32, -24}, {32, 32, 64}};
             const bool is_solid = contents_at(bsp, 0, hull, at) == contents::kSolid;
             const bool is_surely_in = overlaps(brush, mover.grown(-0.05), at);
             const bool is_surely_out = !overlaps(brush, mover.grown(0.05), at);

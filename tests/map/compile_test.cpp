@@ -80,30 +80,6 @@ TEST(Compile, PicturesFromTurnedRoomsHaveNoHoles) {
     }
 }
 
-// A player of half width 16 who walks east or north until the wall stops him, standing 24 above the floor.
-TEST(Compile, ThePlayerWalksFromWallToWall) {
-    for (const std::string_view tail : {kStandardTail, kValveTail}) {
-        const TurnedBox box{{128, 128, 300}, {40, 40, 60}, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
-        const auto bsp = compile(
-            level(room({0, 0, 0}, {256, 256, 512}) + box.text(tail), entity_at("info_player_start", {64, 64, 40})),
-            {true});
-        const Level bsp_level = engine_level(bsp);
-        const GameLevel level = make_game_level(bsp_level);
-        GameState state = start_of(level);
-        for (const std::int16_t turn : {std::int16_t{0}, std::int16_t{16384}}) {
-            TickInput input;
-            input.yaw = turn;
-            input.forward = 127;
-            step(level, state, input);
-            input.yaw = 0;
-            for (int tick = 0; tick < 3 * kTicksPerSecond; ++tick) step(level, state, input);
-            EXPECT_NEAR(turn == 0 ? number_of(state.player.position.x) : number_of(state.player.position.y), 256 - 16,
-                        0.1);
-            EXPECT_NEAR(number_of(state.player.position.z), 24, 0.1);
-        }
-    }
-}
-
 TEST(Compile, ADraftStopsPlayersWhereTheLevelDoes) {
     const std::string hall = level(room({-256, -256, 0}, {256, 256, 256}) + prism({-100, 0, 0}, 60, 256, 6) +
                                    box({40, -256, 0}, {72, 100, 256}));

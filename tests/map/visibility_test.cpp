@@ -37,16 +37,6 @@ std::string two_rooms() {
     return walls;
 }
 
-TEST(Visibility, RoomsAroundCornersDoNotSeeEachOther) {
-    for (const bool is_fast : {false, true}) {
-        const auto bsp = compile(level(two_rooms()), {is_fast});
-        const int west = leaf_at(bsp, {40, 40, 64}), east = leaf_at(bsp, {860, 40, 64});
-        EXPECT_TRUE(visible_leaves(bsp, west)[static_cast<std::size_t>(west)]);
-        EXPECT_FALSE(visible_leaves(bsp, west)[static_cast<std::size_t>(east)]) << (is_fast ? "fast" : "full");
-        EXPECT_FALSE(visible_leaves(bsp, east)[static_cast<std::size_t>(west)]) << (is_fast ? "fast" : "full");
-    }
-}
-
 // Through a door to the east, around a corner, and through a door to the west that lies farther east: no line passes
 // both, and even a draft knows that.
 TEST(Visibility, LinesOfSightDoNotTurnBack) {

@@ -1,9 +1,5 @@
-#include <SDL.h>
-
 #include <algorithm>
-#include <memory>
 
-#include "engine/platform/sdl/input.h"
 #include "tests/controls/pad_pilot.h"
 #include "tests/support/folders.h"
 #include "tests/walk/walked_level.h"
@@ -11,26 +7,7 @@
 namespace oblong::test {
 namespace {
 
-class GamepadWalk : public WalkedLevel {
-  protected:
-    // Without a window that has the focus, gamepads are heard all the same.
-    void SetUp() override {
-        SDL_SetHint(SDL_HINT_VIDEODRIVER, "dummy");
-        SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1");
-        ASSERT_EQ(SDL_Init(SDL_INIT_VIDEO), 0) << SDL_GetError();
-        window_ = SDL_CreateWindow("test", 0, 0, 640, 400, 0);
-        ASSERT_NE(window_, nullptr) << SDL_GetError();
-        events_ = std::make_unique<SdlInput>(window_);
-    }
-    void TearDown() override {
-        events_.reset();
-        SDL_DestroyWindow(window_);
-        SDL_Quit();
-    }
-
-    SDL_Window* window_ = nullptr;
-    std::unique_ptr<SdlInput> events_;
-};
+using GamepadWalk = WalkedLevel;
 
 bool accepts(const PlatformInput& input) {
     const InputEvent wanted{InputEvent::Kind::Press, pad_button(PadButton::A), 0, 0};
@@ -41,6 +18,7 @@ bool accepts(const PlatformInput& input) {
 // events of a pad reaches the program.
 TEST_F(GamepadWalk, APadAloneWalksFromTheTitleToTheEnd) {
     const Demo walk = decode_demo(read_file(test::build_folder() + "/assets/walk.demo"));
+    const UnseenWindow window;
     VirtualPad pad;
     PadPilot pilot(pad);
     constexpr std::int64_t kPress = 5, kRelease = 7, kEndPolls = 10;
@@ -51,7 +29,7 @@ TEST_F(GamepadWalk, APadAloneWalksFromTheTitleToTheEnd) {
         if (poll == kPress) pad.press(PadButton::A);
         if (poll == kRelease && !has_begun) pad.release(PadButton::A);
         if (has_begun) pilot.steer(played < walk.ticks.size() ? walk.ticks[played++].input : TickInput{});
-        const PlatformInput input = events_->poll();
+        const PlatformInput input = window.input->poll();
         has_begun |= accepts(input);
         return input;
     });
