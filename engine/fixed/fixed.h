@@ -1,9 +1,10 @@
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
+
+#include "engine/fixed/multiply.h"
 
 namespace oblong {
 
@@ -57,7 +58,12 @@ struct Fixed {
     constexpr Int operator/(Fixed other) const { return static_cast<Int>(raw / other.raw); }
     constexpr Fixed& operator+=(Fixed other) { return *this = *this + other; }
     constexpr Fixed& operator-=(Fixed other) { return *this = *this - other; }
-    constexpr auto operator<=>(const Fixed&) const = default;
+    constexpr bool operator==(const Fixed&) const = default;
+    // Not by a defaulted <=>, for which GCC first tests on i386 whether 64-bit numbers are equal.
+    constexpr bool operator<(Fixed other) const { return raw < other.raw; }
+    constexpr bool operator>(Fixed other) const { return raw > other.raw; }
+    constexpr bool operator<=(Fixed other) const { return raw <= other.raw; }
+    constexpr bool operator>=(Fixed other) const { return raw >= other.raw; }
     /// `raw` as unsigned, for hashes and for shifts that may lose high bits.
     constexpr auto bits() const { return static_cast<std::make_unsigned_t<Int>>(raw); }
 };
@@ -113,12 +119,15 @@ constexpr Fixed<Int, Frac> floor_shift(Fixed<Int, Frac> value, int bits) {
 }
 
 /// value + step * count modulo 2^64: intermediate sums may overflow if the final one fits.
-template <int Frac>
-constexpr Fixed<std::int64_t, Frac> stepped(Fixed<std::int64_t, Frac> value, Fixed<std::int64_t, Frac> step,
-                                            std::int64_t count) {
-    return Fixed<std::int64_t, Frac>::from_raw(
-        static_cast<std::int64_t>(static_cast<std::uint64_t>(value.raw) +
-                                  static_cast<std::uint64_t>(step.raw) * static_cast<std::uint64_t>(count)));
+template <int Frac, class Count>
+[[gnu::always_inline]] constexpr Fixed<std::int64_t, Frac> stepped(Fixed<std::int64_t, Frac> value,
+                                                                   Fixed<std::int64_t, Frac> step, Count count) {
+    std::uint64_t sum = 0;
+    if constexpr (std::is_same_v<Count, std::uint32_t>)
+        sum = wrapping_sum(value.bits(), step.bits(), count);
+    else
+        sum = value.bits() + step.bits() * static_cast<std::uint64_t>(std::int64_t{count});
+    return Fixed<std::int64_t, Frac>::from_raw(static_cast<std::int64_t>(sum));
 }
 
 /// a - b in 64 bits; never overflows.

@@ -128,7 +128,18 @@ constexpr Int96 multiply_add(std::int32_t a, std::int64_t b, std::uint32_t more)
 }
 
 /// value / 2^shift, floored, modulo 2^64; `shift` 1 to 32.
-constexpr std::int64_t shift_right(Int96 value, int shift) {
+[[gnu::always_inline]] constexpr std::int64_t shift_right(Int96 value, int shift) {
+#if defined(__i386__)
+    if (!std::is_constant_evaluated() && shift < 32) {  // in place: GCC moves the halves of 64-bit numbers about
+        std::uint32_t low = value.low, middle = static_cast<std::uint32_t>(value.high);
+        asm("shrdl %b2, %1, %0" : "+r"(low) : "r"(middle), "cI"(shift) : "cc");
+        asm("shrdl %b2, %1, %0"
+            : "+r"(middle)
+            : "r"(static_cast<std::uint32_t>(static_cast<std::uint64_t>(value.high) >> 32)), "cI"(shift)
+            : "cc");
+        return static_cast<std::int64_t>(std::uint64_t{middle} << 32 | low);
+    }
+#endif
     const std::uint64_t lower = (static_cast<std::uint64_t>(value.high) << 32 | value.low) >> shift;
     const auto upper = static_cast<std::uint32_t>(floor_shift(value.high, shift));
     return static_cast<std::int64_t>(std::uint64_t{upper} << 32 | static_cast<std::uint32_t>(lower));

@@ -19,7 +19,7 @@ struct LinearQuantity {
     }
     /// The same for column, row >= 0: with unsigned factors, i386 needs two 32-bit products for one of 64 bits, not
     /// three.
-    Value at_shown(std::int32_t column, std::int32_t row) const {
+    [[gnu::always_inline]] Value at_shown(std::int32_t column, std::int32_t row) const {
         return stepped(stepped(origin, per_column, static_cast<std::uint32_t>(column)), per_row,
                        static_cast<std::uint32_t>(row));
     }
