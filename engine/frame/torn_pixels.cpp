@@ -140,7 +140,7 @@ class TornDrawing {
     }
 
     std::uint8_t colour_at(std::int32_t column, std::int32_t row) const {
-        const Perspective at(gradients_, column, row);
+        const Perspective at = Perspective::at(gradients_, column, row);
         const Depth<DividedReciprocal, PerspectiveRange::MayOverflow> depth(at.inverse_z, {});
         const std::int64_t u = floor_of(depth.times(at.u_over_z)), v = floor_of(depth.times(at.v_over_z));
         const int mip = surface_.mip;

@@ -138,7 +138,7 @@ bool is_in_range(const Octave& octave, std::int32_t row, const TextureGradients&
     // Such steps do not wrap over a row of 4,096 pixels, so all values are between those of the ends.
     constexpr auto kSteepest = TexelOverZ::from_raw(std::int64_t{1} << 48);
     const auto fits = [&](std::int32_t column) {
-        const Perspective at(gradients, column, row);
+        const Perspective at = Perspective::at(gradients, column, row);
         const auto beyond = TexelOverZ::from_raw(7 * at.inverse_z.raw);
         return is_within(at.u_over_z, beyond) && is_within(at.v_over_z, beyond);
     };

@@ -23,7 +23,7 @@ class SpanCutter {
     [[gnu::always_inline]] void start(const Span& span, std::int32_t pitch) {
         remaining_px_ = span.end - span.first;
         pixel_ = static_cast<std::uint32_t>(span.y * pitch + span.first);
-        here_ = Perspective(gradients_, span.first, span.y);
+        here_ = Perspective::at<Range>(gradients_, span.first, span.y);
         depth_ = Depth<Reciprocal, Range>(here_.inverse_z, reciprocal_);
         texel_ = texel_of(here_, depth_, limits_);
     }
@@ -87,9 +87,9 @@ class SpanCutter {
     [[gnu::always_inline]] void advance(std::int32_t count) {
         const InverseZ before = here_.inverse_z;
         const auto columns = static_cast<std::uint32_t>(count);
-        here_.inverse_z = stepped(before, gradients_.inverse_z.per_column, columns);
-        here_.u_over_z = stepped(here_.u_over_z, gradients_.u_over_z.per_column, columns);
-        here_.v_over_z = stepped(here_.v_over_z, gradients_.v_over_z.per_column, columns);
+        here_.inverse_z = stepped_in<Range>(before, gradients_.inverse_z.per_column, columns);
+        here_.u_over_z = stepped_in<Range>(here_.u_over_z, gradients_.u_over_z.per_column, columns);
+        here_.v_over_z = stepped_in<Range>(here_.v_over_z, gradients_.v_over_z.per_column, columns);
         if (here_.inverse_z != before) depth_ = Depth<Reciprocal, Range>(here_.inverse_z, reciprocal_);
         texel_ = texel_of(here_, depth_, limits_);
     }

@@ -9,7 +9,7 @@
 namespace oblong {
 
 /// Texels at the ends of spans of one block each.
-template <class Reciprocal>
+template <class Reciprocal, PerspectiveRange Range>
 class SpanEnds {
   public:
     [[gnu::always_inline]] SpanEnds(const BlockCutting& cutting, Reciprocal reciprocal)
@@ -19,26 +19,27 @@ class SpanEnds {
           is_of_one_depth_(cutting.gradients.inverse_z.per_column == InverseZ{}) {}
 
     [[gnu::always_inline]] TexelPosition first(const Span& span) {
-        here_.inverse_z = gradients_.inverse_z.at_shown(span.first, span.y);
+        here_.inverse_z = value_at<Range>(gradients_.inverse_z, span.first, span.y);
         depth_ = FittingDepth(here_.inverse_z, reciprocal_);
-        here_.u_over_z = gradients_.u_over_z.at_shown(span.first, span.y);
+        here_.u_over_z = value_at<Range>(gradients_.u_over_z, span.first, span.y);
         const std::uint32_t u_16 = depth_.times(here_.u_over_z, limits_.least, limits_.greatest_u);
-        here_.v_over_z = gradients_.v_over_z.at_shown(span.first, span.y);
+        here_.v_over_z = value_at<Range>(gradients_.v_over_z, span.first, span.y);
         return {u_16, depth_.times(here_.v_over_z, limits_.least, limits_.greatest_v)};
     }
     /// Call after first(), for the same span.
     [[gnu::always_inline]] TexelPosition last(const Span& span) {
         const auto columns = static_cast<std::uint32_t>(span.end - 1 - span.first);
         if (!is_of_one_depth_)
-            depth_ = FittingDepth(stepped(here_.inverse_z, gradients_.inverse_z.per_column, columns), reciprocal_);
-        const TexelOverZ u_over_z = stepped(here_.u_over_z, gradients_.u_over_z.per_column, columns);
+            depth_ =
+                FittingDepth(stepped_in<Range>(here_.inverse_z, gradients_.inverse_z.per_column, columns), reciprocal_);
+        const TexelOverZ u_over_z = stepped_in<Range>(here_.u_over_z, gradients_.u_over_z.per_column, columns);
         const std::uint32_t u_16 = depth_.times(u_over_z, limits_.least, limits_.greatest_u);
-        const TexelOverZ v_over_z = stepped(here_.v_over_z, gradients_.v_over_z.per_column, columns);
+        const TexelOverZ v_over_z = stepped_in<Range>(here_.v_over_z, gradients_.v_over_z.per_column, columns);
         return {u_16, depth_.times(v_over_z, limits_.least, limits_.greatest_v)};
     }
 
   private:
-    using FittingDepth = Depth<Reciprocal, PerspectiveRange::Fits>;
+    using FittingDepth = Depth<Reciprocal, Range>;
 
     const TextureGradients gradients_;
     const TexelLimits limits_;
@@ -50,7 +51,7 @@ class SpanEnds {
 
 /// The same if 1/z and u are the same in all rows (RowRepeater), as on walls in a level view: an end in the same column
 /// as in the row above differs in v only.
-template <class Reciprocal>
+template <class Reciprocal, PerspectiveRange Range>
 class RepeatedSpanEnds {
   public:
     [[gnu::always_inline]] RepeatedSpanEnds(const BlockCutting& cutting, Reciprocal reciprocal)
@@ -74,7 +75,7 @@ class RepeatedSpanEnds {
     }
 
   private:
-    using FittingDepth = Depth<Reciprocal, PerspectiveRange::Fits>;
+    using FittingDepth = Depth<Reciprocal, Range>;
     struct End {
         std::int32_t column = -1;
         std::uint32_t u_16 = 0;
@@ -82,14 +83,16 @@ class RepeatedSpanEnds {
     };
 
     [[gnu::always_inline]] void set(End& end, std::int32_t column, std::int32_t row, const FittingDepth& depth) const {
-        end = {column, depth.times(gradients_.u_over_z.at_shown(column, row), limits_.least, limits_.greatest_u),
+        end = {column,
+               depth.times(value_at<Range>(gradients_.u_over_z, column, row), limits_.least, limits_.greatest_u),
                depth};
     }
     [[gnu::always_inline]] FittingDepth depth_at(std::int32_t column, std::int32_t row) const {
-        return FittingDepth(gradients_.inverse_z.at_shown(column, row), reciprocal_);
+        return FittingDepth(value_at<Range>(gradients_.inverse_z, column, row), reciprocal_);
     }
     [[gnu::always_inline]] std::uint32_t v_16(const End& end, std::int32_t row) const {
-        return end.depth.times(gradients_.v_over_z.at_shown(end.column, row), limits_.least, limits_.greatest_v);
+        return end.depth.times(value_at<Range>(gradients_.v_over_z, end.column, row), limits_.least,
+                               limits_.greatest_v);
     }
 
     const TextureGradients gradients_;

@@ -29,7 +29,8 @@ template <class Cutter>
 
 /// Cuts blocks as long as the bound allows at their first pixel; the search starts at the last block's size.
 template <class Cutter>
-[[gnu::always_inline]] inline void cut_bounded(Cutter& cutter, const BlockThresholds& thresholds, std::int64_t& log2) {
+[[gnu::always_inline]] inline void cut_bounded(Cutter& cutter, const BlockThresholds& thresholds,
+                                               std::ptrdiff_t& log2) {
     const auto& least = thresholds.least_inverse_z;
     while (true) {
         while (cutter.inverse_z() >= item(least, log2 + 1)) ++log2;
@@ -51,7 +52,7 @@ template <class Cutter>
 }
 
 template <Texturing Way, class Cutter>
-[[gnu::always_inline]] inline void cut_span(Cutter& cutter, const BlockCutting& cutting, std::int64_t& log2) {
+[[gnu::always_inline]] inline void cut_span(Cutter& cutter, const BlockCutting& cutting, std::ptrdiff_t& log2) {
     if constexpr (Way == Texturing::Affine) cutter.cut_rest();
     if constexpr (Way == Texturing::Every32) cut_every(cutter, 5);
     if constexpr (Way == Texturing::Every16) cut_every(cutter, 4);
@@ -68,7 +69,7 @@ template <Texturing Way, PerspectiveRange Range, class Reciprocal>
                                                               BlockList& blocks) {
     SpanCutter<Reciprocal, Range> cutter(cutting, reciprocal, blocks.end());
     const TexelBlock* const last_start = blocks.last_start();
-    std::int64_t log2 = 0;
+    std::ptrdiff_t log2 = 0;
     const Span* span = spans.data();
     const Span* const end = span + spans.size();
     for (; span != end && cutter.end() <= last_start; ++span) {
@@ -90,14 +91,15 @@ template <Texturing Way, PerspectiveRange Range, class Reciprocal>
 }
 
 /// cut_spans() for RowRepeater's surfaces. repeat(above, its blocks, spans, out) appends the blocks of rows.
-template <class Reciprocal, class Repeat>
+template <PerspectiveRange Range, class Reciprocal, class Repeat>
 [[gnu::always_inline]] inline std::span<const Span> cut_repeating_rows(std::span<const Span> spans, std::int32_t pitch,
                                                                        const BlockCutting& cutting,
                                                                        Reciprocal reciprocal, Repeat repeat,
                                                                        BlockList& blocks) {
-    SpanCutter<Reciprocal, PerspectiveRange::Fits> cutter(cutting, reciprocal, blocks.end());
+    SpanCutter<Reciprocal, Range> cutter(cutting, reciprocal, blocks.end());
     const TexelBlock* const last_start = blocks.last_start();
-    std::int64_t log2 = 0, divisions_saved = 0;
+    std::ptrdiff_t log2 = 0;
+    std::int64_t divisions_saved = 0;
     while (!spans.empty() && cutter.end() <= last_start) {
         const Span& above = spans.front();
         const TexelBlock* const first = cutter.end();
@@ -140,16 +142,16 @@ template <class Ends>
     return {span, end};
 }
 
-template <Texturing Way, class Reciprocal>
-[[gnu::always_inline]] inline std::span<const Span> cut_in_range(std::span<const Span> spans, std::int32_t pitch,
-                                                                 const BlockCutting& cutting, Reciprocal reciprocal,
-                                                                 BlockList& blocks) {
-    using enum PerspectiveRange;
-    if (!cutting.fits_range) return cut_spans<Way, MayOverflow>(spans, pitch, cutting, reciprocal, blocks);
+/// cut_in_range() of a range that fits.
+template <Texturing Way, PerspectiveRange Range, class Reciprocal>
+[[gnu::always_inline]] inline std::span<const Span> cut_fitting(std::span<const Span> spans, std::int32_t pitch,
+                                                                const BlockCutting& cutting, Reciprocal reciprocal,
+                                                                BlockList& blocks) {
     const bool repeats_rows = Way == Texturing::Bounded && RowRepeater<Reciprocal>::serves(cutting.gradients);
     if (Way == Texturing::Bounded && cutting.takes_whole_spans) {
-        if (repeats_rows) return cut_whole_spans(spans, pitch, RepeatedSpanEnds(cutting, reciprocal), blocks);
-        return cut_whole_spans(spans, pitch, SpanEnds(cutting, reciprocal), blocks);
+        if (repeats_rows)
+            return cut_whole_spans(spans, pitch, RepeatedSpanEnds<Reciprocal, Range>(cutting, reciprocal), blocks);
+        return cut_whole_spans(spans, pitch, SpanEnds<Reciprocal, Range>(cutting, reciprocal), blocks);
     }
     if (repeats_rows) {
         const auto repeat = [&](const Span& above, std::span<const TexelBlock> row, std::span<const Span> below,
@@ -158,9 +160,32 @@ template <Texturing Way, class Reciprocal>
             for (const Span& span : below) out = repeater.repeat(span.y, pitch, out);
             return out;
         };
-        return cut_repeating_rows(spans, pitch, cutting, reciprocal, repeat, blocks);
+        return cut_repeating_rows<Range>(spans, pitch, cutting, reciprocal, repeat, blocks);
     }
-    return cut_spans<Way, Fits>(spans, pitch, cutting, reciprocal, blocks);
+    return cut_spans<Way, Range>(spans, pitch, cutting, reciprocal, blocks);
+}
+
+#if defined(__i386__)
+/// Whether all steps have 32 bits; only near walls seen from the side have longer ones.
+bool has_short_steps(const TextureGradients& gradients) {
+    const auto is_short = [](auto step) { return static_cast<std::int32_t>(step.raw) == step.raw; };
+    const auto& [inverse_z, u_over_z, v_over_z] = gradients;
+    return is_short(inverse_z.per_column) && is_short(inverse_z.per_row) && is_short(u_over_z.per_column) &&
+           is_short(u_over_z.per_row) && is_short(v_over_z.per_column) && is_short(v_over_z.per_row);
+}
+#endif
+
+template <Texturing Way, class Reciprocal>
+[[gnu::always_inline]] inline std::span<const Span> cut_in_range(std::span<const Span> spans, std::int32_t pitch,
+                                                                 const BlockCutting& cutting, Reciprocal reciprocal,
+                                                                 BlockList& blocks) {
+    using enum PerspectiveRange;
+    if (!cutting.fits_range) return cut_spans<Way, MayOverflow>(spans, pitch, cutting, reciprocal, blocks);
+#if defined(__i386__)
+    if (has_short_steps(cutting.gradients))
+        return cut_fitting<Way, FitsWithShortSteps>(spans, pitch, cutting, reciprocal, blocks);
+#endif
+    return cut_fitting<Way, Fits>(spans, pitch, cutting, reciprocal, blocks);
 }
 
 /// One function for all tables: choosing the method costs nothing compared with a reciprocal.
@@ -200,7 +225,7 @@ OBLONG_TARGET_BMI2 std::span<const Span> append_bounded_avx512(std::span<const S
     }
     const auto repeat = [&](const Span& above, std::span<const TexelBlock> row, std::span<const Span> below,
                             TexelBlock* out) { return repeat_rows_by_eights(above, row, below, pitch, cutting, out); };
-    return cut_repeating_rows(spans, pitch, cutting, DividedReciprocal{}, repeat, blocks);
+    return cut_repeating_rows<PerspectiveRange::Fits>(spans, pitch, cutting, DividedReciprocal{}, repeat, blocks);
 }
 
 template <ReciprocalMethod Method>
@@ -233,7 +258,7 @@ TexelLimits make_texel_limits(std::int32_t width, std::int32_t height, std::int3
 
 TexelPosition texel_at(const TextureGradients& gradients, const TexelLimits& limits, std::int32_t column,
                        std::int32_t row) {
-    const Perspective at(gradients, column, row);
+    const Perspective at = Perspective::at(gradients, column, row);
     return texel_of(at, Depth<DividedReciprocal, PerspectiveRange::MayOverflow>(at.inverse_z, {}), limits);
 }
 

@@ -38,12 +38,19 @@ void add_texel(Results& results, std::int64_t depth, std::int64_t over_z) {
 void add_block(Results& results, std::int64_t depth, std::int64_t over_z, std::uint64_t bits) {
     results.add(DividedReciprocal::of(depth, std::countl_zero(static_cast<std::uint64_t>(depth)) - 4));
     // Below 65,536 texels, as where the range fits; all that is below 0 is clamped.
-    add_texel<PerspectiveRange::Fits>(results, std::max(depth, kLeastFittingInverseZ.raw), over_z % (4 * depth));
+    const std::int64_t fitting = std::clamp(depth, kLeastFittingInverseZ.raw, kGreatestInverseZ.raw - 1);
+    add_texel<PerspectiveRange::Fits>(results, fitting, over_z % (4 * depth));
     add_texel<PerspectiveRange::MayOverflow>(results, depth, over_z);
     const int size = static_cast<int>(bits % 32);
     const TexelPosition from{static_cast<std::uint32_t>(depth) >> size, static_cast<std::uint32_t>(over_z) >> size};
     const TexelPosition to{static_cast<std::uint32_t>(bits >> 32), static_cast<std::uint32_t>(bits >> 8) >> size};
     const auto count = static_cast<std::int32_t>(bits >> 40 & 0xfff) + 1;
+    const auto columns = static_cast<std::uint32_t>(count);
+    const InverseZ value = InverseZ::from_raw(depth), change = InverseZ::from_raw(over_z);
+    results.add(stepped_in<PerspectiveRange::Fits>(value, change, columns).raw);
+    results.add(stepped_in<PerspectiveRange::FitsWithShortSteps>(
+                    value, InverseZ::from_raw(static_cast<std::int32_t>(over_z)), columns)
+                    .raw);
     for (const TexelStep step : {steps_by_division(from, to, count), steps_by_division(to, from, 1),
                                  steps_by_shift(from, to, static_cast<int>(bits % 9))}) {
         results.add(step.u_16);
