@@ -77,26 +77,44 @@ namespace {
 struct TexelWalk {
     std::uint32_t u_fraction, v_fraction;  ///< of the steps, 0.32: sums carry into whole texels
     std::int32_t texels[2];                ///< whole steps as offsets in the surface: with a carry of v, and without
+    std::uint8_t* end;                     ///< of the pixels drawn four at a time
 };
 
-/// To the next texel, in four instructions, three of them for the carries.
+// To the next texel, in four instructions, three of them for the carries; two pixels are written at once.
 #define OBLONG_NEXT_TEXEL       \
     "addl 4(%[walk]), %[v]\n\t" \
     "sbbl %%eax, %%eax\n\t"     \
     "addl (%[walk]), %[u]\n\t"  \
     "adcl 12(%[walk], %%eax, 4), %[texel]\n\t"
+#define OBLONG_PIXEL(HALF) "movb (%[texel]), %%" HALF "\n\t" OBLONG_NEXT_TEXEL
 
-/// Draws pixels `Pixel` and the next of `out` at once and steps on.
-template <int Pixel>
-[[gnu::always_inline]] inline void draw_two(const std::uint8_t*& texel, std::uint32_t& u, std::uint32_t& v,
-                                            const TexelWalk& walk, std::uint8_t* out) {
-    static_assert(offsetof(TexelWalk, v_fraction) == 4 && offsetof(TexelWalk, texels) == 8);
-    asm volatile("movb (%[texel]), %%dl\n\t" OBLONG_NEXT_TEXEL "movb (%[texel]), %%dh\n\t" OBLONG_NEXT_TEXEL
-                 "movw %%dx, %c[pixel](%[out])"
-                 : [texel] "+r"(texel), [u] "+r"(u), [v] "+r"(v)
-                 : [walk] "r"(&walk), [out] "r"(out), [pixel] "i"(Pixel)
-                 : "eax", "edx", "cc", "memory");
-}
+/// A walk's place, which needs all registers.
+struct TexelPlace {
+    const std::uint8_t* texel;
+    std::uint32_t u, v;  ///< fractions, 0.32
+    std::uint8_t* out;
+
+    /// Draws to the walk's end, which is a multiple of four pixels away, at least four.
+    [[gnu::always_inline]] void draw_fours(const TexelWalk& walk) {
+        static_assert(offsetof(TexelWalk, v_fraction) == 4 && offsetof(TexelWalk, texels) == 8 &&
+                      offsetof(TexelWalk, end) == 16);
+        asm volatile("0:\n\t" OBLONG_PIXEL("dl") OBLONG_PIXEL("dh") "movw %%dx, (%[out])\n\t"
+                     OBLONG_PIXEL("dl") OBLONG_PIXEL("dh") "movw %%dx, 2(%[out])\n\t"
+                     "addl $4, %[out]\n\t"
+                     "cmpl 16(%[walk]), %[out]\n\t"
+                     "jne 0b"
+                     : [texel] "+r"(texel), [u] "+r"(u), [v] "+r"(v), [out] "+r"(out)
+                     : [walk] "r"(&walk)
+                     : "eax", "edx", "cc", "memory");
+    }
+    [[gnu::always_inline]] void draw_two(const TexelWalk& walk) {
+        asm volatile(OBLONG_PIXEL("dl") OBLONG_PIXEL("dh") "movw %%dx, (%[out])\n\t"
+                     "addl $2, %[out]"
+                     : [texel] "+r"(texel), [u] "+r"(u), [v] "+r"(v), [out] "+r"(out)
+                     : [walk] "r"(&walk)
+                     : "eax", "edx", "cc", "memory");
+    }
+};
 
 /// Any block; a function of its own, for the sake of the other's registers.
 [[gnu::noinline]] void draw_any(const TexelBlock& block, const SurfaceView& surface, std::uint8_t* pixels) {
@@ -118,18 +136,12 @@ struct TexelRows {
                v_step = static_cast<std::uint32_t>(block.v_step_16);
     const std::int32_t whole =
         floor_shift(block.v_step_16, 16) * (std::int32_t{1} << rows.stride_log2) + floor_shift(block.u_step_16, 16);
-    const TexelWalk walk{u_step << 16, v_step << 16, {whole + rows.stride, whole}};
-    const std::uint8_t* texel = rows.texels + ((block.v_16 >> 16 << rows.stride_log2) + (block.u_16 >> 16));
-    std::uint32_t u = block.u_16 << 16, v = block.v_16 << 16;
-    for (std::uint8_t* const end = out + (block.count & ~3); out != end; out += 4) {
-        draw_two<0>(texel, u, v, walk, out);
-        draw_two<2>(texel, u, v, walk, out);
-    }
-    if (block.count & 2) {
-        draw_two<0>(texel, u, v, walk, out);
-        out += 2;
-    }
-    if (block.count & 1) *out = *texel;
+    const TexelWalk walk{u_step << 16, v_step << 16, {whole + rows.stride, whole}, out + (block.count & ~3)};
+    TexelPlace place{rows.texels + ((block.v_16 >> 16 << rows.stride_log2) + (block.u_16 >> 16)), block.u_16 << 16,
+                     block.v_16 << 16, out};
+    if (block.count >= 4) place.draw_fours(walk);
+    if (block.count & 2) place.draw_two(walk);
+    if (block.count & 1) *place.out = *place.texel;
 }
 
 /// Whether a block stays within a surface. Apart, as most surfaces hold all blocks: the loop keeps its registers.
@@ -145,9 +157,12 @@ struct TexelRows {
 
 void draw_blocks_by_fours(std::span<const TexelBlock> blocks, const SurfaceView& surface, std::uint8_t* pixels) {
     const TexelRows rows(surface);
-    const bool holds_blocks = surface.holds_blocks;
+    if (surface.holds_blocks) {
+        for (const TexelBlock& block : blocks) draw_within(block, rows, pixels + block.pixel);
+        return;
+    }
     for (const TexelBlock& block : blocks)
-        if (holds_blocks || is_within(block, surface))
+        if (is_within(block, surface))
             draw_within(block, rows, pixels + block.pixel);
         else
             draw_any(block, surface, pixels);
