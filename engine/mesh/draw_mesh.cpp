@@ -74,7 +74,7 @@ Fixed<std::int64_t, 16> flat_light(const MeshTriangle& triangle, const MeshConte
 void see_vertex(std::uint32_t number, const MeshPlacement& mesh, MeshScratch& scratch) {
     Vec3<World>& position = item(scratch.world_vertices, number).position;
     position = world_position(mesh.object_vertices[number].position, mesh.transform);
-    item(scratch.view_vertices, number) = view_vertex(position, mesh.view);
+    view_vertex(position, mesh.view, item(scratch.view_vertices, number));
     item(scratch.stages, number) = VertexStage::Seen;
 }
 
@@ -140,22 +140,30 @@ std::array<const CornerValues*, 3> values_of(const MeshTriangle& triangle, const
 
 /// A triangle on the screen whose spans are in the scratch.
 struct TriangleInView {
-    Barycentric weights;
+    std::optional<Barycentric> weights;  ///< none if it covers no pixel's centre, is seen from its back, or is hidden
     LinearQuantity<InverseZ> inverse_z;
+
+    explicit operator bool() const { return weights.has_value(); }
 };
 
-/// None if it covers no pixel's centre, is seen from its back, or is hidden.
-std::optional<TriangleInView> find_triangle(const std::array<const ScreenPlace*, 3>& corners, const MeshTarget& target,
-                                            MeshScratch& scratch, MeshCounts& counts) {
+std::int32_t least_column(std::span<const Span> spans) {
+    std::int32_t least = spans.front().first;
+    for (const Span& span : spans) least = std::min(least, span.first);
+    return least;
+}
+
+TriangleInView find_triangle(const std::array<const ScreenPlace*, 3>& corners, const MeshTarget& target,
+                             MeshScratch& scratch, MeshCounts& counts) {
     const std::array places{corners[0]->screen, corners[1]->screen, corners[2]->screen};
     find_triangle_spans(places, target.part, scratch.rows, scratch.spans);
-    if (scratch.spans.empty()) return std::nullopt;
-    const std::optional<Barycentric> weights = make_barycentric(corners);
-    if (!weights) return std::nullopt;
+    TriangleInView found{scratch.spans.empty() ? std::nullopt : make_barycentric(corners), {}};
+    if (!found) return found;
     ++counts.triangles;
-    const LinearQuantity<InverseZ> inverse_z = inverse_z_over(*weights);
-    if (is_covered(scratch.spans, inverse_z, target.depth)) return std::nullopt;
-    return TriangleInView{*weights, inverse_z};
+    found.weights->first_row = scratch.spans.front().y;
+    found.weights->first_column = least_column(scratch.spans);
+    found.inverse_z = inverse_z_over(*found.weights);
+    if (is_covered(scratch.spans, *found.weights, found.inverse_z, target.depth)) found.weights.reset();
+    return found;
 }
 
 MeshPaint paint_of(const MeshTriangle& triangle, const MeshContext& mesh) {
@@ -167,7 +175,7 @@ MeshPaint paint_of(const MeshTriangle& triangle, const MeshContext& mesh) {
 void draw_triangle(const TriangleInView& triangle, const std::array<const CornerValues*, 3>& values,
                    const MeshPaint& paint, const MeshTarget& target, MeshScratch& scratch, MeshCounts& counts) {
     const GradientChoice choice{paint.shading == Shading::Phong, paint.is_affine};
-    const MeshGradients gradients = make_mesh_gradients(triangle.weights, values, triangle.inverse_z, choice);
+    const MeshGradients gradients = make_mesh_gradients(*triangle.weights, values, triangle.inverse_z, choice);
     counts.pixels += draw_mesh_spans(scratch.spans, gradients, paint, target);
 }
 
@@ -177,7 +185,7 @@ void draw_whole(const MeshTriangle& triangle, const std::array<const ViewVertex*
                 MeshScratch& scratch, MeshCounts& counts) {
     const auto found = find_triangle({vertices[0], vertices[1], vertices[2]}, mesh.target, scratch, counts);
     if (!found) return;
-    draw_triangle(*found, values_of(triangle, mesh, scratch), paint_of(triangle, mesh), mesh.target, scratch, counts);
+    draw_triangle(found, values_of(triangle, mesh, scratch), paint_of(triangle, mesh), mesh.target, scratch, counts);
 }
 
 /// Clips a triangle and draws the rest as a fan.
@@ -188,7 +196,7 @@ void draw_clipped(const MeshTriangle& triangle, const std::array<const ViewVerte
     for (std::size_t i = 2; i < scratch.polygon.size(); ++i) {
         const ScreenCorner &a = scratch.polygon[0], &b = scratch.polygon[i - 1], &c = scratch.polygon[i];
         const auto found = find_triangle({&a, &b, &c}, mesh.target, scratch, counts);
-        if (found) draw_triangle(*found, {&a.values, &b.values, &c.values}, paint, mesh.target, scratch, counts);
+        if (found) draw_triangle(found, {&a.values, &b.values, &c.values}, paint, mesh.target, scratch, counts);
     }
 }
 

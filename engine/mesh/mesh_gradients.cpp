@@ -62,12 +62,13 @@ LinearQuantity<Value> quantity_of(const Barycentric& weights, AtCorner a, AtCorn
     quantity.per_row = product<Value>(b - a, weights.b_per_row);
     quantity.per_column += product<Value>(c - a, weights.c_per_column);
     quantity.per_row += product<Value>(c - a, weights.c_per_row);
-    const auto moved_back = [](Value from, Value step, Screen by) {
-        const std::int32_t from_centre_8 = 128 - by.raw;
+    const auto moved = [](Value from, Value step, Screen by, std::int32_t pixel) {
+        const std::int32_t from_centre_8 = pixel * 256 + 128 - by.raw;
         return stepped(from, Value::from_raw(wrapping_mul_shift(from_centre_8, step.raw, 8)), 1);
     };
-    quantity.origin = moved_back(moved_back(convert<Value>(a), quantity.per_column, weights.anchor().x),
-                                 quantity.per_row, weights.anchor().y);
+    const auto& [x, y] = weights.anchor();
+    quantity.origin = moved(moved(convert<Value>(a), quantity.per_column, x, weights.first_column), quantity.per_row, y,
+                            weights.first_row);
     return quantity;
 }
 
@@ -111,17 +112,19 @@ MeshGradients make_mesh_gradients(const Barycentric& weights, const std::array<c
             return TexelOverZ::from_raw(wrapping_mul_shift(texel_16, place.inverse_z.raw, kDropped));
         });
     };
-    MeshGradients gradients;
-    gradients.texture = {inverse_z, texels(&CornerValues::u), texels(&CornerValues::v)};
     using Light = Fixed<std::int64_t, 32>;
-    gradients.light = quantity(Light{}, [](Corner corner, const auto&) { return convert<Light>(corner.light); });
-    if (!choice.has_normal) return gradients;
+    using Wide = Fixed<std::int64_t, 30>;
     const auto normal = [&](Unit Vec3<Unit>::*axis) {
-        using Wide = Fixed<std::int64_t, 30>;
         return quantity(Wide{}, [axis](Corner corner, const auto&) { return convert<Wide>(corner.normal.*axis); });
     };
-    gradients.normal = {normal(&Vec3<Unit>::x), normal(&Vec3<Unit>::y), normal(&Vec3<Unit>::z)};
-    return gradients;
+    using Normal = Vec3<LinearQuantity<Wide>>;
+    // In place, without copies.
+    return {
+        weights.first_column,
+        weights.first_row,
+        {inverse_z, texels(&CornerValues::u), texels(&CornerValues::v)},
+        quantity(Light{}, [](Corner corner, const auto&) { return convert<Light>(corner.light); }),
+        choice.has_normal ? Normal{normal(&Vec3<Unit>::x), normal(&Vec3<Unit>::y), normal(&Vec3<Unit>::z)} : Normal{}};
 }
 
 }  // namespace oblong

@@ -8,8 +8,9 @@
 
 namespace oblong {
 
-/// The quantities of a triangle that are linear over the screen.
+/// The quantities of a triangle that are linear over the screen, counted from a pixel of its own.
 struct MeshGradients {
+    std::int32_t first_column = 0, first_row = 0;
     TextureGradients texture;                       ///< 1/z, u/z, v/z
     LinearQuantity<Fixed<std::int64_t, 32>> light;  ///< CornerValues::light
     Vec3<LinearQuantity<Fixed<std::int64_t, 30>>> normal;
@@ -24,6 +25,7 @@ struct Barycentric {
     std::array<const ScreenPlace*, 3> corners;
     std::array<std::uint8_t, 3> order;  ///< the corners' numbers in the triangle
     WeightStep b_per_column, b_per_row, c_per_column, c_per_row;
+    std::int32_t first_column = 0, first_row = 0;  ///< the pixel from which quantities count: most triangles have few
 
     const ScreenVertex& anchor() const { return corners[0]->screen; }
 };

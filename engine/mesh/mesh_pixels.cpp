@@ -25,8 +25,7 @@ struct MeshPixel {
     Vec3<Fixed<std::int64_t, 30>> normal;
 
     template <bool IsPhong>
-    static MeshPixel at(const MeshGradients& gradients, std::int32_t column, std::int32_t row) {
-        const auto at = [=](const auto& quantity) { return quantity.at_shown(column, row); };
+    [[gnu::always_inline]] static MeshPixel at(const MeshGradients& gradients, auto at) {
         const auto& [inverse_z, u_over_z, v_over_z] = gradients.texture;
         MeshPixel pixel{at(inverse_z), at(u_over_z), at(v_over_z), at(gradients.light), {}};
         if constexpr (IsPhong) pixel.normal = {at(gradients.normal.x), at(gradients.normal.y), at(gradients.normal.z)};
@@ -106,7 +105,11 @@ std::int64_t draw_span(const Span& span, const MeshGradients& gradients, const M
     InverseDepth* const depths = target.depth.row(span.y);
     std::uint8_t* const pixels = target.out.row(span.y);
     std::int64_t drawn = 0;
-    auto pixel = MeshPixel::at<kTraits.is_phong>(gradients, span.first, span.y);
+    const std::int32_t column = span.first - gradients.first_column, row = span.y - gradients.first_row;
+    auto pixel = (column | row) == 0
+                     ? MeshPixel::at<kTraits.is_phong>(gradients, [](const auto& quantity) { return quantity.origin; })
+                     : MeshPixel::at<kTraits.is_phong>(
+                           gradients, [=](const auto& quantity) { return quantity.at_shown(column, row); });
     for (std::int32_t x = span.first; x < span.end; ++x, pixel.template step<kTraits.is_phong>(gradients)) {
         const InverseDepth depth = to_inverse_depth(pixel.inverse_z);
         if (depths[x] > depth) continue;
@@ -135,12 +138,13 @@ bool has_short_sides(const std::array<ScreenVertex, 3>& corners) {
 struct ShortEdge {
     std::int32_t at_right, per_column, per_row;
 
-    ShortEdge(ScreenVertex from, ScreenVertex to, const ScreenRectangle& box) {
-        const LinearQuantity<ScreenWide> edge = edge_over_pixels(from, to, box);
-        at_right = static_cast<std::int32_t>(edge.origin.raw);
-        per_column = static_cast<std::int32_t>(edge.per_column.raw);
-        per_row = static_cast<std::int32_t>(edge.per_row.raw);
-        at_right += per_column * (box.end_column - 1 - box.first_column);
+    /// edge_over_pixels() in 32 bits.
+    ShortEdge(ScreenVertex from, ScreenVertex to, const ScreenRectangle& box)
+        : per_column(from.y.raw - to.y.raw), per_row(to.x.raw - from.x.raw) {
+        const std::int32_t right_of = (box.end_column - 1) * 256 + 128 - from.x.raw,
+                           below = box.first_row * 256 + 128 - from.y.raw;
+        const bool is_left_or_top = per_column > 0 || (per_column == 0 && per_row > 0);
+        at_right = floor_shift(per_row * below + per_column * right_of - !is_left_or_top, 8);
     }
 };
 
@@ -200,10 +204,12 @@ void find_triangle_spans(const std::array<ScreenVertex, 3>& corners, const Scree
     append_spans(rows, part, spans);
 }
 
-bool is_covered(std::span<const Span> spans, const LinearQuantity<InverseZ>& inverse_z, DepthBuffer& depth) {
+bool is_covered(std::span<const Span> spans, const Barycentric& weights, const LinearQuantity<InverseZ>& inverse_z,
+                DepthBuffer& depth) {
     return std::all_of(spans.begin(), spans.end(), [&](const Span& span) {
         const InverseDepth* const depths = depth.row(span.y);
-        InverseZ at = inverse_z.at_shown(span.first, span.y);
+        const std::int32_t column = span.first - weights.first_column, row = span.y - weights.first_row;
+        InverseZ at = (column | row) == 0 ? inverse_z.origin : inverse_z.at_shown(column, row);
         for (std::int32_t x = span.first; x < span.end; ++x, at = stepped(at, inverse_z.per_column, 1))
             if (depths[x] <= to_inverse_depth(at)) return false;
         return true;

@@ -35,8 +35,9 @@ void append_spans(const ScanlineExtents& rows, const ScreenRectangle& part, std:
 void find_triangle_spans(const std::array<ScreenVertex, 3>& corners, const ScreenRectangle& part, ScanlineExtents& rows,
                          std::vector<Span>& spans);
 
-/// Whether something is nearer at every pixel of the spans.
-bool is_covered(std::span<const Span> spans, const LinearQuantity<InverseZ>& inverse_z, DepthBuffer& depth);
+/// Whether something is nearer at every pixel of the spans. 1/z counts from the first pixel of `weights`.
+bool is_covered(std::span<const Span> spans, const Barycentric& weights, const LinearQuantity<InverseZ>& inverse_z,
+                DepthBuffer& depth);
 
 /// Draws the pixels of a triangle's spans where nothing is nearer, and sets their depth. Returns how many were drawn.
 std::int64_t draw_mesh_spans(std::span<const Span> spans, const MeshGradients& gradients, const MeshPaint& paint,

@@ -76,7 +76,7 @@ Vec3<Unit> world_normal(const MeshTriangle& triangle, std::span<const MeshVertex
                         const MeshTransform& transform);
 
 /// Transforms from the world to viewspace and sets the outcode; if that is 0, also projects.
-ViewVertex view_vertex(const Vec3<World>& world_position, const ViewContext& view);
+void view_vertex(const Vec3<World>& world_position, const ViewContext& view, ViewVertex& seen);
 
 /// Clips a triangle to the view and projects it: 3 to 7 corners, or none. `values` belong to its vertices.
 void clip_and_project(const std::array<const ViewVertex*, 3>& triangle,

@@ -12,7 +12,7 @@ void transform_to_world(std::span<const MeshVertex> object_vertices, const MeshT
 void transform_to_view(std::span<const WorldVertex> world_vertices, const ViewContext& view,
                        std::vector<ViewVertex>& view_vertices) {
     view_vertices.clear();
-    for (const WorldVertex& vertex : world_vertices) view_vertices.push_back(view_vertex(vertex.position, view));
+    for (const WorldVertex& vertex : world_vertices) view_vertex(vertex.position, view, view_vertices.emplace_back());
 }
 
 void find_corner_values(const PlacedMesh& placed, std::span<const WorldVertex> world_vertices, const MeshLight& light,
