@@ -15,7 +15,8 @@ namespace oblong {
 namespace {
 
 /// The corners of a face of the world, with those at T-junctions if the settings mend them.
-std::span<const VertexIndex> corners_of(FaceIndex index, const FrameContext& frame, CornerScratch& scratch) {
+[[gnu::always_inline]] inline std::span<const VertexIndex> corners_of(FaceIndex index, const FrameContext& frame,
+                                                                      CornerScratch& scratch) {
     if (frame.accuracy().mends_t_junctions) return frame.cache.faces.corners_of(index);
     const Level& level = frame.scene.level;
     scratch.own.clear();

@@ -26,7 +26,7 @@ void fill_depth(const FrameContext& frame, ViewScratch& scratch) {
     for (const FaceList list : {FaceList::Walls, FaceList::Flat, FaceList::Liquid, FaceList::Mirror})
         for (const VisibleFace& claimed : scratch.claims.list(list)) {
             const std::span<const Span> spans = scratch.claims.spans_of(claimed);
-            if (!scratch.depth.touches(spans)) continue;
+            if (!scratch.depth.touches(spans, claimed.bounds)) continue;
             scratch.depth.fill(spans, inverse_z_of(claimed, frame));
         }
 }

@@ -29,13 +29,14 @@ std::int64_t added_area(const ScreenRectangle& a, const ScreenRectangle& b) {
 void fill_run(InverseZ first, InverseZ step, std::int32_t count, InverseDepth* out) {
     constexpr int kDropped = InverseZ::kFractionBits - 32;
     const auto is_within = [](InverseZ value) { return value >= InverseZ{} && value < InverseZ::from_int(1); };
-    if (!is_within(first) || !is_within(stepped(first, step, count - 1))) {
+    if (!is_within(first) || !is_within(stepped(first, step, static_cast<std::uint32_t>(count - 1)))) {
         for (std::int32_t i = 0; i < count; ++i) out[i] = to_inverse_depth(stepped(first, step, i));
         return;
     }
-    auto value = first.bits();
-    for (std::int32_t i = 0; i < count; ++i, value += step.bits())
-        out[i] = static_cast<InverseDepth>(value >> kDropped);
+    // Moved up, so that a depth is the upper half of 64 bits.
+    auto value = first.bits() << (32 - kDropped);
+    const auto step_up = step.bits() << (32 - kDropped);
+    for (std::int32_t i = 0; i < count; ++i, value += step_up) out[i] = static_cast<InverseDepth>(value >> 32);
 }
 
 }  // namespace
@@ -80,7 +81,13 @@ void DepthBuffer::clear() {
         }
 }
 
-bool DepthBuffer::touches(std::span<const Span> spans) const {
+bool DepthBuffer::touches(std::span<const Span> spans, const ScreenRectangle& around) const {
+    const auto overlaps = [&around](const ScreenRectangle& rectangle) {
+        return around.first_column < rectangle.end_column && around.end_column > rectangle.first_column &&
+               around.first_row < rectangle.end_row && around.end_row > rectangle.first_row;
+    };
+    if (around.first_column < around.end_column && std::none_of(rectangles_.begin(), rectangles_.end(), overlaps))
+        return false;
     return std::any_of(spans.begin(), spans.end(), [this](const Span& span) { return touches(span); });
 }
 
@@ -92,7 +99,7 @@ void DepthBuffer::fill(std::span<const Span> spans, const LinearQuantity<Inverse
             const std::int32_t first = std::max(span.first, rectangle.first_column);
             const std::int32_t end = std::min(span.end, rectangle.end_column);
             if (first < end)
-                fill_run(inverse_z.at(first, span.y), inverse_z.per_column, end - first, row(span.y) + first);
+                fill_run(inverse_z.at_shown(first, span.y), inverse_z.per_column, end - first, row(span.y) + first);
         }
     }
 }

@@ -39,10 +39,10 @@ ScreenVertex clamped_vertex(ScreenVertex v) {
     return {std::clamp(v.x, -kLargestScreen, kLargestScreen), std::clamp(v.y, -kLargestScreen, kLargestScreen)};
 }
 
-/// Whether ScreenWalker is exact for it: on the screen of the largest mode.
-bool is_on_screen(ScreenVertex v) {
+/// Whether ScreenWalker is exact between these: on the screen of the largest mode.
+bool are_on_screen(ScreenVertex least, ScreenVertex greatest) {
     constexpr auto kLargest = Screen::from_int(kLargestMode_px);
-    return v.x >= Screen{} && v.y >= Screen{} && v.x <= kLargest && v.y <= kLargest;
+    return least.x >= Screen{} && least.y >= Screen{} && greatest.x <= kLargest && greatest.y <= kLargest;
 }
 
 /// Calls `use(walker, edge, rows of the edge, columns of its side)` for each edge.
@@ -133,7 +133,7 @@ PolygonShape shape_of(std::span<const ScreenVertex> vertices, std::int32_t heigh
     }
     const bool is_monotone = way_down == widening_difference(greatest.y, least.y);
     EdgeWalk walk = EdgeWalk::OnScreen;
-    if (!is_on_screen(least) || !is_on_screen(greatest)) {
+    if (!are_on_screen(least, greatest)) {
         least = clamped_vertex(least);
         greatest = clamped_vertex(greatest);
         walk = EdgeWalk::Exact;

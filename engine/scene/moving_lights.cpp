@@ -29,7 +29,7 @@ struct LightAtFace {
 };
 
 Vec3<World> in_model(const Vec3<World>& position, const Vec3<World>& offset) {
-    return saturating_convert<World>(widening_difference(position, offset));
+    return offset == Vec3<World>{} ? position : saturating_convert<World>(widening_difference(position, offset));
 }
 
 /// s . p with each product rounded: for some p an exact sum would overflow.

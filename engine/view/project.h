@@ -43,7 +43,8 @@ Screen within_screen(Position along, std::int32_t size_px, const SubpixelGrid& g
 }
 
 /// A clipped point in viewspace as a screen vertex.
-inline ScreenVertex to_screen_vertex(const Vec3<View>& p, const Projection& projection, const SubpixelGrid& grid) {
+[[gnu::always_inline]] inline ScreenVertex to_screen_vertex(const Vec3<View>& p, const Projection& projection,
+                                                            const SubpixelGrid& grid) {
     const auto& [axis_x, axis_y, width_px, height_px] = projection;
 #if defined(__i386__)
     const auto upper = [](auto number) { return static_cast<std::int32_t>(number.raw >> 32); };

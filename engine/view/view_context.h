@@ -78,9 +78,18 @@ using ShortView = Fixed<std::int32_t, View::kFractionBits>;
 }
 #endif
 
+/// A position in viewspace without view_bits and parallel_depth.
+inline Vec3<View> to_unadjusted_view(const Vec3<World>& point, const ViewContext& view) {
+#if defined(__i386__)
+    if (const auto near = to_short_view(point, view))
+        return {convert<View>(near->x), convert<View>(near->y), convert<View>(near->z)};
+#endif
+    return to_view(point, view.eye, view.axes);
+}
+
 /// Sets a vertex's position and outcode from its place in the world.
 template <bool AdjustsPositions, class Vertex>
-void transform_vertex(const Vec3<World>& point, const ViewContext& view, Vertex& vertex) {
+[[gnu::always_inline]] inline void transform_vertex(const Vec3<World>& point, const ViewContext& view, Vertex& vertex) {
 #if defined(__i386__)
     if (const auto near = AdjustsPositions ? std::nullopt : to_short_view(point, view)) {
         vertex.position = {convert<View>(near->x), convert<View>(near->y), convert<View>(near->z)};
@@ -93,7 +102,7 @@ void transform_vertex(const Vec3<World>& point, const ViewContext& view, Vertex&
     vertex.outcode = outcode_of(view.frustum, vertex.position);
 }
 template <class Vertex>
-void transform_vertex(const Vec3<World>& point, const ViewContext& view, Vertex& vertex) {
+[[gnu::always_inline]] inline void transform_vertex(const Vec3<World>& point, const ViewContext& view, Vertex& vertex) {
     if (view.adjusts_positions) return transform_vertex<true>(point, view, vertex);
     transform_vertex<false>(point, view, vertex);
 }

@@ -26,7 +26,7 @@ struct Extent {
 };
 
 Extent extent_along(const Vec3<Unit>& axis, View middle, const Vec3<HalfUnits>& half) {
-    const auto part = [](Unit component, HalfUnits size) { return absolute(widening_product(component, size)); };
+    const auto part = [](Unit component, HalfUnits size) { return widening_product(absolute(component), size); };
     const auto sum = part(axis.x, half.x) + part(axis.y, half.y) + part(axis.z, half.z);
     const View reach = convert<View>(sum, Rounding::Floor) + View::from_raw(2);
     return {middle - reach, middle + reach};
@@ -55,9 +55,8 @@ std::optional<ScreenRectangle> rectangle_of(const LevelBox& box, const ViewConte
     const auto half = [](std::int32_t low, std::int32_t high) { return HalfUnits::from_raw(high - low + 2); };
     const Vec3<HalfUnits> sizes{half(box.mins[0], box.maxs[0]), half(box.mins[1], box.maxs[1]),
                                 half(box.mins[2], box.maxs[2])};
-    const Vec3<View> centre =
-        to_view({middle(box.mins[0], box.maxs[0]), middle(box.mins[1], box.maxs[1]), middle(box.mins[2], box.maxs[2])},
-                view.eye, view.axes);
+    const Vec3<View> centre = to_unadjusted_view(
+        {middle(box.mins[0], box.maxs[0]), middle(box.mins[1], box.maxs[1]), middle(box.mins[2], box.maxs[2])}, view);
 
     const Extent z = extent_along(view.axes.forward, centre.z + view.parallel_depth, sizes);
     if (z.least < kNearest) return std::nullopt;
