@@ -2,22 +2,17 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "game/options/preference_table.h"
 
 namespace oblong {
 
-/// The names of a preference, as in Preference.
-struct PreferenceNames {
-    std::string name, label, help;
-    PreferencePage page;
-    std::string keys = "";
-};
+/// A value with these names, and a description of the valid ones, which is to be completed.
+Preference named(PreferenceNames names, std::string values);
 
 /// Makers of the table's rows, one for each kind of preference.
-
-Preference on_or_off(PreferenceNames names, bool Preferences::*field);
 
 /// A whole number from `least` to `greatest`; a menu stops at `stops`, in rising order.
 Preference whole_number(PreferenceNames names, std::int32_t Preferences::*field, std::int32_t least,
@@ -41,6 +36,14 @@ Preference one_of(PreferenceNames names, std::vector<std::string_view> values, E
         [field](Preferences& preferences, int value) { preferences.*field = static_cast<Enum>(value); });
 }
 
+/// A switch: a preference that is one of "off" and "on".
+Preference as_switch(Preference preference);
+
+template <class... Access>
+Preference on_or_off(PreferenceNames names, Access... access) {
+    return as_switch(one_of(std::move(names), {"off", "on"}, access...));
+}
+
 /// Throws the error of a text that is no value of a preference.
 [[noreturn]] void refuse(const std::string& name, const std::string& text, const std::string& expected);
 
@@ -49,9 +52,6 @@ std::int32_t stepped(const std::vector<std::int32_t>& stops, std::int32_t value,
 
 /// 140: "1.4".
 std::string hundredths_text(std::int32_t value_100);
-
-/// "a, b or c".
-std::string listed(const std::vector<std::string>& values);
 
 /// These three together decide what is in the picture; a change skips values that cannot be drawn with the other two.
 Preference mode_preference();

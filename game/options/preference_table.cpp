@@ -36,19 +36,15 @@ Preference scaling_preference() {
 }
 
 Preference tube_preference() {
-    Preference row = one_of(
+    Preference row = on_or_off(
         {"tube-light", "CRT colours", "dark colours as bright as on a CRT of 1996; stored for each game",
          PreferencePage::Picture},
-        {"off", "on"}, [](const Preferences& of) { return int{of.light().is_of_tube}; },
+        [](const Preferences& of) { return int{of.light().is_of_tube}; },
         [](Preferences& of, int value) {
             Light light = of.light();
             light.is_of_tube = value != 0;
             of.set_light(light);
         });
-    row.is_switch = true;
-    row.parse = [parse = row.parse](Preferences& of, const std::string& text) {
-        parse(of, text == "true" ? "on" : text == "false" ? "off" : text);
-    };
     row.text = [](const Preferences& of) { return of.light_of(kMuseum).is_of_tube ? "on" : "off"; };
     return row;
 }
@@ -91,12 +87,10 @@ void add_picture(Rows& rows) {
 
 // "preset" if a dial has the value of its preset; then a change of the preset changes it, too.
 Preference dial_preference(const Dial& dial) {
-    Preference row;
-    row.name = "dial-" + std::string(dial.name);
-    row.label = dial.caption;
-    row.help = dial.about.substr(0, dial.about.find_last_not_of('.') + 1);
-    row.page = PreferencePage::Accuracy;
-    row.values = values_of(dial) + ", or preset: as --accuracy sets it";
+    Preference row =
+        named({"dial-" + std::string(dial.name), std::string(dial.caption),
+               std::string(dial.about.substr(0, dial.about.find_last_not_of('.') + 1)), PreferencePage::Accuracy},
+              values_of(dial) + ", or preset: as --accuracy sets it");
     row.text = [&dial](const Preferences& of) {
         const std::int32_t value = dial.get(of.accuracy);
         return value == dial.get(accuracy_of(of.preset)) ? "preset" : value_text(dial, value);
@@ -180,11 +174,9 @@ void add_sound(Rows& rows) {
 
 // The light of all games except the museum, which has its own options: "quake:1.4:1:on", a word for each game.
 KeptValue lights_value() {
-    KeptValue value;
-    value.name = "game-lights";
-    value.label = "Light of games";
-    value.help = "brightness, gamma and tube-light of games that are not the museum";
-    value.values = "GAME:BRIGHTNESS:GAMMA:on or off, with spaces between games, or none";
+    KeptValue value =
+        named({"game-lights", "Light of games", "brightness, gamma and tube-light of games that are not the museum"},
+              "GAME:BRIGHTNESS:GAMMA:on or off, with spaces between games, or none");
     value.text = [](const Preferences& of) {
         std::string text;
         for (const auto& [game, light] : of.lights)
@@ -222,11 +214,9 @@ KeptValue light_set_value() {
 std::vector<KeptValue> binding_values() {
     std::vector<KeptValue> values;
     for (const ActionRow& action : all_actions()) {
-        KeptValue value;
-        value.name = "bind-" + std::string(action.name);
-        value.label = action.label;
-        value.help = "the keys and buttons that do it, named after their places on a US keyboard";
-        value.values = "names with spaces between them, or none";
+        KeptValue value = named({"bind-" + std::string(action.name), std::string(action.label),
+                                 "the keys and buttons that do it, named after their places on a US keyboard"},
+                                "names with spaces between them, or none");
         value.text = [&action](const Preferences& of) { return inputs_to_text(of.bindings, action.action); };
         value.parse = [&action, name = value.name](Preferences& of, const std::string& text) {
             try {

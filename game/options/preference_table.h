@@ -16,11 +16,17 @@ inline constexpr int kPreferencePageCount = 5;
 /// "Picture", "Accuracy", "Comfort", "Controls", "Sound".
 const char* name_of(PreferencePage page);
 
-/// One value of the options file: its names, and how it is written and read.
-struct KeptValue {
-    std::string name;    ///< in the file, and after "--" on the command line: "mouse-sensitivity"
-    std::string label;   ///< at most 20 characters: "Mouse sensitivity"
-    std::string help;    ///< one line
+/// What a value is called, and where a menu shows it.
+struct PreferenceNames {
+    std::string name;   ///< in the file, and after "--" on the command line: "mouse-sensitivity"
+    std::string label;  ///< at most 20 characters: "Mouse sensitivity"
+    std::string help;   ///< one line
+    PreferencePage page = PreferencePage::Picture;
+    std::string keys = "";  ///< that change it in the game, for KeyNames::in(): "{scaling}"; may be empty
+};
+
+/// One value of the options file, and how it is written and read.
+struct KeptValue : PreferenceNames {
     std::string values;  ///< the valid ones: "10 to 1000", "off or on"
 
     /// The value, as parse() reads it: "80", "on", "preset".
@@ -31,9 +37,7 @@ struct KeptValue {
 
 /// A value that a menu also shows and changes.
 struct Preference : KeptValue {
-    PreferencePage page = PreferencePage::Picture;
     bool is_switch = false;  ///< its values are "on" and "off"
-    std::string keys;        ///< the keys that change it in the game, for KeyNames::in(): "{scaling}"; may be empty
 
     /// The value as a menu shows it, at most 20 characters: "80 %", "on", "every16".
     std::function<std::string(const Preferences&)> shown;
