@@ -29,7 +29,7 @@ PARTS = {
     ("gradients",): "view/texture_gradients scene/face_surface surface/surface_cache raster/block_rule",
     ("blocks", "1/z", "pixels"): "raster/texture_blocks raster/perspective_range frame/surface_pass fixed/reciprocal "
                                  "raster/exact_spans raster/kernels/plain raster/kernels/near_borders",
-    ("sky",): "effects/sky view/view_directions fixed/root",
+    ("sky",): "effects/sky view/gradients fixed/root",
     ("lit texels",): "surface/lit_surface",
 }
 LEFT_OUT = ("left out",)
@@ -38,7 +38,7 @@ LEFT_OUT = ("left out",)
 OF_EFFECTS = re.compile("engine/(draw/|effects/|files/|mesh/|raster/(depth|lines|kernels/(?!plain))|"
                         "scene/(light_styles|texture_animation|pick|"
                         "moving_lights|level_effects)|math/(soft_float|wide_sum)|"
-                        "view/clip_line|math/transform|"
+                        "view/clip_line|"
                         "methods/|visibility/placed_box|"
                         "frame/(fog|light|mirror|model|see_through)_pass|frame/(frame_things|shared_drawing|wireframe))")
 BEFORE_FRAMES = re.compile("engine/(level/(bsp|entities|trace|t_junctions)|platform|accuracy|files/files|surface/(palette|colormap|oklab))")

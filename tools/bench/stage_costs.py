@@ -33,7 +33,7 @@ import runs
 STAGES = [
     ("walk and boxes", r"visibility/(front_to_back|visible_set|brush_models|fragment_tree|model_cutter|eye|placed_box)|"
                        r"level/(side|pvs|bsp_tree|level)|frame/claims"),
-    ("transform, clip, project", r"view/(screen_polygon|clip|project|frustum|view)|math/"),
+    ("transform, clip, project", r"view/(screen_polygon|clip|project|frustum|view|gradients)|math/"),
     ("edge scan", r"raster/(scan|edge)"),
     ("coverage", r"visibility/span_buffer"),
     ("gradients and face constants", r"view/texture_gradients|raster/block_rule|fixed/(reciprocal|root|wide)"),
