@@ -7,7 +7,7 @@
 #include "engine/effects/particles.h"
 #include "engine/effects/sprites.h"
 #include "engine/level/trace.h"
-#include "engine/visibility/placed_box.h"
+#include "engine/visibility/box_culler.h"
 
 namespace oblong {
 

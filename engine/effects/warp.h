@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/fixed/angle.h"
+#include "engine/fixed/trig.h"
 #include "engine/raster/kernels/effect_kernels.h"
 #include "engine/view/screen.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/accuracy/accuracy.h"
-#include "engine/fixed/angle.h"
+#include "engine/fixed/trig.h"
 #include "engine/view/present_rect.h"
 #include "engine/view/screen.h"
 

@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "engine/fixed/angle.h"
 #include "engine/fixed/fixed.h"
+#include "engine/fixed/trig.h"
 
 namespace oblong {
 

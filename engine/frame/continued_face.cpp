@@ -3,7 +3,7 @@
 #include "engine/fixed/arithmetic.h"
 #include "engine/frame/torn_pixels.h"
 #include "engine/level/side.h"
-#include "engine/visibility/placed_box.h"
+#include "engine/visibility/box_culler.h"
 
 namespace oblong {
 

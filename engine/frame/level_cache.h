@@ -14,8 +14,8 @@
 #include "engine/scene/face_surface.h"
 #include "engine/scene/face_table.h"
 #include "engine/scene/level_effects.h"
+#include "engine/visibility/box_culler.h"
 #include "engine/visibility/brush_models.h"
-#include "engine/visibility/placed_box.h"
 
 namespace oblong {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/frame/workspace.h"
-#include "engine/view/clip_line.h"
+#include "engine/view/clip.h"
 
 namespace oblong {
 

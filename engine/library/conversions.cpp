@@ -14,6 +14,10 @@ std::int32_t as_256(std::int64_t whole) {
 
 }  // namespace
 
+const char* version() {
+    return OBLONG_VERSION;
+}
+
 std::int32_t sine_65536(std::int64_t degrees_256) {
     constexpr std::int64_t kHalf = std::int64_t{1} << 13;
     return static_cast<std::int32_t>((sine(angle_from_256(degrees_256)).raw + kHalf) >> 14);

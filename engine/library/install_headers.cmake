@@ -3,7 +3,7 @@ cmake_policy(VERSION 3.25)
 file(GLOB HEADERS_TO_READ ${ENGINE}/library/oblong.h ${ENGINE}/draw/*.h ${ENGINE}/methods/*.h)
 foreach(NAME effects/palette_effects files/files files/game_files files/level_models files/obj files/picture files/wad
              frame/frame frame/wireframe frame/workspace level/bsp_read level/entities level/trace mesh/mesh
-             platform/headless/headless platform/sdl/sdl platform/worker_threads raster/line_walks raster/lines scene/pick
+             platform/headless platform/sdl/sdl platform/worker_threads raster/line_walks raster/lines scene/pick
              scene/placed_models)
     list(APPEND HEADERS_TO_READ ${ENGINE}/${NAME}.h)
 endforeach()

@@ -6,7 +6,7 @@
 
 #include "engine/base/table.h"
 #include "engine/library/oblong.h"
-#include "engine/platform/headless/headless.h"
+#include "engine/platform/headless.h"
 #include "engine/platform/sdl/sdl.h"
 
 namespace oblong {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "engine/base/range_probe.h"
-#include "engine/fixed/angle.h"
 #include "engine/fixed/fixed.h"
 #include "engine/fixed/sine_methods.h"
 #include "engine/fixed/trig.h"

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "engine/fixed/angle.h"
 #include "engine/fixed/arithmetic.h"
 #include "engine/fixed/fixed.h"
+#include "engine/fixed/trig.h"
 #include "engine/math/basis.h"
 #include "engine/math/vec.h"
 

@@ -6,7 +6,7 @@
 #include "engine/fixed/arithmetic.h"
 #include "engine/fixed/divide.h"
 #include "engine/fixed/root.h"
-#include "engine/raster/edge_function.h"
+#include "engine/raster/edges.h"
 
 namespace oblong {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "engine/fixed/angle.h"
+#include "engine/fixed/trig.h"
 #include "engine/level/level.h"
 #include "engine/math/matrix.h"
 #include "engine/mesh/mesh.h"

@@ -7,7 +7,7 @@
 #include "engine/frame/frame_context.h"
 #include "engine/frame/view_scratch.h"
 #include "engine/level/side.h"
-#include "engine/methods/z_buffer.h"
+#include "engine/methods/pixel_owners.h"
 
 namespace oblong {
 

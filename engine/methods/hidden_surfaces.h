@@ -7,19 +7,18 @@
 
 #include "engine/frame/claims.h"
 #include "engine/frame/frame_counts.h"
-#include "engine/methods/painter.h"
-#include "engine/methods/ray_casting.h"
+#include "engine/methods/pixel_owners.h"
 
 namespace oblong {
 
 /// How a frame finds the owner face of each pixel. The engine uses the span buffer; the others are for comparison.
 enum class HiddenSurfaces : std::uint8_t {
     SpanBuffer,     ///< visibility/span_buffer.h: the engine's
-    ZBuffer,        ///< methods/z_buffer.h
-    Painter,        ///< methods/painter.h: back to front by the tree
+    ZBuffer,        ///< this and the following: methods/pixel_owners.h
+    Painter,        ///< back to front by the tree
     PainterSorted,  ///< by the farthest z of each face: wrong for some scenes
     PainterMean,    ///< by the mean of its nearest and farthest z: wrong for others
-    RayCasting      ///< methods/ray_casting.h
+    RayCasting
 };
 inline constexpr std::array<std::string_view, 6> kHiddenSurfaceNames{"span-buffer",    "z-buffer",     "painter",
                                                                      "painter-sorted", "painter-mean", "ray-casting"};

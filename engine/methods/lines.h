@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "engine/math/plane.h"
-#include "engine/view/clip_line.h"
+#include "engine/view/clip.h"
 
 namespace oblong {
 

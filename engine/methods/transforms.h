@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "engine/fixed/angle.h"
+#include "engine/fixed/trig.h"
 #include "engine/math/basis.h"
 #include "engine/math/matrix.h"
 #include "engine/math/vec.h"

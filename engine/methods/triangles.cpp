@@ -7,8 +7,7 @@
 #include "engine/math/soft_float.h"
 #include "engine/math/vec.h"
 #include "engine/math/wide_sum.h"
-#include "engine/raster/edge_function.h"
-#include "engine/raster/edge_walker.h"
+#include "engine/raster/edges.h"
 
 namespace oblong {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"
-#include "engine/raster/edge_walker.h"
+#include "engine/raster/edges.h"
 #include "engine/raster/kernels/by_eights.h"
 
 namespace oblong {

@@ -29,7 +29,7 @@ constexpr std::int32_t first_centre_from(Screen position) {
     return floor_of(position + Screen::from_raw(127));
 }
 
-/// Which walker (edge_walker.h) steps down a polygon's edges.
+/// Which walker (edges.h) steps down a polygon's edges.
 enum class EdgeWalk : std::uint8_t { OnScreen, Exact, Accumulating };
 
 /// The bounds of a polygon and how to scan it, from one pass over its corners.

@@ -4,11 +4,11 @@
 #include <optional>
 
 #include "engine/base/range_probe.h"
-#include "engine/fixed/angle.h"
 #include "engine/fixed/arithmetic.h"
 #include "engine/fixed/divide.h"
 #include "engine/fixed/fixed.h"
 #include "engine/fixed/multiply.h"
+#include "engine/fixed/trig.h"
 #include "engine/math/vec.h"
 #include "engine/view/screen.h"
 

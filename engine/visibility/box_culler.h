@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "engine/base/range_probe.h"
 #include "engine/base/table.h"
@@ -11,6 +12,7 @@
 #include "engine/view/frustum.h"
 #include "engine/view/screen.h"
 #include "engine/view/view_context.h"
+#include "engine/visibility/visible_set.h"
 
 namespace oblong {
 
@@ -59,5 +61,20 @@ class BoxCuller {
 /// A rectangle that holds every pixel where something in the box may be drawn, one pixel larger for rounding. None if
 /// the box reaches the eye's plane or is near it: it may then be anywhere on the screen.
 std::optional<ScreenRectangle> rectangle_of(const LevelBox& box, const ViewContext& view);
+
+Vec3<World> middle_of(const LevelBox& box);
+
+/// A box that holds something which does not move, with the world's open leaves that it reaches into.
+struct PlacedBox {
+    LevelBox box;
+    std::vector<LeafIndex> leaves;  ///< empty if has_many_leaves
+    bool has_many_leaves = false;   ///< too many to list: one of them is nearly always visible
+};
+
+/// Finds the leaves by descending the tree; call it once a level, not once a frame.
+PlacedBox place_box(const Level& level, const LevelBox& box);
+
+/// False if the box is outside the view, or none of its leaves is in `leaves`.
+bool may_be_seen(const PlacedBox& placed, const LeafSet& leaves, const BoxCuller& culler);
 
 }  // namespace oblong

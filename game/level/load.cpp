@@ -10,7 +10,7 @@
 #include "engine/files/files.h"
 #include "engine/files/game_files.h"
 #include "engine/level/bsp_read.h"
-#include "game/simulation/entity_keys.h"
+#include "game/simulation/entity_specs.h"
 
 namespace oblong {
 namespace {

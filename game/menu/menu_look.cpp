@@ -1,10 +1,12 @@
 #include "game/menu/menu_look.h"
 
 #include <algorithm>
+#include <map>
 
 #include "engine/base/table.h"
 #include "engine/draw/text.h"
 #include "engine/surface/palette.h"
+#include "game/menu/menu_layout.h"
 
 namespace oblong {
 namespace {
@@ -61,6 +63,140 @@ void draw_lettering(Framebuffer canvas, std::int32_t x, std::int32_t y, std::str
         const std::uint8_t colour = item(look.ramp, std::min(row, kLetteringRamp - 1));
         draw_cell(canvas, x + left, y + top, cell, colour, item(look.ramp, std::clamp(row - 2, 0, kLetteringRamp - 1)));
     });
+}
+
+namespace {
+
+constexpr std::int32_t kPanelMargin_px = 3;
+
+TextColours colours_of(std::uint8_t bright, const MenuLook& look, std::int32_t scale) {
+    return {bright, look.text.dark, scale};
+}
+
+std::int32_t width_px(const std::string& text, std::int32_t scale) {
+    return text_width_px(text) * scale;
+}
+
+class PageDrawing {
+  public:
+    PageDrawing(const MenuPage& page, const MenuView& view, const MenuLayout& layout, const MenuLook& look,
+                Framebuffer canvas)
+        : page_(page), view_(view), layout_(layout), look_(look), canvas_(canvas) {}
+
+    void draw() const {
+        recolour_area(canvas_, {0, 0, canvas_.width_px, canvas_.height_px}, look_.veil);
+        const Area& body = layout_.body;
+        recolour_area(canvas_,
+                      {body.x - kPanelMargin_px, body.y - kPanelMargin_px, body.width + 2 * kPanelMargin_px,
+                       body.height + 2 * kPanelMargin_px},
+                      look_.veil);
+        if (page_.is_title) hide_behind_name();
+        draw_lettering(canvas_, layout_.title.x, layout_.title.y, page_.title, layout_.title_cell, look_);
+        for (const MenuLayout::Item& item : layout_.items) draw_item(item);
+        draw_scroll_marks();
+        for (std::size_t i = 0; i < layout_.help.size(); ++i)
+            draw_centred(layout_.help_y + static_cast<std::int32_t>(i) * kLineHeight_px * layout_.scale,
+                         layout_.help[i], look_.dim);
+    }
+
+  private:
+    void draw_centred(std::int32_t y, const std::string& line, std::uint8_t colour) const {
+        const std::int32_t x = (canvas_.width_px - width_px(line, layout_.scale)) / 2;
+        draw_text(canvas_, x, y, line, colours_of(colour, look_, layout_.scale));
+    }
+
+    // A dark band across the canvas, so that texts in the picture do not mix with the game's name.
+    void hide_behind_name() const {
+        const Area& name = layout_.title;
+        for (int i = 0; i < 2; ++i)
+            recolour_area(canvas_,
+                          {0, name.y - 2 * kPanelMargin_px, canvas_.width_px, name.height + 4 * kPanelMargin_px},
+                          look_.veil);
+    }
+
+    void draw_item(const MenuLayout::Item& item) const {
+        if (!item.row)
+            draw_text(canvas_, item.area.x, item.area.y, item.text, colours_of(look_.plain, look_, layout_.scale));
+        else
+            draw_row(page_.rows[*item.row], item, *item.row == view_.chosen);
+    }
+
+    void draw_bar(const Area& area) const {
+        fill_area(canvas_, area, look_.bar);
+        fill_area(canvas_, {area.x, area.y, area.width, 1}, look_.edge);
+        fill_area(canvas_, {area.x, area.y + area.height - 1, area.width, 1}, look_.edge);
+    }
+
+    void draw_row(const MenuRow& row, const MenuLayout::Item& item, bool is_chosen) const {
+        const std::int32_t scale = layout_.scale, column = kGlyphAdvance_px * scale;
+        const Area& area = item.area;
+        const std::uint8_t usual = row.accept || row.change ? look_.plain : look_.dim;
+        const TextColours colours = colours_of(is_chosen ? look_.text.bright : usual, look_, scale);
+        if (is_chosen) draw_bar(area);
+        if (is_chosen) draw_text(canvas_, area.x + scale, area.y + scale + scale / 2, ">", colours);
+        const std::int32_t columns = area.width / column - 2;
+        draw_text(canvas_, area.x + 2 * column, area.y + scale + scale / 2, cut_to(row.label, columns), colours);
+        if (!row.value.empty()) draw_value(row, item, is_chosen, colours);
+    }
+
+    void draw_value(const MenuRow& row, const MenuLayout::Item& item, bool is_chosen, TextColours colours) const {
+        const std::int32_t column = kGlyphAdvance_px * layout_.scale;
+        const std::int32_t right = item.area.x + item.area.width, y = item.value_y + layout_.scale / 2;
+        const std::string value = cut_to(row.value, item.area.width / column - 4);
+        const std::int32_t x = right - 2 * column - width_px(value, layout_.scale);
+        draw_text(canvas_, x, y, value, colours);
+        if (!is_chosen || !row.change) return;
+        draw_text(canvas_, x - 2 * column, y, "<", colours);
+        draw_text(canvas_, right - column, y, ">", colours);
+    }
+
+    // A small triangle on the body's border, on a side with more items.
+    void draw_scroll_marks() const {
+        const Area& body = layout_.body;
+        const std::int32_t middle = body.x + body.width / 2, size = 3 * layout_.scale;
+        for (std::int32_t i = 0; i < size; ++i) {
+            const Area line{middle - i, 0, 2 * i + 1, 1};
+            if (layout_.has_more_above)
+                fill_area(canvas_, {line.x, body.y - kPanelMargin_px - size + i, line.width, 1}, look_.edge);
+            if (layout_.has_more_below)
+                fill_area(canvas_, {line.x, body.y + body.height + kPanelMargin_px + size - i - 1, line.width, 1},
+                          look_.edge);
+        }
+    }
+
+    const MenuPage& page_;
+    const MenuView& view_;
+    const MenuLayout& layout_;
+    const MenuLook& look_;
+    Framebuffer canvas_;
+};
+
+// Scaled to the largest size that fits the area in the picture's own shape; nearest pixel.
+void draw_picture(const MenuPicture& picture, const Area& area, const MenuLook& look, const Palette& palette,
+                  Framebuffer canvas) {
+    if (picture.width_px <= 0 || picture.height_px <= 0) return;
+    const std::int32_t height = std::min(area.height, area.width * picture.height_px / picture.width_px);
+    const std::int32_t width = height * picture.width_px / picture.height_px;
+    fill_area(canvas, {area.x - 1, area.y - 1, width + 2, height + 2}, look.edge);
+    std::map<std::int32_t, std::uint8_t> nearest;  // a picture has few colours, and is drawn each frame
+    for (std::int32_t y = 0; y < height; ++y)
+        for (std::int32_t x = 0; x < width; ++x) {
+            const std::int32_t from = y * picture.height_px / height * picture.width_px + x * picture.width_px / width;
+            const Rgb8 colour = item(picture.pixels, from);
+            const auto [found, is_new] = nearest.try_emplace(colour.red << 16 | colour.green << 8 | colour.blue);
+            if (is_new) found->second = nearest_colour(palette, colour);
+            set_pixel(canvas, area.x + x, area.y + y, found->second);
+        }
+}
+
+}  // namespace
+
+void draw_menu(const MenuPage& page, const MenuView& view, const MenuLook& look, const Palette& palette,
+               Framebuffer canvas) {
+    const MenuLayout layout = lay_out(page, view, {canvas.width_px, canvas.height_px});
+    PageDrawing(page, view, layout, look, canvas).draw();
+    if (layout.picture && view.chosen < page.rows.size() && page.rows[view.chosen].picture)
+        draw_picture(*page.rows[view.chosen].picture, *layout.picture, look, palette, canvas);
 }
 
 }  // namespace oblong

@@ -4,7 +4,7 @@
 
 #include "engine/files/files.h"
 #include "engine/files/picture.h"
-#include "engine/platform/headless/headless.h"
+#include "engine/platform/headless.h"
 #include "engine/view/screen.h"
 #include "game/input/actions.h"
 #include "game/program/program.h"

@@ -6,7 +6,7 @@
 
 #include "game/level/level_search.h"
 #include "game/level/load.h"
-#include "game/menu/menu_host.h"
+#include "game/menu/menu_pages.h"
 #include "game/options/options.h"
 
 namespace oblong {

@@ -17,7 +17,7 @@
 #include "game/sound/game_sound.h"
 #include "game/view/game_renderer.h"
 #include "game/view/hud.h"
-#include "game/view/shown_palette.h"
+#include "game/view/shown_view.h"
 
 namespace oblong {
 

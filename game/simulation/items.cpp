@@ -4,7 +4,7 @@
 #include <array>
 
 #include "engine/level/entity_classes.h"
-#include "game/simulation/entity_keys.h"
+#include "game/simulation/entity_specs.h"
 #include "game/simulation/step.h"
 
 namespace oblong {

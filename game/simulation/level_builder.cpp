@@ -10,7 +10,6 @@
 #include "engine/scene/light_styles.h"
 #include "engine/scene/placed_models.h"
 #include "game/simulation/collision.h"
-#include "game/simulation/entity_keys.h"
 #include "game/simulation/entity_specs.h"
 #include "game/simulation/items.h"
 

@@ -3,7 +3,6 @@
 #include "engine/fixed/trig.h"
 #include "engine/level/entity_classes.h"
 #include "engine/scene/placed_models.h"
-#include "game/simulation/entity_keys.h"
 #include "game/simulation/entity_specs.h"
 #include "game/simulation/tick.h"
 

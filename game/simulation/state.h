@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "engine/fixed/angle.h"
+#include "engine/fixed/trig.h"
 #include "game/simulation/geometry.h"
 
 namespace oblong {

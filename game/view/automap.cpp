@@ -4,7 +4,7 @@
 #include <array>
 
 #include "engine/level/side.h"
-#include "engine/view/clip_line.h"
+#include "engine/view/clip.h"
 #include "engine/view/views.h"
 #include "game/simulation/items.h"
 #include "game/view/sign_colours.h"

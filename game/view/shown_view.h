@@ -4,12 +4,14 @@
 #include <optional>
 #include <vector>
 
+#include "engine/effects/palette_effects.h"
 #include "engine/frame/settings.h"
 #include "engine/scene/placed_models.h"
 #include "engine/view/views.h"
 #include "game/input/tick_input_source.h"
 #include "game/options/preferences.h"
 #include "game/simulation/game_level.h"
+#include "game/view/game_renderer.h"
 
 namespace oblong {
 
@@ -53,5 +55,25 @@ std::optional<ViewSpec> other_view(bool is_isometric, std::int32_t zoom_degrees,
 /// above its place; the view leans by 2 degrees at 200 units a second sideways, and no further. Both are multiplied by
 /// their preferences.
 void sway(const InterpolatedState& state, const ComfortPreferences& preferences, Camera& camera);
+
+/// The palette with which a game's pictures are shown: colour cycles, the tint of a liquid, a flash after a teleporter,
+/// gamma, and a VGA's 6 bits.
+class ShownPalette {
+  public:
+    /// `data` outlives it.
+    explicit ShownPalette(const GameData& data) : data_(data) {}
+
+    /// Notes a tick: one that teleports the player starts a flash.
+    void note_tick(const GameState& before, const GameState& after);
+    /// The effects on the palette. The flash needs Flashes::Full.
+    PaletteEffects effects_at(const GameView& view, Flashes flashes, const Light& light, bool has_dac6);
+
+  private:
+    const GameData& data_;
+    Light light_;
+    bool has_dac6_ = false;
+    std::optional<GammaTable> channels_;       // of these settings; nothing if they change no colour
+    std::optional<std::int64_t> teleport_ms_;  // when the player was teleported last
+};
 
 }  // namespace oblong

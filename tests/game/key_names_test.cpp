@@ -6,7 +6,7 @@
 #include <fstream>
 #include <regex>
 
-#include "engine/platform/headless/headless.h"
+#include "engine/platform/headless.h"
 #include "game/program/view_options.h"
 #include "tests/support/folders.h"
 

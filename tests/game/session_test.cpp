@@ -5,7 +5,7 @@
 #include <map>
 #include <memory>
 
-#include "engine/platform/headless/headless.h"
+#include "engine/platform/headless.h"
 #include "tests/support/folders.h"
 
 namespace oblong::test::session_test {

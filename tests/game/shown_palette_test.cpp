@@ -1,9 +1,9 @@
-#include "game/view/shown_palette.h"
-
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <set>
+
+#include "game/view/shown_view.h"
 
 namespace oblong {
 namespace {

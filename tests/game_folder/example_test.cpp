@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "engine/files/files.h"
-#include "engine/platform/headless/headless.h"
+#include "engine/platform/headless.h"
 #include "game/program/program.h"
 #include "game/simulation/items.h"
 #include "tests/support/programs.h"

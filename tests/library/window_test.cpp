@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/library/oblong.h"
-#include "engine/platform/headless/headless.h"
+#include "engine/platform/headless.h"
 #include "tests/support/folders.h"
 
 namespace oblong {

@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "engine/platform/headless/headless.h"
+#include "engine/platform/headless.h"
 #include "game/menu/menu_pages.h"
 #include "tests/support/palettes.h"
 

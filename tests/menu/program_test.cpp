@@ -7,7 +7,7 @@
 
 #include "engine/effects/palette_effects.h"
 #include "engine/files/files.h"
-#include "engine/platform/headless/headless.h"
+#include "engine/platform/headless.h"
 #include "tests/support/folders.h"
 #include "tests/support/scripted_input.h"
 #include "tests/walk/scripted_platform.h"

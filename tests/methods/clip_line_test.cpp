@@ -1,7 +1,5 @@
 // Lines clipped to six planes, against the part of the line that is inside by exact fractions.
 
-#include "engine/view/clip_line.h"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -10,6 +8,7 @@
 
 #include "engine/methods/lines.h"
 #include "engine/methods/transforms.h"
+#include "engine/view/clip.h"
 #include "engine/view/project.h"
 
 namespace oblong::test::clip_line_test {

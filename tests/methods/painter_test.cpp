@@ -1,11 +1,9 @@
-#include "engine/methods/painter.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numeric>
 
-#include "engine/methods/z_buffer.h"
+#include "engine/methods/pixel_owners.h"
 #include "tests/methods/scanned_scene.h"
 
 namespace oblong::test {

@@ -1,5 +1,3 @@
-#include "engine/methods/ray_casting.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
@@ -7,6 +5,7 @@
 
 #include "engine/math/plane.h"
 #include "engine/methods/lines.h"
+#include "engine/methods/pixel_owners.h"
 #include "engine/view/projection.h"
 #include "tests/support/point.h"
 #include "tests/support/random.h"

@@ -1,7 +1,6 @@
-#include "engine/methods/z_buffer.h"
-
 #include <gtest/gtest.h>
 
+#include "engine/methods/pixel_owners.h"
 #include "tests/methods/scanned_scene.h"
 
 namespace oblong::test {

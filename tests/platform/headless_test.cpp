@@ -1,4 +1,4 @@
-#include "engine/platform/headless/headless.h"
+#include "engine/platform/headless.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <memory>
 
-#include "engine/platform/headless/headless.h"
+#include "engine/platform/headless.h"
 #include "game/program/session.h"
 #include "tests/preferences/named.h"
 #include "tests/support/folders.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/raster/edge_walker.h"
+#include "engine/raster/edges.h"
 #include "tests/support/random.h"
 
 namespace oblong::test::scan_test {

@@ -2,7 +2,6 @@
 
 #include "engine/files/files.h"
 #include "game/sound/game_sound.h"
-#include "game/sound/sound_player.h"
 #include "tests/sound/recorded_output.h"
 #include "tests/sound/walled_level.h"
 #include "tests/support/folders.h"

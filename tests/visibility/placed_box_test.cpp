@@ -1,10 +1,9 @@
 // Boxes among leaves, against points of them.
-#include "engine/visibility/placed_box.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "engine/visibility/box_culler.h"
 #include "engine/visibility/visible_set.h"
 #include "tests/visibility/visibility_fixture.h"
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/fixed/angle.h"
 #include "engine/fixed/fixed.h"
+#include "engine/fixed/trig.h"
 #include "engine/math/soft_float.h"
 #include "engine/math/vec.h"
 #include "engine/view/projection.h"

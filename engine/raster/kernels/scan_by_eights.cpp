@@ -1,4 +1,4 @@
-#include "engine/raster/edge_walker.h"
+#include "engine/raster/edges.h"
 #include "engine/raster/kernels/by_eights.h"
 #include "engine/raster/kernels/eights.h"
 

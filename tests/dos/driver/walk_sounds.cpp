@@ -11,7 +11,7 @@
 #include "game/level/load.h"
 #include "game/simulation/demo.h"
 #include "game/simulation/step.h"
-#include "game/sound/sound_player.h"
+#include "game/sound/game_sound.h"
 #include "game/sound/sound_scene.h"
 
 namespace {

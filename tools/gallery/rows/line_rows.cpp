@@ -8,7 +8,7 @@
 #include "engine/methods/lines.h"
 #include "engine/raster/line_walks.h"
 #include "engine/raster/lines.h"
-#include "engine/view/clip_line.h"
+#include "engine/view/clip.h"
 #include "tools/gallery/counted.h"
 #include "tools/gallery/diagram.h"
 #include "tools/gallery/row.h"

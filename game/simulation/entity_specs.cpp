@@ -1,4 +1,4 @@
-#include "game/simulation/entity_keys.h"
+#include "game/simulation/entity_specs.h"
 
 #include <algorithm>
 

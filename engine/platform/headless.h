@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <utility>
 
 #include "engine/platform/platform.h"
 
@@ -15,14 +16,20 @@ class HeadlessPlatform final : public Platform {
 
     /// Open for `frames` pictures. Its clock advances 1/`polls_per_second` s a poll (rounded up to the microsecond, so
     /// that poll n is never before tick n).
-    HeadlessPlatform(std::int64_t frames, std::int64_t polls_per_second, Script script, FrameSink sink);
+    HeadlessPlatform(std::int64_t frames, std::int64_t polls_per_second, Script script, FrameSink sink)
+        : frames_(frames), polls_per_second_(polls_per_second), script_(std::move(script)), sink_(std::move(sink)) {}
 
     bool is_open() const override { return presented_ < frames_; }
     PlatformInput poll() override { return script_(polls_++); }
-    std::uint64_t now_us() override;
+    std::uint64_t now_us() override {
+        return static_cast<std::uint64_t>((polls_ * 1'000'000 + polls_per_second_ - 1) / polls_per_second_);
+    }
     WindowSize window_size() const override { return {1600, 1200}; }
     void set_title(const char*) override {}
-    void present(Framebuffer picture, const Palette& palette, const PresentRect& shown) override;
+    void present(Framebuffer picture, const Palette& palette, const PresentRect&) override {
+        ++presented_;
+        sink_(picture, palette);
+    }
 
   private:
     std::int64_t frames_, polls_per_second_;
