@@ -1,7 +1,8 @@
 #include "engine/platform/dos/kernel/kernel.h"
 
-// The game is compiled for an i486, but Debian's C library for the Pentium Pro and later: its CMOVs, floating-point
-// comparisons that set flags, and long NOPs are emulated here. They are rare: some hundreds in a minute's walk.
+// The game is compiled for an i486, but Debian's libraries for the Pentium Pro and later: its CMOVs and
+// FCMOVs, floating-point comparisons that set flags, and long NOPs are emulated here. They are rare: some hundreds in a
+// minute's walk.
 
 namespace oblong::dos {
 namespace {
@@ -134,10 +135,46 @@ void compare_floats(std::uint32_t number, bool pops, Registers& registers) {
     registers.eip += 2;
 }
 
+// FCMOV: copies another register of the floating-point stack to its top.
+void move_float_if(std::uint32_t condition, std::uint32_t number, Registers& registers) {
+    registers.eip += 2;
+    if (!holds(condition, registers.flags)) return;
+    switch (number) {
+        case 0:
+            return;
+        case 1:
+            asm volatile("fld %st(1); fstp %st(1)");
+            return;
+        case 2:
+            asm volatile("fld %st(2); fstp %st(1)");
+            return;
+        case 3:
+            asm volatile("fld %st(3); fstp %st(1)");
+            return;
+        case 4:
+            asm volatile("fld %st(4); fstp %st(1)");
+            return;
+        case 5:
+            asm volatile("fld %st(5); fstp %st(1)");
+            return;
+        case 6:
+            asm volatile("fld %st(6); fstp %st(1)");
+            return;
+        default:
+            asm volatile("fld %st(7); fstp %st(1)");
+            return;
+    }
+}
+
 bool emulate_at(std::uint32_t at, bool is_wide, Registers& registers) {
     const std::uint8_t first = read<std::uint8_t>(at), second = read<std::uint8_t>(at + 1);
     if ((first == 0xdb || first == 0xdf) && second >= 0xe8 && second < 0xf8) {
         compare_floats(second & 7, first == 0xdf, registers);
+        return true;
+    }
+    if ((first == 0xda || first == 0xdb) && second >= 0xc0 && second < 0xe0) {
+        constexpr std::uint32_t kConditions[] = {2, 4, 6, 10};  // below, equal, below or equal, unordered
+        move_float_if(kConditions[second >> 3 & 3] + (first == 0xdb), second & 7, registers);
         return true;
     }
     if (first != 0x0f) return false;
