@@ -23,12 +23,26 @@ constexpr decltype(auto) item(auto& items, auto index) {
     return items[position];
 }
 
+/// Stored indices, and coordinates of levels in whole units or texels. In small memory (the game under DOS) levels have
+/// fewer and lower ones.
+#ifdef OBLONG_SMALL_MEMORY
+using LevelNumber = std::int16_t;
+#else
+using LevelNumber = std::int32_t;
+#endif
+
+/// The type in which an index of such a record is stored; specialised for records of which there are more.
+template <class Record>
+struct StoredIndex {
+    using Number = LevelNumber;
+};
+
 /// The index of a record in a Table, or none.
 template <class Record>
 class Index {
   public:
     constexpr Index() = default;
-    constexpr explicit Index(std::int32_t number) : number_(number) {}
+    constexpr explicit Index(std::int32_t number) : number_(static_cast<Number>(number)) { assert(number_ == number); }
     static constexpr Index none() { return Index(-1); }
 
     constexpr std::int32_t number() const { return number_; }
@@ -42,14 +56,16 @@ class Index {
     constexpr auto operator<=>(const Index&) const = default;
 
   private:
-    std::int32_t number_ = 0;
+    using Number = typename StoredIndex<Record>::Number;
+
+    Number number_ = 0;
 };
 
 /// Consecutive records of a table: `count` of them from `first` on.
 template <class Record>
 struct IndexRange {
     Index<Record> first;
-    std::int32_t count = 0;
+    LevelNumber count = 0;
 
     struct Iterator {
         Index<Record> at;
@@ -90,7 +106,7 @@ class Table : private std::vector<Value> {
     }
 
     std::int32_t count() const { return static_cast<std::int32_t>(Base::size()); }
-    IndexRange<Record> indices() const { return {Index<Record>(0), count()}; }
+    IndexRange<Record> indices() const { return {Index<Record>(0), static_cast<LevelNumber>(count())}; }
 
     bool operator==(const Table&) const = default;
 };

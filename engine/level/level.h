@@ -26,6 +26,11 @@ class SurfEdge;
 struct Vertex;    // a Vec3<World> of Level::vertices
 struct MarkFace;  // a FaceIndex of Level::mark_faces
 
+template <>
+struct StoredIndex<SurfEdge> {
+    using Number = std::int32_t;
+};
+
 using PlaneIndex = Index<LevelPlane>;
 using TextureIndex = Index<MipTexture>;
 using TexInfoIndex = Index<TexInfo>;
@@ -49,9 +54,15 @@ inline constexpr std::int32_t kEmpty = -1, kSolid = -2, kWater = -3, kSlime = -4
 /// units of 2^-60; the distance in units of 2^-42 and 2^-72. See plane_side() (level/side.h).
 struct LevelPlane {
     Vec3<Unit> normal;
+#ifdef OBLONG_SMALL_MEMORY  // only levels without rests
+    static constexpr std::array<std::int32_t, 3> normal_rest_60{};
+    static constexpr std::int32_t distance_rest_72 = 0;
+    PlaneDistance distance;
+#else
     std::array<std::int32_t, 3> normal_rest_60{};
     PlaneDistance distance;
     std::int32_t distance_rest_72 = 0;
+#endif
     std::uint8_t axis = 3;  ///< 0, 1, 2: the normal is exactly +x, +y, +z; 3: other
 
     bool operator==(const LevelPlane&) const = default;
@@ -59,7 +70,7 @@ struct LevelPlane {
 
 /// An axis-aligned box in whole world units, rounded outward; for nodes and leaves within +-524,287.
 struct LevelBox {
-    std::array<std::int32_t, 3> mins{}, maxs{};
+    std::array<LevelNumber, 3> mins{}, maxs{};
 
     bool operator==(const LevelBox&) const = default;
 };
@@ -92,8 +103,8 @@ struct Face {
     TexInfoIndex texinfo;
     std::array<std::uint8_t, 4> styles{};  ///< light styles, ended by kNoStyle
     std::int32_t light_offset = -1;        ///< in Level::lighting; -1: no lightmap (special faces; others are black)
-    std::int32_t texel_min_u = 0, texel_min_v = 0;        ///< multiples of 16, rounded outward as in light compilers
-    std::int32_t texel_extent_u = 0, texel_extent_v = 0;  ///< multiples of 16; a lightmap has extent / 16 + 1 samples
+    LevelNumber texel_min_u = 0, texel_min_v = 0;        ///< multiples of 16, rounded outward as in light compilers
+    LevelNumber texel_extent_u = 0, texel_extent_v = 0;  ///< multiples of 16; a lightmap has extent / 16 + 1 samples
 
     bool operator==(const Face&) const = default;
 };
@@ -102,8 +113,8 @@ struct Face {
 class NodeChild {
   public:
     constexpr NodeChild() = default;
-    constexpr explicit NodeChild(NodeIndex node) : number_(node.number()) {}
-    constexpr explicit NodeChild(LeafIndex leaf) : number_(-1 - leaf.number()) {}
+    constexpr explicit NodeChild(NodeIndex node) : number_(static_cast<LevelNumber>(node.number())) {}
+    constexpr explicit NodeChild(LeafIndex leaf) : number_(static_cast<LevelNumber>(-1 - leaf.number())) {}
 
     constexpr bool is_leaf() const { return number_ < 0; }
     constexpr LeafIndex leaf() const { return LeafIndex(-1 - number_); }
@@ -111,7 +122,7 @@ class NodeChild {
     constexpr bool operator==(const NodeChild&) const = default;
 
   private:
-    std::int32_t number_ = 0;  ///< as in the file: of a node, or -1 minus that of a leaf
+    LevelNumber number_ = 0;  ///< as in the file: of a node, or -1 minus that of a leaf
 };
 
 /// children[0] is in front of the plane (normal . p > distance).
@@ -125,7 +136,7 @@ struct Node {
 };
 
 struct Leaf {
-    std::int32_t contents = contents::kEmpty;
+    LevelNumber contents = contents::kEmpty;
     std::int32_t visibility_offset = -1;  ///< in Level::visibility, run-length packed; -1: everything is visible
     LevelBox box;
     IndexRange<MarkFace> mark_faces;  ///< faces that border it
@@ -137,8 +148,8 @@ struct Leaf {
 class ClipChild {
   public:
     constexpr ClipChild() = default;
-    constexpr explicit ClipChild(ClipNodeIndex node) : number_(node.number()) {}
-    constexpr explicit ClipChild(std::int32_t contents) : number_(contents) {}
+    constexpr explicit ClipChild(ClipNodeIndex node) : number_(static_cast<LevelNumber>(node.number())) {}
+    constexpr explicit ClipChild(std::int32_t contents) : number_(static_cast<LevelNumber>(contents)) {}
 
     constexpr bool is_leaf() const { return number_ < 0; }
     constexpr std::int32_t contents() const { return number_; }
@@ -146,7 +157,7 @@ class ClipChild {
     constexpr bool operator==(const ClipChild&) const = default;
 
   private:
-    std::int32_t number_ = contents::kEmpty;  ///< as in the file: contents are negative
+    LevelNumber number_ = contents::kEmpty;  ///< as in the file: contents are negative
 };
 
 /// A node of a tree in which a body is a point (level/trace.h).
@@ -163,7 +174,7 @@ struct SubModel {
     Vec3<World> origin;
     NodeChild root;
     std::array<ClipChild, 3> clip_roots{};
-    std::int32_t visible_leaf_count = 0;
+    LevelNumber visible_leaf_count = 0;
     IndexRange<Face> faces;
 
     bool operator==(const SubModel&) const = default;
@@ -189,7 +200,8 @@ struct Edge {
 class SurfEdge {
   public:
     constexpr SurfEdge() = default;
-    constexpr SurfEdge(EdgeIndex edge, bool is_reversed) : number_(is_reversed ? -1 - edge.number() : edge.number()) {}
+    constexpr SurfEdge(EdgeIndex edge, bool is_reversed)
+        : number_(static_cast<LevelNumber>(is_reversed ? -1 - edge.number() : edge.number())) {}
 
     constexpr EdgeIndex edge() const { return EdgeIndex(is_reversed() ? -1 - number_ : number_); }
     /// Whether it goes from `to` to `from`.
@@ -197,7 +209,7 @@ class SurfEdge {
     constexpr bool operator==(const SurfEdge&) const = default;
 
   private:
-    std::int32_t number_ = 0;  ///< of the edge, or -1 minus that
+    LevelNumber number_ = 0;  ///< of the edge, or -1 minus that
 };
 
 /// An entity's key/value pairs, in the file's order.

@@ -41,7 +41,11 @@ class BlockList {
     void set_end(const TexelBlock* end) { used_ = as_size(end - blocks_.data()); }
 
   private:
+#ifdef OBLONG_SMALL_MEMORY
+    static constexpr std::size_t kBatch = 512;
+#else
     static constexpr std::size_t kBatch = 2048;
+#endif
     static constexpr std::size_t kWrittenAtOnce = 8;  ///< may be written beyond the list's end (by_eights.h)
 
     std::vector<TexelBlock> blocks_;

@@ -12,17 +12,18 @@ namespace oblong {
 
 namespace {
 
-/// The surface cache's initial size, and the size by which it grows. A 320x200 frame needs 0.3 to 0.6 MB. With three
-/// times that, turning round in a room sometimes builds its surfaces again, which takes up to a twentieth of the time.
-/// In large modes surfaces use their finest mip levels and need fewer bytes a pixel.
-std::size_t surface_piece_bytes(const ScreenMode& mode) {
-#ifdef OBLONG_SMALL_MEMORY  // a PC of 16 MB
-    constexpr std::size_t kBytesAPixel = 8, kLeast = std::size_t{1} << 19;
+/// The surface cache of a mode. A 320x200 frame needs 0.3 to 0.6 MB. With three times that, turning round in a room
+/// sometimes builds its surfaces again, which takes up to a twentieth of the time. In large modes surfaces use their
+/// finest mip levels and need fewer bytes a pixel.
+SurfaceCache surface_cache(const Level& level, const ScreenMode& mode) {
+#ifdef OBLONG_SMALL_MEMORY
+    constexpr std::size_t kBytesAPixel = 4, kLeast = std::size_t{1} << 18, kPiece = std::size_t{1} << 16;
 #else
-    constexpr std::size_t kBytesAPixel = 28, kLeast = std::size_t{1} << 20;
+    constexpr std::size_t kBytesAPixel = 28, kLeast = std::size_t{1} << 20, kPiece = std::size_t{12} << 20;
 #endif
     constexpr std::size_t kMost = std::size_t{12} << 20;
-    return std::clamp(kBytesAPixel * pixel_count(mode.width_px, mode.height_px), kLeast, kMost);
+    const std::size_t bytes = std::clamp(kBytesAPixel * pixel_count(mode.width_px, mode.height_px), kLeast, kMost);
+    return {level.faces.size() * 4, bytes, std::min(bytes, kPiece)};
 }
 
 std::int32_t floor_to_multiple(std::int32_t value, std::int32_t size) {
@@ -129,7 +130,7 @@ FaceSurfaces::FaceSurfaces(const Level& level, const FaceTable& faces, const Scr
     : level_(level),
       faces_(faces),
       longest_px_(mode.width_px),
-      cache_(level.faces.size() * 4, surface_piece_bytes(mode)),
+      cache_(surface_cache(level, mode)),
       moving_lights_(level, faces),
       corner_shades_(most_light_samples(level, faces)) {}
 

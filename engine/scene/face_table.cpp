@@ -62,9 +62,9 @@ void add_face(const Level& level, const Face& face, const TJunctions& junctions,
     const std::size_t first = table.corners.size();
     append_corners(level, face, junctions, table.corners);
     const std::size_t count = table.corners.size() - first;
-    table.faces.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count), density,
-                           least_density(level.planes[face.plane], texinfo), texinfo.material, false,
-                           effects_of(texinfo, level.texture_of(face).name)});
+    table.faces.push_back({static_cast<std::uint32_t>(first), density, least_density(level.planes[face.plane], texinfo),
+                           effects_of(texinfo, level.texture_of(face).name), static_cast<LevelNumber>(count),
+                           texinfo.material, false});
     table.most_corners = std::max(table.most_corners, count);
 }
 

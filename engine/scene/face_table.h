@@ -16,12 +16,13 @@ using StoredDensity = Fixed<std::int32_t, 16>;
 
 /// Data of a face, precomputed for all frames.
 struct PreparedFace {
-    std::uint32_t first_corner = 0, corner_count = 0;  ///< in FaceTable::corners
-    StoredDensity density;                             ///< texels of mip level 0 per unit, along the denser axis
-    StoredDensity least_density;                       ///< a lower bound for all directions on the face
+    std::uint32_t first_corner = 0;  ///< in FaceTable::corners
+    StoredDensity density;           ///< texels of mip level 0 per unit, along the denser axis
+    StoredDensity least_density;     ///< a lower bound for all directions on the face
+    EffectSet effects;               ///< needed to draw it
+    LevelNumber corner_count = 0;
     Material material = Material::Lit;
     bool is_above_fog = false;  ///< certainly, while its model has not moved
-    EffectSet effects;          ///< needed to draw it
 };
 
 /// Data of a level's faces, precomputed for all frames.
@@ -34,7 +35,7 @@ struct FaceTable {
     const PreparedFace& operator[](FaceIndex face) const { return faces[face]; }
     PreparedFace& operator[](FaceIndex face) { return faces[face]; }
     std::span<const VertexIndex> corners_of(FaceIndex face) const {
-        return std::span(corners).subspan(faces[face].first_corner, faces[face].corner_count);
+        return std::span(corners).subspan(faces[face].first_corner, as_size(faces[face].corner_count));
     }
 };
 

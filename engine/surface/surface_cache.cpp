@@ -14,10 +14,10 @@ constexpr std::size_t kUsualBlockBytes = 640;
 
 }  // namespace
 
-SurfaceCache::SurfaceCache(std::size_t slot_count, std::size_t piece_bytes)
+SurfaceCache::SurfaceCache(std::size_t slot_count, std::size_t first_bytes, std::size_t piece_bytes)
     : block_of_slot_(slot_count, kNone), frame_(kFramesKept), piece_bytes_(static_cast<std::uint32_t>(piece_bytes)) {
-    blocks_.reserve(piece_bytes / kUsualBlockBytes);
-    grow(piece_bytes_);
+    blocks_.reserve(first_bytes / kUsualBlockBytes);
+    grow(static_cast<std::uint32_t>(first_bytes));
 }
 
 SurfaceCache::Found SurfaceCache::get(std::size_t slot, std::size_t bytes, const SurfaceKey& key) {
@@ -102,14 +102,14 @@ void SurfaceCache::gather(BlockIndex first, std::uint32_t bytes) {
 }
 
 void SurfaceCache::evict(Block& block) {
-    if (block.slot != kNone) ++evicted_surfaces_;
+    if (block.slot != kFree) ++evicted_surfaces_;
     forget(block);
 }
 
 void SurfaceCache::forget(Block& block) {
-    if (block.slot == kNone) return;
+    if (block.slot == kFree) return;
     block_of_slot_[block.slot] = kNone;
-    block.slot = kNone;
+    block.slot = kFree;
     used_bytes_ -= block.bytes;
 }
 
@@ -126,7 +126,7 @@ void SurfaceCache::grow(std::uint32_t bytes) {
 }
 
 SurfaceCache::Block SurfaceCache::free_block(std::uint8_t* texels, std::uint32_t bytes, BlockIndex next) const {
-    return {{}, texels, bytes, kNone, frame_ - kFramesKept, next};
+    return {{}, texels, bytes, kFree, frame_ - kFramesKept, next};
 }
 
 SurfaceCache::BlockIndex SurfaceCache::add_block(const Block& block) {

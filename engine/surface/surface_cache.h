@@ -1,8 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
+#include <type_traits>
 #include <vector>
+
+#include "engine/base/table.h"
 
 namespace oblong {
 
@@ -20,8 +24,11 @@ struct SurfaceKey {
 /// grows permanently. Caching never changes a picture: a rebuilt surface is the same.
 class SurfaceCache {
   public:
-    /// The arena grows by pieces of this size (or of a larger surface's size). Both arguments are below 2^32.
-    SurfaceCache(std::size_t slot_count, std::size_t piece_bytes);
+    /// The arena grows by pieces of this size (or of a larger surface's size). Both sizes are below 2^32.
+    SurfaceCache(std::size_t slot_count, std::size_t piece_bytes)
+        : SurfaceCache(slot_count, piece_bytes, piece_bytes) {}
+    /// Its first piece has another size.
+    SurfaceCache(std::size_t slot_count, std::size_t first_bytes, std::size_t piece_bytes);
 
     struct Found {
         std::uint8_t* texels;
@@ -43,8 +50,8 @@ class SurfaceCache {
     std::int64_t evicted_surfaces() const { return evicted_surfaces_; }
 
   private:
-    using BlockIndex = std::uint32_t;
-    static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+    using BlockIndex = std::make_unsigned_t<LevelNumber>;
+    static constexpr BlockIndex kNone = std::numeric_limits<BlockIndex>::max();
 
     /// Consecutive bytes of the arena, used by a surface or free. Each piece ends with a block of 0 bytes, which is
     /// never freed, so blocks of two pieces are never joined.
@@ -52,10 +59,12 @@ class SurfaceCache {
         SurfaceKey key;
         std::uint8_t* texels = nullptr;
         std::uint32_t bytes = 0;
-        std::uint32_t slot = kNone;  ///< of its surface; kNone: free
+        std::uint32_t slot = kFree;  ///< of its surface
         std::uint32_t frame = 0;     ///< that used it last
         BlockIndex next = 0;         ///< next in memory; after the last of a piece, the first of the next piece
     };
+
+    static constexpr std::uint32_t kFree = ~std::uint32_t{0};
 
     BlockIndex allocate(std::uint32_t bytes);
     BlockIndex find_room(std::uint32_t bytes, std::uint32_t frames_kept) const;

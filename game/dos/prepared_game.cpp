@@ -30,12 +30,21 @@ void visit_list(Archive& archive, List& list) {
         for (auto& each : list) visit(archive, each);
 }
 
+// Numbers that are narrower in small memory than where they are written, or always the same there.
+template <class Archive, class Number>
+void visit_narrowed(Archive& archive, Number& value) {
+    std::int32_t number = value;
+    archive.number(number);
+    if constexpr (!std::is_const_v<Number>) value = static_cast<Number>(number);
+    if (value != number) throw InputError("level", std::to_string(number) + ", which small memory does not hold");
+}
+
 // Classes of one number: indices, children of nodes, directed edges.
 template <class Archive, class Value>
 void visit_bits(Archive& archive, Value& value) {
-    std::int32_t bits = 0;
+    std::conditional_t<sizeof(Value) == sizeof(LevelNumber), LevelNumber, std::int32_t> bits = 0;
     std::memcpy(&bits, &value, sizeof bits);
-    archive.number(bits);
+    visit_narrowed(archive, bits);
     if constexpr (!std::is_const_v<Value>) std::memcpy(static_cast<void*>(&value), &bits, sizeof bits);
 }
 
@@ -51,21 +60,25 @@ void visit_enum(Archive& archive, Enum& value) {
 
 template <class Archive, class Value>
 void visit_part_of_level(Archive& archive, Value& v) {
-    if constexpr (kIs<Value, LevelPlane>)
-        visit_all(archive, v.normal, v.normal_rest_60, v.distance, v.distance_rest_72, v.axis);
-    else if constexpr (kIs<Value, TexInfo>)
+    if constexpr (kIs<Value, LevelPlane>) {
+        visit(archive, v.normal);
+        for (auto& rest : v.normal_rest_60) visit_narrowed(archive, rest);
+        visit(archive, v.distance), visit_narrowed(archive, v.distance_rest_72), visit(archive, v.axis);
+    } else if constexpr (kIs<Value, TexInfo>)
         visit_all(archive, v.s, v.t, v.s_offset, v.t_offset, v.texture, v.material);
-    else if constexpr (kIs<Value, Face>)
-        visit_all(archive, v.plane, v.is_back, v.edges, v.texinfo, v.styles, v.light_offset, v.texel_min_u,
-                  v.texel_min_v, v.texel_extent_u, v.texel_extent_v);
-    else if constexpr (kIs<Value, Node>)
+    else if constexpr (kIs<Value, Face>) {
+        visit_all(archive, v.plane, v.is_back, v.edges, v.texinfo, v.styles, v.light_offset);
+        for (auto* number : {&v.texel_min_u, &v.texel_min_v, &v.texel_extent_u, &v.texel_extent_v})
+            visit_narrowed(archive, *number);
+    } else if constexpr (kIs<Value, Node>)
         visit_all(archive, v.plane, v.children, v.box, v.faces);
     else if constexpr (kIs<Value, Leaf>)
-        visit_all(archive, v.contents, v.visibility_offset, v.box, v.mark_faces);
+        visit_narrowed(archive, v.contents), visit_all(archive, v.visibility_offset, v.box, v.mark_faces);
     else if constexpr (kIs<Value, ClipNode>)
         visit_all(archive, v.plane, v.children);
     else if constexpr (kIs<Value, SubModel>)
-        visit_all(archive, v.box, v.origin, v.root, v.clip_roots, v.visible_leaf_count, v.faces);
+        visit_all(archive, v.box, v.origin, v.root, v.clip_roots), visit_narrowed(archive, v.visible_leaf_count),
+            visit(archive, v.faces);
     else if constexpr (kIs<Value, MipTexture>)
         visit_all(archive, v.name, v.width, v.height, v.mips, v.is_missing);
     else if constexpr (kIs<Value, Edge>)
@@ -115,12 +128,15 @@ void visit(Archive& archive, Value& value) {
         std::apply([&](auto&... parts) { visit_all(archive, parts...); }, value);
     else if constexpr (requires { value.data(); })
         visit_list(archive, value);
-    else if constexpr (sizeof(Value) == sizeof(std::int32_t))
-        visit_bits(archive, value);
     else if constexpr (requires { value.first.number(), value.count; })
-        visit_all(archive, value.first, value.count);
-    else if constexpr (kIs<Value, MeshBox> || kIs<Value, LevelBox>)
+        visit_bits(archive, value.first), visit_narrowed(archive, value.count);
+    else if constexpr (kIs<Value, LevelBox>)
+        for (auto* corner : {&value.mins, &value.maxs})
+            for (auto& number : *corner) visit_narrowed(archive, number);
+    else if constexpr (kIs<Value, MeshBox>)
         visit_all(archive, value.mins, value.maxs);
+    else if constexpr (sizeof(Value) == sizeof(LevelNumber))
+        visit_bits(archive, value);
     else
         visit_part_of_mesh(archive, value);
 }

@@ -76,7 +76,7 @@ struct Box {
 
 /// A box of the file in world units, clamped to +-kWorldEnd: compilers write any number for an empty model.
 inline Box box_of(const LevelBox& box) {
-    const auto corner = [](const std::array<std::int32_t, 3>& at) {
+    const auto corner = [](const auto& at) {
         const auto clamped = [](std::int32_t units) { return std::clamp(units, -kWorldEnd, kWorldEnd); };
         return world_vector(clamped(at[0]), clamped(at[1]), clamped(at[2]));
     };
