@@ -51,11 +51,11 @@ StageOperations stage_of(std::string_view name, std::int64_t events, const Event
 // Additions, multiplications and divisions as tests/operations counts them in the code; means over the cameras of the
 // demo level if an event's work varies. Look-ups and bytes are read from the code, and cover only its data.
 
-/// visibility/front_to_back.cpp, box_culler.cpp, box_rectangle.cpp: the distance to the node's plane, its box against
+/// visibility/front_to_back.cpp, box_culler.cpp: the distance to the node's plane, its box against
 /// the sides of the view that its parent's crosses, above the leaves its rectangle on the screen and the rows there;
 /// the leaves and faces below it. And half of the additions, since each camera is in another leaf: visible_set.cpp,
 /// which leaves can be seen from the eye's.
-constexpr EventCost kNode{26000, 1742, 68, 0, 10000, 8600};
+constexpr EventCost kNode{26470, 1841, 68, 0, 10000, 8600};
 /// math/basis.h, to_view(): three differences, nine products, three roundings.
 constexpr EventCost kRotation{1800, 900, 0, 0, 4800, 2400};
 /// view/frustum.h, outcode_of(): four products, five comparisons and what joins them.
