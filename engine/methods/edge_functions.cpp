@@ -33,10 +33,10 @@ namespace {
 constexpr std::int32_t kLanes = 8;
 
 /// An edge function at eight pixels in a row.
-struct EightValues {
+struct EdgeValues {
     __m128i low, high, step;
 
-    EightValues(std::int64_t value, std::int64_t step_1) {
+    EdgeValues(std::int64_t value, std::int64_t step_1) {
         const auto at_lane = [=](int lane) { return static_cast<std::int32_t>(value + step_1 * lane); };
         low = _mm_set_epi32(at_lane(3), at_lane(2), at_lane(1), at_lane(0));
         high = _mm_set_epi32(at_lane(7), at_lane(6), at_lane(5), at_lane(4));
@@ -49,7 +49,7 @@ struct EightValues {
 };
 
 /// A bit for each of eight pixels: one of the functions is below 0.
-unsigned outside_bits(const EightValues& a, const EightValues& b, const EightValues& c) {
+unsigned outside_bits(const EdgeValues& a, const EdgeValues& b, const EdgeValues& c) {
     const __m128i low = _mm_or_si128(_mm_or_si128(a.low, b.low), c.low);
     const __m128i high = _mm_or_si128(_mm_or_si128(a.high, b.high), c.high);
     const __m128i signs = _mm_packs_epi16(_mm_packs_epi32(low, high), _mm_setzero_si128());
@@ -59,7 +59,7 @@ unsigned outside_bits(const EightValues& a, const EightValues& b, const EightVal
 }  // namespace
 
 PixelRange inside_edges_sse2(const EdgeRow& row, std::int32_t count) {
-    EightValues a(row.value[0], row.step[0]), b(row.value[1], row.step[1]), c(row.value[2], row.step[2]);
+    EdgeValues a(row.value[0], row.step[0]), b(row.value[1], row.step[1]), c(row.value[2], row.step[2]);
     std::int32_t first = count;
     for (std::int32_t column = 0; column < count; column += kLanes) {
         unsigned outside = outside_bits(a, b, c);

@@ -14,12 +14,12 @@ namespace {
 
 constexpr auto kHalfPixel = Screen::from_raw(128);
 
-ScreenVertex clamped(ScreenVertex v) {
+ScreenVertex clamped_vertices(ScreenVertex v) {
     return {std::clamp(v.x, -kLargestScreen, kLargestScreen), std::clamp(v.y, -kLargestScreen, kLargestScreen)};
 }
 
-ScreenTriangle clamped(const ScreenTriangle& triangle) {
-    return {clamped(triangle[0]), clamped(triangle[1]), clamped(triangle[2])};
+ScreenTriangle clamped_vertices(const ScreenTriangle& triangle) {
+    return {clamped_vertices(triangle[0]), clamped_vertices(triangle[1]), clamped_vertices(triangle[2])};
 }
 
 /// The rows of a part whose centres are in [top, bottom).
@@ -99,7 +99,7 @@ TriangleScanner::TriangleScanner(TriangleMethod method, const ScreenRectangle& p
     : method_(method), part_(part), kernel_(kernel), rows_(part.end_row) {}
 
 void TriangleScanner::scan(const ScreenTriangle& triangle, std::vector<Span>& spans) {
-    ScreenTriangle clockwise = clamped(triangle);
+    ScreenTriangle clockwise = clamped_vertices(triangle);
     const ScreenArea area = doubled_area(clockwise);
     if (area == ScreenArea{}) return;
     if (area < ScreenArea{}) std::swap(clockwise[1], clockwise[2]);
@@ -118,15 +118,15 @@ void TriangleScanner::append_rows(std::vector<Span>& spans) const {
 }
 
 BarycentricWeights barycentric_weights(const ScreenTriangle& triangle, ScreenVertex place) {
-    const ScreenTriangle corners = clamped(triangle);
+    const ScreenTriangle corners = clamped_vertices(triangle);
     const auto& [a, b, c] = corners;
-    const ScreenVertex p = clamped(place);
+    const ScreenVertex p = clamped_vertices(place);
     return {edge_function(b, c, p), edge_function(c, a, p), edge_function(a, b, p), doubled_area(corners)};
 }
 
 LinearQuantity<CornerQuantity> quantity_over(const ScreenTriangle& triangle,
                                              const std::array<CornerQuantity, 3>& at_corners) {
-    const ScreenTriangle corners = clamped(triangle);
+    const ScreenTriangle corners = clamped_vertices(triangle);
     // Near a corner weights are small; the steps from there to pixel (0, 0) and back may wrap.
     const std::int32_t column = floor_of(corners[0].x), row = floor_of(corners[0].y);
     const BarycentricWeights near =

@@ -71,6 +71,12 @@ SaveHead read_head(LittleEndianReader& reader) {
     return head;
 }
 
+std::string of_other_version(std::string_view rest) {
+    std::string text(kOtherVersion);
+    text += rest;
+    return text;
+}
+
 // Checks that the file is whole, unaltered and of this version; returns a reader of the bytes between header and
 // checksum.
 LittleEndianReader checked(std::span<const std::uint8_t> bytes) {
@@ -80,7 +86,7 @@ LittleEndianReader checked(std::span<const std::uint8_t> bytes) {
     LittleEndianReader header(bytes, kVersionAt);
     const auto version = header.next<std::uint32_t>();
     expect_at(kVersionAt, version == kVersion,
-              std::string(kOtherVersion) + " (" + std::to_string(version) + "), expected " + std::to_string(kVersion));
+              of_other_version(" (" + std::to_string(version) + "), expected " + std::to_string(kVersion)));
     const auto size = header.next<std::uint32_t>();
     expect_at(kSizeAt, size == bytes.size(),
               "the file has " + std::to_string(bytes.size()) + " bytes, expected the " + std::to_string(size) +
@@ -90,7 +96,7 @@ LittleEndianReader checked(std::span<const std::uint8_t> bytes) {
               "the checksum differs, expected a file that was not changed");
     LittleEndianReader reader(bytes.first(end), kHeaderBytes);
     expect_at(kHeaderBytes, reader.next<std::uint64_t>() == state_layout(),
-              std::string(kOtherVersion) + ", expected a state of this one's fields");
+              of_other_version(", expected a state of this one's fields"));
     return reader;
 }
 
