@@ -22,8 +22,8 @@ LevelBox box_around(const Vec3<World>& middle, const Vec3<World>& half_size) {
     const std::array at{middle.x, middle.y, middle.z}, half{half_size.x, half_size.y, half_size.z};
     LevelBox box;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        box.mins[axis] = floor_of(at[axis] - half[axis]) - 8;
-        box.maxs[axis] = floor_of(at[axis] + half[axis]) + 9;
+        box.mins[axis] = box_coordinate(floor_of(at[axis] - half[axis]) - 8);
+        box.maxs[axis] = box_coordinate(floor_of(at[axis] + half[axis]) + 9);
     }
     return box;
 }

@@ -25,7 +25,7 @@ std::array<LevelBox, 2> halves_of(const LevelBox& box) {
     const auto size = [&box](std::size_t axis) { return box.maxs[axis] - box.mins[axis]; };
     const std::size_t across = size(0) >= size(1) ? 0 : 1, longest = size(across) >= size(2) ? across : 2;
     LevelBox low = box, high = box;
-    low.maxs[longest] = high.mins[longest] = box.mins[longest] + size(longest) / 2;
+    low.maxs[longest] = high.mins[longest] = box_coordinate(box.mins[longest] + size(longest) / 2);
     return {low, high};
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -74,6 +76,12 @@ struct LevelBox {
 
     bool operator==(const LevelBox&) const = default;
 };
+
+/// A coordinate of a box, clamped to what it can store: no level reaches beyond.
+constexpr LevelNumber box_coordinate(std::int64_t units) {
+    using Limits = std::numeric_limits<LevelNumber>;
+    return static_cast<LevelNumber>(std::clamp<std::int64_t>(units, Limits::min(), Limits::max()));
+}
 
 /// How a face is drawn. Only lit faces have a lightmap and a limited extent.
 enum class Material : std::uint8_t { Lit, Liquid, Sky };

@@ -70,8 +70,8 @@ LevelBox world_box(const Matrix4& to_world, const MeshBox& from, const MeshBox& 
             const std::int64_t reach = multiply(row[side], sides[side].half).raw;
             half = saturating_sum(half, reach < 0 ? -std::max(reach, -Entry::highest().raw) : reach);
         }
-        box.mins[axis] = whole_units(saturating_sum(middle, -half)) - 1;
-        box.maxs[axis] = whole_units(saturating_sum(middle, half)) + 2;
+        box.mins[axis] = box_coordinate(whole_units(saturating_sum(middle, -half)) - 1);
+        box.maxs[axis] = box_coordinate(whole_units(saturating_sum(middle, half)) + 2);
     }
     return box;
 }
@@ -132,8 +132,8 @@ LevelBox turning_box(const TurningShape& shape) {
     LevelBox box;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const std::int64_t middle = floor_of(position[axis]);
-        box.mins[axis] = static_cast<std::int32_t>(std::max(middle - reach, -kMostUnits - 1));
-        box.maxs[axis] = static_cast<std::int32_t>(std::min(middle + reach + 1, kMostUnits + 2));
+        box.mins[axis] = box_coordinate(std::max(middle - reach, -kMostUnits - 1));
+        box.maxs[axis] = box_coordinate(std::min(middle + reach + 1, kMostUnits + 2));
     }
     return box;
 }

@@ -73,7 +73,7 @@ bool is_light_pattern(std::string_view letters) {
 std::uint16_t StyleSteps::at(std::int64_t time_ms, Flashes flashes) const {
     if (flashes == Flashes::Off || full.empty()) return mean;
     const std::vector<std::uint16_t>& steps = flashes == Flashes::Full ? full : reduced;
-    return steps[static_cast<std::uint64_t>(time_ms / kPatternStepMs) % steps.size()];
+    return item(steps, static_cast<std::uint64_t>(time_ms / kPatternStepMs) % steps.size());
 }
 
 StyleSteps make_style_steps(std::string_view letters) {

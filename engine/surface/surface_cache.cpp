@@ -1,6 +1,7 @@
 #include "engine/surface/surface_cache.h"
 
 #include <algorithm>
+#include <new>
 
 namespace oblong {
 
@@ -131,6 +132,7 @@ SurfaceCache::Block SurfaceCache::free_block(std::uint8_t* texels, std::uint32_t
 
 SurfaceCache::BlockIndex SurfaceCache::add_block(const Block& block) {
     if (spare_.empty()) {
+        if (blocks_.size() == kNone) throw std::bad_alloc();  // all indices are used; small memory has few
         if (blocks_.size() == blocks_.capacity()) blocks_.reserve(blocks_.size() + blocks_.size() / 4 + 64);
         blocks_.push_back(block);
         return static_cast<BlockIndex>(blocks_.size() - 1);

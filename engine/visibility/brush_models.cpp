@@ -46,8 +46,8 @@ LevelBox box_of(const SubModel& model, const Vec3<World>& offset) {
     LevelBox box = model.box;
     const std::array offsets{offset.x, offset.y, offset.z};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        box.mins[axis] += floor_of(offsets[axis]);
-        box.maxs[axis] += floor_of(offsets[axis]) + 1;
+        box.mins[axis] = box_coordinate(box.mins[axis] + floor_of(offsets[axis]));
+        box.maxs[axis] = box_coordinate(box.maxs[axis] + floor_of(offsets[axis]) + 1);
     }
     return box;
 }

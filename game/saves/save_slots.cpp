@@ -26,7 +26,7 @@ bool is_held_by_another(int descriptor, std::int64_t place) {
     struct flock lock = {};
     lock.l_type = F_WRLCK;
     lock.l_whence = SEEK_SET;
-    lock.l_start = place;
+    lock.l_start = static_cast<off_t>(place);
     lock.l_len = 1;
     return fcntl(descriptor, F_OFD_SETLK, &lock) != 0 && (errno == EAGAIN || errno == EACCES || errno == EINTR);
 }

@@ -74,7 +74,7 @@ Figures draw_lab_cube(const RowInput& input, Framebuffer canvas) {
     for (const LabView& each : kLabViews)
         figures.push_back(number_figure(std::string("near / far face, ") + each.name,
                                         (each.distance + 3) / (each.distance + 2), near_over_far(each), 0.0005, 4));
-    std::rotate(figures.begin(), figures.begin() + input.values[0], figures.end());
+    std::rotate(figures.begin(), figures.begin() + static_cast<std::ptrdiff_t>(input.values[0]), figures.end());
     figures.push_back(number_figure("near face, windows wide: D / (D + 2) / window",
                                     distance / (distance + 2) / shows.size, across({0, 0, 0}, {1, 0, 0}, lab) / 200,
                                     0.0001, 4));
