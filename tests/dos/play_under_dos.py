@@ -89,7 +89,20 @@ def check_qemu(build_dir):
         pc.picture_when(lambda p: different_pixels(p, turned) > MOVED, "W does not walk")
         pc.press_in_turn("esc", "up", "ret", "down", "ret")  # Leave; Yes, if so much was walked that it asks
         pc.wait_for("memory:")
+    check_gallery(image)
     check_memory(image)
+
+
+def check_gallery(image):
+    """Its figures use instructions that a 486 lacks."""
+    with tempfile.TemporaryDirectory() as folder, Qemu(with_arguments(image, "captions=off report=1"), folder) as pc:
+        pc.wait_for_pictures(3)
+        pc.press_in_turn("down", "down", "down", "down", "ret")
+        for _ in range(3):
+            pc.wait_for_pictures(1)
+            pc.press_in_turn("pgdn")
+        pc.press_in_turn("esc", "up", "ret")
+        pc.wait_for("memory:")
 
 
 def check_memory(image):
