@@ -23,12 +23,8 @@ Settings settings_in(const ViewSpec& view, Settings settings) {
 
 std::vector<WalkLimit> limits_of(const ViewSpec& view) {
     std::vector<WalkLimit> limits;
-    for (const ViewCut& cut : view.cuts) {
-        LevelPlane plane;
-        plane.normal = cut.normal;
-        plane.distance = cut.distance;
-        limits.push_back({plane, false, {}});
-    }
+    for (const ViewCut& cut : view.cuts)
+        limits.push_back({{.normal = cut.normal, .distance = cut.distance}, false, {}});
     return limits;
 }
 

@@ -14,12 +14,8 @@ namespace {
 
 constexpr auto kHalfPixel = Screen::from_raw(128);
 
-ScreenVertex clamped_vertices(ScreenVertex v) {
-    return {std::clamp(v.x, -kLargestScreen, kLargestScreen), std::clamp(v.y, -kLargestScreen, kLargestScreen)};
-}
-
 ScreenTriangle clamped_vertices(const ScreenTriangle& triangle) {
-    return {clamped_vertices(triangle[0]), clamped_vertices(triangle[1]), clamped_vertices(triangle[2])};
+    return {clamped_vertex(triangle[0]), clamped_vertex(triangle[1]), clamped_vertex(triangle[2])};
 }
 
 /// The rows of a part whose centres are in [top, bottom).
@@ -120,7 +116,7 @@ void TriangleScanner::append_rows(std::vector<Span>& spans) const {
 BarycentricWeights barycentric_weights(const ScreenTriangle& triangle, ScreenVertex place) {
     const ScreenTriangle corners = clamped_vertices(triangle);
     const auto& [a, b, c] = corners;
-    const ScreenVertex p = clamped_vertices(place);
+    const ScreenVertex p = clamped_vertex(place);
     return {edge_function(b, c, p), edge_function(c, a, p), edge_function(a, b, p), doubled_area(corners)};
 }
 

@@ -35,10 +35,6 @@ class AccumulatingWalker {
     Column slope_, column_;
 };
 
-ScreenVertex clamped_vertex(ScreenVertex v) {
-    return {std::clamp(v.x, -kLargestScreen, kLargestScreen), std::clamp(v.y, -kLargestScreen, kLargestScreen)};
-}
-
 /// Whether ScreenWalker is exact between these: on the screen of the largest mode.
 bool are_on_screen(ScreenVertex least, ScreenVertex greatest) {
     constexpr auto kLargest = Screen::from_int(kLargestMode_px);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -23,6 +24,10 @@ struct ScanlineExtents {
 
 /// The largest magnitude of a screen coordinate in scan_convex(); larger ones are clamped.
 inline constexpr Screen kLargestScreen = Screen::from_int(1 << 20);
+
+inline ScreenVertex clamped_vertex(ScreenVertex v) {
+    return {std::clamp(v.x, -kLargestScreen, kLargestScreen), std::clamp(v.y, -kLargestScreen, kLargestScreen)};
+}
 
 /// The first row or column whose centre is at or after `position`: ceil(position - 1/2). 127 is 1/2 less one step.
 constexpr std::int32_t first_centre_from(Screen position) {

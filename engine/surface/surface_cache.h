@@ -24,10 +24,8 @@ struct SurfaceKey {
 /// grows permanently. Caching never changes a picture: a rebuilt surface is the same.
 class SurfaceCache {
   public:
-    /// The arena grows by pieces of this size (or of a larger surface's size). Both sizes are below 2^32.
-    SurfaceCache(std::size_t slot_count, std::size_t piece_bytes)
-        : SurfaceCache(slot_count, piece_bytes, piece_bytes) {}
-    /// Its first piece has another size.
+    /// The arena begins with a piece of the first size, and grows by pieces of the second (or of a larger surface's
+    /// size). Both are below 2^32.
     SurfaceCache(std::size_t slot_count, std::size_t first_bytes, std::size_t piece_bytes);
 
     struct Found {

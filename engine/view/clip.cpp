@@ -8,6 +8,7 @@
 #include "engine/view/project.h"
 
 namespace oblong {
+
 namespace {
 
 constexpr ClipDistance kOn{};
@@ -95,8 +96,6 @@ void clip_polygon(const Frustum& frustum, unsigned outcodes, ClipScratch& scratc
 
 namespace {
 
-constexpr ClipDistance kOnVolumePlane{};
-
 /// part / whole of a line's length; whole > 0.
 struct LinePart {
     ClipDistance part, whole;
@@ -132,9 +131,9 @@ std::optional<ViewLine> clip_line(const ViewVolume& volume, const ViewLine& line
     LinePart enters{{}, kWhole}, leaves{kWhole, kWhole};
     for (const ClipPlane& plane : volume.planes) {
         const ClipDistance d0 = half_distance(plane, line.from), d1 = half_distance(plane, line.to);
-        if (d0 < kOnVolumePlane && d1 < kOnVolumePlane) return {};
-        if (d0 < kOnVolumePlane) enters = std::max(enters, LinePart{-d0, d1 - d0});
-        if (d1 < kOnVolumePlane) leaves = std::min(leaves, LinePart{d0, d0 - d1});
+        if (d0 < kOn && d1 < kOn) return {};
+        if (d0 < kOn) enters = std::max(enters, LinePart{-d0, d1 - d0});
+        if (d1 < kOn) leaves = std::min(leaves, LinePart{d0, d0 - d1});
     }
     if (leaves < enters) return {};
     return ViewLine{place_along(line, enters), place_along(line, leaves)};

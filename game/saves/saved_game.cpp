@@ -71,6 +71,7 @@ SaveHead read_head(LittleEndianReader& reader) {
     return head;
 }
 
+// In two steps: of a sum of strings GCC 12 warns without a reason.
 std::string of_other_version(std::string_view rest) {
     std::string text(kOtherVersion);
     text += rest;

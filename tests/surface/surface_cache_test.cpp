@@ -25,7 +25,7 @@ void show(SurfaceCache& cache, std::initializer_list<std::size_t> slots) {
 }
 
 TEST(SurfaceCache, KeepsWhileValid) {
-    SurfaceCache cache(4, 100);
+    SurfaceCache cache(4, 100, 100);
     EXPECT_FALSE(cache.get(0, 40, {1}).is_valid);
     EXPECT_TRUE(cache.get(0, 40, {1}).is_valid);
     EXPECT_FALSE(cache.get(0, 40, {2}).is_valid) << "the light has changed";
@@ -38,7 +38,7 @@ TEST(SurfaceCache, KeepsWhileValid) {
 }
 
 TEST(SurfaceCache, EachPartOfTheKeyCounts) {
-    SurfaceCache cache(1, 100);
+    SurfaceCache cache(1, 100, 100);
     const SurfaceKey key{1, 2, 3};
     cache.get(0, 10, key);
     for (const SurfaceKey& other : {SurfaceKey{9, 2, 3}, SurfaceKey{1, 9, 3}, SurfaceKey{1, 2, 9}}) {
@@ -49,7 +49,7 @@ TEST(SurfaceCache, EachPartOfTheKeyCounts) {
 }
 
 TEST(SurfaceCache, TheOldestMakesRoom) {
-    SurfaceCache cache(9, 125);
+    SurfaceCache cache(9, 125, 125);
     for (const std::size_t slot : {0, 1, 2}) show(cache, {slot});
     show(cache, {});
     show(cache, {3});
@@ -60,7 +60,7 @@ TEST(SurfaceCache, TheOldestMakesRoom) {
 }
 
 TEST(SurfaceCache, WhatTheLastFrameShowedStaysIfOthersCanGo) {
-    SurfaceCache cache(9, 125);
+    SurfaceCache cache(9, 125, 125);
     show(cache, {0, 1, 2});
     show(cache, {0});
     show(cache, {3});
@@ -72,7 +72,7 @@ TEST(SurfaceCache, WhatTheLastFrameShowedStaysIfOthersCanGo) {
 }
 
 TEST(SurfaceCache, GrowsWhereOneFrameNeedsMore) {
-    SurfaceCache cache(9, 100);
+    SurfaceCache cache(9, 100, 100);
     show(cache, {0, 1, 2, 3, 4, 5});
     EXPECT_EQ(cache.arena_bytes(), 300u);
     EXPECT_EQ(cache.evicted_surfaces(), 0);
@@ -84,7 +84,7 @@ TEST(SurfaceCache, GrowsWhereOneFrameNeedsMore) {
 }
 
 TEST(SurfaceCache, AnotherKeyInTheSameFrameGetsOtherTexels) {
-    SurfaceCache cache(1, 100);
+    SurfaceCache cache(1, 100, 100);
     std::uint8_t* const first = cache.get(0, 40, {1}).texels;
     std::uint8_t* const second = cache.get(0, 40, {2}).texels;
     EXPECT_GE(std::abs(first - second), 40);
@@ -97,7 +97,8 @@ TEST(SurfaceCache, AnotherKeyInTheSameFrameGetsOtherTexels) {
 /// to its end.
 class CacheBesideMap {
   public:
-    CacheBesideMap(std::size_t piece_bytes, std::uint32_t seed) : random_(seed), cache_(kSlots, piece_bytes) {
+    CacheBesideMap(std::size_t piece_bytes, std::uint32_t seed)
+        : random_(seed), cache_(kSlots, piece_bytes, piece_bytes) {
         for (std::size_t& bytes : bytes_of_) bytes = 1 + random_() % (random_() % 4 == 0 ? piece_bytes : 30);
     }
 
