@@ -193,6 +193,25 @@ std::int64_t draw_octaves(std::span<const Span> spans, const BlockCutting& cutti
     return divisions;
 }
 
+/// Whether the spans are in rows whose 1/z is the same, so that a column's division serves all of them.
+bool shares_columns(std::span<const Span> spans, const TextureGradients& gradients) {
+    return spans.size() > 1 && gradients.inverse_z.per_row == InverseZ{};
+}
+
+/// draw_octaves() for these: calls draw(row, columns, count, pixels).
+template <class DrawColumns, class ColourAt>
+std::int64_t draw_with_columns(std::span<const Span> spans, const BlockCutting& cutting, const SurfaceView& surface,
+                               Framebuffer out, DrawColumns draw, ColourAt colour_at) {
+    const ScreenRectangle rectangle = rectangle_around(spans);
+    const ColumnTexels columns(cutting.gradients, surface, rectangle);
+    const auto draw_octave = [&](const Octave& octave, const OctaveRow& row, std::uint8_t* pixels) {
+        draw(row, columns.from(octave.first), octave.end - octave.first, pixels);
+        return 0;
+    };
+    return rectangle.end_column - rectangle.first_column +
+           draw_octaves(spans, cutting, surface, out, draw_octave, colour_at);
+}
+
 }  // namespace
 
 std::int64_t draw_exact_spans(std::span<const Span> spans, const BlockCutting& cutting, const SurfaceView& surface,
@@ -200,22 +219,17 @@ std::int64_t draw_exact_spans(std::span<const Span> spans, const BlockCutting& c
     const bool by_eights = instructions == Instructions::Avx512;
     const TextureGradients& gradients = cutting.gradients;
     const auto colour_at = [&](TexelPosition texel) { return texel_from(surface, texel.u_16 >> 16, texel.v_16 >> 16); };
-    if (spans.size() > 1 && gradients.inverse_z.per_row == InverseZ{}) {
-        const ScreenRectangle rectangle = rectangle_around(spans);
-        const ColumnTexels columns(gradients, surface, rectangle);
+    if (shares_columns(spans, gradients)) {
         const bool is_upright = gradients.u_over_z.per_row == TexelOverZ{};
-        const auto draw = [&](const Octave& octave, const OctaveRow& row, std::uint8_t* pixels) {
-            const ColumnTexel* const first = columns.from(octave.first);
-            const std::int32_t count = octave.end - octave.first;
+        const auto draw = [&](const OctaveRow& row, const ColumnTexel* columns, std::int32_t count,
+                              std::uint8_t* pixels) {
             if (by_eights && count >= kFewestByEights)
-                is_upright ? draw_columns_by_eights(row, first, count, pixels)
-                           : draw_at_depths_by_eights(row, first, count, pixels);
+                is_upright ? draw_columns_by_eights(row, columns, count, pixels)
+                           : draw_at_depths_by_eights(row, columns, count, pixels);
             else
-                is_upright ? row.draw_columns(first, count, pixels) : row.draw_at_depths(first, count, pixels);
-            return 0;
+                is_upright ? row.draw_columns(columns, count, pixels) : row.draw_at_depths(columns, count, pixels);
         };
-        return rectangle.end_column - rectangle.first_column +
-               draw_octaves(spans, cutting, surface, out, draw, colour_at);
+        return draw_with_columns(spans, cutting, surface, out, draw, colour_at);
     }
     PieceLengths lengths;
     SurfaceView wrapping = surface;
@@ -227,17 +241,30 @@ std::int64_t draw_exact_spans(std::span<const Span> spans, const BlockCutting& c
 }
 
 std::int64_t draw_exact_warped_spans(std::span<const Span> spans, const BlockCutting& cutting,
-                                     const EffectTexels& texels, Framebuffer out) {
-    const auto colour_at = [surface = texels.surface, &warp = *texels.warp](TexelPosition texel) {
+                                     const EffectTexels& texels, Framebuffer out, Instructions instructions) {
+    const bool by_eights = instructions == Instructions::Avx512;
+    const SurfaceView& surface = texels.surface;
+    const WarpTable& warp = *texels.warp;
+    const auto colour_at = [&](TexelPosition texel) {
         const std::uint32_t u_16 = texel.u_16 + shift_at(warp, texel.v_16);
         return texel_from(surface, u_16 >> 16, (texel.v_16 + shift_at(warp, texel.u_16)) >> 16);
     };
+    if (shares_columns(spans, cutting.gradients)) {
+        const auto draw = [&](const OctaveRow& row, const ColumnTexel* columns, std::int32_t count,
+                              std::uint8_t* pixels) {
+            if (by_eights && count >= kFewestByEights)
+                draw_warped_at_depths_by_eights(row, texels, columns, count, pixels);
+            else
+                row.draw_at_depths(columns, count, pixels, WarpedColours{warp});
+        };
+        return draw_with_columns(spans, cutting, surface, out, draw, colour_at);
+    }
     const auto draw = [&](const Octave& octave, const OctaveRow& row, std::uint8_t* pixels) {
-        return row.draw_divided(0, octave.end - octave.first, pixels, [&](const OctaveRow&, const DividedTexel& texel) {
-            return colour_at(position_of(texel));
-        });
+        const std::int32_t count = octave.end - octave.first;
+        return by_eights && count >= kFewestByEights ? draw_warped_by_eights(row, texels, count, pixels)
+                                                     : row.draw_divided(0, count, pixels, WarpedColours{warp});
     };
-    return draw_octaves(spans, cutting, texels.surface, out, draw, colour_at);
+    return draw_octaves(spans, cutting, surface, out, draw, colour_at);
 }
 
 }  // namespace oblong

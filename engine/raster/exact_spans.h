@@ -18,6 +18,7 @@ std::int64_t draw_exact_spans(std::span<const Span> spans, const BlockCutting& c
 
 /// The same for a surface that warps and has no other effect.
 std::int64_t draw_exact_warped_spans(std::span<const Span> spans, const BlockCutting& cutting,
-                                     const EffectTexels& texels, Framebuffer out);
+                                     const EffectTexels& texels, Framebuffer out,
+                                     Instructions instructions = best_instructions());
 
 }  // namespace oblong

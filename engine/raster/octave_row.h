@@ -7,6 +7,7 @@
 
 #include "engine/base/table.h"
 #include "engine/fixed/divide.h"
+#include "engine/raster/kernels/effect_kernels.h"
 #include "engine/raster/texture_blocks.h"
 
 namespace oblong {
@@ -105,10 +106,14 @@ class OctaveRow {
                is_between(v_over_z_.upper_half(pixel), limits.greatest_v);
     }
 
-    /// Draws pixels with known depths.
-    void draw_at_depths(const ColumnTexel* columns, std::int32_t count, std::uint8_t* out) const {
+    /// Draws pixels with known depths; colour(row, texel) gives a pixel's colour.
+    template <class Colour>
+    void draw_at_depths(const ColumnTexel* columns, std::int32_t count, std::uint8_t* out, Colour colour) const {
         draw_pixels(
-            0, count, out, [columns]() mutable { return columns++->depth; }, kPlain);
+            0, count, out, [columns]() mutable { return columns++->depth; }, colour);
+    }
+    void draw_at_depths(const ColumnTexel* columns, std::int32_t count, std::uint8_t* out) const {
+        draw_at_depths(columns, count, out, kPlain);
     }
 
     /// Draws pixels with known depths and columns of texels.
@@ -175,6 +180,18 @@ class OctaveRow {
     const std::uint8_t* texels_;
     std::uint64_t u_mask_, row_mask_;
     int stride_log2_;
+};
+
+/// The colours of a surface that warps.
+struct WarpedColours {
+    const WarpTable& warp;
+
+    std::uint8_t operator()(const OctaveRow& row, const DividedTexel& texel) const {
+        const auto u_16 = static_cast<std::uint32_t>(texel.u_46 >> 30),
+                   v_16 = static_cast<std::uint32_t>(texel.v_46 >> 30);
+        const std::uint64_t u = (u_16 + shift_at(warp, v_16)) >> 16, v = (v_16 + shift_at(warp, u_16)) >> 16;
+        return row.texels()[(v << row.stride_log2() & row.row_mask()) | (u & row.u_mask())];
+    }
 };
 
 /// All columns of a surface whose 1/z is the same in all rows: one division a column.

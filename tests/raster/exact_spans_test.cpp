@@ -172,25 +172,32 @@ TEST(ExactSpans, OnlyClampedPixelsAreDividedOneByOne) {
     }
 }
 
-/// Liquids: the bytes of blocks of one pixel, drawn by the plain kernel of what warps.
+Case any_liquid(std::mt19937_64& random, int trial) {
+    const auto part = [&](double least, double greatest) { return random_between(random, least, greatest); };
+    const double w0 = depth(random), w1 = trial % 3 == 0 ? w0 : depth(random);
+    return {{along<InverseZ>(w0, w1), along<TexelOverZ>(part(-9, 65540) * w0, part(-9, 65540) * w1),
+             along<TexelOverZ>(part(0, 600) * w0, part(0, 600) * w1)},
+            {{0, random_below(random, 300), kWidth}, {3, 0, kWidth}},
+            65535};
+}
+
+/// Liquids, upright ones too: the bytes of blocks of one pixel, drawn by the plain kernel of what warps.
 TEST(ExactSpans, DrawTheBytesOfWarpedBlocksOfOnePixel) {
     const TestSurface surface;
     std::mt19937_64 random(19);
-    const auto part = [&](double least, double greatest) { return random_between(random, least, greatest); };
     WarpTable warp;
     for (std::uint32_t& shift_16 : warp.shift_16) shift_16 = static_cast<std::uint32_t>(random() % (16 * 65536 + 1));
     const EffectTexels texels{surface.view, &warp, nullptr, nullptr};
-    for (int trial = 0; trial < 1000; ++trial) {
-        const double w0 = depth(random), w1 = trial % 3 == 0 ? w0 : depth(random);
-        const Case face{{along<InverseZ>(w0, w1), along<TexelOverZ>(part(-9, 65540) * w0, part(-9, 65540) * w1),
-                         along<TexelOverZ>(part(0, 600) * w0, part(0, 600) * w1)},
-                        {{0, random_below(random, 300), kWidth}, {3, 0, kWidth}},
-                        65535};
-        std::vector<std::uint8_t> expected(kWidth * kHeight), drawn = expected;
-        effect_kernel({true, false, false, true}, false)(blocks_of(face).waiting(), texels, expected.data());
-        draw_exact_warped_spans(face.spans, cutting_of(face, trial % 2 == 0), texels,
-                                {drawn.data(), kWidth, kHeight, kWidth});
-        ASSERT_EQ(drawn, expected) << trial;
+    for (int trial = 0; trial < 2000; ++trial) {
+        const Case face = trial % 2 == 0 ? any_liquid(random, trial / 2) : wall_or_floor(random, trial / 2);
+        std::vector<std::uint8_t> expected(kWidth * kHeight);
+        effect_kernel(kWarpsAlone, Instructions::Baseline)(blocks_of(face).waiting(), texels, expected.data());
+        for (const Instructions instructions : {Instructions::Baseline, best_instructions()}) {
+            std::vector<std::uint8_t> drawn(kWidth * kHeight);
+            draw_exact_warped_spans(face.spans, cutting_of(face, trial % 4 < 2), texels,
+                                    {drawn.data(), kWidth, kHeight, kWidth}, instructions);
+            ASSERT_EQ(drawn, expected) << trial;
+        }
     }
 }
 

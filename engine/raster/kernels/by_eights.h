@@ -25,14 +25,18 @@ TexelBlock* cut_whole_spans_by_eights(std::span<const Span> spans, std::int32_t 
 TexelBlock* repeat_rows_by_eights(const Span& above, std::span<const TexelBlock> blocks, std::span<const Span> spans,
                                   std::int32_t pitch, const BlockCutting& cutting, TexelBlock* out);
 
-// Draw the same bytes as OctaveRow's functions of these names, eight pixels at a time. Only for processors with
-// Instructions::Avx512, and for at least eight pixels.
+// Draw the same bytes as OctaveRow's functions of these names, those of surfaces that warp with WarpedColours, eight
+// pixels at a time. Only for processors with Instructions::Avx512, and for at least eight pixels.
 
 inline constexpr std::int32_t kFewestByEights = 8;
 
 /// `count` pixels from the octave's first.
 std::int32_t draw_divided_by_eights(const OctaveRow& row, std::int32_t count, std::uint8_t* out);
+std::int32_t draw_warped_by_eights(const OctaveRow& row, const EffectTexels& texels, std::int32_t count,
+                                   std::uint8_t* out);
 void draw_at_depths_by_eights(const OctaveRow& row, const ColumnTexel* columns, std::int32_t count, std::uint8_t* out);
+void draw_warped_at_depths_by_eights(const OctaveRow& row, const EffectTexels& texels, const ColumnTexel* columns,
+                                     std::int32_t count, std::uint8_t* out);
 void draw_columns_by_eights(const OctaveRow& row, const ColumnTexel* columns, std::int32_t count, std::uint8_t* out);
 
 /// Sets the columns of a polygon on the screen whose outline is_monotone, eight rows at a time: those of ScreenWalker.

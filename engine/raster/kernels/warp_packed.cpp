@@ -45,7 +45,7 @@ bool stays_in_half(const TexelBlock& block) {
 void draw_warped_blocks_bmi2(std::span<const TexelBlock> blocks, const EffectTexels& texels, std::uint8_t* pixels) {
     const UpperShifts upper(*texels.warp);
     const WarpedFetch fetch{texels.warp->shift_16.data(), upper.shift_48.data(), Bmi2Fetch(texels.surface)};
-    const EffectKernel draw_one_by_one = effect_kernel(kWarpsAlone, false);
+    const EffectKernel draw_one_by_one = effect_kernel(kWarpsAlone, Instructions::Baseline);
     for (const TexelBlock& block : blocks) {
         if (stays_in_half(block))
             draw_packed_block(block, pixels, fetch);
@@ -57,7 +57,7 @@ void draw_warped_blocks_bmi2(std::span<const TexelBlock> blocks, const EffectTex
 #else
 
 void draw_warped_blocks_bmi2(std::span<const TexelBlock> blocks, const EffectTexels& texels, std::uint8_t* pixels) {
-    effect_kernel(kWarpsAlone, false)(blocks, texels, pixels);
+    effect_kernel(kWarpsAlone, Instructions::Baseline)(blocks, texels, pixels);
 }
 
 #endif
