@@ -18,7 +18,7 @@ namespace oblong {
 struct SaveEntry {
     std::string name;                    ///< "Slot 1"
     std::string content;                 ///< "demo 3:12, 5 of 12 lenses"; "empty"
-    std::string help;                    ///< a line, for KeyNames::in(); if a save cannot be loaded, load() says more
+    std::string help;                    ///< a line, for KeyNames::in()
     bool is_saved_to_by_player = false;  ///< not only by keys or by the game itself
     bool is_empty = true, has_game = false;
     bool is_of_this_walk = false;  ///< of the current walk: loading it goes back to an earlier state

@@ -23,6 +23,8 @@ void MenuPages::open_load() {
                 leave_walk(question, action);
             };
             page.rows.push_back(save_row(save, save.is_empty ? nullptr : std::function<void()>(load)));
+            if (!save.is_empty && !save.has_game)
+                page.rows.back().help = host_.key_names().in("{accept} says why it can't be loaded");
         }
         page.rows.push_back(menu_row(
             "Delete", [this] { open_delete(); }, "a saved walk"));

@@ -30,7 +30,6 @@ SaveEntry entry_of(const ListedSlot& content, const std::string& lenses) {
     if (!content.refusal.empty()) {
         const bool is_old = content.refusal.find(kOtherVersion) != std::string::npos;
         entry.content = is_old ? "of another version" : "damaged";
-        entry.help = "{accept} says why it can't be loaded";
     }
     if (entry.is_empty) entry.content = "empty";
     if (!content.game) return entry;

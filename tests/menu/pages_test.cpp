@@ -33,7 +33,8 @@ class FakeHost final : public MenuHost {
                              false,    true,        false, MenuPicture{2, 1, {{255, 0, 0}, {0, 255, 0}}}};
         const SaveEntry damaged{"Walk 1", "damaged", "", false, false, false, false, std::nullopt};
         const SaveEntry own{"Walk 2", "demo 0:10", "", false, false, true, true, std::nullopt};
-        return {own, empty, full, damaged};
+        const SaveEntry damaged_slot{"Slot 3", "damaged", "", true, false, false, false, std::nullopt};
+        return {own, empty, full, damaged, damaged_slot};
     }
     std::optional<SaveEntry> last_walk() const override { return saves()[3]; }
     EndFigures end_figures() const override {
@@ -187,7 +188,7 @@ TEST_F(Pages, WhatLosesNothingAsksNothing) {
 TEST_F(Pages, SlotsAreSavedToAndLoadedFrom) {
     pages_.open_game();
     choose("Save");
-    EXPECT_EQ(menu_.page().rows.size(), 3u) << "two slots and Back: the game writes the autosave";
+    EXPECT_EQ(menu_.page().rows.size(), 4u) << "three slots and Back: the game writes the autosave";
     choose("Slot 1");
     EXPECT_EQ(host_.done.back(), "save 1");
     pages_.open_game();
@@ -213,8 +214,13 @@ TEST_F(Pages, ADamagedWalkIsChosenToLearnWhy) {
     EXPECT_EQ(host_.done.back(), "continue");
     pages_.open_title();
     choose("Load");
+    EXPECT_EQ(menu_.page().rows[3].help, "Enter says why it can't be loaded");
     choose("Walk 1");
     EXPECT_EQ(host_.done.back(), "load 3");
+    pages_.open_game();
+    choose("Save");
+    EXPECT_EQ(menu_.page().rows[2].label, "Slot 3");
+    EXPECT_EQ(menu_.page().rows[2].help, "") << "is replaced there";
 }
 
 // Of the walk that is on: its later part is lost then, though it would be saved on leaving.
@@ -233,7 +239,7 @@ TEST_F(Pages, WhatIsSavedIsDeletedAfterAQuestion) {
     pages_.open_title();
     choose("Load");
     choose("Delete");
-    EXPECT_EQ(menu_.page().rows.size(), 4u) << "all but the empty one, and Back";
+    EXPECT_EQ(menu_.page().rows.size(), 5u) << "all but the empty one, and Back";
     choose("Walk 1");
     choose("No");
     EXPECT_TRUE(host_.done.empty());
