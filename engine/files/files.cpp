@@ -128,6 +128,8 @@ std::vector<std::uint8_t> read_file(const std::string& path, std::size_t most_by
     constexpr std::size_t kChunk = std::size_t{1} << 16;
     const std::unique_ptr<std::uint8_t[]> chunk(new std::uint8_t[kChunk]);
     std::vector<std::uint8_t> bytes;
+    const std::uintmax_t size = fs::is_regular_file(status) ? fs::file_size(path, ignored) : 0;
+    if (size <= most_bytes) bytes.reserve(static_cast<std::size_t>(size));  // growing would take twice the memory
     while (const std::size_t count = std::fread(chunk.get(), 1, kChunk, file.get())) {
         if (count > most_bytes - bytes.size())
             throw FileError(path, "size",

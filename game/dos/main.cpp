@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <map>
+#include <new>
 #include <string>
 #include <utility>
 #include <vector>
@@ -102,8 +103,17 @@ Arguments read_arguments(int count, char** words) {
 void print_memory() {
     dos::MemoryState memory;
     call(dos::Call::Memory, &memory);
-    std::fprintf(stderr, "memory: %u of %u KB, %u instructions emulated\n", memory.most / 1024, memory.size / 1024,
-                 memory.emulated);
+    std::fprintf(stderr, "memory: %u of %u KB, stack: %u of %u KB, %u instructions emulated\n", memory.most / 1024,
+                 memory.size / 1024, memory.stack / 1024, dos::kStackSize / 1024, memory.emulated);
+}
+
+// With less memory the walk would need what sounds take.
+bool has_memory_for_sounds() {
+    constexpr std::uint32_t kWithSounds = 10752 * 1024;
+    dos::MemoryState memory;
+    call(dos::Call::Memory, &memory);
+    if (memory.size < kWithSounds) std::fprintf(stderr, "oblong: no sounds, which need 12 MB\n");
+    return memory.size >= kWithSounds;
 }
 
 // Frees the sound files, which are not read without a card.
@@ -150,18 +160,25 @@ void wait_for_key(dos::Pc& pc) {
 }
 
 void play(const Options& options, dos::Pc& pc) {
-    OpenSound open_sound = dos::sound_of_card();
+    OpenSound open_sound = has_memory_for_sounds() ? dos::sound_of_card() : nullptr;
     if (!open_sound) empty_sounds();
     PreferencesStore store;
     store.begin_with(options.preferences);
     ProgramFiles files = load_program_files(options, kAssets);
-    Program(options, std::move(files), store, pc, nullptr, std::move(open_sound)).run();
+    Program program(options, std::move(files), store, pc, nullptr, std::move(open_sound));
+    try {
+        program.run();
+    } catch (const std::bad_alloc&) {  // the unfinished picture has freed what saving needs
+        program.keep();
+        throw;
+    }
 }
 
 int run(int count, char** words) {
-    // Memory is scarce, so large freed blocks are returned at once.
+    // Memory is scarce, so large freed blocks are returned at once, and the heap grows by as little as is needed.
     mallopt(M_MMAP_THRESHOLD, 64 * 1024);
     mallopt(M_TRIM_THRESHOLD, 64 * 1024);
+    mallopt(M_TOP_PAD, 16 * 1024);
     return run_program("oblong", [&] {
         const Arguments arguments = read_arguments(count, words);
         ReportingPc pc(arguments.reports);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <new>
 #include <utility>
 
 #include "game/input/key_names.h"
@@ -124,7 +125,14 @@ void Gallery::draw_picture() {
     const Row& row = rows_[state_.row];
     const auto time_ms = static_cast<std::int64_t>((now_us_ - start_us_) / 1000);
     const RowInput input{assets_, mode, settings_of(drawn_with_), state_.values[state_.row], time_ms};
-    figures_ = draw_row(row, input, state_.chosen, {picture_.data(), mode.width_px, mode.height_px, mode.width_px});
+    const Framebuffer canvas{picture_.data(), mode.width_px, mode.height_px, mode.width_px};
+    try {
+        figures_ = draw_row(row, input, state_.chosen, canvas);
+    } catch (const std::bad_alloc&) {  // under DOS; what the row had taken is free again
+        figures_ = {};
+        fill(canvas, assets_.text.dark);
+        show("This row needs more memory than there is");
+    }
     const std::string number = std::to_string(state_.row + 1) + " of " + std::to_string(rows_.size());
     platform_.set_title(("Oblong - the gallery, " + number + ": " + std::string(row.name)).c_str());
     is_drawn_ = true;

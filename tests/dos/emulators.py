@@ -99,7 +99,7 @@ class Pc:
 class Qemu(Pc):
     """A 486 that is told what to do by QEMU's monitor."""
 
-    def __init__(self, disk, folder, *options):
+    def __init__(self, disk, folder, *options, memory_mb=16):
         if not shutil.which("qemu-system-i386"):
             skip("qemu-system-i386")
         self.folder, self.serial = folder, os.path.join(folder, "serial")
@@ -107,7 +107,7 @@ class Qemu(Pc):
         with open(image, "wb") as file:
             file.write(disk)
         self.process = subprocess.Popen(
-            ["qemu-system-i386", "-cpu", "486", "-m", "16", "-drive", f"file={image},format=raw", "-serial",
+            ["qemu-system-i386", "-cpu", "486", "-m", str(memory_mb), "-drive", f"file={image},format=raw", "-serial",
              f"file:{self.serial}", "-display", "none", "-no-reboot", "-monitor", "stdio", *options],
             stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True)
 

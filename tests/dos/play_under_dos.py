@@ -1,10 +1,11 @@
 """The game for DOS does what the game does.
 
-usage: play_under_dos.py integers|qemu|dosbox|saves|sound SOURCE_DIR BUILD_DIR
+usage: play_under_dos.py integers|qemu|memory|dosbox|saves|sound SOURCE_DIR BUILD_DIR
 
 integers: no room of the engine has a floating-point instruction; divisions and products of an i486 are those of here.
 qemu: a 486 of 16 MB, started from the disk image: the walk's ticks and pictures have the hashes that they have here; what the
     VGA shows is the last picture; a walk begins by keys and turns by the mouse, also after a long title; the game ends.
+memory: with 12 MB the walk and the gallery have enough, with 11 MB without sounds; less is refused.
 dosbox: OBLONG.COM and its way back to DOS: the same hashes.
 saves: a walk that was left in DOSBox goes on there where it was, as the game here reads its file; where DOS can't write, the
     game asks, and what was saved before stays.
@@ -26,6 +27,7 @@ from emulators import DosBox, Qemu, count_in, different_pixels, expect, read_ppm
 TICKS = 300
 # A processor of 31 million instructions a second, however busy the machine is.
 WITH_CARD = ["-icount", "shift=5", "-device", "sb16,audiodev=card", "-audiodev", "none,id=card"]
+ROWS = 120  # of the gallery, and some again
 STILL, MOVED = 3_000, 20_000  # pixels of 64,000 that differ
 # Rooms that have times and rates, which are doubles; the readers of files; the gallery's expected numbers.
 WITH_FLOATS = {"files", "gallery", "measure", "game_lab", "game_view", "game_simulation"}
@@ -90,7 +92,6 @@ def check_qemu(build_dir):
         pc.press_in_turn("esc", "up", "ret", "down", "ret")  # Leave; Yes, if so much was walked that it asks
         pc.wait_for("memory:")
     check_gallery(image)
-    check_memory(image)
 
 
 def check_gallery(image):
@@ -105,7 +106,22 @@ def check_gallery(image):
         pc.wait_for("memory:")
 
 
-def check_memory(image):
+def check_stack(said):
+    used, size = map(int, re.search(r"stack: (\d+) of (\d+) KB", said).groups())
+    expect(used <= size * 3 / 4, f"{used} KB of the stack's {size} are used, beyond which it would write over the heap")
+
+
+def check_memory(build_dir):
+    image = os.path.join(build_dir, "dos/oblong.img")
+    check_title(image)
+    check_walk(image, 12, has_sounds=True)
+    check_walk(image, 11, has_sounds=False)
+    check_all_rows(image)
+    with tempfile.TemporaryDirectory() as folder, Qemu(with_arguments(image, ""), folder, memory_mb=8) as pc:
+        pc.wait_for("too little memory")
+
+
+def check_title(image):
     """After 250 pictures of the title, 90 s of its record, there is memory for a walk, with all sounds."""
     with tempfile.TemporaryDirectory() as folder, \
             Qemu(with_arguments(image, "captions=off report=1"), folder, *WITH_CARD) as pc:
@@ -114,11 +130,35 @@ def check_memory(image):
         pc.wait_for_pictures(10)
         pc.press_in_turn("esc", "up", "ret", "down", "ret")
         pc.wait_for("memory:")
-    # The record leads through all rooms.
+
+
+def check_walk(image, memory_mb, has_sounds):
+    """The record leads through all rooms."""
+    words = "captions=off report=1 replay=/assets/walk.demo"
     with tempfile.TemporaryDirectory() as folder, \
-            Qemu(with_arguments(image, "captions=off report=1 replay=/assets/walk.demo"), folder, *WITH_CARD) as pc:
+            Qemu(with_arguments(image, words), folder, *WITH_CARD, memory_mb=memory_mb) as pc:
         pc.wait_until(lambda said: count_in(said, "shown") >= 600 or "out of memory" in said, "the record does not go on")
-        expect("out of memory" not in pc.said(), "memory is full before the record has led through all rooms")
+        expect("out of memory" not in pc.said(), f"{memory_mb} MB are full before the record has led through all rooms")
+        expect(("no sounds" not in pc.said()) == has_sounds, f"{memory_mb} MB, expected sounds: {has_sounds}")
+        pc.press_in_turn("esc", "up", "ret")
+        pc.wait_for("memory:")
+        check_stack(pc.said())
+
+
+def check_all_rows(image):
+    """Of the gallery over the title, with sounds: a row that needs more memory says so."""
+    card = [option for option in WITH_CARD if option not in ("-icount", "shift=5")]
+    with tempfile.TemporaryDirectory() as folder, \
+            Qemu(with_arguments(image, "captions=off report=1"), folder, *card, memory_mb=12) as pc:
+        pc.wait_for_pictures(3)
+        pc.press_in_turn("down", "down", "down", "down", "ret")
+        for _ in range(ROWS):
+            pc.wait_for_pictures(1)
+            pc.press_in_turn("pgdn")
+        expect("memory:" not in pc.said() and "oblong:" not in pc.said(), "a row of the gallery ends the game")
+        pc.press_in_turn("esc", "up", "ret")
+        pc.wait_for("memory:")
+        check_stack(pc.said())
 
 
 def resting(pc, what):
@@ -297,6 +337,8 @@ def main():
         check_arithmetic(source, build_dir)
     elif what == "qemu":
         check_qemu(build_dir)
+    elif what == "memory":
+        check_memory(build_dir)
     elif what == "dosbox":
         check_dosbox(build_dir)
     elif what == "saves":

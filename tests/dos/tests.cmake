@@ -8,7 +8,7 @@ add_executable(arithmetic_hash ${CMAKE_CURRENT_LIST_DIR}/driver/arithmetic.cpp)
 target_link_libraries(arithmetic_hash PRIVATE oblong_view)
 # Builds the game for DOS (kept in build/dos, so that only the first run is long). Skipped without the cross compiler or
 # the emulators.
-foreach(WHAT integers qemu dosbox saves sound)
+foreach(WHAT integers qemu memory dosbox saves sound)
     add_test(NAME dos.${WHAT} COMMAND python3 -B ${CMAKE_CURRENT_LIST_DIR}/play_under_dos.py ${WHAT} ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR})
     set_tests_properties(dos.${WHAT} PROPERTIES LABELS slow COST 200 TIMEOUT 36000 SKIP_RETURN_CODE 77 RESOURCE_LOCK dos_build)
 endforeach()

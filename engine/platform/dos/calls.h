@@ -29,9 +29,13 @@ struct MemoryState {
     std::uint32_t size = 0;      ///< of the PC, from 1 MB on, bytes
     std::uint32_t most = 0;      ///< the most in use at any time, with the program and its files
     std::uint32_t emulated = 0;  ///< instructions that the processor lacks
+    std::uint32_t stack = 0;     ///< the most used of kStackSize
 };
 
 inline constexpr std::uint32_t kLowMemory = 4096;
+inline constexpr std::uint32_t kStackSize = 192 * 1024;
+/// Beyond 1 MB, without sounds.
+inline constexpr std::uint32_t kLeastMemory = 10 << 20;
 
 /// Called at each interrupt of the timer, 291 times a second; null: nothing.
 struct TimerHook {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <random>
+#include <system_error>
 #include <thread>
 
 #include "engine/base/table.h"
@@ -43,8 +44,13 @@ ScreenRectangle band_of(Framebuffer canvas, int index, int count) {
 void draw_by_threads(const std::vector<ColouredTriangle>& triangles, TriangleMethod method, int threads,
                      Framebuffer canvas) {
     std::vector<std::thread> running;
-    for (int i = 0; i < threads; ++i)
-        running.emplace_back([&, i] { draw_band(triangles, method, band_of(canvas, i, threads), canvas); });
+    for (int i = 0; i < threads; ++i) {
+        try {
+            running.emplace_back([&, i] { draw_band(triangles, method, band_of(canvas, i, threads), canvas); });
+        } catch (const std::system_error&) {  // there are no threads under DOS
+            draw_band(triangles, method, band_of(canvas, i, threads), canvas);
+        }
+    }
     for (std::thread& thread : running) thread.join();
 }
 

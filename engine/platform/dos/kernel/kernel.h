@@ -53,6 +53,8 @@ void start_memory(std::uint32_t first_free);
 std::uint32_t move_heap_end(std::uint32_t wanted);
 /// Zeroed contiguous pages, from the top of memory down; null if there are too few.
 void* take_pages(std::uint32_t bytes);
+/// The lowest of the program's kStackSize bytes; null if there is too little memory.
+std::uint8_t* take_stack();
 /// Frees the whole pages among these bytes.
 void free_pages(const void* bytes, std::uint32_t size);
 MemoryState memory_state();

@@ -12,6 +12,7 @@ constexpr std::uint32_t kMegabyte = 1 << 20, kMostMemory = 64 * kMegabyte;
 constexpr std::uint32_t kHeapReserve = kMegabyte;
 bool is_taken[kMostMemory / kPage];
 std::uint32_t first, heap_end, end, most;
+const std::uint8_t* stack;
 std::int32_t taken;  // pages beyond those of the program and its archive; below 0 if some of these are free
 
 // Kilobytes above 1 MB, as the BIOS has stored them in the CMOS memory.
@@ -86,8 +87,17 @@ void free_pages(const void* bytes, std::uint32_t size) {
     }
 }
 
+std::uint8_t* take_stack() {
+    auto* const pages = static_cast<std::uint8_t*>(take_pages(kStackSize));
+    stack = pages;
+    return pages;
+}
+
+// What the stack has never used is zeros.
 MemoryState memory_state() {
-    return {end - kMegabyte, most, emulated_instructions()};
+    std::uint32_t unused = 0;
+    while (unused < kStackSize && stack[unused] == 0) ++unused;
+    return {end - kMegabyte, most, emulated_instructions(), kStackSize - unused};
 }
 
 }  // namespace oblong::dos

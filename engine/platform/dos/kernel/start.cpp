@@ -8,7 +8,7 @@
 namespace oblong::dos {
 namespace {
 
-constexpr std::uint32_t kStackSize = 256 * 1024, kThreadSegment = 6;
+constexpr std::uint32_t kThreadSegment = 6;
 std::uint64_t segments[kThreadSegment + 1];
 
 void start_segments() {
@@ -87,9 +87,9 @@ std::uint32_t split_words(const char* line, char* room, std::uint32_t room_size,
     const auto* const archive = reinterpret_cast<const std::uint8_t*>(whole_pages(end));
     start_files(archive);
     start_memory(whole_pages(end) + reinterpret_cast<const std::uint32_t*>(archive)[1]);
-    auto* const stack = static_cast<std::uint8_t*>(take_pages(kStackSize));
-    if (stack == nullptr) {
-        put("oblong: there is too little memory, expected 15 MB above 1 MB\n");
+    std::uint8_t* const stack = take_stack();
+    if (stack == nullptr || memory_state().size < kLeastMemory) {
+        put("oblong: there is too little memory, expected 11 MB\n");
         leave(1);
     }
     read_kept_files();

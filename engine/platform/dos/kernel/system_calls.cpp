@@ -10,7 +10,6 @@ void set_thread_segment(std::uint32_t address);  // start.cpp
 namespace {
 
 constexpr std::int32_t kNotThere = -38, kNoMemory = -12, kNoDevice = -19, kTryLater = -11;
-constexpr std::uint32_t kStackSize = 256 * 1024;
 
 struct TimeOfCall {
     std::uint32_t seconds, nanoseconds;
