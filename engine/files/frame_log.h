@@ -9,7 +9,7 @@
 
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
-#include "engine/view/view_spec.h"
+#include "engine/view/views.h"
 
 namespace oblong {
 

@@ -12,7 +12,7 @@
 #include "engine/surface/colormap.h"
 #include "engine/view/projection.h"
 #include "engine/view/screen.h"
-#include "engine/view/view_spec.h"
+#include "engine/view/views.h"
 
 namespace oblong {
 
@@ -33,7 +33,7 @@ struct Scene {
 /// every pixel of `out` (of the mode's size) exactly once. From an eye in the open, faces leave no pixel free; where a
 /// level lacks a face, the texture of another is continued (torn_pixels.h). From inside a wall or behind the sky, all
 /// faces that face the eye are drawn, and uncovered pixels are colour 0. Requires a view in which
-/// problem_of() (view/view_spec.h) finds nothing for this mode.
+/// problem_of() (view/views.h) finds nothing for this mode.
 ///
 /// A parallel view shows all faces that face its direction: rooms seen from outside, without the walls and ceilings
 /// that face away. Effects that need an eye are omitted. Uncovered pixels of a parallel view, or of one with cuts, are

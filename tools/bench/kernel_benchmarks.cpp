@@ -3,7 +3,6 @@
 
 #include "engine/effects/sky.h"
 #include "engine/raster/kernels/effect_kernels.h"
-#include "engine/view/view_spec.h"
 #include "engine/view/views.h"
 #include "tools/bench/benchmarks.h"
 

@@ -13,7 +13,7 @@
 #include "engine/raster/scan.h"
 #include "engine/view/screen_polygon.h"
 #include "engine/view/view_context.h"
-#include "engine/view/view_spec.h"
+#include "engine/view/views.h"
 #include "tools/gallery/diagram.h"
 #include "tools/gallery/row.h"
 
