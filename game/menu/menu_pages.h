@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "game/input/bindings.h"
-#include "game/input/key_names.h"
 #include "game/menu/menu.h"
 #include "game/menu/menu_layout.h"
 #include "game/options/preference_table.h"

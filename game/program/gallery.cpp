@@ -5,7 +5,7 @@
 #include <new>
 #include <utility>
 
-#include "game/input/key_names.h"
+#include "game/input/bindings.h"
 #include "game/view/screenshot.h"
 #include "tools/gallery/row.h"
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "engine/files/arguments.h"
-#include "game/input/key_names.h"
+#include "game/input/bindings.h"
 #include "game/simulation/items.h"
 #include "game/view/screenshot.h"
 #include "game/view/shown_view.h"

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "engine/platform/platform.h"
-#include "game/input/key_names.h"
+#include "game/input/bindings.h"
 #include "game/input/tick_input_source.h"
 #include "game/level/load.h"
 #include "game/program/game_screen.h"

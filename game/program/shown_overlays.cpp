@@ -1,7 +1,7 @@
 #include "game/program/shown_overlays.h"
 
 #include "engine/files/crosshair.h"
-#include "game/input/key_names.h"
+#include "game/input/bindings.h"
 #include "game/lab/aspects.h"
 #include "game/view/sign_colours.h"
 

@@ -1,5 +1,3 @@
-#include "game/input/key_names.h"
-
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -7,6 +5,7 @@
 #include <regex>
 
 #include "engine/platform/headless.h"
+#include "game/input/bindings.h"
 #include "game/program/view_options.h"
 #include "tests/support/folders.h"
 
