@@ -5,11 +5,24 @@
 #include <utility>
 
 #include "engine/base/input_error.h"
+#include "engine/fixed/root.h"
 #include "game/input/controls.h"
 #include "game/simulation/step.h"
 
 namespace oblong {
 namespace {
+
+constexpr std::int64_t kFullReach = std::int64_t{kFullAxis} * 97 / 100;
+
+std::int64_t length_of(Stick stick) {
+    const std::int64_t x = stick.x, y = stick.y;
+    return static_cast<std::int64_t>(integer_root(static_cast<std::uint64_t>(x * x + y * y)));
+}
+
+Stick scaled(Stick stick, std::int64_t numerator, std::int64_t denominator) {
+    return {static_cast<std::int32_t>(stick.x * numerator / denominator),
+            static_cast<std::int32_t>(stick.y * numerator / denominator)};
+}
 
 // Turns in a tick.
 constexpr std::int32_t kKeyYaw = 728;      // 140 degrees a second
@@ -56,6 +69,17 @@ LookOffset rest_of(std::int32_t yaw, std::int32_t pitch, std::int32_t fraction_1
 }
 
 }  // namespace
+
+Stick without_dead_zone(Stick stick, std::int32_t dead_zone_100) {
+    const std::int64_t length = length_of(stick), dead = std::int64_t{kFullAxis} * dead_zone_100 / 100;
+    if (length <= dead) return {};
+    if (length >= kFullReach) return scaled(stick, std::max<std::int64_t>(length, kFullAxis), length);
+    return scaled(stick, (length - dead) * kFullAxis, (kFullReach - dead) * length);
+}
+
+Stick squared(Stick stick) {
+    return scaled(stick, std::min<std::int64_t>(length_of(stick), kFullAxis), kFullAxis);
+}
 
 void LiveInput::gather(const Controls& controls) {
     held_ = controls.moves;
