@@ -1,7 +1,7 @@
 #include <tuple>
 #include <utility>
 
-#include "engine/level/bsp_parts.h"
+#include "engine/level/bsp_file.h"
 
 namespace oblong {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/base/table.h"
-#include "engine/level/bsp_parts.h"
+#include "engine/level/bsp_file.h"
 #include "engine/level/entities.h"
 
 namespace oblong {

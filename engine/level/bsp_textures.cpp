@@ -1,5 +1,5 @@
 #include "engine/base/table.h"
-#include "engine/level/bsp_parts.h"
+#include "engine/level/bsp_file.h"
 
 namespace oblong {
 

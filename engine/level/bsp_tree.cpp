@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "engine/level/bsp_parts.h"
+#include "engine/level/bsp_file.h"
 
 namespace oblong {
 
