@@ -72,12 +72,4 @@ struct Controls : WindowInput {
     bool has(Action command) const;
 };
 
-/// Applies a dead zone: a circle around the middle of `dead_zone_100` percent (0 to 90) of the stick's range, in which
-/// the result is 0. Outside, the length rises from 0 to full at 97 % of the range, which worn sticks still reach. The
-/// direction stays.
-Stick without_dead_zone(Stick stick, std::int32_t dead_zone_100);
-
-/// Squares the length, as a fraction of the full length: finer control near the middle.
-Stick squared(Stick stick);
-
 }  // namespace oblong

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <functional>
 
-#include "game/input/controls.h"
 #include "game/input/tick_input_source.h"
 #include "game/options/preferences.h"
 

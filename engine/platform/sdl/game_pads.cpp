@@ -1,5 +1,3 @@
-#include "engine/platform/sdl/game_pads.h"
-
 #include <SDL.h>
 
 #include <algorithm>
@@ -7,6 +5,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
+
+#include "engine/platform/sdl/input.h"
 
 namespace oblong {
 namespace {
