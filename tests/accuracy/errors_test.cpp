@@ -180,8 +180,7 @@ TEST(ColourErrors, DifferBetweenTheSettingsOfEachDialByEveryFigure) {
     for (const Dial& dial : all_dials())
         if (measure_of(dial) == Measure::LightColour || measure_of(dial) == Measure::PixelColour) dials.push_back(dial);
     const std::vector<MeasuredPlace> places{{level, scenes.palette, scenes.colormap}};
-    Progress progress(false);
-    const Report report = measure_all(make_configurations(dials), places, {1, 2, true}, progress);
+    const Report report = measure_all(make_configurations(dials), places, {1, 2, true});
     for (const Configurations::DialRows& rows : report.configurations.dials)
         for (const auto figure : {&ErrorSummary::rms, &ErrorSummary::p99, &ErrorSummary::max}) {
             std::set<double> values;

@@ -21,8 +21,7 @@ using Json = nlohmann::json;
 Report small_report() {
     const Scenes scenes(1);
     const std::vector<MeasuredPlace> places{scenes.place("rotating sphere")};
-    Progress progress(false);
-    return measure_all(make_configurations(all_dials()), places, {1, 1, true}, progress);
+    return measure_all(make_configurations(all_dials()), places, {1, 1, true});
 }
 
 void expect_setting(const Json& setting) {

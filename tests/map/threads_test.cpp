@@ -39,7 +39,7 @@ TEST(Threads, AnyNumberOfThemMakesTheSameLevel) {
 }
 
 TEST(Threads, EachItemIsDoneOnceAndTold) {
-    struct Told : map::CompileProgress {
+    struct Told : map::Progress {
         void begin(const char*, std::size_t steps) override { all += steps; }
         void step(std::size_t steps) override { done += steps; }
         std::size_t all = 0, done = 0;

@@ -1,7 +1,6 @@
 #include "tools/accuracy/frame_times.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "tools/accuracy/machine.h"
 
@@ -142,36 +141,8 @@ SettingTimes summarize(std::span<const Rounds> frames, std::span<const LevelFram
 
 }  // namespace
 
-Progress::~Progress() {
-    if (shown_ >= 0) std::fputc('\n', stderr);
-}
-
-void Progress::begin(const std::string& what, std::size_t steps, int from, int to) {
-    what_ = what;
-    steps_ = steps == 0 ? 1 : steps;
-    done_ = 0;
-    from_ = from;
-    to_ = to;
-    shown_ = -1;
-    show();
-}
-
-void Progress::step() {
-    ++done_;
-    show();
-}
-
-void Progress::show() {
-    const int percent = from_ + static_cast<int>(done_ * static_cast<std::size_t>(to_ - from_) / steps_);
-    if (!is_shown_ || percent == shown_) return;
-    shown_ = percent;
-    constexpr const char* kBar = "#########################";
-    std::fprintf(stderr, "\r[%-25.*s] %3d %% %-40s", percent / 4, kBar, percent, what_.c_str());
-    std::fflush(stderr);
-}
-
 FrameTimes time_frames(const Configurations& configurations, std::span<LevelFrames> levels, int rounds,
-                       Progress& progress) {
+                       const map::WorkSharing& work) {
     const std::size_t settings = configurations.accuracies.size();
     const std::vector<std::size_t> timed = timed_settings(configurations);
     const std::vector<std::size_t> own_surfaces = settings_with_own_surfaces(configurations);
@@ -181,8 +152,7 @@ FrameTimes time_frames(const Configurations& configurations, std::span<LevelFram
     TimesTable times(settings, std::vector<Rounds>(frame_count(levels))), unlit_times = times;
     for (int round = 0; round < result.unlit_rounds; ++round)
         time_unlit_round(configurations, own_surfaces, levels, unlit_times);
-    for (int round = 0; round < rounds; ++round, progress.step())
-        time_round(configurations, timed, levels, as_size(round), times);
+    work.for_each(as_size(rounds), [&](std::size_t round) { time_round(configurations, timed, levels, round, times); });
 
     for (const std::size_t i : timed) {
         result.settings[i] = summarize(times[i], levels);

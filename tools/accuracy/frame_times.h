@@ -9,28 +9,9 @@
 #include "engine/files/rendering_times.h"
 #include "tools/accuracy/configurations.h"
 #include "tools/accuracy/measured_level.h"
+#include "tools/map/work_sharing.h"
 
 namespace oblong {
-
-/// A progress line on standard error; none if `is_shown` is false.
-class Progress {
-  public:
-    explicit Progress(bool is_shown) : is_shown_(is_shown) {}
-    ~Progress();
-    Progress(const Progress&) = delete;
-
-    /// Begins a part of the work with `steps` steps, from `from` to `to` per cent of the whole.
-    void begin(const std::string& what, std::size_t steps, int from, int to);
-    void step();
-
-  private:
-    void show();
-
-    bool is_shown_;
-    std::string what_;
-    std::size_t steps_ = 1, done_ = 0;
-    int from_ = 0, to_ = 0, shown_ = -1;
-};
 
 /// The times of one setting: medians over the rounds of each frame, then the mean over frames.
 struct SettingTimes {
@@ -53,8 +34,8 @@ struct FrameTimes {
 };
 
 /// Times frames of all timed settings in turn: in every round each frame is drawn once by each setting, after an
-/// untimed drawing that warms the caches. Nothing is counted or recorded.
+/// untimed drawing that warms the caches. Nothing is counted or recorded. `work` has no workers, and tells the rounds.
 FrameTimes time_frames(const Configurations& configurations, std::span<LevelFrames> levels, int rounds,
-                       Progress& progress);
+                       const map::WorkSharing& work);
 
 }  // namespace oblong

@@ -78,8 +78,8 @@ void report_to_page(const Options& options, const std::string& assets) {
     const std::deque<MeasuredLevel> levels = read_levels({}, assets, demo.palette);
     std::vector<MeasuredPlace> places;
     for (const MeasuredLevel& level : levels) places.push_back({level, demo.palette, demo.colormap});
-    Progress progress(true);
-    const std::string table = preset_table(measure_all(make_configurations({}), places, {0, 1, false}, progress));
+    map::ProgressLine progress("oblong-accuracy");
+    const std::string table = preset_table(measure_all(make_configurations({}), places, {0, 1, false}, &progress));
     const std::vector<std::uint8_t> bytes = read_file(options.page);
     const std::string page(bytes.begin(), bytes.end()), measured = with_table(page, options.page, table);
     if (!options.checks_page) return write_file(options.page, measured);
@@ -102,9 +102,9 @@ void report_to_files(const Options& options, const std::string& assets) {
         const Colours& colours = &level == &levels.back() && !options.level.empty() ? named : demo;
         places.push_back({level, colours.palette, colours.colormap});
     }
-    Progress progress(true);
+    map::ProgressLine progress("oblong-accuracy");
     const Effort effort{options.is_quick ? 7 : 31, options.is_quick ? 2 : 4, options.is_quick};
-    Report report = measure_all(make_configurations(all_dials()), places, effort, progress);
+    Report report = measure_all(make_configurations(all_dials()), places, effort, &progress);
     report.machine = machine_name();
     report.compiler = compiler_name();
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -134,17 +134,16 @@ std::vector<HeatMap> draw_heat_maps(const Configurations::DialRows& dial, const 
     return maps;
 }
 
-Preparation prepare(std::span<const MeasuredPlace> places, int samples_per_axis, Progress& progress) {
+Preparation prepare(std::span<const MeasuredPlace> places, int samples_per_axis, const map::WorkSharing& work) {
     Preparation prepared;
     for (const MeasuredPlace& place : places) {
         prepared.levels.emplace_back(place.level, place.colormap);
         prepared.palettes.push_back(reference_palette(place.palette));
         std::vector<FrameTruth>& truths = prepared.truths.emplace_back();
-        for (const Camera& camera : place.level.cameras) {
-            truths.push_back(
-                make_frame_truth(prepared.levels.back(), camera, prepared.palettes.back(), samples_per_axis));
-            progress.step();
-        }
+        work.for_each(place.level.cameras.size(), [&](std::size_t i) {
+            truths.push_back(make_frame_truth(prepared.levels.back(), place.level.cameras[i], prepared.palettes.back(),
+                                              samples_per_axis));
+        });
     }
     return prepared;
 }
@@ -160,31 +159,33 @@ LevelSummary summary_of_level(const MeasuredLevel& level, std::span<const FrameT
 }  // namespace
 
 Report measure_all(const Configurations& configurations, std::span<const MeasuredPlace> places, const Effort& effort,
-                   Progress& progress) {
+                   map::Progress* progress) {
+    const map::WorkSharing work(nullptr, progress);  // in order, as frames share workspaces
     Report report;
     report.configurations = configurations;
     report.samples_per_axis = effort.samples_per_axis;
     report.is_quick = effort.is_quick;
     for (const MeasuredPlace& place : places) report.frames += place.level.cameras.size();
 
-    progress.begin("the exact frames", report.frames, 0, 15);
-    Preparation prepared = prepare(places, effort.samples_per_axis, progress);
+    work.begin("the exact frames", report.frames);
+    Preparation prepared = prepare(places, effort.samples_per_axis, work);
     const std::vector<FrameJob> jobs = prepared.jobs();
     for (std::size_t i = 0; i < places.size(); ++i)
         report.levels.push_back(summary_of_level(places[i].level, prepared.truths[i]));
 
     std::vector<WorstFrames> worst(configurations.accuracies.size());
-    progress.begin("errors and operations", worst.size(), 15, 45);
-    for (std::size_t i = 0; i < worst.size(); ++i, progress.step())
+    work.begin("errors and operations", worst.size());
+    work.for_each(worst.size(), [&](std::size_t i) {
         report.results.push_back(
             measure_setting(configurations.accuracies[i], configurations.is_counted[i], jobs, places.size(), worst[i]));
+    });
     for (const Configurations::DialRows& dial : configurations.dials)
         report.heat_maps.push_back(draw_heat_maps(dial, report, jobs, worst));
 
     report.times.settings.resize(worst.size());
     if (effort.rounds == 0) return report;
-    progress.begin("times", as_size(effort.rounds), 45, 100);
-    report.times = time_frames(configurations, prepared.levels, effort.rounds, progress);
+    work.begin("times", as_size(effort.rounds));
+    report.times = time_frames(configurations, prepared.levels, effort.rounds, work);
     return report;
 }
 

@@ -75,8 +75,9 @@ struct MeasuredPlace {
     const Palette& palette;
     const Colormap& colormap;
 };
+/// Tells `progress`, if not null.
 Report measure_all(const Configurations& configurations, std::span<const MeasuredPlace> places, const Effort& effort,
-                   Progress& progress);
+                   map::Progress* progress = nullptr);
 
 /// A number for readers: three significant digits without exponent, "0.0213", "375", "12,400"; "0" for 0.
 std::string number_text(double value);

@@ -24,7 +24,7 @@ struct CompileOptions {
     const Palette* palette = nullptr;
     Warnings* warnings = nullptr;  ///< collects oddities that do not prevent compilation
     Workers* workers = nullptr;    ///< share the work, without effect on the level
-    CompileProgress* progress = nullptr;
+    Progress* progress = nullptr;
     PortalFile* portals = nullptr;  ///< receives the portals
     CompilePart part = CompilePart::All;
     BspFile former = {};  ///< for a part: an earlier result of compile_map() with the same brushes

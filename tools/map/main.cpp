@@ -10,12 +10,12 @@
 #include "engine/platform/worker_threads.h"
 #include "engine/surface/palette.h"
 #include "tools/map/compile.h"
-#include "tools/map/progress_line.h"
 #include "tools/map/source/checks.h"
 #include "tools/map/source/external_maps.h"
 #include "tools/map/texture_sources.h"
 #include "tools/map/tree/bsp_file.h"
 #include "tools/map/trenchbroom.h"
+#include "tools/map/work_sharing.h"
 
 namespace {
 
@@ -92,7 +92,7 @@ class Reporter {
     }
 
     map::Warnings warnings;
-    map::ProgressLine progress;
+    map::ProgressLine progress{"oblong-map"};
 
   private:
     std::string counted() const { return std::to_string(count_) + (count_ == 1 ? " warning" : " warnings"); }

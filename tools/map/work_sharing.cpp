@@ -1,6 +1,9 @@
 #include "tools/map/work_sharing.h"
 
+#include <unistd.h>
+
 #include <atomic>
+#include <cstdio>
 #include <exception>
 #include <mutex>
 
@@ -9,7 +12,7 @@ namespace {
 
 class Items final : public SharedWork {
   public:
-    Items(const std::function<void(std::size_t)>& do_item, CompileProgress* progress)
+    Items(const std::function<void(std::size_t)>& do_item, Progress* progress)
         : do_item_(do_item), progress_(progress) {}
 
     void do_item(std::uint32_t item, int worker) override {
@@ -39,7 +42,7 @@ class Items final : public SharedWork {
     }
 
     const std::function<void(std::size_t)>& do_item_;
-    CompileProgress* progress_;
+    Progress* progress_;
     std::atomic<std::size_t> done_ = 0;
     std::size_t told_ = 0;
     std::mutex mutex_;  // guards error_ and failed_
@@ -60,6 +63,61 @@ void WorkSharing::for_each(std::size_t count, const std::function<void(std::size
         workers_->end();
     }
     items.finish();
+}
+
+ProgressLine::ProgressLine(std::string program)
+    : start_(Clock::now()), program_(std::move(program)), is_terminal_(isatty(STDERR_FILENO) != 0) {
+    stage_start_ = last_shown_ = start_;
+}
+
+void ProgressLine::begin(const char* stage, std::size_t steps) {
+    end_stage();
+    stage_ = stage;
+    steps_ = steps == 0 ? 1 : steps;
+    done_ = 0;
+    stage_start_ = Clock::now();
+}
+
+void ProgressLine::step(std::size_t steps) {
+    done_ += steps;
+    const bool is_due = seconds_since(last_shown_) > (is_terminal_ ? 0.2 : 5);
+    if (!is_due || seconds_since(start_) < 1) return;
+    last_shown_ = Clock::now();
+    const double share = static_cast<double>(done_) / static_cast<double>(steps_);
+    std::fprintf(stderr, "%s%s: %s %3.0f %%, %.0f s left%s", is_terminal_ ? "\r" : "", program_.c_str(), stage_.c_str(),
+                 share * 100, seconds_since(stage_start_) * (1 / share - 1), is_terminal_ ? "\x1b[K" : "\n");
+    std::fflush(stderr);
+    is_shown_ = true;
+}
+
+void ProgressLine::clear() {
+    if (is_terminal_ && is_shown_) std::fputs("\r\x1b[K", stderr);
+    is_shown_ = false;
+}
+
+void ProgressLine::end_stage() {
+    if (stage_.empty()) return;
+    const double seconds = seconds_since(stage_start_);
+    if (times_.empty() || times_.back().stage != stage_)
+        times_.push_back({stage_, seconds});
+    else
+        times_.back().seconds += seconds;
+}
+
+std::string ProgressLine::times() {
+    end_stage();
+    std::string text;
+    for (const StageTime& time : times_) {
+        char seconds[32];
+        std::snprintf(seconds, sizeof seconds, " %.1f s", time.seconds);
+        text += (text.empty() ? "" : ", ") + time.stage + seconds;
+    }
+    stage_.clear();
+    return text;
+}
+
+double ProgressLine::seconds_since(Clock::time_point time) {
+    return std::chrono::duration<double>(Clock::now() - time).count();
 }
 
 }  // namespace oblong::map

@@ -1,16 +1,19 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "engine/base/workers.h"
 
 namespace oblong::map {
 
-/// Receives a compilation's progress, always in the thread that compiles.
-class CompileProgress {
+/// Receives the progress of long work, always in the thread that began it.
+class Progress {
   public:
-    virtual ~CompileProgress() = default;
+    virtual ~Progress() = default;
     virtual void begin(const char* stage, std::size_t steps) = 0;
     virtual void step(std::size_t steps) = 0;  ///< `steps` more are done
 };
@@ -18,8 +21,8 @@ class CompileProgress {
 /// Shares items of work among threads. The result does not depend on the number of threads.
 class WorkSharing {
   public:
-    /// Either may be null; without workers the caller does all work.
-    WorkSharing(Workers* workers, CompileProgress* progress) : workers_(workers), progress_(progress) {}
+    /// Either may be null; without workers the caller does all work, in order.
+    WorkSharing(Workers* workers, Progress* progress) : workers_(workers), progress_(progress) {}
 
     /// Begins a stage of `items` items, in one or more for_each().
     void begin(const char* stage, std::size_t items) const {
@@ -32,7 +35,41 @@ class WorkSharing {
 
   private:
     Workers* workers_;
-    CompileProgress* progress_;
+    Progress* progress_;
+};
+
+/// Shows a program's progress and its stage's remaining seconds on standard error: from its second second on, on a
+/// terminal as one line that is overwritten, else as a line every five seconds.
+class ProgressLine final : public Progress {
+  public:
+    explicit ProgressLine(std::string program);
+    ~ProgressLine() override { clear(); }
+
+    void begin(const char* stage, std::size_t steps) override;
+    void step(std::size_t steps) override;
+    void clear();  ///< removes the line before other output
+
+    /// "tree 0.3 s, visibility 2.1 s, light 4.0 s": the times of the stages; ends the last one.
+    std::string times();
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    static double seconds_since(Clock::time_point time);
+
+    Clock::time_point start_, stage_start_, last_shown_;
+    struct StageTime {
+        std::string stage;
+        double seconds = 0;
+    };
+
+    void end_stage();
+
+    std::string program_;
+    std::vector<StageTime> times_;
+    std::string stage_;
+    std::size_t steps_ = 1, done_ = 0;
+    bool is_terminal_, is_shown_ = false;
 };
 
 }  // namespace oblong::map
