@@ -34,7 +34,7 @@ struct MemoryState {
 
 inline constexpr std::uint32_t kLowMemory = 4096;
 inline constexpr std::uint32_t kStackSize = 192 * 1024;
-/// Beyond 1 MB, without sounds.
+/// Beyond 1 MB, without sounds; kernel/start.cpp refuses less, and says it as 11 MB in all.
 inline constexpr std::uint32_t kLeastMemory = 10 << 20;
 
 /// Called at each interrupt of the timer, 291 times a second; null: nothing.
