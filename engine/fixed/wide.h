@@ -53,6 +53,23 @@ struct Uint128 {
 
 /// The exact product.
 constexpr Uint128 multiply(std::uint64_t a, std::uint64_t b) {
+#if defined(__i386__)
+    if (!std::is_constant_evaluated()) {  // carries go from addition to addition; GCC puts each into a 64-bit number
+        const auto low_a = static_cast<std::uint32_t>(a), high_a = static_cast<std::uint32_t>(a >> 32),
+                   low_b = static_cast<std::uint32_t>(b), high_b = static_cast<std::uint32_t>(b >> 32);
+        const std::uint64_t first = product_to_64(low_a, low_b);
+        std::uint32_t second = static_cast<std::uint32_t>(first >> 32), third = 0, fourth = 0;
+        asm("movl %[low_a], %%eax\n\tmull %[high_b]\n\taddl %%eax, %[second]\n\tadcl $0, %%edx\n\t"
+            "movl %%edx, %[third]\n\t"
+            "movl %[high_a], %%eax\n\tmull %[low_b]\n\taddl %%eax, %[second]\n\tadcl %%edx, %[third]\n\t"
+            "movl $0, %[fourth]\n\tadcl $0, %[fourth]\n\t"
+            "movl %[high_a], %%eax\n\tmull %[high_b]\n\taddl %%eax, %[third]\n\tadcl %%edx, %[fourth]"
+            : [second] "+&r"(second), [third] "=&r"(third), [fourth] "=&r"(fourth)
+            : [low_a] "m"(low_a), [high_a] "m"(high_a), [low_b] "m"(low_b), [high_b] "m"(high_b)
+            : "eax", "edx", "cc");
+        return {std::uint64_t{fourth} << 32 | third, std::uint64_t{second} << 32 | static_cast<std::uint32_t>(first)};
+    }
+#endif
     constexpr std::uint64_t kHalf = 0xffffffff;
     const std::uint64_t low = (a & kHalf) * (b & kHalf);
     const std::uint64_t cross = (a >> 32) * (b & kHalf) + (low >> 32);
@@ -168,6 +185,8 @@ constexpr std::int64_t short_mul_shift_by_less(std::int32_t a, std::int64_t b, i
 
 /// a * b / 2^shift. See oblong::wrapping_mul_shift.
 constexpr std::int64_t wrapping_mul_shift(std::int32_t a, std::int64_t b, int shift) {
+    if (const auto short_b = static_cast<std::int32_t>(b); short_b == b)
+        return floor_shift(product_to_64(a, short_b) + half_of(shift, Rounding::NearestHalfUp), shift);
     return shift_right(multiply_add(a, b, half_of(shift, Rounding::NearestHalfUp)), shift);
 }
 

@@ -124,14 +124,15 @@ std::int64_t draw_span(const Span& span, const MeshGradients& gradients, const M
 }
 
 /// Triangles whose boxes have at most this many pixel centres across and down are tested centre by centre, if no side
-/// is as long as the second number.
+/// is longer than the second number, a power of two.
 constexpr std::int32_t kFewCentres = 4;
 constexpr Screen kShortSide = Screen::from_int(16);
 
 bool has_short_sides(const std::array<ScreenVertex, 3>& corners) {
     const auto& [a, b, c] = corners;
-    return is_within(b.x - a.x, kShortSide) && is_within(b.y - a.y, kShortSide) && is_within(c.x - a.x, kShortSide) &&
-           is_within(c.y - a.y, kShortSide);
+    const auto moved = [](Screen way) { return (way + kShortSide).bits(); };
+    // By the highest bit of all.
+    return (moved(b.x - a.x) | moved(b.y - a.y) | moved(c.x - a.x) | moved(c.y - a.y)) < 2 * kShortSide.bits();
 }
 
 /// The edge function of a short side, from the right to the left. In steps of 2^-8 it is at most 2 * 16 * 16 * 2^8.
