@@ -130,5 +130,30 @@ TEST(MovingLights, BrightenWhatTheyReachAndLeaveNothingBehind) {
     EXPECT_EQ(stage.draw(), without);
 }
 
+// The light reaches nothing but the box where it is now, 400 units from its place in the level.
+TEST(MovingLights, ReachABrushModelWhereItIsPlaced) {
+    MapText text = lit_room("m");
+    text.entities += entity("func_wall", {}, box({-100, -40, 20}, {-60, 40, 100}, "other"));
+    EffectStage stage(text, camera_at(point_at(200, 3, 100), 180), shades_as_colours());
+    const std::vector<MovingLight> lights{{point_at(-440, 0, 60), World::from_int(40)}};
+    stage.moving_lights = lights;
+    const Picture in_place = stage.draw();
+    EXPECT_FALSE(stage.has(Effect::Lights));
+    stage.models.at(0).offset = point_at(-400, 0, 0);
+    PassTimes times{[] {
+        static std::int64_t now_ns = 0;
+        return ++now_ns;
+    }};
+    stage.work.observers.times = &times;
+    const Picture moved = stage.draw();
+    stage.work.observers.times = nullptr;
+    EXPECT_TRUE(stage.has(Effect::Lights));
+    EXPECT_GT(item(times.effects_ns, Effect::Lights), 0) << "its surface is timed as lit";
+    stage.moving_lights.clear();
+    EXPECT_GT(changed_pixels(stage.draw(), moved), 100);
+    stage.models.at(0).offset = {};
+    EXPECT_EQ(stage.draw(), in_place);
+}
+
 }  // namespace
 }  // namespace oblong::test
