@@ -56,6 +56,8 @@ std::string saves_folder_of(const Options& options) {
 }
 
 LevelFiles level_files_of(const Options& options, const std::string& assets_folder) {
+    if (!options.game.empty() && !fs::is_directory(options.game))
+        throw FileError(options.game, "--game", "is no folder, expected one with a game.json, or with maps/");
     LevelFiles files{options.level, options.palette, assets_folder, options.models, game_folders_of(options.game)};
     const std::string& folder = is_game_folder(options.game) ? options.game : assets_folder;
     files.game = std::make_shared<const GameDefinition>(read_game_definition(folder));
