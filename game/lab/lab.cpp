@@ -94,12 +94,16 @@ ErrorMeter& Lab::meter() {
     return *meter_;
 }
 
-std::int32_t Lab::draw(const LabOptions& options, const GameView& view, const Settings& settings, std::uint64_t now_us,
-                       bool is_short, Framebuffer canvas) {
+void Lab::draw_pictures(const LabOptions& options, const GameView& view, const Settings& settings, std::uint64_t now_us,
+                        Framebuffer canvas) {
     Settings shown = settings;
     shown.accuracy = shown_setting(options, settings.accuracy, now_us);
     if (options.maps_errors) draw_errors(view, shown, canvas);
     if (options.splits) draw_exact_side(options, view, settings, canvas);
+}
+
+std::int32_t Lab::draw_panel(const LabOptions& options, const GameView& view, const Settings& settings, bool is_short,
+                             Framebuffer canvas) {
     std::int32_t bottom = canvas.height_px;
     if (options.shows_panel) {
         measures_.measure(view, settings, options.before, renderer_, meter(), data_.palette);

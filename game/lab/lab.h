@@ -47,12 +47,16 @@ class Lab {
     Lab(const GameData& data, const GameLevel& level, const ScreenMode& mode, ColourScheme scheme,
         std::int32_t text_scale);
 
-    /// Draws the parts that are on over the canvas, which shows `view` with shown_setting(). `settings`: the current
-    /// ones. `is_short`: leaves room for another panel. Returns the row above which it ends.
-    std::int32_t draw(const LabOptions& options, const GameView& view, const Settings& settings, std::uint64_t now_us,
-                      bool is_short, Framebuffer canvas);
+    /// Draws the map of errors and the exact side, where they are on, over the canvas, which shows `view` with
+    /// shown_setting(). `settings`: the current ones.
+    void draw_pictures(const LabOptions& options, const GameView& view, const Settings& settings, std::uint64_t now_us,
+                       Framebuffer canvas);
+    /// Draws the panel and the map's legend. `is_short`: leaves room for another panel. Returns the row above which it
+    /// ends.
+    std::int32_t draw_panel(const LabOptions& options, const GameView& view, const Settings& settings, bool is_short,
+                            Framebuffer canvas);
 
-    /// Notes on what draw() drew, for KeyNames::in().
+    /// Notes on what is drawn, for KeyNames::in().
     std::vector<std::string> notes(const LabOptions& options, const Accuracy& accuracy, std::uint64_t now_us) const;
 
   private:

@@ -139,8 +139,9 @@ ShownPicture Session::draw(bool is_behind_menu) {
     if (is_behind_menu) effects.flash = {};  // it would brighten the menu
     overlays_.note(view, drawn, effects, last_us_, *renderer_);
 
-    overlays_.draw_lines(view, drawn, *renderer_);
     const Framebuffer canvas = renderer_->canvas();
+    if (!is_behind_menu) overlays_.draw_lab_pictures(view, settings, last_us_, canvas);
+    overlays_.draw_lines(view, drawn, *renderer_);
     PanelText panels;
     if (!is_behind_menu) panels = overlays_.draw_panels(view, settings, last_us_, canvas);
     const Palette palette = palette_of(view, effects);

@@ -79,6 +79,11 @@ void ShownOverlays::note(const GameView& view, const Settings& drawn, const Pale
     if (log_) renderer.note(view, drawn, now_us, *log_);
 }
 
+void ShownOverlays::draw_lab_pictures(const GameView& view, const Settings& settings, std::uint64_t now_us,
+                                      Framebuffer canvas) {
+    if (lab_ && !four_aspects_) lab_->draw_pictures(on_.lab, view, settings, now_us, canvas);
+}
+
 void ShownOverlays::draw_lines(const GameView& view, const Settings& drawn, GameRenderer& renderer) {
     if (edge_colour_) {
         const Framebuffer canvas = renderer.canvas();
@@ -101,7 +106,7 @@ PanelText ShownOverlays::draw_panels(const GameView& view, const Settings& setti
     }
     if (map_) map_->draw(view, on_.map, on_.line_method, mode, settings, canvas);
     if (lab_) {
-        text.bottom = lab_->draw(on_.lab, view, settings, now_us, cost_ != nullptr, canvas);
+        text.bottom = lab_->draw_panel(on_.lab, view, settings, cost_ != nullptr, canvas);
         for (const std::string& note : lab_->notes(on_.lab, settings.accuracy, now_us))
             text.notes.push_back(with_keys(note));
     }

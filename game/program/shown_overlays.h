@@ -43,6 +43,8 @@ class ShownOverlays {
     /// Measures and logs the picture, which `drawn` was used for.
     void note(const GameView& view, const Settings& drawn, const PaletteEffects& effects, std::uint64_t now_us,
               GameRenderer& renderer);
+    /// Draws the lab's pictures over the picture. `settings`: the player's.
+    void draw_lab_pictures(const GameView& view, const Settings& settings, std::uint64_t now_us, Framebuffer canvas);
     /// Draws lines of the level over the picture: edges of faces, and the path.
     void draw_lines(const GameView& view, const Settings& drawn, GameRenderer& renderer);
     /// Draws maps and panels over the picture. `settings`: the player's.

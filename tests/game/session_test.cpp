@@ -110,6 +110,20 @@ INSTANTIATE_TEST_SUITE_P(
                              20}),
     [](const auto& each) { return std::string(each.param.name); });
 
+// Exact pixels are mostly those of `bounded`; before, the right side was drawn over the map, bright and without lines.
+TEST_F(SessionOfTheDemo, MapAndEdgesAreOnBothSidesOfASplitPicture) {
+    const Picture whole = play({{1, kMapAndEdges}})[5];
+    std::vector<Action> split = kMapAndEdges;
+    split.push_back(kSplit);
+    const Picture halves = play({{1, split}})[5];
+    std::int32_t different = 0, compared = 0;
+    for (std::int32_t y = 40; y < 160; ++y)  // between the messages at the top and the notes below
+        for (std::int32_t x = 162; x < 320; ++x, ++compared)
+            different += whole[pixel_count(320, y) + as_size(x)] != halves[pixel_count(320, y) + as_size(x)];
+    EXPECT_LT(different, compared / 5);
+    EXPECT_NE(halves, whole);
+}
+
 TEST_F(SessionOfTheDemo, ArrowsWalkUnlessTheLabIsOpen) {
     play({});
     const std::vector<std::uint8_t> walked = demo_;
