@@ -145,7 +145,7 @@ class EveryPage : public Pages {
     static bool is_final(const std::string& label) {
         static const std::set<std::string> kFinal{"Resume",  "OK",   "No",       "Yes",        "Back",     "Done",
                                                   "Gallery", "Walk", "Continue", "Replace it", "Delete it"};
-        return kFinal.contains(label) || label == "Slot 1" || label == "Walk 1" || (label == "Quit");
+        return kFinal.contains(label) || label == "Slot 1" || label == "Slot 3" || label == "Walk 1" || label == "Quit";
     }
     std::set<std::string> seen_;
 };
