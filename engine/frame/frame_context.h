@@ -8,7 +8,7 @@
 #include "engine/frame/level_cache.h"
 #include "engine/frame/observers.h"
 #include "engine/frame/surface_pass.h"
-#include "engine/view/gradients.h"
+#include "engine/view/texture_gradients.h"
 #include "engine/view/view_context.h"
 #include "engine/visibility/front_to_back.h"
 

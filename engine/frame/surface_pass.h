@@ -10,8 +10,8 @@
 #include "engine/raster/kernels/effect_kernels.h"
 #include "engine/raster/texture_blocks.h"
 #include "engine/scene/face_surface.h"
-#include "engine/view/gradients.h"
 #include "engine/view/screen.h"
+#include "engine/view/texture_gradients.h"
 
 namespace oblong {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "engine/level/level.h"
-#include "engine/view/gradients.h"
+#include "engine/view/texture_gradients.h"
 
 namespace oblong {
 

@@ -10,8 +10,8 @@
 #include "engine/scene/light_styles.h"
 #include "engine/scene/moving_lights.h"
 #include "engine/surface/surface_cache.h"
-#include "engine/view/gradients.h"
 #include "engine/view/projection.h"
+#include "engine/view/texture_gradients.h"
 #include "engine/view/view_context.h"
 
 namespace oblong {

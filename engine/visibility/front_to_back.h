@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/level/level.h"
-#include "engine/view/gradients.h"
+#include "engine/view/texture_gradients.h"
 #include "engine/view/view_context.h"
 #include "engine/visibility/box_culler.h"
 #include "engine/visibility/brush_models.h"

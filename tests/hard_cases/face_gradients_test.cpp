@@ -5,7 +5,7 @@
 
 #include "engine/math/vec.h"
 #include "engine/raster/texture_blocks.h"
-#include "engine/view/gradients.h"
+#include "engine/view/texture_gradients.h"
 #include "tests/hard_cases/hard_case.h"
 
 // The gradients that a frame's faces take from their texture. Those of triangles, as outside checks ask for them, are

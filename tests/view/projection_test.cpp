@@ -5,7 +5,7 @@
 #include "engine/math/matrix.h"
 #include "engine/methods/polygons.h"
 #include "engine/methods/transforms.h"
-#include "engine/view/gradients.h"
+#include "engine/view/texture_gradients.h"
 #include "tests/support/random.h"
 
 namespace oblong::test {

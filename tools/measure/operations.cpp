@@ -79,7 +79,7 @@ constexpr EventCost kExactEdgeRow{400, 0, 0, 0, 0, 400}, kAccumulatedEdgeRow{800
 /// visibility/span_buffer.cpp, rows_with_free(), claim_row(): a row's hull; claim_listed(), claim_several(): the rest
 /// of it; a span and its work in frame/.
 constexpr EventCost kClaimedRow{1200, 0, 0, 0, 1600, 400}, kSpan{3100, 138, 0, 0, 400, 1200};
-/// view/gradients.cpp: three vectors rotated, the plane's distance, nine slopes, three anchors, those of 1/z
+/// view/texture_gradients.cpp: three vectors rotated, the plane's distance, nine slopes, three anchors, those of 1/z
 /// for four of five faces, since others are on the plane of the previous face; scene/face_surface.cpp: the mip level,
 /// the size of the lit surface, its place in the cache.
 constexpr EventCost kGradients{31142, 6017, 84, 0, 16000, 7200};
