@@ -19,6 +19,8 @@ SurfaceCache::SurfaceCache(std::size_t slot_count, std::size_t first_bytes, std:
     : block_of_slot_(slot_count, kNone), frame_(kFramesKept), piece_bytes_(static_cast<std::uint32_t>(piece_bytes)) {
     blocks_.reserve(first_bytes / kUsualBlockBytes);
     grow(static_cast<std::uint32_t>(first_bytes));
+    // The system gives memory when it is first written: not in a frame.
+    std::fill_n(pieces_.front().get(), arena_bytes_, std::uint8_t{0});
 }
 
 SurfaceCache::Found SurfaceCache::get(std::size_t slot, std::size_t bytes, const SurfaceKey& key) {
