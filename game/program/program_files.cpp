@@ -25,6 +25,15 @@ void check_writable(const std::string& file) {
         throw FileError(file, "write", folder.string() + " is no folder, expected a folder for the file");
 }
 
+// Otherwise the museum would be played in its place. With a level it may hold just what the level names.
+void check_game_folder(const Options& options) {
+    const fs::path folder = options.game;
+    const bool has_game = is_game_folder(options.game) || fs::is_directory(folder / "maps") ||
+                          GameFiles({options.game}).has_paks() || !options.level.empty();
+    if (!fs::is_directory(folder) || !has_game)
+        throw FileError(options.game, "--game", "is no folder of a game, expected one with a game.json, or with maps/");
+}
+
 bool is_plain(char letter) {
     const bool is_letter = (letter | 32) >= 'a' && (letter | 32) <= 'z';
     return is_letter || (letter >= '0' && letter <= '9') || letter == '.' || letter == '-';
@@ -56,8 +65,7 @@ std::string saves_folder_of(const Options& options) {
 }
 
 LevelFiles level_files_of(const Options& options, const std::string& assets_folder) {
-    if (!options.game.empty() && !fs::is_directory(options.game))
-        throw FileError(options.game, "--game", "is no folder, expected one with a game.json, or with maps/");
+    if (!options.game.empty()) check_game_folder(options);
     LevelFiles files{options.level, options.palette, assets_folder, options.models, game_folders_of(options.game)};
     const std::string& folder = is_game_folder(options.game) ? options.game : assets_folder;
     files.game = std::make_shared<const GameDefinition>(read_game_definition(folder));

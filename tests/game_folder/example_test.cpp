@@ -169,11 +169,11 @@ TEST_F(ExampleGame, ALevelThatIsNotThereIsNamedBeforeTheGameBegins) {
     EXPECT_TRUE(said_.starts_with("oblong: " + folder_ + "/game.json: /levels/2: there is no maps/third.bsp")) << said_;
 }
 
-TEST_F(ExampleGame, AFolderThatIsNotThereIsNoMuseum) {
+TEST_F(ExampleGame, AFolderThatHoldsNoGameIsNoMuseum) {
     const std::string pictures = " --headless 1 --out " + temporary_.path("out");
-    for (const std::string missing : {"/none", "/game.json"}) {
-        EXPECT_EQ(run("oblong --game " + folder_ + missing + pictures), 1);
-        EXPECT_TRUE(said_.starts_with("oblong: " + folder_ + missing + ": --game: is no folder")) << said_;
+    for (const std::string other : {"/none", "/game.json", "/maps"}) {
+        EXPECT_EQ(run("oblong --game " + folder_ + other + pictures), 1);
+        EXPECT_TRUE(said_.starts_with("oblong: " + folder_ + other + ": --game: is no folder")) << said_;
     }
 }
 
