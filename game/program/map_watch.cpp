@@ -5,9 +5,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <iostream>
 #include <sstream>
+#include <thread>
 
+#include "engine/files/arguments.h"
 #include "engine/files/files.h"
 #include "engine/level/entities.h"
 
@@ -161,15 +164,22 @@ std::string MapWatch::due_reminder(std::uint64_t now_us) {
     return fault_;
 }
 
-void MapWatch::compile_first() {
+void MapWatch::compile_first(bool waits) {
+    constexpr std::uint64_t kBetweenPolls_us = 20'000;
     seen_ = stamp_of(map_file_);
     tried_text_ = read_text(map_file_);
     begin(MapChange::All);
-    int status = 0;
-    waitpid(*running_, &status, 0);
-    running_.reset();
-    const News news = finish(status);
-    if (!news.has_level) throw FileError(map_file_, "oblong-map", news.fault);
+    for (std::uint64_t now_us = 0;; now_us += kBetweenPolls_us) {
+        const auto news = poll(now_us);
+        if (news && news->has_level) break;
+        if (news) {
+            const FileError fault(map_file_, "oblong-map", news->fault);
+            if (!waits) throw fault;
+            print_fault("oblong", std::string(fault.what()) + "; tried again after a change");
+        }
+        std::this_thread::sleep_for(std::chrono::microseconds(kBetweenPolls_us));
+    }
+    looked_us_ = 0;
 }
 
 void MapWatch::begin(MapChange change) {

@@ -43,8 +43,9 @@ class MapWatch {
     std::string due_reminder(std::uint64_t now_us);
     /// Sets a fault that the compiler does not know of.
     void remind_of(std::string fault);
-    /// Compiles all and waits. Throws FileError if that fails.
-    void compile_first();
+    /// Compiles all and waits for the result. If there is no level: throws FileError, or with `waits` prints why on
+    /// standard error, and compiles again after each change until there is one.
+    void compile_first(bool waits);
 
   private:
     struct Stamp {

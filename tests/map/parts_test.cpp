@@ -116,7 +116,7 @@ TEST_F(MapWatchTest, FollowsTheSource) {
     const auto source = [&](const std::string& entities) { return with_wad(two_rooms(entities)); };
     write_file(path("t.wad"), wad_bytes({"wall"}));
     write_file(path("my.map"), source(kLamp));
-    watch.compile_first();
+    watch.compile_first(false);
     const std::string first = level_bytes();
     EXPECT_TRUE(news_after("my.map", source(kOtherLamp)).has_level);
     EXPECT_FALSE(level_bytes() == first);
@@ -134,10 +134,26 @@ TEST_F(MapWatchTest, FollowsTheSource) {
     EXPECT_TRUE(level_bytes() == first);
 }
 
+TEST_F(MapWatchTest, WaitsUntilTheFirstLevelCompiles) {
+    write_file(path("t.wad"), wad_bytes({"wall"}));
+    write_file(path("my.map"), with_wad(two_rooms(kLamp)) + "{");
+    EXPECT_NE(refusal<FileError>([&] { watch.compile_first(false); }).find("line "), std::string::npos);
+    fs::remove(path("my-draft.log"));
+    testing::internal::CaptureStderr();
+    std::thread mapper([&] {
+        while (!fs::exists(path("my-draft.log")) || read_text(path("my-draft.log")).empty()) std::this_thread::yield();
+        write_file(path("my.map"), with_wad(two_rooms(kLamp)));
+    });
+    watch.compile_first(true);
+    mapper.join();
+    EXPECT_NE(testing::internal::GetCapturedStderr().find("; tried again after a change"), std::string::npos);
+    EXPECT_TRUE(news_after("my.map", with_wad(two_rooms(kOtherLamp))).has_level);
+}
+
 TEST_F(MapWatchTest, NamesAPlaceWhereNothingCanBeWritten) {
     write_file(path("my.map"), with_wad(two_rooms(kLamp)));
     fs::create_directory(path("my-draft.log"));
-    const std::string said = refusal<FileError>([&] { watch.compile_first(); });
+    const std::string said = refusal<FileError>([&] { watch.compile_first(false); });
     EXPECT_TRUE(said.starts_with(path("my-draft.log") + ": write: ")) << said;
 }
 
@@ -146,7 +162,7 @@ TEST_F(MapWatchTest, PassesOnTheWarningsOfLevelsThatCompile) {
     write_file(path("t.wad"), wad_bytes({"wall"}));
     write_file(path("my.map"), with_wad(two_rooms(kLamp + entity_at("lihgt", {32, 32, 32}))));
     testing::internal::CaptureStderr();
-    watch.compile_first();
+    watch.compile_first(false);
     const std::string said = testing::internal::GetCapturedStderr();
     EXPECT_NE(said.find("the class 'lihgt' is unknown, perhaps 'light' is meant"), std::string::npos) << said;
 }
@@ -155,7 +171,7 @@ TEST_F(MapWatchTest, PassesOnTheWarningsOfLevelsThatCompile) {
 TEST_F(MapWatchTest, ReturnsALevelAsSoonAsItIsCompiled) {
     write_file(path("t.wad"), wad_bytes({"wall"}));
     write_file(path("my.map"), with_wad(two_rooms(kLamp)));
-    watch.compile_first();
+    watch.compile_first(false);
     write_file(path("my.map"), with_wad(two_rooms(kLamp + kLens)));
     const std::uint64_t saved_us = 1'000'000;
     std::optional<MapWatch::News> news = watch.poll(saved_us);
@@ -176,7 +192,7 @@ TEST_F(MapWatchTest, FollowsWhatTheSourceNames) {
     write_file(path("t.wad"), wad_bytes({"wall"}));
     write_file(path("part.map"), brick);
     write_file(path("my.map"), source({160, 128, 0}));
-    watch.compile_first();
+    watch.compile_first(false);
     const std::string first = level_bytes();
     EXPECT_TRUE(news_after("part.map", taller).has_level);
     EXPECT_FALSE(level_bytes() == first);
