@@ -108,8 +108,15 @@ void Program::take_in_menu(const Controls& controls) {
     wants_screenshot_ |= controls.has(Action::Screenshot) && !menu.page().press;
     const MenuEvent event = menu.handle(controls, canvas, now.text_scale, shown_rect(now, platform_.window_size()));
     if (const auto sound = sound_of(event)) screens_.play(*sound);
-    if (menu.depth() < depth) print_fault("oblong", store_.save(now));
+    if (menu.depth() < depth) tell_of(store_.save(now));
     screens_.up().advance_behind_menu(platform_.now_us());
+}
+
+// Once also in the menu: a player who started it from a desktop does not see standard error.
+void Program::tell_of(const std::string& unsaved) {
+    print_fault("oblong", unsaved);
+    if (!unsaved.empty() && !std::exchange(has_told_, true))
+        screens_.pages().open_message("Options", "Changes are not kept: " + unsaved);
 }
 
 void Program::take_on_screen(const Controls& controls) {

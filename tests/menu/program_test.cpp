@@ -143,6 +143,20 @@ TEST_F(ProgramOfTheDemo, AWalkThatCantBeSavedIsLeftOnlyAfterAQuestion) {
     EXPECT_LT(play(200, options, script), 100);
 }
 
+TEST_F(ProgramOfTheDemo, OptionsThatCantBeSavedAreToldOnceInTheMenu) {
+    Options options = recording();
+    options.folders.config_file = path("no_folder/oblong.cfg");
+    std::ofstream(path("no_folder")) << "a file";
+    ByPoll script{{5, pressing(Action::Brighter)}, {10, pressing(Action::Menu)}, {15, acting({MenuAction::Back})}};
+    play(100, options, script);
+    EXPECT_EQ(recorded_ticks(), 10u) << "it waits for an answer";
+    script[50] = acting({MenuAction::Accept});
+    script[60] = pressing(Action::Menu);
+    script[65] = acting({MenuAction::Back});
+    play(100, options, script);
+    EXPECT_GT(recorded_ticks(), 60u);
+}
+
 TEST_F(ProgramOfTheDemo, RestartAsksOnceThereIsSomethingToLose) {
     play(120, keeping(), {{100, pressing(Action::Restart)}, {101, acting({MenuAction::Accept})}});  // "No"
     EXPECT_GT(saved_tick(), 110) << "saved on leaving, as it was";
