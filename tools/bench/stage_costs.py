@@ -52,6 +52,7 @@ SHARED_FUNCTIONS = [
     ("transform, clip, project", r"ClipVertex|VertexCache|ScreenPolygon|to_screen_vertex|Vec3.*View"),
     ("coverage", r"SpanBuffer"),
     ("block set-up", r"SpanTarget|BlockList|TexelBlock"),
+    ("exact spans", r"OctaveRow"),
     ("effects, things, models", r"box_around"),
     ("other", r"^(__)?(mem(cpy|set|move)|(u?div|u?mod|mul)(mod)?ti)|clock_gettime|^operator (new|delete)|malloc|free|^std::"),
 ]
