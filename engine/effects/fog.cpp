@@ -44,30 +44,28 @@ std::int64_t columns_of_level(InverseZ inverse_z, InverseZ step, std::int32_t le
 }
 
 constexpr std::int32_t kStep_px = 16;
-/// Rays that climb less than this have a constant density, that of their middle.
-constexpr View kLevelClimb = View::from_raw(1 << 12);
 constexpr InverseZ kOne = InverseZ::from_int(1);
 constexpr View kHighestClimb = View::from_int(std::int64_t{1} << 24);
 
-/// The density at `depth` below the top, 0 to 1; density_above() is its integral from the top down.
-View density_at(View depth, View fade_depth) {
-    if (depth <= View{}) return {};
-    return depth >= fade_depth ? View::from_int(1) : divide<View>(depth, fade_depth);
-}
-View density_above(View depth, View fade_depth) {
+using Density = Fixed<std::int64_t, InverseZ::kFractionBits + View::kFractionBits>;  ///< 0 to 1
+
+/// The integral of the density from the top down to `depth` below it.
+View density_above(View depth, View fade_depth, InverseZ half_inverse_fade) {
     if (depth <= View{}) return {};
     if (depth >= fade_depth) return depth - floor_shift(fade_depth, 1);
-    return product_over<View>(depth, depth, fade_depth * 2);
+    return product<View>(depth, product<Density>(depth, half_inverse_fade));
 }
 
 /// The depth in full fog that is equivalent to a ray from the eye to depth z.
 View length_in_fog(View z, View climb, const HeightFogView& view) {
-    const View depth = view.top_above_eye, fade_depth = view.fade_depth;
-    const View end_depth = depth - climb;
-    if (std::min(depth, end_depth) >= fade_depth) return z;
-    if (std::max(depth, end_depth) <= View{}) return {};
-    if (absolute(climb) < kLevelClimb) return product<View>(z, density_at(depth - floor_shift(climb, 1), fade_depth));
-    return product_over<View>(z, view.density_above_eye - density_above(end_depth, fade_depth), climb);
+    const View begin = view.top_above_eye, end = begin - climb, fade_depth = view.fade_depth;
+    const auto [least, most] = std::minmax(begin, end);
+    if (least >= fade_depth) return z;
+    if (most <= View{}) return {};
+    const bool is_linear = least >= View{} && most <= fade_depth;  // then the mean density is that of the middle
+    if (is_linear) return product<View>(z, product<Density>(begin + end, view.half_inverse_fade));
+    const View density = view.density_above_eye - density_above(end, fade_depth, view.half_inverse_fade);
+    return product_over<View>(z, density, climb);
 }
 
 /// Finds the levels of a span's pixels.
@@ -160,7 +158,8 @@ void draw_fog(std::span<const FogRun> runs, const FogTable& table, Framebuffer o
 HeightFogView make_height_fog_view(const HeightFog& fog, const Vec3<World>& eye, const ViewDirections& directions) {
     const View depth = convert<View>(widening_difference(fog.top, eye.z));
     const View fade_depth = std::max(convert<View>(fog.fade_depth), View{});
-    return {depth, fade_depth, density_above(depth, fade_depth), directions.z};
+    const auto half_inverse_fade = reciprocal<InverseZ>(fade_depth * 2);
+    return {depth, fade_depth, half_inverse_fade, density_above(depth, fade_depth, half_inverse_fade), directions.z};
 }
 
 /// A point is above the top if z rise >= top_above_eye; divided by z, this is linear on the screen. The top is taken a
@@ -186,7 +185,7 @@ void append_height_fog_runs(const Span& span, const LinearQuantity<InverseZ>& in
                             const FogDepths& depths, std::vector<FogRun>& runs) {
     if (is_clear({span.first, span.end, span.y, span.y + 1}, inverse_z, view)) return append_fog_run({span, 0}, runs);
     LevelFinder finder(span, inverse_z, view, depths, runs);
-    std::int32_t first = span.first, level = finder.level_at(first, FogTable::kLevels / 2);
+    std::int32_t first = span.first, level = finder.level_at(first, runs.empty() ? 0 : runs.back().level);
     for (const std::int32_t last = span.end - 1; first < last;) {
         const std::int32_t end = std::min(first + kStep_px, last), end_level = finder.level_at(end, level);
         finder.append(first, end, level, end_level);

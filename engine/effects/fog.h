@@ -76,6 +76,7 @@ struct HeightFog {
 /// The same relative to an eye.
 struct HeightFogView {
     View top_above_eye, fade_depth;
+    InverseZ half_inverse_fade;          ///< 1 / (2 fade_depth)
     View density_above_eye;              ///< the integral of the density from the top down to the eye
     LinearQuantity<DirectionPart> rise;  ///< a ray's climb for each unit of depth
 };
