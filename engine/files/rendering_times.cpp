@@ -90,8 +90,9 @@ std::vector<PlanLine> RenderingTimes::effect_lines(const FramePlan& plan, const 
         if (!plan.effects.has(effect)) continue;
         const std::size_t pass = pass_of(kEffectNames[index]);
         const std::vector<double> times = times_of([&](const Rendering& rendering) {
-            if (pass < kPassCount) return rendering.times.passes_ns[pass];
-            return std::clamp(rendering.times.effects_ns[index], std::int64_t{0}, rendering.frame_ns);  // as walk_ns()
+            const std::int64_t own_ns = pass < kPassCount ? rendering.times.passes_ns[pass] : 0;
+            return std::clamp(own_ns + rendering.times.effects_ns[index], std::int64_t{0},
+                              rendering.frame_ns);  // as walk_ns()
         });
         lines.push_back(line_of(kEffectNames[index], counts.effect_pixels[index], spread_of(times)));
     }

@@ -79,6 +79,7 @@ void find_fog(const FrameContext& frame, ViewScratch& scratch) {
     const FrameFog& fog = frame.fog;
     if (!fog.tables || (scratch.claims.torn.empty() && is_clear(scratch.claiming->walk.lowest_z, fog, frame.view.eye)))
         return;
+    const Stopwatch watch(frame.observers.times, Effect::Fog);
     Claims& claims = scratch.claims;
     for (const FaceList list : {FaceList::Walls, FaceList::Liquid, FaceList::Flat})
         for (const VisibleFace& claimed : claims.list(list)) {

@@ -158,17 +158,22 @@ void find_things(const FrameContext& frame, ViewScratch& scratch) {
     const Sight sight{leaves_in_sight(frame, scratch), frame.view, frame.mirror ? &frame.mirror->pixels : nullptr,
                       &cover};
     const std::int64_t time_ms = frame.scene.time_ms;
-    if (frame.allows(Effect::Particles)) find_particles(frame.cache.things, time_ms, sight, in_view, scratch.depth);
+    const auto timed = [&](Effect effect, auto step) {
+        if (!frame.allows(effect)) return;
+        const Stopwatch watch(frame.observers.times, effect);
+        step();
+    };
+    timed(Effect::Particles, [&] { find_particles(frame.cache.things, time_ms, sight, in_view, scratch.depth); });
     if (frame.observers.counts) frame.observers.counts->stages.particles = in_view.particles_computed;
-    if (frame.allows(Effect::Sprites))
-        find_sprites(frame.cache.things, time_ms, frame.scene.level, sight, in_view, scratch.depth);
-    if (!frame.scene.meshes.empty() && frame.allows(Effect::Meshes)) find_meshes(frame, sight, scratch);
-    if (frame.allows(Effect::Shadows)) find_seen_shadows(frame, sight, scratch);
+    timed(Effect::Sprites,
+          [&] { find_sprites(frame.cache.things, time_ms, frame.scene.level, sight, in_view, scratch.depth); });
+    if (!frame.scene.meshes.empty()) timed(Effect::Meshes, [&] { find_meshes(frame, sight, scratch); });
+    timed(Effect::Shadows, [&] { find_seen_shadows(frame, sight, scratch); });
     if (!scratch.depth.is_wanted()) return;
     fill_depth(frame, scratch);
     keep_visible(frame, scratch);
-    keep_seen_meshes(frame, scratch);
-    if (frame.fog.tables) colour_by_fog(frame.fog, frame.view.eye, scratch);
+    timed(Effect::Meshes, [&] { keep_seen_meshes(frame, scratch); });
+    if (frame.fog.tables) timed(Effect::Fog, [&] { colour_by_fog(frame.fog, frame.view.eye, scratch); });
 }
 
 void draw_thing(const VisibleThing& thing, const FrameContext& frame, ViewScratch& scratch) {

@@ -22,7 +22,7 @@ struct PassTimes {
     std::int64_t walk_ns = 0;                             ///< estimated from samples; inaccurate for short walks
     std::int64_t claims_ns = 0;                           ///< the walk, polygons, scan, span buffer
     std::array<std::int64_t, kPassCount> passes_ns{};     ///< by index in kPasses
-    std::array<std::int64_t, kEffectCount> effects_ns{};  ///< by Effect, for those without a pass
+    std::array<std::int64_t, kEffectCount> effects_ns{};  ///< by Effect, outside its own pass
 };
 
 /// Adds the time of its scope to one of the times, if they are measured.

@@ -68,11 +68,12 @@ std::string head_of(const CostText& text, std::int32_t page, std::int32_t pages)
     return text.frame + ", page " + std::to_string(page) + " of " + std::to_string(pages);
 }
 
-// The effects that are not passes as well.
+// The effects that are not just passes.
 std::vector<PlanLine> other_lines(std::vector<PlanLine> effects, const std::vector<PlanLine>& passes) {
     std::erase_if(effects, [&](const PlanLine& effect) {
-        return std::any_of(passes.begin(), passes.end(),
-                           [&](const PlanLine& pass) { return pass.name == effect.name; });
+        return std::any_of(passes.begin(), passes.end(), [&](const PlanLine& pass) {
+            return pass.name == effect.name && pass.nanoseconds == effect.nanoseconds;
+        });
     });
     return effects;
 }

@@ -75,6 +75,19 @@ TEST(FogFrames, NotAllowedOrAskedForThereIsNone) {
     EXPECT_LE(changed_pixels(fog.draw(), expected), owned);
 }
 
+TEST(FogFrames, TheSearchForItsPixelsIsPartOfItsTime) {
+    EffectStage fog(corridor("0.1 0.784 0.784 0.784"), along_corridor());
+    PassTimes times{[] {
+        static std::int64_t now_ns = 0;
+        return ++now_ns;
+    }};
+    fog.work.observers.times = &times;
+    fog.draw();
+    EXPECT_GT(item(times.effects_ns, Effect::Fog), 0);
+    fog.draw_without(Effect::Fog);
+    EXPECT_EQ(item(times.effects_ns, Effect::Fog), 0);
+}
+
 /// Above the top of low fog everything is clear for an eye above it.
 TEST(FogFrames, LowFogLeavesWhatIsAboveItClear) {
     constexpr double kTop = 60;
