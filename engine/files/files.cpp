@@ -195,6 +195,14 @@ void replace_file(const std::string& path, const std::string& former_path, std::
     if (!failure.empty()) refuse_writing(path, failure, bytes.size());
 }
 
+void check_writable(const std::string& path) {
+    std::error_code ignored;
+    const std::string folder = folder_of(path);
+    if (fs::is_directory(path, ignored)) throw FileError(path, "write", "is a folder, expected a file");
+    if (!fs::is_directory(folder, ignored))
+        throw FileError(path, "write", folder + " is no folder, expected a folder for the file");
+}
+
 void remove_files(const std::vector<std::string>& paths) {
     for (const std::string& path : paths) {
         std::string failure = reason_unless(std::remove(path.c_str()) == 0 || errno == ENOENT);

@@ -47,6 +47,9 @@ inline constexpr const char* kUnfinishedExtension = ".part";  ///< of the unique
 /// program ends, `path` or, if that is missing, `former_path` is a whole file.
 void replace_file(const std::string& path, const std::string& former_path, std::span<const std::uint8_t> bytes);
 
+/// Throws FileError if the path is a folder or in none: called before long work, whose result would be lost.
+void check_writable(const std::string& path);
+
 /// Removes those of the files that exist, durably. Throws FileError.
 void remove_files(const std::vector<std::string>& paths);
 

@@ -31,6 +31,7 @@ void time_demo(const Options& options, const LoadedLevel& loaded, Workers& worke
 
 // Records the walk along a route, as fast as possible.
 void record_route(const Options& options, const std::string& assets) {
+    check_writable(options.record);
     const LoadedLevel loaded(level_files_of(options, assets));
     const std::vector<Waypoint> route = read_parsed(options.route, parse_route);
     Demo demo = naming_file(options.route, [&] { return walk_route(loaded.level, route); });

@@ -17,14 +17,6 @@ namespace fs = std::filesystem;
 
 constexpr std::int32_t kLargestIcon_px = 256;
 
-// Checked before the game is played, not after it.
-void check_writable(const std::string& file) {
-    const fs::path folder = fs::path(file).parent_path();
-    if (fs::is_directory(file)) throw FileError(file, "write", "is a folder, expected a file");
-    if (!folder.empty() && !fs::is_directory(folder))
-        throw FileError(file, "write", folder.string() + " is no folder, expected a folder for the file");
-}
-
 // Otherwise the museum would be played in its place. With a level it may hold just what the level names.
 void check_game_folder(const Options& options) {
     const fs::path folder = options.game;

@@ -135,8 +135,9 @@ TEST_F(BadRender, PlacesThatCannotBeWritten) {
     const std::string full = device_for_writing(folder_.path(), "full");
     EXPECT_TRUE(names_fault(render(kLevel, {"--json", full}), kProgram, full, "No space left"));
     EXPECT_TRUE(std::filesystem::is_character_file(full));
-    EXPECT_TRUE(names_fault(render(kLevel, {"--json", folder_.path("no/such/a.json")}), kProgram,
-                            folder_.path("no/such/a.json"), "No such file or directory"));
+    EXPECT_TRUE(names_fault(render(folder_.path("missing.bsp"), {"--json", folder_.path("no/such/a.json")}), kProgram,
+                            folder_.path("no/such/a.json"), "is no folder"))
+        << "before anything is drawn";
     EXPECT_TRUE(names_fault(render(kLevel, {"--out", file}), kProgram, file, "make folder"));
     EXPECT_TRUE(names_fault(render(kLevel, {"--out", file + "/below"}), kProgram, file + "/below", "make folder"));
 }

@@ -195,6 +195,8 @@ void compile_to_file(const Arguments& arguments, const char* called_as) {
         throw UsageError("--out: '" + arguments.output + "' is the source itself, expected another name");
     if (!arguments.portals.empty() && !makes_portals(arguments))
         throw UsageError("--prt: --only " + arguments.only + " makes no portals, expected --only vis, or none");
+    for (const std::string& file : {arguments.output, arguments.portals, arguments.reads})
+        if (!file.empty()) check_writable(file);
     const std::string text = read_text(arguments.input);
     std::vector<std::string> files;
     const auto tell_files = [&] {

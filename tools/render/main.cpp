@@ -172,6 +172,7 @@ Palette shown_palette(const Palette& palette, const RenderJob& job, const LevelE
 }
 
 void render(const Options& options) {
+    if (!options.json.empty() && options.json != "-") check_writable(options.json);
     ScreenMode mode;
     parse_mode_size(options.mode, mode);
     mode.display = parse_display(options.display);
