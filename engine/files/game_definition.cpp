@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "engine/base/checksum.h"
 #include "engine/files/files.h"
@@ -193,6 +194,19 @@ const std::array<DefinitionReader::Member, 9> DefinitionReader::kMembers{{
     {{"credits", "what the page of credits says first"}, &DefinitionReader::read_credits},
 }};
 
+// The parser alone would keep one of two members of the same name.
+Json parsed(const std::string& file, const std::string& text) {
+    using Event = Json::parse_event_t;
+    std::vector<std::set<std::string>> names;  // of the objects that are open
+    return Json::parse(text, [&](int, Event event, const Json& json) {
+        if (event == Event::object_start) names.emplace_back();
+        if (event == Event::object_end) names.pop_back();
+        if (event == Event::key && !names.back().insert(json.get<std::string>()).second)
+            throw FileError(file, "member " + json.dump(), "is there twice, expected each once");
+        return true;
+    });
+}
+
 }  // namespace
 
 std::vector<GameMember> game_members() {
@@ -203,13 +217,11 @@ std::vector<GameMember> game_members() {
 
 GameDefinition read_game_definition(const std::string& folder) {
     const std::string file = (fs::path(folder) / kGameFile).string(), text = read_text(file);
-    Json json;
     try {
-        json = Json::parse(text);
+        return DefinitionReader(folder).read(Value(file, parsed(file, text), ""));
     } catch (const Json::parse_error& error) {
         throw FileError(file, "byte " + std::to_string(error.byte), "no JSON: " + std::string(error.what()));
     }
-    return DefinitionReader(folder).read(Value(file, json, ""));
 }
 
 }  // namespace oblong

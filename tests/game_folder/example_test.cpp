@@ -241,6 +241,7 @@ TEST(GameDefinition, FaultsAreNamedWithTheirPlace) {
     for (const auto& [text, said] : {
              Fault{"", "byte 1: no JSON"},
              Fault{"{\"title\": \"x\",", "byte 15: no JSON"},
+             Fault{"{\"classes\": {\"x\": {}, \"x\": {}}}", "member \"x\": is there twice"},
              Fault{"[]", "/: is array, expected members"},
              Fault{"{\"levels\": [\"a\"]}", "/: has no \"title\""},
              Fault{"{\"title\": \"x\"}", "/: has no \"levels\""},
