@@ -115,6 +115,7 @@ constexpr test::Scenario kActivations[] = {
         stand 120 1020; wait 36
         stand 120 0; wait 35; stand 120 0; wait 35: phase0 = start
         stand 120 0; wait 35: phase0 != start
+        stand 120 0; wait 35        # one more
     )"},
 };
 OBLONG_SCENARIOS(Activation, kActivations);

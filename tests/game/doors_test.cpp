@@ -115,6 +115,10 @@ constexpr test::Scenario kDoors[] = {
         : free 208 0 24
         stand -970 0; wait 51: solid 208 0 24, ox0 = 0, oy0 = 0, oz0 = 0
     )"},
+    {"ThatStartOpenAndHaveANameAreNotShutByWhoComesNear", R"(
+        + func_door 200 -64 0 216 64 128 angle=-1 targetname=door spawnflags=1
+        at 150 0; play 35: phase0 = start
+    )"},
     {"OfAGroupOpenTogetherHoweverTheyAreActivatedUnlessTheyAreNotLinked", R"(
         + func_door 200 -64 0 216 64 128 angle=-1 targetname=left wait=-1
         + func_door 200 64 0 216 192 128 angle=-1 wait=-1
@@ -188,6 +192,7 @@ constexpr test::Scenario kLifts[] = {
         stand -970 0; wait 36: phase0 = start
         stand -970 0; wait 1: phase0 = start        # activated once
         stand 164 0 8; play 40: feet = 136 +- 0.1
+        stand -970 0; wait 2: phase0 = end
     )"},
     {"StayAboveForThreeSecondsOrOneAfterTheirRiderLeft", R"(
         + func_plat 100 -64 0 228 64 136 height=128 speed=1000
@@ -247,7 +252,8 @@ constexpr test::Scenario kSecretDoors[] = {
     )"},
     {"WithANameOpenToATouchByTheirFlag", R"(
         + func_door_secret 200 -32 0 232 32 96 targetname=wall spawnflags=16 message="A hollow wall"
-        stand 183 0: phase0 = leaving, message = "A hollow wall"
+        stand 183 0: phase0 = leaving, message = "A hollow wall", said_at < 5
+        wait 75; stand 183 0: said_at < 5
     )"},
 };
 OBLONG_SCENARIOS(SecretDoors, kSecretDoors);

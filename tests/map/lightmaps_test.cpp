@@ -32,7 +32,7 @@ double distance_to(int x, int y) {
 }
 
 TEST(Lightmaps, FadesAsTheFormulaSays) {
-    const auto linear = compile(level(hall(), entity_at("light", kLamp)), {true});
+    const auto linear = compile(level(hall(), entity_at("light", kLamp, {{"wait", "-1"}})), {true});  // as with 1
     const auto inverse = compile(level(hall(), entity_at("light", kLamp, {{"delay", "1"}})), {true});
     const auto square = compile(level(hall(), entity_at("light", kLamp, {{"delay", "2"}, {"wait", "2"}})), {true});
     const auto even = compile(level(hall(), entity_at("light", kLamp, {{"delay", "3"}})), {true});

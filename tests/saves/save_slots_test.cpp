@@ -117,6 +117,7 @@ TEST_F(SlotFiles, AWalkIsHeldByOneAtATime) {
     EXPECT_EQ(of_another.hold_new().number, 2) << "though nothing is saved yet";
     slots_.save({SaveKind::Walk, 1}, first_);
     EXPECT_THROW(of_another.remove({SaveKind::Walk, 1}), FileError);
+    EXPECT_NO_THROW(of_another.remove({SaveKind::Numbered, 1})) << "it is of no walk";
     EXPECT_TRUE(of_another.load({SaveKind::Walk, 1}).game) << "to be gone on with as another walk";
     mine.reset();
     EXPECT_EQ(of_another.hold(1)->number, 1);
