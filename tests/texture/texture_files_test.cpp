@@ -98,6 +98,7 @@ TEST_F(TrueColours, GlowInThePackedTexturesThatAreNamed) {
     EXPECT_EQ(glowing_texels(parse_miptex(textures[0].miptex)), 0);
     EXPECT_GT(glowing_texels(parse_miptex(textures[1].miptex)), 31);
     EXPECT_THROW(pack_textures({path("one.png")}, {"three"}, path("out.wad"), palette_), UsageError);
+    EXPECT_THROW(pack_textures({path("one.png")}, {}, path("Two.png"), palette_), UsageError) << "a picture is there";
 }
 
 TEST_F(TrueColours, OfAPngWithAnotherPaletteAreWhatCounts) {

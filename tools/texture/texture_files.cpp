@@ -154,6 +154,9 @@ void pack_textures(const std::vector<std::string>& picture_paths, const std::vec
     for (const std::string& name : glowing)
         if (!files.contains(lower_case(name)))
             throw UsageError("--glow: '" + name + "' is not the name of any of the textures");
+    std::error_code none;
+    if (std::filesystem::is_regular_file(wad_path, none) && !read_text(wad_path).starts_with("WAD2"))
+        throw UsageError("-o: '" + wad_path + "' is there and no WAD, expected a WAD to replace or another name");
     write_file(wad_path, packed_textures(picture_paths, glowing, palette, dither));
 }
 
