@@ -138,32 +138,24 @@ std::array<const CornerValues*, 3> values_of(const MeshTriangle& triangle, const
     return values;
 }
 
-/// A triangle on the screen whose spans are in the scratch.
-struct TriangleInView {
-    std::optional<Barycentric> weights;  ///< none if it covers no pixel's centre, is seen from its back, or is hidden
-    LinearQuantity<InverseZ> inverse_z;
-
-    explicit operator bool() const { return weights.has_value(); }
-};
-
 std::int32_t least_column(std::span<const Span> spans) {
     std::int32_t least = spans.front().first;
     for (const Span& span : spans) least = std::min(least, span.first);
     return least;
 }
 
-TriangleInView find_triangle(const std::array<const ScreenPlace*, 3>& corners, const MeshTarget& target,
-                             MeshScratch& scratch, MeshCounts& counts) {
+/// Sets the scratch's triangle and spans. False if it covers no pixel's centre, is seen from its back, or is hidden.
+bool find_triangle(const std::array<const ScreenPlace*, 3>& corners, const MeshTarget& target, MeshScratch& scratch,
+                   MeshCounts& counts) {
     const std::array places{corners[0]->screen, corners[1]->screen, corners[2]->screen};
     find_triangle_spans(places, target.part, scratch.rows, scratch.spans);
-    TriangleInView found{scratch.spans.empty() ? std::nullopt : make_barycentric(corners), {}};
-    if (!found) return found;
+    auto& [weights, inverse_z] = scratch.triangle;
+    if (scratch.spans.empty() || !make_barycentric(corners, weights)) return false;
     ++counts.triangles;
-    found.weights->first_row = scratch.spans.front().y;
-    found.weights->first_column = least_column(scratch.spans);
-    found.inverse_z = inverse_z_over(*found.weights);
-    if (is_covered(scratch.spans, *found.weights, found.inverse_z, target.depth)) found.weights.reset();
-    return found;
+    weights.first_row = scratch.spans.front().y;
+    weights.first_column = least_column(scratch.spans);
+    inverse_z = inverse_z_over(weights);
+    return !is_covered(scratch.spans, weights, inverse_z, target.depth);
 }
 
 MeshPaint paint_of(const MeshTriangle& triangle, const MeshContext& mesh) {
@@ -172,10 +164,11 @@ MeshPaint paint_of(const MeshTriangle& triangle, const MeshContext& mesh) {
             drawing.is_affine,       mesh.halfway,     &mesh.highlights, drawing.after};
 }
 
-void draw_triangle(const TriangleInView& triangle, const std::array<const CornerValues*, 3>& values,
-                   const MeshPaint& paint, const MeshTarget& target, MeshScratch& scratch, MeshCounts& counts) {
+void draw_triangle(const std::array<const CornerValues*, 3>& values, const MeshPaint& paint, const MeshTarget& target,
+                   MeshScratch& scratch, MeshCounts& counts) {
     const GradientChoice choice{paint.shading == Shading::Phong, paint.is_affine};
-    const MeshGradients gradients = make_mesh_gradients(*triangle.weights, values, triangle.inverse_z, choice);
+    const auto& [weights, inverse_z] = scratch.triangle;
+    const MeshGradients gradients = make_mesh_gradients(weights, values, inverse_z, choice);
     counts.pixels += draw_mesh_spans(scratch.spans, gradients, paint, target);
 }
 
@@ -183,9 +176,8 @@ void draw_triangle(const TriangleInView& triangle, const std::array<const Corner
 /// shows that uses it: most triangles of a small mesh do not.
 void draw_whole(const MeshTriangle& triangle, const std::array<const ViewVertex*, 3>& vertices, const MeshContext& mesh,
                 MeshScratch& scratch, MeshCounts& counts) {
-    const auto found = find_triangle({vertices[0], vertices[1], vertices[2]}, mesh.target, scratch, counts);
-    if (!found) return;
-    draw_triangle(found, values_of(triangle, mesh, scratch), paint_of(triangle, mesh), mesh.target, scratch, counts);
+    if (!find_triangle({vertices[0], vertices[1], vertices[2]}, mesh.target, scratch, counts)) return;
+    draw_triangle(values_of(triangle, mesh, scratch), paint_of(triangle, mesh), mesh.target, scratch, counts);
 }
 
 /// Clips a triangle and draws the rest as a fan.
@@ -195,8 +187,8 @@ void draw_clipped(const MeshTriangle& triangle, const std::array<const ViewVerte
     const MeshPaint paint = paint_of(triangle, mesh);
     for (std::size_t i = 2; i < scratch.polygon.size(); ++i) {
         const ScreenCorner &a = scratch.polygon[0], &b = scratch.polygon[i - 1], &c = scratch.polygon[i];
-        const auto found = find_triangle({&a, &b, &c}, mesh.target, scratch, counts);
-        if (found) draw_triangle(found, {&a.values, &b.values, &c.values}, paint, mesh.target, scratch, counts);
+        if (find_triangle({&a, &b, &c}, mesh.target, scratch, counts))
+            draw_triangle({&a.values, &b.values, &c.values}, paint, mesh.target, scratch, counts);
     }
 }
 

@@ -12,6 +12,12 @@ namespace oblong {
 /// Which stages a vertex has passed.
 enum class VertexStage : std::uint8_t { Unknown, Seen, Complete };
 
+/// A triangle on the screen.
+struct TriangleInView {
+    Barycentric weights;
+    LinearQuantity<InverseZ> inverse_z;
+};
+
 /// The results of a mesh's stages; kept from mesh to mesh to save allocations.
 struct MeshScratch {
     explicit MeshScratch(std::int32_t height_px) : rows(height_px) {}
@@ -33,7 +39,8 @@ struct MeshScratch {
     ClipScratch clip;
     std::vector<ScreenCorner> polygon;  ///< one clipped triangle
     ScanlineExtents rows;
-    std::vector<Span> spans;
+    std::vector<Span> spans;  ///< of `triangle`
+    TriangleInView triangle;
 };
 
 /// The parts of a mesh to draw, in ascending order; empty: all.

@@ -50,6 +50,28 @@ Barycentric along(const std::array<const ScreenPlace*, 3>& corners, std::uint8_t
     return result;
 }
 
+/// The part of a quantity's step that a difference of its values at two corners makes.
+template <class Value, class Difference>
+[[gnu::always_inline]] inline Value part_of(Difference way, const StoredStep& step) {
+#if defined(__i386__)
+    static_assert(WeightStep::kFractionBits == 48);
+    if (const auto short_way = static_cast<std::int32_t>(way.raw);
+        short_way == way.raw && Difference::kFractionBits == Value::kFractionBits) {
+        std::int64_t product;  // floor((way (high * 2^32 + low) + 2^47) / 2^48), from the lower product's upper half on
+        std::int32_t low, high;
+        asm("movl %[way], %%eax\n\timull %[step_low]\n\tleal 0x8000(%%edx), %%eax\n\tcltd\n\t"
+            "movl %%eax, %[low]\n\tmovl %%edx, %[high]\n\t"
+            "movl %[way], %%eax\n\timull %[step_high]\n\taddl %[low], %%eax\n\tadcl %[high], %%edx\n\t"
+            "shrdl $16, %%edx, %%eax\n\tsarl $16, %%edx"
+            : "=&A"(product), [low] "=&r"(low), [high] "=&r"(high)
+            : [way] "rm"(short_way), [step_low] "m"(step.low), [step_high] "m"(step.high)
+            : "cc");
+        return Value::from_raw(product);
+    }
+#endif
+    return product<Value>(way, WeightStep(step));
+}
+
 /// A quantity from its values at the corners. Those may have fewer fraction bits: their differences then mostly fit 32
 /// bits, whose products are shorter on i386. Its steps have at most 4 bits more than the values; sums at far-away
 /// pixels may wrap (LinearQuantity).
@@ -58,10 +80,10 @@ LinearQuantity<Value> quantity_of(const Barycentric& weights, AtCorner a, AtCorn
     if (a == b && a == c) return {convert<Value>(a), {}, {}};
     LinearQuantity<Value> quantity;
     // In this order compilers ask once whether a difference has 32 bits.
-    quantity.per_column = product<Value>(b - a, weights.b_per_column);
-    quantity.per_row = product<Value>(b - a, weights.b_per_row);
-    quantity.per_column += product<Value>(c - a, weights.c_per_column);
-    quantity.per_row += product<Value>(c - a, weights.c_per_row);
+    quantity.per_column = part_of<Value>(b - a, weights.b_per_column);
+    quantity.per_row = part_of<Value>(b - a, weights.b_per_row);
+    quantity.per_column += part_of<Value>(c - a, weights.c_per_column);
+    quantity.per_row += part_of<Value>(c - a, weights.c_per_row);
     const auto moved = [](Value from, Value step, Screen by, std::int32_t pixel) {
         const std::int32_t from_centre_8 = pixel * 256 + 128 - by.raw;
         return stepped(from, Value::from_raw(wrapping_mul_shift(from_centre_8, step.raw, 8)), 1);
@@ -74,21 +96,24 @@ LinearQuantity<Value> quantity_of(const Barycentric& weights, AtCorner a, AtCorn
 
 }  // namespace
 
-std::optional<Barycentric> make_barycentric(const std::array<const ScreenPlace*, 3>& corners) {
+bool make_barycentric(const std::array<const ScreenPlace*, 3>& corners, Barycentric& weights) {
     constexpr std::int64_t kThinnest_8 = 16;
     const auto& [a, b, c] = corners;
     const Way ab(*a, *b), ac(*a, *c), bc(*b, *c);
     const std::int64_t area = (widening_product(ab.x, ac.y) - widening_product(ac.x, ab.y)).raw;
-    if (area <= 0) return std::nullopt;
+    if (area <= 0) return false;
     const Screen longest = std::max({ab.size(), ac.size(), bc.size()});
-    if (area < longest.raw * kThinnest_8)
-        return longest == ab.size() ? along(corners, 0, 1) : along(corners, longest == ac.size() ? 0 : 1, 2);
-    return Barycentric{corners,
-                       {0, 1, 2},
-                       step_of(ac.y.raw, area),
-                       step_of(-ac.x.raw, area),
-                       step_of(-ab.y.raw, area),
-                       step_of(ab.x.raw, area)};
+    if (area < longest.raw * kThinnest_8) {
+        weights = longest == ab.size() ? along(corners, 0, 1) : along(corners, longest == ac.size() ? 0 : 1, 2);
+        return true;
+    }
+    weights.corners = corners;
+    weights.order = {0, 1, 2};
+    weights.b_per_column = step_of(ac.y.raw, area);
+    weights.b_per_row = step_of(-ac.x.raw, area);
+    weights.c_per_column = step_of(-ab.y.raw, area);
+    weights.c_per_row = step_of(ab.x.raw, area);
+    return true;
 }
 
 LinearQuantity<InverseZ> inverse_z_over(const Barycentric& weights) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 
 #include "engine/mesh/mesh_stages.h"
 #include "engine/view/gradients.h"
@@ -19,12 +18,26 @@ struct MeshGradients {
 /// Change of a barycentric coordinate per pixel, at most 16.
 using WeightStep = Fixed<std::int64_t, 48>;
 
+#if defined(__i386__)
+/// A WeightStep as high * 2^32 + low, both with a sign: times 32 bits it is two products and their sum.
+struct StoredStep {
+    std::int32_t low = 0, high = 0;
+
+    StoredStep() = default;
+    StoredStep(WeightStep step)
+        : low(static_cast<std::int32_t>(step.raw)), high(static_cast<std::int32_t>((step.raw - low) >> 32)) {}
+    operator WeightStep() const { return WeightStep::from_raw(high * (std::int64_t{1} << 32) + low); }
+};
+#else
+using StoredStep = WeightStep;
+#endif
+
 /// The barycentric coordinates b and c of a triangle's second and third corner over the screen; both are 0 at the
 /// first.
 struct Barycentric {
     std::array<const ScreenPlace*, 3> corners;
     std::array<std::uint8_t, 3> order;  ///< the corners' numbers in the triangle
-    WeightStep b_per_column, b_per_row, c_per_column, c_per_row;
+    StoredStep b_per_column, b_per_row, c_per_column, c_per_row;
     std::int32_t first_column = 0, first_row = 0;  ///< the pixel from which quantities count: most triangles have few
 
     const ScreenVertex& anchor() const { return corners[0]->screen; }
@@ -40,8 +53,8 @@ struct GradientChoice {
 ///     b = ((x - xA) (yC - yA) - (y - yA) (xC - xA)) / area,    c = ((y - yA) (xB - xA) - (x - xA) (yB - yA)) / area,
 /// linear in x and y; each quantity is A's + b (B's - A's) + c (C's - A's). So at a pixel centre inside, it lies
 /// between its values at the corners, however thin or steep the triangle is. In a triangle thinner than 1/16 pixel it
-/// changes along the longest side only. None for a triangle without area or seen from its back.
-std::optional<Barycentric> make_barycentric(const std::array<const ScreenPlace*, 3>& corners);
+/// changes along the longest side only. False for a triangle without area or seen from its back.
+bool make_barycentric(const std::array<const ScreenPlace*, 3>& corners, Barycentric& weights);
 
 /// 1/z over the screen.
 LinearQuantity<InverseZ> inverse_z_over(const Barycentric& weights);

@@ -106,8 +106,8 @@ void write_columns(ScreenWalker walker, std::int32_t count, std::int32_t* column
 }
 
 template <class Walker>
-void scan_edges(std::span<const ScreenVertex> vertices, const PolygonShape& shape, ScanlineExtents& rows) {
-    if (!shape.is_monotone) return scan_bent<Walker>(vertices, rows);
+void scan_edges(std::span<const ScreenVertex> vertices, ScanlineExtents& rows) {
+    if (!is_monotone(vertices)) return scan_bent<Walker>(vertices, rows);
     walk_edges<Walker>(vertices, rows,
                        [](const Walker& walker, const SideEdge&, PixelRange range, std::int32_t* columns) {
                            write_columns(walker, range.end - range.first, columns + range.first);
@@ -118,16 +118,11 @@ void scan_edges(std::span<const ScreenVertex> vertices, const PolygonShape& shap
 
 PolygonShape shape_of(std::span<const ScreenVertex> vertices, std::int32_t height_px, EdgeStepping stepping) {
     if (vertices.size() < 3) return {};
-    ScreenVertex least = vertices.back(), greatest = least, from = least;
-    ScreenWide way_down;  // sum of all downward edges
-    for (const ScreenVertex& to : vertices) {
-        least = {std::min(least.x, to.x), std::min(least.y, to.y)};
-        greatest = {std::max(greatest.x, to.x), std::max(greatest.y, to.y)};
-        const Screen lower = std::max(to.y, from.y);  // by a maximum: a branch is mispredicted at every third corner
-        way_down += ScreenWide::from_raw(lower.bits() - from.y.bits());  // in 32 bits, unsigned
-        from = to;
+    ScreenVertex least = vertices.back(), greatest = least;
+    for (const ScreenVertex& at : vertices) {
+        least = {std::min(least.x, at.x), std::min(least.y, at.y)};
+        greatest = {std::max(greatest.x, at.x), std::max(greatest.y, at.y)};
     }
-    const bool is_monotone = way_down == widening_difference(greatest.y, least.y);
     EdgeWalk walk = EdgeWalk::OnScreen;
     if (!are_on_screen(least, greatest)) {
         least = clamped_vertex(least);
@@ -141,7 +136,21 @@ PolygonShape shape_of(std::span<const ScreenVertex> vertices, std::int32_t heigh
         --bounds.first_column;
         ++bounds.end_column;
     }
-    return {bounds, is_monotone, walk};
+    return {bounds, walk};
+}
+
+bool is_monotone(std::span<const ScreenVertex> vertices) {
+    Screen least = vertices.back().y, greatest = least, from = least;
+    ScreenWide way_down;  // sum of all downward edges
+    for (const ScreenVertex& vertex : vertices) {
+        const Screen to = vertex.y;
+        least = std::min(least, to);
+        greatest = std::max(greatest, to);
+        const Screen lower = std::max(to, from);  // by a maximum: a branch is mispredicted at every third corner
+        way_down += ScreenWide::from_raw(lower.bits() - from.bits());  // in 32 bits, unsigned
+        from = to;
+    }
+    return way_down == widening_difference(greatest, least);
 }
 
 void scan_convex(std::span<const ScreenVertex> vertices, const PolygonShape& shape, PixelRange within,
@@ -150,11 +159,11 @@ void scan_convex(std::span<const ScreenVertex> vertices, const PolygonShape& sha
     rows.end = within.end;
     rows.columns = {shape.bounds.first_column, shape.bounds.end_column};
     if (within.first >= within.end) return;
-    if (shape.walk == EdgeWalk::OnScreen && shape.is_monotone && rows.instructions == Instructions::Avx512)
+    if (shape.walk == EdgeWalk::OnScreen && rows.instructions == Instructions::Avx512 && is_monotone(vertices))
         return scan_edges_by_eights(vertices, rows);
-    if (shape.walk == EdgeWalk::OnScreen) return scan_edges<ScreenWalker>(vertices, shape, rows);
-    if (shape.walk == EdgeWalk::Exact) return scan_edges<ExactWalker>(vertices, shape, rows);
-    scan_edges<AccumulatingWalker>(vertices, shape, rows);
+    if (shape.walk == EdgeWalk::OnScreen) return scan_edges<ScreenWalker>(vertices, rows);
+    if (shape.walk == EdgeWalk::Exact) return scan_edges<ExactWalker>(vertices, rows);
+    scan_edges<AccumulatingWalker>(vertices, rows);
 }
 
 void scan_convex(std::span<const ScreenVertex> vertices, ScanlineExtents& rows, EdgeStepping stepping) {

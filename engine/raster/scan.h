@@ -37,16 +37,18 @@ constexpr std::int32_t first_centre_from(Screen position) {
 /// Which walker (edges.h) steps down a polygon's edges.
 enum class EdgeWalk : std::uint8_t { OnScreen, Exact, Accumulating };
 
-/// The bounds of a polygon and how to scan it, from one pass over its corners.
+/// The bounds of a polygon and how to scan it. Of most faces no more is asked: they own no pixel.
 struct PolygonShape {
     ScreenRectangle bounds{};  ///< rows are on the screen; columns may be off it
-    bool is_monotone = true;   ///< its outline goes down once and up once, as for convex polygons
     EdgeWalk walk = EdgeWalk::Exact;
 };
 
 /// The bounds hold all pixels of scan_convex(); with EdgeStepping::Accumulated only for polygons on the screen.
 PolygonShape shape_of(std::span<const ScreenVertex> vertices, std::int32_t height_px,
                       EdgeStepping stepping = EdgeStepping::Exact);
+
+/// Whether a polygon's outline goes down once and up once, as that of a convex one does.
+bool is_monotone(std::span<const ScreenVertex> vertices);
 
 /// Finds the pixels of a convex polygon with clockwise vertices (y down). A pixel is covered if its centre is inside,
 /// on a left edge or on a top edge: polygons that share edges share no pixel and leave no gap. Exact edges give the

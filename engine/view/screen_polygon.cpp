@@ -39,15 +39,21 @@ bool clip_and_project(const Outcodes& outcodes, const ViewContext& view, ScreenP
     return true;
 }
 
+/// Where a face's corners go.
+struct Corners {
+    ClipVertex** vertices;
+    ScreenVertex* screen;  ///< arbitrary for corners outside the view
+};
+
 template <bool AdjustsPositions>
 Outcodes gather_corners(std::span<const VertexIndex> corner_indices, const ViewContext& view, VertexCache& vertices,
-                        std::span<ClipVertex*> corners) {
+                        Corners out) {
     Outcodes outcodes;
-    ClipVertex** out = corners.data();
     for (const VertexIndex index : corner_indices) {
         ClipVertex& vertex = vertices.get<AdjustsPositions>(index, view);
         outcodes.add(vertex.outcode);
-        *out++ = &vertex;
+        *out.vertices++ = &vertex;
+        *out.screen++ = vertex.screen;
     }
     return outcodes;
 }
@@ -65,11 +71,15 @@ std::pair<View, View> ScreenPolygon::z_range() const {
 
 bool project_face(std::span<const VertexIndex> corner_indices, const ViewContext& view, VertexCache& vertices,
                   ScreenPolygon& polygon) {
-    const std::span<ClipVertex*> corners = polygon.clipper.start(corner_indices.size());
+    const std::size_t count = corner_indices.size();
+    const std::span<ScreenVertex> screen = polygon.projected.take(count);
+    const Corners corners{polygon.clipper.start(count).data(), screen.data()};
     const Outcodes outcodes = view.adjusts_positions ? gather_corners<true>(corner_indices, view, vertices, corners)
                                                      : gather_corners<false>(corner_indices, view, vertices, corners);
     polygon.is_clipped = outcodes.of_any != 0;
-    return clip_and_project(outcodes, view, polygon);
+    if (polygon.is_clipped) return clip_and_project(outcodes, view, polygon);
+    polygon.vertices = screen;
+    return count >= 3;
 }
 
 bool project_polygon(std::span<const Vec3<World>> corners, const ViewContext& view, ScreenPolygon& polygon) {

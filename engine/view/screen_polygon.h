@@ -18,7 +18,8 @@ struct CachedVertex : ClipVertex {
     std::uint32_t frame = 0;  ///< in which this was computed
 };
 
-/// The level's vertices in viewspace and on the screen, each computed once a frame, on first use.
+/// The level's vertices in viewspace and, if they are inside the view, on the screen; each computed once a frame, on
+/// first use.
 class VertexCache {
   public:
     /// `world_vertices` must outlive it.
@@ -50,7 +51,8 @@ class VertexCache {
         if (vertex.frame == frame_) return vertex;
         transform_vertex<AdjustsPositions>(world_[index], view, vertex);
         vertex.undecided = 0;
-        vertex.is_projected = false;
+        vertex.is_projected = vertex.outcode == 0;  // nearly all that are inside are drawn
+        if (vertex.is_projected) vertex.screen = to_screen_vertex(vertex.position, view.projection, view.grid);
         vertex.frame = frame_;
         return vertex;
     }

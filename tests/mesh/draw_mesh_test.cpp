@@ -43,14 +43,14 @@ void draw_by_stages(const PlacedMesh& placed, const Colormap& colormap, const Me
         for (std::size_t i = 2; i < scratch.polygon.size(); ++i) {
             const std::array<const ScreenCorner*, 3> fan{&scratch.polygon[0], &scratch.polygon[i - 1],
                                                          &scratch.polygon[i]};
-            const auto weights = make_barycentric({fan[0], fan[1], fan[2]});
-            if (!weights) continue;
+            Barycentric weights;
+            if (!make_barycentric({fan[0], fan[1], fan[2]}, weights)) continue;
             scan_convex(std::array{fan[0]->screen, fan[1]->screen, fan[2]->screen}, scratch.rows);
             scratch.spans.clear();
             append_spans(scratch.rows, all, scratch.spans);
             const MeshGradients gradients =
-                make_mesh_gradients(*weights, {&fan[0]->values, &fan[1]->values, &fan[2]->values},
-                                    inverse_z_over(*weights), {placed.shading == Shading::Phong, false});
+                make_mesh_gradients(weights, {&fan[0]->values, &fan[1]->values, &fan[2]->values},
+                                    inverse_z_over(weights), {placed.shading == Shading::Phong, false});
             draw_mesh_spans(
                 scratch.spans, gradients, paint,
                 {picture.depth, {picture.pixels.data(), picture.width, picture.height, picture.width}, all});
@@ -206,8 +206,9 @@ TEST(DrawMesh, WeightsAreTheNearestQuotients) {
         for (ScreenCorner& corner : corners)
             corner.screen = {Screen::from_raw(static_cast<std::int32_t>(random() % reach)),
                              Screen::from_raw(static_cast<std::int32_t>(random() % reach))};
-        const auto weights = make_barycentric({&corners[0], &corners[1], &corners[2]});
-        if (!weights || weights->corners[2] != &corners[2]) continue;  // thin ones go along a side
+        Barycentric weights;
+        if (!make_barycentric({&corners[0], &corners[1], &corners[2]}, weights)) continue;
+        if (weights.corners[2] != &corners[2]) continue;  // thin ones go along a side
         const auto way = [&](std::size_t to) {
             return std::array<std::int64_t, 2>{corners[to].screen.x.raw - corners[0].screen.x.raw,
                                                corners[to].screen.y.raw - corners[0].screen.y.raw};
@@ -215,10 +216,10 @@ TEST(DrawMesh, WeightsAreTheNearestQuotients) {
         const auto ab = way(1), ac = way(2);
         const std::int64_t area = ab[0] * ac[1] - ac[0] * ab[1];
         const auto quotient = [&](std::int64_t size) { return mul_div(size, std::int64_t{1} << 56, area); };
-        ASSERT_EQ(weights->b_per_column.raw, quotient(ac[1]));
-        ASSERT_EQ(weights->b_per_row.raw, quotient(-ac[0]));
-        ASSERT_EQ(weights->c_per_column.raw, quotient(-ab[1]));
-        ASSERT_EQ(weights->c_per_row.raw, quotient(ab[0]));
+        ASSERT_EQ(WeightStep(weights.b_per_column).raw, quotient(ac[1]));
+        ASSERT_EQ(WeightStep(weights.b_per_row).raw, quotient(-ac[0]));
+        ASSERT_EQ(WeightStep(weights.c_per_column).raw, quotient(-ab[1]));
+        ASSERT_EQ(WeightStep(weights.c_per_row).raw, quotient(ab[0]));
         ++counted;
     }
     EXPECT_GT(counted, 15'000);

@@ -167,7 +167,7 @@ TEST(Scan, IsTheSameOnTheScreenAndBesideIt) {
             scan_convex(polygon, on);
             ASSERT_NO_FATAL_FAILURE(expect_same_rows(on, beside, {on.first, on.end}, kAway)) << i;
         }
-        bent += !shape_of(polygon, kHeight).is_monotone;
+        bent += !is_monotone(polygon);
         covered += on.first < on.end;
     }
     EXPECT_GT(bent, 50);
@@ -180,7 +180,7 @@ TEST(Scan, FindsNoMoreThanTheShapeTells) {
         const auto polygon = random_polygon(random, 320, 200, 2);
         for (const EdgeStepping stepping : {EdgeStepping::Exact, EdgeStepping::Accumulated}) {
             const PolygonShape shape = shape_of(polygon, 200, stepping);
-            ASSERT_EQ(shape.is_monotone, vertical_turns(polygon) <= 2) << i;
+            ASSERT_EQ(is_monotone(polygon), vertical_turns(polygon) <= 2) << i;
             ScanlineExtents rows(200);
             scan_convex(polygon, rows, stepping);
             ASSERT_EQ(rows.first, shape.bounds.first_row);
