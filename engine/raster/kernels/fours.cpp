@@ -73,75 +73,72 @@ void draw_blocks_by_fours(std::span<const TexelBlock> blocks, const SurfaceView&
 
 namespace {
 
-/// The steps of a block that stays within its surface.
+/// A surface, and a walk along a block that stays within it.
 struct TexelWalk {
-    std::uint32_t u_fraction, v_fraction;  ///< of the steps, 0.32: sums carry into whole texels
-    std::int32_t texels[2];                ///< whole steps as offsets in the surface: with a carry of v, and without
-    std::uint8_t* end;                     ///< of the pixels drawn four at a time
+    const std::uint8_t* texels;
+    std::int32_t stride;
+    int stride_log2;
+    std::uint8_t* pixels;
+    std::uint32_t u_fraction = 0, v_fraction = 0;  ///< of the steps, 0.32: sums carry into whole texels
+    std::int32_t steps[2]{};            ///< whole steps as offsets in the surface: with a carry of v, and without
+    const std::uint8_t* end = nullptr;  ///< of the pairs of pixels
+    std::int32_t count = 0;
+
+    TexelWalk(const SurfaceView& surface, std::uint8_t* first_pixel)
+        : texels(surface.texels),
+          stride(1 << surface.stride_log2),
+          stride_log2(surface.stride_log2),
+          pixels(first_pixel) {}
 };
 
-// To the next texel, in four instructions, three of them for the carries; two pixels are written at once.
-#define OBLONG_NEXT_TEXEL       \
-    "addl 4(%[walk]), %[v]\n\t" \
-    "sbbl %%eax, %%eax\n\t"     \
-    "addl (%[walk]), %[u]\n\t"  \
-    "adcl 12(%[walk], %%eax, 4), %[texel]\n\t"
-#define OBLONG_PIXEL(HALF) "movb (%[texel]), %%" HALF "\n\t" OBLONG_NEXT_TEXEL
+// To the next texel (ecx), in four instructions, three of them for the carries.
+#define OBLONG_NEXT_TEXEL        \
+    "addl 20(%[walk]), %[v]\n\t" \
+    "sbbl %%eax, %%eax\n\t"      \
+    "addl 16(%[walk]), %[u]\n\t" \
+    "adcl 28(%[walk], %%eax, 4), %%ecx\n\t"
+#define OBLONG_PIXEL(HALF) "movb (%%ecx), %%" HALF "\n\t" OBLONG_NEXT_TEXEL
 
-/// A walk's place, which needs all registers.
-struct TexelPlace {
-    const std::uint8_t* texel;
-    std::uint32_t u, v;  ///< fractions, 0.32
-    std::uint8_t* out;
-
-    /// Draws to the walk's end, which is a multiple of four pixels away, at least four.
-    [[gnu::always_inline]] void draw_fours(const TexelWalk& walk) {
-        static_assert(offsetof(TexelWalk, v_fraction) == 4 && offsetof(TexelWalk, texels) == 8 &&
-                      offsetof(TexelWalk, end) == 16);
-        asm volatile("0:\n\t" OBLONG_PIXEL("dl") OBLONG_PIXEL("dh") "movw %%dx, (%[out])\n\t"
-                     OBLONG_PIXEL("dl") OBLONG_PIXEL("dh") "movw %%dx, 2(%[out])\n\t"
-                     "addl $4, %[out]\n\t"
-                     "cmpl 16(%[walk]), %[out]\n\t"
-                     "jne 0b"
-                     : [texel] "+r"(texel), [u] "+r"(u), [v] "+r"(v), [out] "+r"(out)
-                     : [walk] "r"(&walk)
-                     : "eax", "edx", "cc", "memory");
-    }
-    [[gnu::always_inline]] void draw_two(const TexelWalk& walk) {
-        asm volatile(OBLONG_PIXEL("dl") OBLONG_PIXEL("dh") "movw %%dx, (%[out])\n\t"
-                     "addl $2, %[out]"
-                     : [texel] "+r"(texel), [u] "+r"(u), [v] "+r"(v), [out] "+r"(out)
-                     : [walk] "r"(&walk)
-                     : "eax", "edx", "cc", "memory");
-    }
-};
+/// In 32 instructions for a block, six a pixel; all registers are needed. Two pixels are written at once, and an odd
+/// pair begins in the middle of the loop. Fractions are read with the two bytes before them: of u those are the upper
+/// half of the count, 0, and of v they do not matter, as nothing is added to them.
+[[gnu::always_inline]] inline void draw_within(const TexelBlock& block, TexelWalk& walk) {
+    static_assert(offsetof(TexelBlock, count) == 4 && offsetof(TexelBlock, u_16) == 8 &&
+                  offsetof(TexelBlock, v_16) == 12 && offsetof(TexelBlock, u_step_16) == 16 &&
+                  offsetof(TexelBlock, v_step_16) == 20);
+    static_assert(offsetof(TexelWalk, stride) == 4 && offsetof(TexelWalk, stride_log2) == 8 &&
+                  offsetof(TexelWalk, pixels) == 12 && offsetof(TexelWalk, u_fraction) == 16 &&
+                  offsetof(TexelWalk, v_fraction) == 20 && offsetof(TexelWalk, steps) == 24 &&
+                  offsetof(TexelWalk, end) == 32 && offsetof(TexelWalk, count) == 36);
+    const void* place = &block;  // then of the pixel
+    std::uint32_t u, v;          // fractions, 0.32
+    asm volatile(
+        "movl 8(%[walk]), %%ecx\n\t"
+        "movl 16(%[place]), %[u]\n\tshll $16, %[u]\n\tmovl %[u], 16(%[walk])\n\t"
+        "movl 20(%[place]), %[v]\n\tshll $16, %[v]\n\tmovl %[v], 20(%[walk])\n\t"
+        "movswl 22(%[place]), %%eax\n\tshll %%cl, %%eax\n\tmovswl 18(%[place]), %%edx\n\taddl %%edx, %%eax\n\t"
+        "movl %%eax, 28(%[walk])\n\taddl 4(%[walk]), %%eax\n\tmovl %%eax, 24(%[walk])\n\t"
+        "movzwl 14(%[place]), %%eax\n\tshll %%cl, %%eax\n\tmovzwl 10(%[place]), %%ecx\n\taddl %%eax, %%ecx\n\t"
+        "addl (%[walk]), %%ecx\n\t"
+        "movl 6(%[place]), %[u]\n\tmovl 10(%[place]), %[v]\n\t"
+        "movl 4(%[place]), %%eax\n\tmovl %%eax, 36(%[walk])\n\t"
+        "movl (%[place]), %[place]\n\taddl 12(%[walk]), %[place]\n\t"
+        "movl %%eax, %%edx\n\tandl $-2, %%edx\n\tjz 2f\n\t"
+        "addl %[place], %%edx\n\tmovl %%edx, 32(%[walk])\n\t"
+        "testb $2, %%al\n\tjz 0f\n\tsubl $2, %[place]\n\tjmp 1f\n"
+        "0:\n\t" OBLONG_PIXEL("dl") OBLONG_PIXEL("dh") "movw %%dx, (%[place])\n"
+        "1:\n\t" OBLONG_PIXEL("dl") OBLONG_PIXEL("dh") "movw %%dx, 2(%[place])\n\t"
+        "addl $4, %[place]\n\tcmpl 32(%[walk]), %[place]\n\tjne 0b\n"
+        "2:\n\ttestb $1, 36(%[walk])\n\tjz 3f\n\tmovb (%%ecx), %%al\n\tmovb %%al, (%[place])\n"
+        "3:"
+        : [place] "+&r"(place), [u] "=&r"(u), [v] "=&r"(v)
+        : [walk] "r"(&walk)
+        : "eax", "ecx", "edx", "cc", "memory");
+}
 
 /// Any block; a function of its own, for the sake of the other's registers.
 [[gnu::noinline]] void draw_any(const TexelBlock& block, const SurfaceView& surface, std::uint8_t* pixels) {
     draw_packed_block(block, pixels, PackedFetch(surface));
-}
-
-/// What blocks of a surface share, in a copy: the compiler has to assume that pixels are written over what it reads.
-struct TexelRows {
-    const std::uint8_t* texels;
-    std::int32_t stride;
-    int stride_log2;
-
-    explicit TexelRows(const SurfaceView& surface)
-        : texels(surface.texels), stride(1 << surface.stride_log2), stride_log2(surface.stride_log2) {}
-};
-
-[[gnu::always_inline]] inline void draw_within(const TexelBlock& block, const TexelRows& rows, std::uint8_t* out) {
-    const auto u_step = static_cast<std::uint32_t>(block.u_step_16),
-               v_step = static_cast<std::uint32_t>(block.v_step_16);
-    const std::int32_t whole =
-        floor_shift(block.v_step_16, 16) * (std::int32_t{1} << rows.stride_log2) + floor_shift(block.u_step_16, 16);
-    const TexelWalk walk{u_step << 16, v_step << 16, {whole + rows.stride, whole}, out + (block.count & ~3)};
-    TexelPlace place{rows.texels + ((block.v_16 >> 16 << rows.stride_log2) + (block.u_16 >> 16)), block.u_16 << 16,
-                     block.v_16 << 16, out};
-    if (block.count >= 4) place.draw_fours(walk);
-    if (block.count & 2) place.draw_two(walk);
-    if (block.count & 1) *place.out = *place.texel;
 }
 
 /// Whether a block stays within a surface. Apart, as most surfaces hold all blocks: the loop keeps its registers.
@@ -156,14 +153,14 @@ struct TexelRows {
 }  // namespace
 
 void draw_blocks_by_fours(std::span<const TexelBlock> blocks, const SurfaceView& surface, std::uint8_t* pixels) {
-    const TexelRows rows(surface);
+    TexelWalk walk(surface, pixels);
     if (surface.holds_blocks) {
-        for (const TexelBlock& block : blocks) draw_within(block, rows, pixels + block.pixel);
+        for (const TexelBlock& block : blocks) draw_within(block, walk);
         return;
     }
     for (const TexelBlock& block : blocks)
         if (is_within(block, surface))
-            draw_within(block, rows, pixels + block.pixel);
+            draw_within(block, walk);
         else
             draw_any(block, surface, pixels);
 }
