@@ -74,7 +74,7 @@ class SampledStopwatch {
 
     FrameClock clock_ = nullptr;
     std::int64_t* sum_;
-    std::int64_t began_ns_ = 0, reading_ns_ = 0;
+    std::int64_t began_ns_, reading_ns_;  ///< set if `clock_` is
 };
 
 /// What is measured while a frame is drawn; null: not measured. Observers never change the picture. A counted or

@@ -39,15 +39,16 @@ WeightStep step_along(Screen way) {
     return step_of(way < Screen{} ? -1 : 1, absolute(way).raw);
 }
 
-/// Changes along the side from corner `from` to `to` only.
-Barycentric along(const std::array<const ScreenPlace*, 3>& corners, std::uint8_t from, std::uint8_t to) {
+/// Makes it change along the side from corner `from` to `to` only.
+void set_along(const std::array<const ScreenPlace*, 3>& corners, std::uint8_t from, std::uint8_t to,
+               Barycentric& weights) {
     const Way way(*corners[from], *corners[to]);
-    Barycentric result{{corners[from], corners[to], corners[from]}, {from, to, from}, {}, {}, {}, {}};
-    if (absolute(way.x) >= absolute(way.y))
-        result.b_per_column = step_along(way.x);
-    else
-        result.b_per_row = step_along(way.y);
-    return result;
+    const bool is_across = absolute(way.x) >= absolute(way.y);
+    weights.corners = {corners[from], corners[to], corners[from]};
+    weights.order = {from, to, from};
+    weights.b_per_column = is_across ? step_along(way.x) : WeightStep{};
+    weights.b_per_row = is_across ? WeightStep{} : step_along(way.y);
+    weights.c_per_column = weights.c_per_row = WeightStep{};
 }
 
 /// The part of a quantity's step that a difference of its values at two corners makes.
@@ -104,7 +105,8 @@ bool make_barycentric(const std::array<const ScreenPlace*, 3>& corners, Barycent
     if (area <= 0) return false;
     const Screen longest = std::max({ab.size(), ac.size(), bc.size()});
     if (area < longest.raw * kThinnest_8) {
-        weights = longest == ab.size() ? along(corners, 0, 1) : along(corners, longest == ac.size() ? 0 : 1, 2);
+        const bool is_ab = longest == ab.size();
+        set_along(corners, is_ab || longest == ac.size() ? 0 : 1, is_ab ? 1 : 2, weights);
         return true;
     }
     weights.corners = corners;

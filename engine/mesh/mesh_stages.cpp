@@ -271,10 +271,7 @@ Vec3<Unit> world_normal(const Vec3<Unit>& object_normal, const MeshTransform& tr
 }
 
 void view_vertex(const Vec3<World>& world_position, const ViewContext& view, ViewVertex& seen) {
-    transform_vertex(world_position, view, seen);
-    if (seen.outcode != 0) return;
-    seen.screen = to_screen_vertex(seen.position, view.projection, view.grid);
-    seen.inverse_z = inverse_z_at(seen.position.z);
+    if (place_vertex(world_position, view, seen)) seen.inverse_z = inverse_z_at(seen.position.z);
 }
 
 void clip_and_project(const std::array<const ViewVertex*, 3>& triangle,

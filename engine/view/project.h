@@ -42,25 +42,43 @@ Screen within_screen(Position along, std::int32_t size_px, const SubpixelGrid& g
     return grid.snap(convert<Screen>(std::clamp(along, Position{}, Position::from_int(size_px))));
 }
 
-/// A clipped point in viewspace as a screen vertex.
-[[gnu::always_inline]] inline ScreenVertex to_screen_vertex(const Vec3<View>& p, const Projection& projection,
-                                                            const SubpixelGrid& grid) {
-    const auto& [axis_x, axis_y, width_px, height_px] = projection;
 #if defined(__i386__)
+/// A position in viewspace within 2^15 units of the eye along each axis.
+using ShortView = Fixed<std::int32_t, View::kFractionBits>;
+
+/// to_screen_vertex() in 32 bits, if these suffice, as for points inside the usual fields of view.
+[[gnu::always_inline]] inline bool to_near_screen_vertex(const Vec3<ShortView>& p, const Projection& projection,
+                                                         const SubpixelGrid& grid, ScreenVertex& screen) {
+    const auto& [axis_x, axis_y, width_px, height_px] = projection;
     const auto upper = [](auto number) { return static_cast<std::int32_t>(number.raw >> 32); };
-    const auto x = static_cast<std::int32_t>(p.x.raw), up = static_cast<std::int32_t>(p.y.raw);
     const auto z = static_cast<std::uint32_t>(p.z.raw);
     const auto coarse_x = static_cast<std::int32_t>(axis_x.coarse.raw),
                coarse_y = static_cast<std::int32_t>(axis_y.coarse.raw);
-    const int beyond = (upper(p.x) ^ x >> 31) | (upper(p.y) ^ up >> 31) | upper(p.z) | static_cast<int>(z >> 30) |
-                       upper(axis_x.coarse) | upper(axis_y.coarse) | (coarse_x | coarse_y) >> 26;
+    const int beyond =
+        static_cast<int>(z >> 30) | upper(axis_x.coarse) | upper(axis_y.coarse) | (coarse_x | coarse_y) >> 26;
     std::int32_t y = 0;
-    if (beyond == 0 && !__builtin_sub_overflow(0, up, &y) && is_near_axis(x, z) && is_near_axis(y, z)) [[likely]]
-        return {within_screen(convert<Screen>(axis_x.centre) + project_near_axis(coarse_x, x, z), width_px, grid),
-                within_screen(convert<Screen>(axis_y.centre) + project_near_axis(coarse_y, y, z), height_px, grid)};
+    if (beyond != 0 || __builtin_sub_overflow(0, p.y.raw, &y) || !is_near_axis(p.x.raw, z) || !is_near_axis(y, z))
+        return false;
+    screen = {within_screen(convert<Screen>(axis_x.centre) + project_near_axis(coarse_x, p.x.raw, z), width_px, grid),
+              within_screen(convert<Screen>(axis_y.centre) + project_near_axis(coarse_y, y, z), height_px, grid)};
+    return true;
+}
+#endif
+
+/// A clipped point in viewspace as a screen vertex.
+[[gnu::always_inline]] inline ScreenVertex to_screen_vertex(const Vec3<View>& p, const Projection& projection,
+                                                            const SubpixelGrid& grid) {
+#if defined(__i386__)
+    const auto is_short = [](View v) { return static_cast<std::int32_t>(v.raw) == v.raw; };
+    const auto part = [](View v) { return ShortView::from_raw(static_cast<std::int32_t>(v.raw)); };
+    ScreenVertex screen;
+    if (is_short(p.x) && is_short(p.y) && is_short(p.z) &&
+        to_near_screen_vertex({part(p.x), part(p.y), part(p.z)}, projection, grid, screen)) [[likely]]
+        return screen;
 #endif
     const ScreenPosition position = project(p, projection);
-    return {within_screen(position.x, width_px, grid), within_screen(position.y, height_px, grid)};
+    return {within_screen(position.x, projection.width_px, grid),
+            within_screen(position.y, projection.height_px, grid)};
 }
 
 /// Puts a corner that was clipped to `borders` of the view exactly on those of the screen.

@@ -87,9 +87,8 @@ bool project_polygon(std::span<const Vec3<World>> corners, const ViewContext& vi
     ClipVertex* own = polygon.own.take(corners.size()).data();
     ClipVertex** out = polygon.clipper.start(corners.size()).data();
     for (const Vec3<World>& corner : corners) {
-        transform_vertex(corner, view, *own);
+        own->is_projected = place_vertex(corner, view, *own);
         own->undecided = 0;
-        own->is_projected = false;
         outcodes.add(own->outcode);
         *out++ = own++;
     }

@@ -49,10 +49,8 @@ class VertexCache {
     CachedVertex& get(VertexIndex index, const ViewContext& view) {
         CachedVertex& vertex = vertices_[index];
         if (vertex.frame == frame_) return vertex;
-        transform_vertex<AdjustsPositions>(world_[index], view, vertex);
+        vertex.is_projected = place_vertex<AdjustsPositions>(world_[index], view, vertex);
         vertex.undecided = 0;
-        vertex.is_projected = vertex.outcode == 0;  // nearly all that are inside are drawn
-        if (vertex.is_projected) vertex.screen = to_screen_vertex(vertex.position, view.projection, view.grid);
         vertex.frame = frame_;
         return vertex;
     }

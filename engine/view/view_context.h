@@ -57,9 +57,6 @@ inline Vec3<View> to_view(const Vec3<World>& point, const ViewContext& view) {
 }
 
 #if defined(__i386__)
-/// A position in viewspace within 2^15 units of the eye along each axis.
-using ShortView = Fixed<std::int32_t, View::kFractionBits>;
-
 /// to_view() in 32 bits; none for points 2^12 units or more from the eye along an axis of the world. (Components of
 /// sheared axes are below 2, so the sum of three products is below 6 * 2^12 units.)
 [[gnu::always_inline]] inline std::optional<Vec3<ShortView>> to_short_view(const Vec3<World>& point,
@@ -90,21 +87,31 @@ inline Vec3<View> to_unadjusted_view(const Vec3<World>& point, const ViewContext
 /// Sets a vertex's position and outcode from its place in the world.
 template <bool AdjustsPositions, class Vertex>
 [[gnu::always_inline]] inline void transform_vertex(const Vec3<World>& point, const ViewContext& view, Vertex& vertex) {
-#if defined(__i386__)
-    if (const auto near = AdjustsPositions ? std::nullopt : to_short_view(point, view)) {
-        vertex.position = {convert<View>(near->x), convert<View>(near->y), convert<View>(near->z)};
-        vertex.outcode = outcode_of(view.frustum, *near);
-        return;
-    }
-#endif
     vertex.position = to_view(point, view.eye, view.axes);
     if constexpr (AdjustsPositions) vertex.position = adjusted(vertex.position, view);
     vertex.outcode = outcode_of(view.frustum, vertex.position);
 }
+
+/// The same, and if it is inside the view its place on the screen. Returns whether it is inside.
+template <bool AdjustsPositions, class Vertex>
+[[gnu::always_inline]] inline bool place_vertex(const Vec3<World>& point, const ViewContext& view, Vertex& vertex) {
+#if defined(__i386__)
+    if (const auto near = AdjustsPositions ? std::nullopt : to_short_view(point, view)) {
+        vertex.position = {convert<View>(near->x), convert<View>(near->y), convert<View>(near->z)};
+        vertex.outcode = outcode_of(view.frustum, *near);
+        if (vertex.outcode != 0) return false;
+        if (to_near_screen_vertex(*near, view.projection, view.grid, vertex.screen)) return true;
+    } else
+#endif
+        transform_vertex<AdjustsPositions>(point, view, vertex);
+    if (vertex.outcode != 0) return false;
+    vertex.screen = to_screen_vertex(vertex.position, view.projection, view.grid);
+    return true;
+}
 template <class Vertex>
-[[gnu::always_inline]] inline void transform_vertex(const Vec3<World>& point, const ViewContext& view, Vertex& vertex) {
-    if (view.adjusts_positions) return transform_vertex<true>(point, view, vertex);
-    transform_vertex<false>(point, view, vertex);
+[[gnu::always_inline]] inline bool place_vertex(const Vec3<World>& point, const ViewContext& view, Vertex& vertex) {
+    if (view.adjusts_positions) return place_vertex<true>(point, view, vertex);
+    return place_vertex<false>(point, view, vertex);
 }
 
 }  // namespace oblong
