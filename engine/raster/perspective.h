@@ -182,10 +182,16 @@ struct Depth {
             }
             // In units of four steps: one comparison where the limits are not near.
             const auto first = static_cast<std::uint32_t>(least.raw), last = static_cast<std::uint32_t>(greatest.raw);
-            const std::uint32_t first_4 = first / 4 + 1, end_4 = std::max(first_4, last / 4);
+            const std::uint32_t first_4 = first / 4 + 1, count_4 = std::max(first_4, last / 4) - first_4;
             const auto steps = static_cast<std::uint32_t>(
                 upper_half<false>(static_cast<std::int64_t>(std::uint64_t{high} << 32 | lower), 2));
-            if (high - first_4 < end_4 - first_4) [[likely]]
+            // high - first_4 < count_4, without loading what is in memory.
+            std::uint32_t beyond_first = high;
+            bool is_between = false;
+            asm("subl %[first], %[beyond]\n\tcmpl %[count], %[beyond]"
+                : [beyond] "+&r"(beyond_first), "=@ccb"(is_between)
+                : [first] "rm"(first_4), [count] "rm"(count_4));
+            if (is_between) [[likely]]
                 return steps;
             return high > ~std::uint32_t{0} >> 2 ? last : clamp_value(steps, first, last);
         } else
