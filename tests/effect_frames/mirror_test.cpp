@@ -58,6 +58,17 @@ TEST(Mirrors, ShowMeshesBeforeThemAndNoneBehind) {
     EXPECT_EQ(stage.draw(), bare);
 }
 
+TEST(Mirrors, ShowNoSpriteAndNoParticleBehindThem) {
+    const auto drawn = [](const std::string& behind) {
+        const std::string mirror = entity("func_wall", {}, box({100, -100, 30}, {104, 100, 160}, "mirror"));
+        return EffectStage(room_with("", mirror + entity_at("light", {0, 0, 120}) + behind, "other"), toward_mirror())
+            .draw();
+    };
+    const Whole at{140, 0, 90};
+    EXPECT_EQ(drawn(entity_at("misc_sprite", at, {{"texture", "{lamp"}})), drawn(""));
+    EXPECT_EQ(drawn(entity_at("misc_rain", at, {{"size", "16 16 80"}, {"count", "200"}})), drawn(""));
+}
+
 TEST(Mirrors, BuildNoSurfaceAgainAndCountLightOnce) {
     const std::string lantern =
         entity_at("misc_lantern", {100, 0, 80}, {{"texture", "{lamp"}, {"light", "300"}, {"scale", "0.25"}});
