@@ -113,8 +113,10 @@ TEST(Particles, ReturnAfterTheirPeriod) {
 
 TEST(Shadows, FallOnTheirFloorAndOnNothingElse) {
     const MapText text = room_with(box({10, -100, 0}, {60, 100, 40}, "other"),
-                                   entity_at("misc_sprite", {0, 0, 40}, {{"texture", "{lamp"}, {"shadow", "40"}}));
+                                   entity_at("misc_sprite", {0, 0, 40}, {{"texture", "{lamp"}, {"shadow", "40"}}) +
+                                       entity("func_wall", {}, box({-30, 0, -8}, {-10, 30, 0}, "floor")));
     EffectStage stage(text, camera_at(point_at(-150, 3, 120), 0, 30));
+    stage.models.at(0).offset = point_at(0, 0, 16);  // its upper side has the floor's plane in the level
     const Picture with = stage.draw();
     EXPECT_TRUE(stage.has("shadows"));
     EXPECT_TRUE(stage.has(Effect::Shadows));
