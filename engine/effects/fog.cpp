@@ -44,7 +44,7 @@ std::int64_t columns_of_level(InverseZ inverse_z, InverseZ step, std::int32_t le
 }
 
 constexpr std::int32_t kStep_px = 16;
-constexpr InverseZ kOne = InverseZ::from_int(1);
+constexpr InverseZ kNearest = InverseZ::from_int(1);
 constexpr View kHighestClimb = View::from_int(std::int64_t{1} << 24);
 
 using Density = Fixed<std::int64_t, InverseZ::kFractionBits + View::kFractionBits>;  ///< 0 to 1
@@ -167,7 +167,7 @@ HeightFogView make_height_fog_view(const HeightFog& fog, const Vec3<World>& eye,
 bool is_clear(std::int32_t column, std::int32_t row, InverseZ inverse_z, const HeightFogView& view) {
     const std::int64_t height = floor_of(-view.top_above_eye) - 1;
     if (height < 0 || inverse_z < InverseZ{}) return false;
-    const auto steepest = convert<DirectionPart>(std::min(inverse_z, kOne), Rounding::Floor) * height;
+    const auto steepest = convert<DirectionPart>(std::min(inverse_z, kNearest), Rounding::Floor) * height;
     return view.rise.at(column, row) + steepest >= DirectionPart{};
 }
 
@@ -176,7 +176,7 @@ bool is_clear(const ScreenRectangle& pixels, const LinearQuantity<InverseZ>& inv
         return is_clear(column, row, inverse_z.at(column, row), view);
     };
     const std::int32_t last_column = pixels.end_column - 1, last_row = pixels.end_row - 1;
-    return is_within(inverse_z.per_column, kOne) && is_within(inverse_z.per_row, kOne) &&
+    return is_within(inverse_z.per_column, kNearest) && is_within(inverse_z.per_row, kNearest) &&
            is_corner_clear(pixels.first_column, pixels.first_row) && is_corner_clear(last_column, pixels.first_row) &&
            is_corner_clear(pixels.first_column, last_row) && is_corner_clear(last_column, last_row);
 }

@@ -11,13 +11,13 @@ namespace oblong {
 namespace {
 
 /// Eight numbers of an arithmetic sequence.
-struct Eight {
+struct EightSteps {
     __m128i first, second;
 
-    Eight(std::int32_t number, std::int32_t step)
+    EightSteps(std::int32_t number, std::int32_t step)
         : first(_mm_setr_epi32(number, number + step, number + 2 * step, number + 3 * step)),
           second(_mm_add_epi32(first, _mm_set1_epi32(4 * step))) {}
-    void operator+=(const Eight& steps) {
+    void operator+=(const EightSteps& steps) {
         first = _mm_add_epi32(first, steps.first);
         second = _mm_add_epi32(second, steps.second);
     }
@@ -32,7 +32,7 @@ void look_up_four(std::int64_t places, const std::uint8_t* colours, std::uint8_t
 }
 
 /// Writes eight texels in these shades; their indices in the colormap have 16 bits.
-[[gnu::always_inline]] inline void light_eight(const Eight& shades_24, const std::uint8_t* texels,
+[[gnu::always_inline]] inline void light_eight(const EightSteps& shades_24, const std::uint8_t* texels,
                                                const std::uint8_t* colours, std::uint8_t* out) {
     const __m128i shades = _mm_packs_epi32(_mm_srli_epi32(shades_24.first, 24), _mm_srli_epi32(shades_24.second, 24));
     const __m128i eight = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(texels));
@@ -50,8 +50,8 @@ void light_cell(const std::int32_t* upper_16, const std::int32_t* lower_16, cons
                        right_of_row_20 = (lower_16[1] - upper_16[1]) * (1 << Mip);
     const std::int32_t step_24 = (upper_16[1] - upper_16[0]) * (16 << Mip),
                        step_of_row_24 = (right_of_row_20 - left_of_row_20) * (1 << Mip);
-    Eight first_24(upper_16[0] * 256, step_24), second_24(upper_16[0] * 256 + 8 * step_24, step_24);
-    const Eight first_of_row_24(left_of_row_20 * 16, step_of_row_24),
+    EightSteps first_24(upper_16[0] * 256, step_24), second_24(upper_16[0] * 256 + 8 * step_24, step_24);
+    const EightSteps first_of_row_24(left_of_row_20 * 16, step_of_row_24),
         second_of_row_24(left_of_row_20 * 16 + 8 * step_of_row_24, step_of_row_24);
     const std::ptrdiff_t width = cells.texture_width, stride = cells.stride;
     for (int row = 0; row < kCell; ++row, texels += width, out += stride) {

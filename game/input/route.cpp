@@ -17,9 +17,9 @@ namespace {
 constexpr std::string_view kHeader = "x,y,z,speed,wait,yaw,pitch,jump";
 constexpr std::size_t kColumns = 8;
 constexpr std::int64_t kPatience_ticks = 40 * kTicksPerSecond;
-constexpr std::int32_t kReach = 16, kReachInPassing = 40;  // world units from a waypoint
-constexpr World kLongestMotion = World::from_int(100);     // in a tick: more is a teleporter
-constexpr std::int32_t kFeetBelow = 24;                    // Player::position
+constexpr std::int32_t kWaypointReach = 16, kReachInPassing = 40;  // world units from a waypoint
+constexpr World kLongestMotion = World::from_int(100);             // in a tick: more is a teleporter
+constexpr std::int32_t kFeetBelow = 24;                            // Player::position
 
 // How a head turns, 65,536 to the circle per tick: the largest rate, its largest change, and the divisor of the
 // remaining angle that gives the wanted rate.
@@ -128,7 +128,7 @@ bool RouteWalker::has_arrived(const Player& player) {
     const Waypoint& goal = waypoint();
     const World dx = World::from_int(goal.x) - player.position.x, dy = World::from_int(goal.y) - player.position.y;
     const bool passes = goal.wait_ticks == 0 && !goal.least_feet;
-    const World reach = World::from_int(passes ? kReachInPassing : kReach);
+    const World reach = World::from_int(passes ? kReachInPassing : kWaypointReach);
     const bool was_teleported = last_ && length_of(player.position - *last_) > kLongestMotion;
     last_ = player.position;
     is_there_ |= was_teleported || length_of({dx, dy, World{}}) <= reach;

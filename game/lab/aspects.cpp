@@ -109,7 +109,7 @@ void draw_aspect_guide(const ScreenMode& mode, TextColours colours, Framebuffer 
 
 namespace {
 
-constexpr std::int32_t kGap_px = 2, kSmallestSide_px = 8;
+constexpr std::int32_t kPictureGap_px = 2, kSmallestSide_px = 8;
 
 // The largest part of a cell, in its middle, whose width to height is `shape` in pixels of shape `pixel`.
 Area fitted(const Area& cell, Ratio shape, Ratio pixel) {
@@ -123,7 +123,8 @@ Area fitted(const Area& cell, Ratio shape, Ratio pixel) {
 
 Area cell_of(const ScreenMode& mode, int column, int row) {
     const std::int32_t width = mode.width_px / 2, height = mode.height_px / 2;
-    return {column * width + kGap_px / 2, row * height + kGap_px / 2, width - kGap_px, height - kGap_px};
+    return {column * width + kPictureGap_px / 2, row * height + kPictureGap_px / 2, width - kPictureGap_px,
+            height - kPictureGap_px};
 }
 
 AspectView aspect_view(const ScreenMode& mode, Ratio pixel, bool corrects_projection, bool corrects_display) {

@@ -112,7 +112,7 @@ double longest_of(const LabFigures& figures) {
 }
 
 // Microseconds, and half of the interquartile range.
-std::string time_text(const TimedSetting& setting, bool has_spread) {
+std::string spread_text(const TimedSetting& setting, bool has_spread) {
     const std::optional<TimeSpread>& time = setting.frame_ns;
     if (!time) return "...";
     return std::to_string(std::llround(time->median / 1000)) + (has_spread ? spread_text(*time) : "");
@@ -129,7 +129,7 @@ void draw_time(std::string_view name, const TimedSetting& setting, double longes
     const double time_ns = setting.frame_ns ? setting.frame_ns->median : 0;
     const auto length = static_cast<std::int32_t>(time_ns * kLongestBar_px / longest_ns);
     panel.fill({kTimes_px + kNames_px, Panel::y_of(row) + 1, length, kRow_px - 3}, panel.colours.bar);
-    panel.write(kTimes_px + kNames_px + length + 2, row, time_text(setting, true), colours);
+    panel.write(kTimes_px + kNames_px + length + 2, row, spread_text(setting, true), colours);
 }
 
 // A time within the spread of the current setting's is dim: neither faster nor slower.
@@ -148,7 +148,8 @@ void draw_times(const LabFigures& figures, const Panel& panel) {
 // Without the spread, "~" stands between times that it does not separate.
 std::string describe_times(const LabFigures& figures, bool has_spread) {
     const std::string between = has_spread ? " us " : are_alike(figures.now, figures.before) ? " ~ " : "  ";
-    return "now " + time_text(figures.now, has_spread) + between + "before " + time_text(figures.before, has_spread);
+    return "now " + spread_text(figures.now, has_spread) + between + "before " +
+           spread_text(figures.before, has_spread);
 }
 
 std::string with_decimals(double value, int digits) {

@@ -9,7 +9,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kExtension = ".bsp";
+constexpr const char* kLevelExtension = ".bsp";
 constexpr const char* kPakPrefix = "maps/";
 constexpr const char* kItemPrefix = "b_";  // Quake's ammunition boxes are .bsp files, too
 constexpr const char* kDemoLevel = "demo";
@@ -38,7 +38,7 @@ std::vector<fs::path> levels_in(const fs::path& folder) {
     std::error_code error;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
         std::error_code ignored;
-        if (entry->path().extension() == kExtension && entry->is_regular_file(ignored))
+        if (entry->path().extension() == kLevelExtension && entry->is_regular_file(ignored))
             files.push_back(entry->path().lexically_normal());
     }
     std::sort(files.begin(), files.end());
@@ -56,9 +56,9 @@ std::optional<std::string> find_level(const std::string& name, const LevelPlaces
     if (!is_level_name(name)) return {};
     std::error_code ignored;
     for (const fs::path& folder : folders_of(places))
-        if (const fs::path file = folder / (name + kExtension); fs::is_regular_file(file, ignored))
+        if (const fs::path file = folder / (name + kLevelExtension); fs::is_regular_file(file, ignored))
             return file.lexically_normal().string();
-    return GameFiles(places.game_folders).find(kPakPrefix + name + kExtension);
+    return GameFiles(places.game_folders).find(kPakPrefix + name + kLevelExtension);
 }
 
 std::string find_named_level(const std::string& name, const LevelPlaces& places) {
@@ -66,7 +66,7 @@ std::string find_named_level(const std::string& name, const LevelPlaces& places)
     std::string looked, paks;
     for (const fs::path& folder : folders_of(places)) looked += folder.string() + ", ";
     for (const std::string& folder : places.game_folders) paks += (paks.empty() ? "" : ", ") + folder;
-    throw FileError(name + kExtension, "open",
+    throw FileError(name + kLevelExtension, "open",
                     "no such level in " + looked + "or pak files in " + paks + ", expected one");
 }
 
@@ -81,7 +81,7 @@ LevelList list_levels(const LevelPlaces& places) {
     for (const fs::path& folder : folders_of(places))
         for (const fs::path& file : levels_in(folder)) add(file.string());
     std::vector<std::string> in_paks =
-        GameFiles(places.game_folders).list_in_paks(kPakPrefix, kExtension, list.problems);
+        GameFiles(places.game_folders).list_in_paks(kPakPrefix, kLevelExtension, list.problems);
     std::stable_sort(in_paks.begin(), in_paks.end(), [](const std::string& a, const std::string& b) {
         return fs::path(a).stem() < fs::path(b).stem();
     });

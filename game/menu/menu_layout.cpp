@@ -20,7 +20,7 @@ std::int32_t columns_of(const std::string& text) {
     return static_cast<std::int32_t>(text.size());
 }
 
-std::vector<std::string> wrapped(const std::string& text, std::int32_t columns) {
+std::vector<std::string> wrapped_lines(const std::string& text, std::int32_t columns) {
     if (text.empty()) return {};
     const std::vector<std::string_view> lines = lines_of(text, columns * kGlyphAdvance_px);
     return {lines.begin(), lines.end()};
@@ -64,7 +64,7 @@ class PageLayout {
 
     void place_help() {
         const auto lines_for = [&](const std::string& help) {
-            return wrapped(help, columns_in(canvas_.width_px - 2 * margin_px_));
+            return wrapped_lines(help, columns_in(canvas_.width_px - 2 * margin_px_));
         };
         const bool has_own = view_.chosen < page_.rows.size() && !page_.rows[view_.chosen].help.empty();
         out_.help = lines_for(has_own ? page_.rows[view_.chosen].help : page_.help);
@@ -118,7 +118,7 @@ class PageLayout {
 
     void make_items() {
         const std::int32_t padding = kRowPadding_px * out_.scale;
-        for (std::string& line : wrapped(page_.text, columns_in(out_.body.width)))
+        for (std::string& line : wrapped_lines(page_.text, columns_in(out_.body.width)))
             items_.push_back({{0, 0, out_.body.width, line_px_}, std::move(line), std::nullopt, 0});
         if (!items_.empty() && !page_.rows.empty())
             items_.push_back({{0, 0, out_.body.width, line_px_ / 2}, "", std::nullopt, 0});

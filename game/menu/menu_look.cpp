@@ -14,7 +14,7 @@ namespace {
 constexpr int kVeilBrightness = 104;  // of 256
 constexpr std::array<Rgb8, kLetteringRamp> kRamp{
     {{255, 240, 192}, {255, 220, 136}, {248, 192, 88}, {232, 156, 56}, {204, 116, 36}, {164, 80, 24}, {120, 52, 16}}};
-constexpr Rgb8 kPlain{208, 196, 176}, kDim{152, 140, 120}, kBar{104, 56, 20}, kEdge{232, 156, 56};
+constexpr Rgb8 kPlain{208, 196, 176}, kDimText{152, 140, 120}, kTextBar{104, 56, 20}, kEdge{232, 156, 56};
 
 // One cell with a bright upper edge. From 4 pixels on, it leaves a gap to the next cell.
 void draw_cell(Framebuffer canvas, std::int32_t x, std::int32_t y, LetterCell cell, std::uint8_t colour,
@@ -41,8 +41,8 @@ void for_each_cell(std::string_view line, LetterCell cell, DrawCell draw) {
 MenuLook::MenuLook(const Palette& palette)
     : text(text_colours_of(palette)),
       plain(nearest_colour(palette, kPlain)),
-      dim(nearest_colour(palette, kDim)),
-      bar(nearest_colour(palette, kBar)),
+      dim(nearest_colour(palette, kDimText)),
+      bar(nearest_colour(palette, kTextBar)),
       edge(nearest_colour(palette, kEdge)),
       veil(darker_colours(palette, kVeilBrightness)) {
     std::transform(kRamp.begin(), kRamp.end(), ramp.begin(), [&](Rgb8 rgb) { return nearest_colour(palette, rgb); });

@@ -10,12 +10,12 @@
 namespace oblong {
 namespace {
 
-constexpr std::uint8_t kBackground = 1, kBright = 2, kGrey = 3;
+constexpr std::uint8_t kWindowBackground = 1, kBright = 2, kGrey = 3;
 constexpr std::int32_t kTextTop_px = 40, kTitleTop_px = 16;
 
 Palette error_palette() {
     Palette palette;
-    palette.colours[kBackground] = {40, 16, 24};
+    palette.colours[kWindowBackground] = {40, 16, 24};
     palette.colours[kBright] = {255, 240, 168};
     palette.colours[kGrey] = {160, 144, 144};
     return palette;
@@ -34,7 +34,7 @@ bool is_dismissed(const Controls& controls) {
 void show_until_dismissed(const std::string& text, Platform& platform) {
     constexpr std::int32_t kAnyTime_ms = 1000;
     const ScreenMode mode;
-    std::vector<std::uint8_t> pixels(pixel_count(mode.width_px, mode.height_px), kBackground);
+    std::vector<std::uint8_t> pixels(pixel_count(mode.width_px, mode.height_px), kWindowBackground);
     const Framebuffer canvas{pixels.data(), mode.width_px, mode.height_px, mode.width_px};
     draw_error(text, canvas);
     const Bindings bindings = default_bindings();

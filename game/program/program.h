@@ -59,4 +59,8 @@ std::unique_ptr<Platform> open_headless(const Options& options);
 /// fonts or programs that some desktops lack. Does nothing without a display.
 void show_error_window(const std::string& text);
 
+/// Runs the game as the command line says; returns the exit code. With --error-box, an error is also shown in a window,
+/// after it was printed.
+int start_game(int argument_count, const char* const* arguments);
+
 }  // namespace oblong

@@ -35,9 +35,9 @@ class Writer {
     std::vector<std::uint8_t>& bytes_;
 };
 
-class Reader {
+class FieldReader {
   public:
-    explicit Reader(LittleEndianReader& bytes) : bytes_(bytes) {}
+    explicit FieldReader(LittleEndianReader& bytes) : bytes_(bytes) {}
 
     template <PlainNumber Field>
     void operator()(Field& field) {
@@ -97,7 +97,7 @@ void append_state(std::vector<std::uint8_t>& bytes, const GameState& state) {
 
 GameState read_state(LittleEndianReader& reader) {
     GameState state;
-    Reader fields(reader);
+    FieldReader fields(reader);
     visit_fields(state, fields);
     return state;
 }

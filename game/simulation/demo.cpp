@@ -9,28 +9,26 @@
 namespace oblong {
 namespace {
 
-constexpr std::string_view kMagic = "OBLGDEMO";
-constexpr std::uint32_t kVersion = 1;
-constexpr std::size_t kHeaderBytes = 28, kTickBytes = 15;
-
-using Reader = LittleEndianReader;
+constexpr std::string_view kDemoMagic = "OBLGDEMO";
+constexpr std::uint32_t kDemoVersion = 1;
+constexpr std::size_t kDemoHeaderBytes = 28, kTickBytes = 15;
 
 void check_magic(std::span<const std::uint8_t> bytes) {
-    expect_at(0, bytes.size() >= kHeaderBytes,
+    expect_at(0, bytes.size() >= kDemoHeaderBytes,
               "the file has " + std::to_string(bytes.size()) + " bytes, a demo has 28 or more");
-    expect_at(0, std::equal(kMagic.begin(), kMagic.end(), bytes.begin()), "no demo: expected 'OBLGDEMO'");
+    expect_at(0, std::equal(kDemoMagic.begin(), kDemoMagic.end(), bytes.begin()), "no demo: expected 'OBLGDEMO'");
 }
 
-std::uint32_t read_header(Reader& reader, Demo& demo) {
+std::uint32_t read_header(LittleEndianReader& reader, Demo& demo) {
     const auto version = reader.next<std::uint32_t>();
-    expect_at(8, version == kVersion, "version " + std::to_string(version) + ", expected 1");
+    expect_at(8, version == kDemoVersion, "version " + std::to_string(version) + ", expected 1");
     const auto rate = reader.next<std::uint32_t>();
     expect_at(12, rate == kTicksPerSecond, std::to_string(rate) + " ticks a second, expected 35");
     demo.start_hash = reader.next<std::uint64_t>();
     return reader.next<std::uint32_t>();
 }
 
-DemoTick read_tick(Reader& reader) {
+DemoTick read_tick(LittleEndianReader& reader) {
     DemoTick tick;
     tick.input.forward = reader.next<std::int8_t>();
     tick.input.right = reader.next<std::int8_t>();
@@ -48,8 +46,8 @@ DemoTick read_tick(Reader& reader) {
 }  // namespace
 
 std::vector<std::uint8_t> encode_demo(const Demo& demo) {
-    std::vector<std::uint8_t> bytes(kMagic.begin(), kMagic.end());
-    append_little_endian(bytes, kVersion);
+    std::vector<std::uint8_t> bytes(kDemoMagic.begin(), kDemoMagic.end());
+    append_little_endian(bytes, kDemoVersion);
     append_little_endian(bytes, static_cast<std::uint32_t>(kTicksPerSecond));
     append_little_endian(bytes, demo.start_hash);
     append_little_endian(bytes, static_cast<std::uint32_t>(demo.ticks.size()));
@@ -67,9 +65,9 @@ std::vector<std::uint8_t> encode_demo(const Demo& demo) {
 Demo decode_demo(std::span<const std::uint8_t> bytes) {
     check_magic(bytes);
     Demo demo;
-    Reader reader(bytes, kMagic.size());
+    LittleEndianReader reader(bytes, kDemoMagic.size());
     const std::uint32_t count = read_header(reader, demo);
-    const std::size_t there = bytes.size() - kHeaderBytes;
+    const std::size_t there = bytes.size() - kDemoHeaderBytes;
     expect_at(24, there == std::size_t{count} * kTickBytes,
               std::to_string(count) + " ticks of 15 bytes announced, " + std::to_string(there) + " bytes follow");
     demo.ticks.reserve(count);

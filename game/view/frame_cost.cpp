@@ -11,9 +11,9 @@ namespace oblong {
 namespace {
 
 constexpr std::uint64_t kMeasured_us = 500'000;
-constexpr int kBackground = 90;  // brightness, of 256
+constexpr int kCostBackground = 90;  // brightness, of 256
 // In pixels of letters.
-constexpr std::int32_t kRow_px = 9, kEffectsLeft_px = 148, kTwoColumns_px = 320;
+constexpr std::int32_t kCostRow_px = 9, kEffectsLeft_px = 148, kTwoCostColumns_px = 320;
 constexpr int kPassName = 11, kEffectName = 17;  // the longest names
 
 // Microseconds in four characters: "0.3", "48.2", "7235".
@@ -55,7 +55,7 @@ Column column_of(std::int32_t left, const std::vector<PlanLine>& lines, int name
 }
 
 std::vector<Column> columns_of(const CostText& text, std::int32_t width) {
-    if (width >= kTwoColumns_px)
+    if (width >= kTwoCostColumns_px)
         return {column_of(kTextMargin_px, text.passes, kPassName, true),
                 column_of(kEffectsLeft_px, text.effects, kEffectName, true)};
     std::vector<PlanLine> all = text.passes;
@@ -96,7 +96,7 @@ CostTable lay_out_cost(const CostText& text, std::int32_t room_px, TextColours c
         const std::string head = head_of(text, pages, pages);
         return static_cast<std::int32_t>(lines_across(head, colours, canvas).size()) * kLineHeight_px * colours.scale;
     };
-    const std::int32_t row_px = kRow_px * colours.scale;
+    const std::int32_t row_px = kCostRow_px * colours.scale;
     table.height_px = head_px(1) + 2;
     table.lines = longest;
     if (longest > 0 && table.height_px + row_px * static_cast<std::int32_t>(longest + 1) > room_px) {
@@ -118,7 +118,7 @@ void draw_cost(const CostText& text, const CostTable& table, std::int32_t page, 
     const std::string head = head_of(text, page, table.pages);
     draw_lines(bottom - table.height_px + 1, head, colours, canvas);
     if (table.lines == 0) return;
-    const std::int32_t scale = colours.scale, row_px = kRow_px * scale;
+    const std::int32_t scale = colours.scale, row_px = kCostRow_px * scale;
     const std::size_t first = as_size(page - 1) * table.lines;
     for (const Column& column : columns_of(text, canvas.width_px / scale)) {
         std::int32_t y = bottom - static_cast<std::int32_t>(table.lines + 1) * row_px;
@@ -129,7 +129,7 @@ void draw_cost(const CostText& text, const CostTable& table, std::int32_t page, 
 }
 
 FrameCost::FrameCost(const Palette& palette, std::uint64_t now_us)
-    : text_{darker_colours(palette, kBackground), {}, {}, {}}, since_us_(now_us) {}
+    : text_{darker_colours(palette, kCostBackground), {}, {}, {}}, since_us_(now_us) {}
 
 void FrameCost::note(const GameView& view, const Settings& settings, const Palette& palette,
                      const PaletteEffects& effects, std::uint64_t now_us, GameRenderer& renderer) {

@@ -1,6 +1,7 @@
 # oblong_room(NAME FOLDER DEPENDS ... [EXTRA_FOLDERS ...] [EXCEPT FILES]): a library oblong_NAME for a room, of all .cpp
 # files directly in FOLDER and the extra folders, except FILES. A room of only headers becomes an interface library, so
-# that its dependents need not know.
+# that its dependents need not know. If files are compiled together (tools/cmake/uncached.cmake), rooms after
+# set(OBLONG_PART part) share one library oblong_PART.
 function(oblong_room NAME FOLDER)
     cmake_parse_arguments(ROOM "" "" "DEPENDS;EXTRA_FOLDERS;EXCEPT" ${ARGN})
     file(GLOB SOURCES CONFIGURE_DEPENDS ${FOLDER}/*.cpp)
@@ -11,7 +12,21 @@ function(oblong_room NAME FOLDER)
     list(TRANSFORM ROOM_EXCEPT PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/${FOLDER}/)
     list(REMOVE_ITEM SOURCES ${ROOM_EXCEPT} "")
     list(TRANSFORM ROOM_DEPENDS PREPEND oblong_)
-    if(SOURCES)
+    if(SOURCES AND OBLONG_PART AND CMAKE_UNITY_BUILD)
+        set(PART oblong_${OBLONG_PART})
+        if(NOT TARGET ${PART})
+            add_library(${PART} STATIC)
+        endif()
+        target_sources(${PART} PRIVATE ${SOURCES})
+        foreach(BELOW ${ROOM_DEPENDS})
+            get_target_property(LINKED ${BELOW} INTERFACE_LINK_LIBRARIES)
+            if(NOT LINKED STREQUAL PART)
+                target_link_libraries(${PART} PUBLIC ${BELOW})
+            endif()
+        endforeach()
+        add_library(oblong_${NAME} INTERFACE)
+        target_link_libraries(oblong_${NAME} INTERFACE ${PART})
+    elseif(SOURCES)
         add_library(oblong_${NAME} STATIC ${SOURCES})
         target_link_libraries(oblong_${NAME} PUBLIC ${ROOM_DEPENDS})
     else()

@@ -1,0 +1,83 @@
+#include <iostream>
+#include <memory>
+#include <utility>
+
+#include "engine/files/arguments.h"
+#include "engine/files/files.h"
+#include "engine/platform/sdl/sdl.h"
+#include "engine/platform/worker_threads.h"
+#include "game/input/route.h"
+#include "game/lab/timedemo.h"
+#include "game/options/options.h"
+#include "game/program/program.h"
+
+namespace oblong {
+namespace {
+
+std::unique_ptr<Platform> open_platform(const Options& options) {
+    return options.headless_frames == 0 ? open_window("Oblong", options.window) : open_headless(options);
+}
+
+void time_demo(const Options& options, const LoadedLevel& loaded, Workers& workers) {
+    Demo demo = read_parsed(options.timedemo, decode_demo);
+    GameRenderer renderer(loaded.data, loaded.level, options.preferences.mode, &workers);
+    warn_of_torn_edges("oblong", loaded.data.level_file, renderer.torn_edges());
+    const Settings settings = settings_of(options.preferences);
+    const auto result = naming_file(options.timedemo, [&] {
+        return run_timedemo(loaded, std::move(demo), renderer, settings, options.preferences.field_of_view);
+    });
+    std::cout << describe(result) << '\n';
+}
+
+// Records the walk along a route, as fast as possible.
+void record_route(const Options& options, const std::string& assets) {
+    check_writable(options.record);
+    const LoadedLevel loaded(level_files_of(options, assets));
+    const std::vector<Waypoint> route = read_parsed(options.route, parse_route);
+    Demo demo = naming_file(options.route, [&] { return walk_route(loaded.level, route); });
+    demo.start_hash ^= loaded.data.rules_hash;
+    write_file(options.record, encode_demo(demo));
+}
+
+std::shared_ptr<MapWatch> watch_of(const Options& options, const char* called_as) {
+    if (options.watch.empty()) return nullptr;
+    auto watch = std::make_shared<MapWatch>(options.watch, program_folder(called_as) + "/oblong-map");
+    const bool has_window = options.headless_frames == 0 && (options.timedemo + options.route).empty();
+    watch->compile_first(has_window && !options.shows_error_box);
+    return watch;
+}
+
+void run_game(Options options, PreferencesStore& store, const char* called_as) {
+    const std::string assets = assets_folder(called_as);
+    const std::shared_ptr<MapWatch> watch = watch_of(options, called_as);
+    if (watch) options.level = watch->level_file();
+    if (!options.route.empty()) return record_route(options, assets);
+    WorkerThreads workers(static_cast<int>(options.threads));
+    if (!options.timedemo.empty()) {
+        time_demo(options, LoadedLevel(level_files_of(options, assets)), workers);
+        return;
+    }
+    ProgramFiles files = load_program_files(options, assets);
+    files.watch = watch;
+    const auto platform = open_platform(options);
+    const OpenSound open_sound = options.headless_frames == 0 ? OpenSound(open_mixer) : OpenSound();
+    Program(options, std::move(files), store, *platform, &workers, open_sound).run();
+}
+
+}  // namespace
+
+int start_game(int argument_count, const char* const* arguments) {
+    std::string error_text;
+    const int code = run_with_options(argument_count, arguments, [&](const Options& options, PreferencesStore& store) {
+        try {
+            run_game(options, store, arguments[0]);
+        } catch (const std::exception& error) {
+            if (options.shows_error_box) error_text = "oblong: " + message_of(error);
+            throw;
+        }
+    });
+    if (!error_text.empty()) show_error_window(error_text);
+    return code;
+}
+
+}  // namespace oblong
