@@ -121,8 +121,7 @@ TEST(EntityClasses, HaveAllThatTheDemoLevelHas) {
 
 TEST(Fgd, NamesTheClassesAndKeysOfTheTable) {
     std::map<std::string, std::map<std::string, std::string>> classes;  // type by key
-    for (const EditorClass& row : read_fgd(map::fgd_text()))
-        for (const EditorKey& key : row.keys) classes[row.name][key.name] = key.type;
+    for (const EditorClass& row : read_fgd(map::fgd_text())) classes[row.name] = row.keys;
     std::size_t placed = 0;
     for (const EntityClass& row : entity_classes()) {
         if (row.is_family()) continue;

@@ -16,12 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-EditorValue text_of(const std::string& text) {
-    EditorValue value;
-    value.kind = EditorValue::Kind::Text;
-    value.text = text;
-    return value;
-}
+using nlohmann::json;
 
 // As `oblong-map --install-trenchbroom` writes it.
 class TrenchBroom : public testing::Test {
@@ -37,12 +32,11 @@ class TrenchBroom : public testing::Test {
     bool is_file(const std::string& name) const { return fs::is_regular_file(installed(name)); }
 
     // As the editor writes the initial map with a layer for its light, which has no brushes.
-    std::string exported(const EditorValue& task) const {
+    std::string exported(const json& task) const {
         const std::string map =
             text("initial_valve.map") +
             "{\n\"classname\" \"func_group\"\n\"_tb_type\" \"_tb_layer\"\n\"_tb_name\" \"lights\"\n}\n";
-        const auto strips = task.map.find("stripTbProperties");
-        if (strips == task.map.end() || strips->second.number == 0) return map;
+        if (!task.value("stripTbProperties", false)) return map;
         return std::regex_replace(map, std::regex("\"_tb_[^\\n]*\n"), "");
     }
 
@@ -50,34 +44,33 @@ class TrenchBroom : public testing::Test {
 };
 
 TEST_F(TrenchBroom, ItsConfigurationNamesFilesThatAreThere) {
-    const EditorValue game = read_game_config(text("GameConfig.cfg"));
-    EXPECT_EQ(game.at("name").as_text(), "Oblong");
-    EXPECT_TRUE(is_file(game.at("icon").as_text()));
-    for (const EditorValue& format : game.at("fileformats").as_list())
-        EXPECT_TRUE(!format.map.contains("initialmap") || is_file(format.at("initialmap").as_text()));
-    EXPECT_EQ(game.at("filesystem").at("packageformat").at("format").as_text(), "idpak");
-    EXPECT_TRUE(is_file("assets/" + game.at("materials").at("palette").as_text()));
-    EXPECT_EQ(game.at("materials").at("attribute").as_text(), "wad");
-    for (const EditorValue& file : game.at("entities").at("definitions").as_list())
-        EXPECT_TRUE(is_file(file.as_text()));
-    EXPECT_EQ(game.at("entities").at("scale").as_list().size(), 1u);
+    const json game = read_game_config(text("GameConfig.cfg"));
+    EXPECT_EQ(game.at("name"), "Oblong");
+    EXPECT_TRUE(is_file(game.at("icon")));
+    for (const json& format : game.at("fileformats"))
+        EXPECT_TRUE(!format.contains("initialmap") || is_file(format.at("initialmap")));
+    EXPECT_EQ(game.at("filesystem").at("packageformat").at("format"), "idpak");
+    EXPECT_TRUE(is_file("assets/" + game.at("materials").at("palette").get<std::string>()));
+    EXPECT_EQ(game.at("materials").at("attribute"), "wad");
+    for (const json& file : game.at("entities").at("definitions")) EXPECT_TRUE(is_file(file));
+    EXPECT_EQ(game.at("entities").at("scale").size(), 1u);
 }
 
 TEST_F(TrenchBroom, EveryWayToCompileMakesALevel) {
-    const EditorValue profiles = read_compilation_config(text("CompilationProfiles.cfg"));
-    EditorVariables variables{{"MAP_DIR_PATH", text_of(path("my maps"))}, {"MAP_BASE_NAME", text_of("first room")}};
+    const json profiles = read_compilation_config(text("CompilationProfiles.cfg"));
+    EditorVariables variables{{"MAP_DIR_PATH", path("my maps")}, {"MAP_BASE_NAME", "first room"}};
     fs::create_directories(path("my maps"));
     int count = 0;
-    for (const EditorValue& profile : profiles.at("profiles").as_list()) {
-        variables["WORK_DIR_PATH"] = text_of(interpolated(profile.at("workdir").as_text(), variables));
+    for (const json& profile : profiles.at("profiles")) {
+        variables["WORK_DIR_PATH"] = interpolated(profile.at("workdir"), variables);
         const std::string level = path("my maps/first room.bsp");
-        for (const EditorValue& task : profile.at("tasks").as_list()) {
-            if (task.at("type").as_text() == "export") {
-                write_file(interpolated(task.at("target").as_text(), variables), exported(task));
+        for (const json& task : profile.at("tasks")) {
+            if (task.at("type") == "export") {
+                write_file(interpolated(task.at("target"), variables), exported(task));
                 continue;
             }
-            const std::string tool = interpolated(task.at("tool").as_text(), variables),
-                              parameters = interpolated(task.at("parameters").as_text(), variables);
+            const std::string tool = interpolated(task.at("tool"), variables),
+                              parameters = interpolated(task.at("parameters"), variables);
             if (tool == build_folder() + "/bin/oblong-map") {
                 const Outcome outcome = run_line("'" + tool + "' " + parameters + " --strict");
                 EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
@@ -88,19 +81,19 @@ TEST_F(TrenchBroom, EveryWayToCompileMakesALevel) {
                     << parameters;
             }
         }
-        EXPECT_TRUE(fs::is_regular_file(level)) << profile.at("name").as_text();
+        EXPECT_TRUE(fs::is_regular_file(level)) << profile.at("name");
         ++count;
     }
     EXPECT_EQ(count, 5) << "draft, normal, full, light only, watch";
 }
 
 TEST_F(TrenchBroom, TheGameIsStartedWithTheMapsLevel) {
-    const EditorValue profiles = read_engine_config(text("GameEngineProfiles.cfg"));
-    const EditorVariables variables{{"GAME_DIR_PATH", text_of("/g")}, {"MAP_BASE_NAME", text_of("m")}};
-    for (const EditorValue& profile : profiles.at("profiles").as_list()) {
-        EXPECT_NE(profile.at("id").as_text() + profile.at("name").as_text(), "");
-        EXPECT_EQ(profile.at("path").as_text(), build_folder() + "/bin/oblong");
-        EXPECT_EQ(interpolated(profile.at("parameters").as_text(), variables), "--error-box \"/g/maps/m.bsp\"");
+    const json profiles = read_engine_config(text("GameEngineProfiles.cfg"));
+    const EditorVariables variables{{"GAME_DIR_PATH", "/g"}, {"MAP_BASE_NAME", "m"}};
+    for (const json& profile : profiles.at("profiles")) {
+        EXPECT_FALSE(profile.at("id") == "" && profile.at("name") == "");
+        EXPECT_EQ(profile.at("path"), build_folder() + "/bin/oblong");
+        EXPECT_EQ(interpolated(profile.at("parameters"), variables), "--error-box \"/g/maps/m.bsp\"");
     }
 }
 
@@ -173,8 +166,7 @@ TEST_F(TrenchBroom, ClassesAreReadWithTheirModels) {
     for (const EditorClass& each : classes) {
         names.insert(each.name);
         if (each.model.empty()) continue;
-        const EditorVariables keys{{"model", text_of("models/armillary.obj")}, {"spawnflags", text_of("1")}};
-        const std::string model = evaluate(each.model, keys).at("path").as_text();
+        const std::string model = model_path(each.model, {{"model", "models/armillary.obj"}, {"spawnflags", "1"}});
         EXPECT_TRUE(!model.ends_with(".obj") || is_file("assets/" + model)) << each.name << ": " << model;
         EXPECT_TRUE(model.ends_with(".obj") || model.ends_with(".mdl") || model.ends_with(".bsp")) << model;
     }
