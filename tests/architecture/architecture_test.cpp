@@ -5,8 +5,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "tests/architecture/include_check.h"
-#include "tests/architecture/unused_check.h"
+#include "tests/architecture/source_checks.h"
 #include "tests/support/folders.h"
 
 namespace oblong::test {
@@ -59,7 +58,7 @@ TEST(Architecture, EveryIncludePointsDown) {
     files.push_back({"engine/examples/inside.cpp", "#include <cmath>\n#include \"engine/math/vec.h\"\n"});
     files.push_back({"engine/attic/a.h", ""});
     EXPECT_EQ(
-        joined(find_bad_includes(project_rooms(), files)),
+        joined(find_bad_includes(project_rooms(test::source_folder()), files)),
         "engine/math/up.h: includes game/view/hud.h: engine/math does not depend on game/view\n"
         "engine/math/up.h: includes fstream: the engine outside files/ and platform/ does without it\n"
         "engine/math/up.h: includes SDL.h: only engine/platform/sdl/ includes SDL\n"
@@ -75,23 +74,6 @@ TEST(Architecture, NoFunctionOfTheEngineIsForTestsAlone) {
     files.push_back({"engine/math/unused.h", "int asked_for_by_nobody(int);  // asked_for_by_nobody(1)\n"});
     EXPECT_EQ(joined(find_unused_functions(files)),
               "engine/math/unused.h: asked_for_by_nobody is used by no program\n");
-}
-
-// But for what the game links of the engine and the tools, and for the game for DOS, which is a project of its own.
-TEST(Architecture, CMakeLinksTheEngineAndTheGameByTheSameList) {
-    for (const std::string top : {"engine/", "game/"}) {
-        const auto of_top = [&](Room room) {
-            std::erase_if(room.depends, [&](const std::string& folder) { return !folder.starts_with(top); });
-            return room;
-        };
-        std::vector<Room> listed;
-        for (const Room& room : project_rooms())
-            if (room.folder.starts_with(top) && room.folder != "game/dos" && room.folder != "game/web")
-                listed.push_back(of_top(room));
-        const std::vector<Room> linked = parse_cmake_rooms(read_text(kRoot / top / "CMakeLists.txt"), top);
-        ASSERT_EQ(linked.size(), listed.size());
-        for (std::size_t i = 0; i < linked.size(); ++i) EXPECT_EQ(of_top(linked[i]), listed[i]) << linked[i].folder;
-    }
 }
 
 // What the oldest library lacks that the project is compiled with: LLVM 13's, by Debian's WebAssembly compiler.

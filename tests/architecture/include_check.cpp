@@ -1,9 +1,11 @@
-#include "tests/architecture/include_check.h"
-
 #include <algorithm>
 #include <array>
+#include <fstream>
+#include <map>
 #include <set>
 #include <sstream>
+
+#include "tests/architecture/source_checks.h"
 
 namespace oblong::test {
 
@@ -48,6 +50,25 @@ std::string check_system_include(const std::string& path, const std::string& nam
     return is_forbidden ? "the engine outside files/ and platform/ does without it" : "";
 }
 
+// The room with the longest folder that holds `path`; null if none does.
+const Room* find_room(const std::vector<Room>& rooms, std::string_view path) {
+    const Room* best = nullptr;
+    for (const Room& room : rooms) {
+        if (!path.starts_with(room.folder + "/")) continue;
+        if (!best || room.folder.size() > best->folder.size()) best = &room;
+    }
+    return best;
+}
+
+// Whether a file of `from` may include one of `to`: its own room, one that it depends on, or one that those do.
+bool may_include(const std::vector<Room>& rooms, const Room& from, const Room& to) {
+    if (from.folder == to.folder) return true;
+    return std::any_of(from.depends.begin(), from.depends.end(), [&](const std::string& folder) {
+        const Room* below = find_room(rooms, folder + "/");
+        return below && may_include(rooms, *below, to);
+    });
+}
+
 /// Of an example: the library's header and the standard library.
 std::string check_include_of_example(const Include& include) {
     const bool is_standard = !include.is_quoted && include.name.find_first_of("./") == std::string::npos;
@@ -61,6 +82,37 @@ std::string check_project_include(const std::vector<Room>& rooms, const Room& fr
 }
 
 }  // namespace
+
+std::vector<Room> project_rooms(const std::string& root) {
+    std::vector<Room> rooms;
+    std::map<std::string, std::string> folders{{"tool_measure", "tools/measure"}, {"gallery", "tools/gallery"}};
+    for (const std::string top : {"engine/", "game/"}) {
+        std::ifstream cmake(root + "/" + top + "CMakeLists.txt");
+        for (std::string line; std::getline(cmake, line);) {
+            constexpr std::string_view kOpening = "oblong_room(";
+            if (!line.starts_with(kOpening)) continue;
+            std::istringstream words(line.substr(kOpening.size(), line.find(')') - kOpening.size()));
+            std::string name, folder, word, list;
+            words >> name >> folder;
+            Room& room = rooms.emplace_back(Room{top + folder, {}});
+            while (words >> word)
+                if (word == "DEPENDS" || word == "EXTRA_FOLDERS" || word == "EXCEPT")
+                    list = word;
+                else if (list == "DEPENDS")
+                    room.depends.push_back(folders.at(word));
+            folders[name] = room.folder;
+        }
+    }
+    rooms.insert(
+        rooms.end(),
+        {{"game/dos", {"game/program"}},
+         {"game/web", {"game/program"}},
+         {"tools/reference", {}},
+         {"tools/measure", {"engine/frame", "engine/methods", "engine/platform", "engine/files", "tools/reference"}},
+         {"tools/gallery", {"tools/measure"}},
+         {"tools", {"tools/measure", "tools/gallery"}}});
+    return rooms;
+}
 
 std::vector<std::string> find_bad_includes(const std::vector<Room>& rooms, const std::vector<SourceFile>& files) {
     std::vector<std::string> faults;

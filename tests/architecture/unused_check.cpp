@@ -1,10 +1,10 @@
-#include "tests/architecture/unused_check.h"
-
 #include <cctype>
 #include <map>
 #include <regex>
 #include <set>
 #include <string_view>
+
+#include "tests/architecture/source_checks.h"
 
 namespace oblong::test {
 
