@@ -3,6 +3,8 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
 
 #include "engine/fixed/reciprocal.h"
@@ -38,7 +40,7 @@ enum class MipSelection {
     Span   ///< by the nearest pixel of each span
 };
 
-/// The dials: each is an approximation whose error and cost can be measured (list: engine/accuracy/dials.h), with its
+/// The dials: each is an approximation whose error and cost can be measured (list: all_dials()), with its
 /// default.
 struct Accuracy {
     Texturing texturing = Texturing::Bounded;
@@ -71,5 +73,40 @@ Accuracy accuracy_of(Preset preset);
 /// "1991", "1994", "1996", "bounded", "exact".
 std::string_view name_of(Preset preset);
 std::optional<Preset> preset_named(std::string_view name);
+
+/// One position of a dial.
+struct DialSetting {
+    std::string_view name;  ///< as in `--dial NAME=VALUE`
+    std::int32_t value;
+};
+
+/// One field of Accuracy, with its name and values.
+struct Dial {
+    std::string_view name;     ///< as in `--dial NAME=VALUE`
+    std::string_view caption;  ///< at most 20 characters, for the screen
+    std::string_view about;    ///< one or two sentences
+    std::string_view unit;     ///< empty if its values have names
+    std::string_view read_in;  ///< the file that reads it from Accuracy
+    /// Whether another setting changes the work done. If not, a value is only rounded to fewer bits in a wide type: its
+    /// error is real, but its time is that of the wide type; the cost of a narrow type can only be modelled.
+    bool changes_work;
+    std::span<const DialSetting> settings;  ///< from the coarsest to the most exact
+    /// Numbers from `least` to `greatest`, in steps of 2^-fraction_bits, are valid too, unless both are 0.
+    std::int32_t least, greatest;
+    int fraction_bits;
+    std::int32_t (*get)(const Accuracy&);
+    void (*set)(Accuracy&, std::int32_t);
+};
+
+/// All dials, in the order of the stages that read them.
+std::span<const Dial> all_dials();
+/// Null if there is none.
+const Dial* dial_named(std::string_view name);
+
+/// The name of a value, or its number: "every16", "0.375".
+std::string value_text(const Dial& dial, std::int32_t value);
+/// Moves a dial from the setting nearest to its value by `steps` toward the exact end (negative: the coarse end); stops
+/// at the ends.
+void turn(const Dial& dial, int steps, Accuracy& accuracy);
 
 }  // namespace oblong

@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "engine/effects/particles.h"
+#include "engine/effects/shadows.h"
 #include "engine/effects/sprites.h"
 #include "engine/level/trace.h"
+#include "engine/raster/depth.h"
 #include "engine/visibility/box_culler.h"
 
 namespace oblong {
@@ -58,5 +60,74 @@ inline constexpr std::size_t kMostEmitters = 1'024, kMostSprites = 4'096, kMostL
 
 /// Reads the things of a level. Never fails: invalid values are replaced by defaults and reported in `warnings`.
 Things read_things(const Level& level);
+
+struct SpriteInView {
+    ScreenSprite screen;
+    Vec3<World> position;
+};
+
+/// The dots of one emitter.
+struct EmitterInView {
+    std::size_t first_dot = 0, dot_count = 0;  ///< in ThingsInView::dots
+    Vec3<World> middle;
+    World lowest_z;  ///< of their box
+};
+
+/// The things that may be visible in a frame. Kept from frame to frame to save allocations.
+struct ThingsInView {
+    std::vector<ParticleDot> dots;
+    std::vector<EmitterInView> emitters;  ///< those with dots
+    std::vector<SpriteInView> sprites;
+    std::vector<Shadow> shadows;
+    std::int64_t particles_computed = 0;  ///< of emitters that may be visible; includes particles out of view
+
+    void clear() {
+        dots.clear();
+        emitters.clear();
+        sprites.clear();
+        shadows.clear();
+        particles_computed = 0;
+    }
+};
+
+/// Tests what faces hide.
+class Cover {
+  public:
+    virtual ~Cover() = default;
+    /// Whether everything in a box is certainly hidden.
+    virtual bool hides(const LevelBox& box) = 0;
+    /// Whether at each pixel of a rectangle a face is nearer than this depth.
+    virtual bool hides(const ScreenRectangle& pixels, InverseDepth nearest) = 0;
+};
+
+/// The visibility tests of a frame.
+struct Sight {
+    const LeafSet& leaves;  ///< things in none of them are not visible
+    const ViewContext& view;
+    const ScreenRectangle* drawn_part = nullptr;  ///< the part of the screen that is drawn; null: all
+    Cover* cover = nullptr;                       ///< or null
+    BoxCuller culler{view.frustum, view.eye};
+
+    bool may_show(const PlacedBox& place) const {
+        return may_be_seen(place, leaves, culler) && !(cover && cover->hides(place.box));
+    }
+    bool may_show(const LevelBox& box) const {
+        return culler.sides_crossed(box, kAllSides) != kOutside && !(cover && cover->hides(box));
+    }
+    bool may_show(const ScreenRectangle& pixels, InverseDepth nearest) const {
+        return !(cover && cover->hides(pixels, nearest));
+    }
+};
+
+// Each adds the things that may be visible at time_ms >= 0, and requests depth for them. Things whose box is out of
+// view, in no leaf of the visible set, or hidden are not computed.
+
+void find_particles(const Things& things, std::int64_t time_ms, const Sight& sight, ThingsInView& in_view,
+                    DepthBuffer& depth);
+/// Including those of lanterns.
+void find_sprites(const Things& things, std::int64_t time_ms, const Level& level, const Sight& sight,
+                  ThingsInView& in_view, DepthBuffer& depth);
+/// Shadows need no depth.
+void find_shadows(const Things& things, const Sight& sight, ThingsInView& in_view);
 
 }  // namespace oblong

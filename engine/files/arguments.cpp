@@ -8,7 +8,7 @@
 #include <new>
 #include <optional>
 
-#include "engine/accuracy/dials.h"
+#include "engine/accuracy/accuracy.h"
 #include "engine/files/files.h"
 #include "engine/level/entities.h"
 #include "engine/view/projection.h"

@@ -42,7 +42,7 @@ void check_view(const ScreenMode& mode, Degrees field_of_view);
 Preset parse_preset(const std::string& text);
 /// The values of a dial: "off, on", "16, 32, 64, or any from 12 to 44".
 std::string values_of(const Dial& dial);
-/// Sets a dial by "NAME=VALUE" (engine/accuracy/dials.h).
+/// Sets a dial by "NAME=VALUE" (engine/accuracy/accuracy.h).
 void parse_dial(const std::string& text, Accuracy& accuracy);
 /// A preset with changed dials: the values of --accuracy and all --dial.
 Accuracy parse_accuracy(Preset preset, const std::vector<std::string>& dials);

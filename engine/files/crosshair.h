@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "engine/draw/text.h"
+#include "engine/draw/drawing.h"
 #include "engine/scene/pick.h"
 #include "engine/view/projection.h"
 

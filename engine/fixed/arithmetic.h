@@ -1,14 +1,15 @@
 #pragma once
 
+// Saturating arithmetic, defined for every input: the exact result is rounded once by the named rule, and clamped to
+// the format's range.
 #include <algorithm>
 #include <bit>
+#include <cstdint>
 #include <limits>
+#include <numeric>
 
 #include "engine/fixed/fixed.h"
 #include "engine/fixed/wide.h"
-
-// Saturating arithmetic, defined for every input: the exact result is rounded once by the named rule, and clamped to
-// the format's range.
 
 namespace oblong {
 
@@ -128,5 +129,22 @@ template <class Int, int Frac>
 constexpr int log2_floor(Fixed<Int, Frac> value) {
     return log2_floor(static_cast<std::uint64_t>(value.raw));
 }
+
+/// An exact small fraction, such as the aspect ratio of a display (4:3) or a pixel (5:6). The denominator is positive.
+struct Ratio {
+    std::int64_t numerator = 0, denominator = 1;
+
+    constexpr Ratio reduced() const {
+        const std::int64_t divisor = std::gcd(numerator, denominator);
+        return divisor == 0 ? *this : Ratio{numerator / divisor, denominator / divisor};
+    }
+    constexpr Ratio operator*(Ratio other) const {
+        return Ratio{numerator * other.numerator, denominator * other.denominator}.reduced();
+    }
+    constexpr Ratio inverse() const { return Ratio{denominator, numerator}; }
+    constexpr bool operator==(Ratio other) const {
+        return numerator * other.denominator == other.numerator * denominator;
+    }
+};
 
 }  // namespace oblong

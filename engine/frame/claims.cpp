@@ -6,7 +6,7 @@
 #include "engine/frame/frame_context.h"
 #include "engine/frame/frame_counts.h"
 #include "engine/frame/shared_drawing.h"
-#include "engine/frame/view_scratch.h"
+#include "engine/frame/workspace.h"
 #include "engine/raster/scan.h"
 #include "engine/visibility/model_cutter.h"
 

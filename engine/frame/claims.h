@@ -8,7 +8,7 @@
 #include "engine/base/table.h"
 #include "engine/effects/fog.h"
 #include "engine/frame/frame_things.h"
-#include "engine/scene/effects.h"
+#include "engine/scene/level_effects.h"
 #include "engine/view/screen.h"
 #include "engine/view/view_context.h"
 #include "engine/visibility/front_to_back.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/effects/things_in_view.h"
+#include "engine/effects/things.h"
 #include "engine/frame/claims.h"
 
 namespace oblong {

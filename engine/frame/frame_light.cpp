@@ -4,7 +4,7 @@
 
 #include "engine/frame/frame_context.h"
 #include "engine/frame/frame_counts.h"
-#include "engine/frame/view_scratch.h"
+#include "engine/frame/workspace.h"
 
 namespace oblong {
 

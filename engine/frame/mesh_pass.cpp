@@ -5,7 +5,7 @@
 #include "engine/frame/frame_counts.h"
 #include "engine/frame/frame_fog.h"
 #include "engine/frame/frame_things.h"
-#include "engine/frame/view_scratch.h"
+#include "engine/frame/workspace.h"
 #include "engine/scene/light_styles.h"
 #include "engine/visibility/box_culler.h"
 

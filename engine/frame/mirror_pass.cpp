@@ -8,7 +8,7 @@
 #include "engine/frame/frame_light.h"
 #include "engine/frame/frame_record.h"
 #include "engine/frame/shared_drawing.h"
-#include "engine/frame/view_scratch.h"
+#include "engine/frame/workspace.h"
 #include "engine/level/side.h"
 #include "engine/math/vec.h"
 #include "engine/visibility/eye.h"

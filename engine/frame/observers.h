@@ -5,7 +5,7 @@
 
 #include "engine/base/table.h"
 #include "engine/frame/passes.h"
-#include "engine/scene/effects.h"
+#include "engine/scene/level_effects.h"
 
 namespace oblong {
 

@@ -8,7 +8,7 @@
 #include "engine/frame/frame_things.h"
 #include "engine/frame/shared_drawing.h"
 #include "engine/frame/torn_pixels.h"
-#include "engine/frame/view_scratch.h"
+#include "engine/frame/workspace.h"
 
 namespace oblong {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "engine/scene/effects.h"
+#include "engine/scene/level_effects.h"
 
 namespace oblong {
 

@@ -6,7 +6,7 @@
 #include "engine/frame/frame_fog.h"
 #include "engine/frame/frame_things.h"
 #include "engine/frame/surface_pass.h"
-#include "engine/frame/view_scratch.h"
+#include "engine/frame/workspace.h"
 #include "engine/level/side.h"
 
 namespace oblong {

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "engine/accuracy/accuracy.h"
-#include "engine/scene/effects.h"
+#include "engine/scene/level_effects.h"
 #include "engine/scene/light_styles.h"
 
 namespace oblong {

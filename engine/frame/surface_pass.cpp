@@ -10,7 +10,7 @@
 #include "engine/frame/frame_counts.h"
 #include "engine/frame/frame_record.h"
 #include "engine/frame/shared_drawing.h"
-#include "engine/frame/view_scratch.h"
+#include "engine/frame/workspace.h"
 #include "engine/raster/exact_spans.h"
 
 namespace oblong {

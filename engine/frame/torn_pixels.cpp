@@ -6,7 +6,7 @@
 #include "engine/fixed/arithmetic.h"
 #include "engine/frame/frame_context.h"
 #include "engine/frame/frame_record.h"
-#include "engine/frame/view_scratch.h"
+#include "engine/frame/workspace.h"
 #include "engine/level/side.h"
 #include "engine/raster/perspective.h"
 #include "engine/scene/light_styles.h"

@@ -1,15 +1,82 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
+#include "engine/effects/shadows.h"
+#include "engine/effects/warp.h"
+#include "engine/frame/claims.h"
+#include "engine/frame/face_cover.h"
 #include "engine/frame/frame_counts.h"
+#include "engine/frame/frame_light.h"
 #include "engine/frame/frame_record.h"
 #include "engine/frame/level_cache.h"
+#include "engine/frame/mirror_pass.h"
 #include "engine/frame/observers.h"
 #include "engine/frame/shared_drawing.h"
-#include "engine/frame/view_scratch.h"
+#include "engine/frame/surface_pass.h"
+#include "engine/mesh/draw_mesh.h"
+#include "engine/raster/depth.h"
+#include "engine/raster/scan.h"
+#include "engine/view/screen_polygon.h"
+#include "engine/visibility/front_to_back.h"
+#include "engine/visibility/span_buffer.h"
+#include "engine/visibility/visible_set.h"
 
 namespace oblong {
+
+/// Corners of the current face.
+struct CornerScratch {
+    std::vector<VertexIndex> own;          ///< without those at T-junctions
+    std::vector<Vec3<World>> world;        ///< all, then those of the part within the frame's limits
+    std::vector<PlaneDistance> distances;  ///< of `world` from a limit
+};
+
+/// Scratch of effects; not used by frames without them.
+struct EffectScratch {
+    explicit EffectScratch(std::int32_t height_px) : shadows(height_px) {}
+
+    ShadowScratch shadows;
+    std::unique_ptr<MeshScratch> meshes;   ///< null until a frame shows a mesh
+    std::vector<MovingLight> mesh_lights;  ///< that reach the current mesh
+    std::vector<FogRun> thing_runs;        ///< of fog on a thing
+    std::vector<CoveringFace> covering;    ///< FaceCover's
+    std::vector<Span> sky_spans;
+    UnderwaterScratch underwater;
+};
+
+/// Scratch of claiming pixels; not used afterwards.
+struct ClaimScratch {
+    ClaimScratch(const Level& level, const FaceTable& faces, const ScreenMode& mode);
+
+    WalkScratch walk;
+    VertexCache vertices;
+    CornerScratch corners;
+    ScreenPolygon polygon;  ///< the current face's
+    ScanlineExtents rows;   ///< of the polygon
+    SpanBuffer span_buffer;
+};
+
+/// Scratch for one view of a level in one mode. A mirror's view has another.
+struct ViewScratch {
+    /// Level and faces must outlive it.
+    ViewScratch(const Level& level, const FaceTable& faces, const ScreenMode& mode);
+    /// For the view in a mirror, drawn after the `outer` view's pixels are claimed. The two share the scratch that
+    /// holds nothing from one stage to the next.
+    ViewScratch(const ViewScratch& outer, const ScreenMode& mode);
+    ViewScratch(const ViewScratch&) = delete;
+
+    VisibleSet visible;  ///< from the eye's leaf
+    Claims claims;       ///< of the view's faces
+    DepthBuffer depth;   ///< around the things in view
+    FrameLight light;
+    MirrorScratch mirror;
+
+    // Shared by a view and the mirrors in it.
+    std::shared_ptr<ClaimScratch> claiming;
+    std::shared_ptr<SurfaceScratch> surfaces;
+    std::shared_ptr<EffectScratch> effects;
+};
 
 /// Caches and scratch for frames of one level with one colormap in one mode. They never change a picture.
 struct FrameWorkspace {

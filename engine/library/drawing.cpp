@@ -4,7 +4,6 @@
 #include <array>
 
 #include "engine/base/table.h"
-#include "engine/draw/text.h"
 #include "engine/fixed/root.h"
 #include "engine/fixed/trig.h"
 #include "engine/library/conversions.h"

@@ -4,11 +4,11 @@
 #include <bit>
 #include <cstdlib>
 
+#include "engine/fixed/arithmetic.h"
 #include "engine/fixed/root.h"
 #include "engine/fixed/wide.h"
 
 namespace oblong {
-
 namespace {
 
 template <std::size_t N>
@@ -74,6 +74,20 @@ Vec3<World> middle_of(std::span<const Vec3<World>> points) {
     for (const Vec3<World>& point : points) sum = sum + convert<WorldWide>(point);
     const auto count = WorldWide::from_int(std::ssize(points));
     return {divide<World>(sum.x, count), divide<World>(sum.y, count), divide<World>(sum.z, count)};
+}
+
+std::optional<RayDistance> intersect_ray(const Vec3<World>& world_origin, const Vec3<Unit>& direction,
+                                         const Plane& plane) {
+    const Sine60 approach = -dot(direction, plane.normal);
+    if (approach == Sine60{}) return std::nullopt;
+    return divide<RayDistance>(distance_to_plane(world_origin, plane), approach);
+}
+
+Vec3<World> point_on_ray(const Vec3<World>& world_origin, const Vec3<Unit>& direction, RayDistance distance) {
+    const auto along = [&distance](World from, Unit slope) {
+        return saturated_to<World>(saturating_sum(from.raw, product<WorldWide>(slope, distance).raw));
+    };
+    return {along(world_origin.x, direction.x), along(world_origin.y, direction.y), along(world_origin.z, direction.z)};
 }
 
 }  // namespace oblong

@@ -7,7 +7,7 @@
 #include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"
 #include "engine/fixed/divide.h"
-#include "engine/math/wide_sum.h"
+#include "engine/math/soft_float.h"
 #include "engine/view/project.h"
 
 namespace oblong {

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "engine/math/wide_sum.h"
+#include "engine/math/soft_float.h"
 
 namespace oblong {
 

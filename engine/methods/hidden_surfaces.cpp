@@ -5,7 +5,7 @@
 
 #include "engine/base/table.h"
 #include "engine/frame/frame_context.h"
-#include "engine/frame/view_scratch.h"
+#include "engine/frame/workspace.h"
 #include "engine/level/side.h"
 #include "engine/methods/pixel_owners.h"
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "engine/math/plane.h"
+#include "engine/math/vec.h"
 #include "engine/view/clip.h"
 
 namespace oblong {

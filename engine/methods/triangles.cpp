@@ -6,7 +6,6 @@
 #include "engine/fixed/arithmetic.h"
 #include "engine/math/soft_float.h"
 #include "engine/math/vec.h"
-#include "engine/math/wide_sum.h"
 #include "engine/raster/edges.h"
 
 namespace oblong {

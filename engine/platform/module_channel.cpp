@@ -1,8 +1,7 @@
-#include "engine/platform/module_channel.h"
-
 #include <array>
 
 #include "engine/base/table.h"
+#include "engine/platform/module_player.h"
 
 namespace oblong {
 namespace {

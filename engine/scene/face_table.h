@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/level/level.h"
-#include "engine/scene/effects.h"
+#include "engine/scene/level_effects.h"
 
 namespace oblong {
 

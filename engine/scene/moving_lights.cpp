@@ -9,7 +9,7 @@
 #include "engine/fixed/arithmetic.h"
 #include "engine/fixed/root.h"
 #include "engine/level/side.h"
-#include "engine/math/wide_sum.h"
+#include "engine/math/soft_float.h"
 
 namespace oblong {
 

@@ -7,7 +7,7 @@
 #include "engine/base/table.h"
 #include "engine/level/side.h"
 #include "engine/math/basis.h"
-#include "engine/math/wide_sum.h"
+#include "engine/math/soft_float.h"
 
 namespace oblong {
 

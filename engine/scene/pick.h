@@ -4,7 +4,7 @@
 #include <span>
 
 #include "engine/level/level.h"
-#include "engine/math/plane.h"
+#include "engine/math/vec.h"
 #include "engine/scene/placed_models.h"
 
 namespace oblong {

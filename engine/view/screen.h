@@ -5,8 +5,8 @@
 #include <span>
 
 #include "engine/base/table.h"
+#include "engine/fixed/arithmetic.h"
 #include "engine/fixed/fixed.h"
-#include "engine/fixed/ratio.h"
 
 namespace oblong {
 

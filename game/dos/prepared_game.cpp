@@ -7,8 +7,6 @@
 #include <memory>
 #include <type_traits>
 
-#include "game/dos/prepared_bytes.h"
-
 namespace oblong {
 namespace {
 

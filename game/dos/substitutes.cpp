@@ -12,7 +12,6 @@
 #include "engine/level/t_junctions.h"
 #include "engine/platform/small_mixer.h"
 #include "game/dos/museum.h"
-#include "game/dos/prepared_bytes.h"
 #include "game/dos/prepared_game.h"
 #include "game/program/map_watch.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/platform/input.h"
-#include "game/input/actions.h"
+#include "game/input/bindings.h"
 
 namespace oblong {
 

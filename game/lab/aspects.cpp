@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/draw/text.h"
+#include "engine/draw/drawing.h"
 
 namespace oblong {
 namespace {

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "engine/draw/drawing.h"
-#include "engine/draw/text.h"
 #include "engine/view/present_rect.h"
 #include "engine/view/screen.h"
 #include "game/view/game_renderer.h"

@@ -5,7 +5,6 @@
 
 #include "engine/base/table.h"
 #include "engine/draw/drawing.h"
-#include "engine/draw/text.h"
 #include "engine/surface/palette.h"
 
 namespace oblong {

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "engine/accuracy/accuracy.h"
-#include "engine/accuracy/dials.h"
 #include "engine/view/present_rect.h"
 #include "game/input/controls.h"
 

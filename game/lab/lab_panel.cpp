@@ -1,5 +1,3 @@
-#include "game/lab/lab_panel.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -7,8 +5,9 @@
 #include <vector>
 
 #include "engine/base/table.h"
-#include "engine/draw/text.h"
+#include "engine/draw/drawing.h"
 #include "engine/surface/palette.h"
+#include "game/lab/lab.h"
 
 namespace oblong {
 namespace {

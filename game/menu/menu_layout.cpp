@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/base/table.h"
-#include "engine/draw/text.h"
+#include "engine/draw/drawing.h"
 
 namespace oblong {
 namespace {

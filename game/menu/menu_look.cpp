@@ -4,7 +4,7 @@
 #include <map>
 
 #include "engine/base/table.h"
-#include "engine/draw/text.h"
+#include "engine/draw/drawing.h"
 #include "engine/surface/palette.h"
 #include "game/menu/menu_layout.h"
 

@@ -4,7 +4,6 @@
 #include <string_view>
 
 #include "engine/draw/drawing.h"
-#include "engine/draw/text.h"
 
 namespace oblong {
 

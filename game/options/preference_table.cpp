@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/accuracy/dials.h"
+#include "engine/accuracy/accuracy.h"
 #include "engine/base/input_error.h"
 #include "engine/base/table.h"
 #include "engine/base/text.h"

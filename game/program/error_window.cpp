@@ -2,7 +2,7 @@
 #include <memory>
 #include <vector>
 
-#include "engine/draw/text.h"
+#include "engine/draw/drawing.h"
 #include "engine/platform/sdl/sdl.h"
 #include "game/input/input_mapper.h"
 #include "game/program/program.h"

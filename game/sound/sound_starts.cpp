@@ -1,5 +1,3 @@
-#include "game/sound/sound_starts.h"
-
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -10,6 +8,7 @@
 #include "engine/level/entity_classes.h"
 #include "engine/scene/pick.h"
 #include "game/simulation/step.h"
+#include "game/sound/sound_scene.h"
 
 namespace oblong {
 namespace {

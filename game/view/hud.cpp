@@ -1,11 +1,13 @@
 #include "game/view/hud.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <string_view>
 #include <utility>
 
 #include "engine/base/table.h"
-#include "engine/draw/text.h"
+#include "engine/draw/drawing.h"
 
 namespace oblong {
 namespace {
@@ -17,7 +19,146 @@ std::vector<std::string_view> wrapped(const std::string& text, std::int32_t colu
     return lines_of(text, columns * kGlyphAdvance_px);
 }
 
+constexpr std::uint64_t kMeasured_us = 500'000;
+constexpr int kCostBackground = 90;  // brightness, of 256
+// In pixels of letters.
+constexpr std::int32_t kCostRow_px = 9, kEffectsLeft_px = 148, kTwoCostColumns_px = 320;
+constexpr int kPassName = 11, kEffectName = 17;  // the longest names
+
+// Microseconds in four characters: "0.3", "48.2", "7235".
+std::string short_time(double time_ns) {
+    const std::int64_t tenths_us = std::llround(std::max(time_ns, 0.0) / 100);
+    const std::string whole = std::to_string(tenths_us / 10);
+    return tenths_us < 1000 ? whole + "." + std::to_string(tenths_us % 10) : whole;
+}
+
+// In the table: from 10 ms on, as under DOS, in milliseconds: "26ms".
+std::string table_time(double time_ns) {
+    constexpr double kLeast_ns = 9'999'500;
+    return time_ns < kLeast_ns ? short_time(time_ns) : std::to_string(std::llround(time_ns / 1e6)) + "ms";
+}
+
+std::string text_of(const PlanLine& line, int name_width, bool has_pixels) {
+    char text[64];
+    const std::string name(line.name), time = table_time(line.nanoseconds);
+    if (has_pixels)
+        std::snprintf(text, sizeof text, "%-*.*s%6lld%5s", name_width, name_width, name.c_str(),
+                      static_cast<long long>(line.pixels), time.c_str());
+    else
+        std::snprintf(text, sizeof text, "%-*.*s%5s", name_width, name_width, name.c_str(), time.c_str());
+    return text;
+}
+
+// A column of the table: its heading and its lines on all pages.
+struct Column {
+    std::int32_t left;
+    std::string head;
+    std::vector<std::string> lines;
+};
+
+Column column_of(std::int32_t left, const std::vector<PlanLine>& lines, int name_width, bool has_pixels) {
+    const std::string head = has_pixels ? "pixels   us" : "   us";
+    Column column{left, lines.empty() ? "" : std::string(as_size(name_width), ' ') + head, {}};
+    for (const PlanLine& line : lines) column.lines.push_back(text_of(line, name_width, has_pixels));
+    return column;
+}
+
+std::vector<Column> columns_of(const CostText& text, std::int32_t width) {
+    if (width >= kTwoCostColumns_px)
+        return {column_of(kTextMargin_px, text.passes, kPassName, true),
+                column_of(kEffectsLeft_px, text.effects, kEffectName, true)};
+    std::vector<PlanLine> all = text.passes;
+    all.insert(all.end(), text.effects.begin(), text.effects.end());
+    return {column_of(kTextMargin_px, all, kEffectName, false)};
+}
+
+std::string head_of(const CostText& text, std::int32_t page, std::int32_t pages) {
+    if (pages == 1) return text.frame;
+    return text.frame + ", page " + std::to_string(page) + " of " + std::to_string(pages);
+}
+
+// The effects that are not just passes.
+std::vector<PlanLine> other_lines(std::vector<PlanLine> effects, const std::vector<PlanLine>& passes) {
+    std::erase_if(effects, [&](const PlanLine& effect) {
+        return std::any_of(passes.begin(), passes.end(), [&](const PlanLine& pass) {
+            return pass.name == effect.name && pass.nanoseconds == effect.nanoseconds;
+        });
+    });
+    return effects;
+}
+
+double palette_time_ns(const Palette& palette, const PaletteEffects& effects, std::int64_t time_ms) {
+    const std::int64_t began_ns = steady_clock_ns();
+    apply_palette_effects(palette, effects, time_ms);
+    return static_cast<double>(steady_clock_ns() - began_ns);
+}
+
 }  // namespace
+
+CostTable lay_out_cost(const CostText& text, std::int32_t room_px, TextColours colours, Framebuffer canvas) {
+    CostTable table;
+    if (text.frame.empty()) return table;
+    std::size_t longest = 0;
+    for (const Column& column : columns_of(text, canvas.width_px / colours.scale))
+        longest = std::max(longest, column.lines.size());
+    const auto head_px = [&](std::int32_t pages) {
+        const std::string head = head_of(text, pages, pages);
+        return static_cast<std::int32_t>(lines_across(head, colours, canvas).size()) * kLineHeight_px * colours.scale;
+    };
+    const std::int32_t row_px = kCostRow_px * colours.scale;
+    table.height_px = head_px(1) + 2;
+    table.lines = longest;
+    if (longest > 0 && table.height_px + row_px * static_cast<std::int32_t>(longest + 1) > room_px) {
+        constexpr std::int32_t kManyPages = 10;  // a page number as wide as any
+        const std::int32_t lines = (room_px - head_px(kManyPages) - 2) / row_px - 1;
+        table.lines = as_size(std::max(lines, 0));
+        if (table.lines > 0) table.height_px = head_px(kManyPages) + 2;
+    }
+    if (table.lines == 0) return table;
+    table.height_px += row_px * static_cast<std::int32_t>(table.lines + 1);
+    table.pages = static_cast<std::int32_t>((longest + table.lines - 1) / table.lines);
+    return table;
+}
+
+void draw_cost(const CostText& text, const CostTable& table, std::int32_t page, std::int32_t bottom,
+               TextColours colours, Framebuffer canvas) {
+    if (text.frame.empty()) return;
+    recolour_area(canvas, {0, bottom - table.height_px, canvas.width_px, table.height_px}, text.background);
+    const std::string head = head_of(text, page, table.pages);
+    draw_lines(bottom - table.height_px + 1, head, colours, canvas);
+    if (table.lines == 0) return;
+    const std::int32_t scale = colours.scale, row_px = kCostRow_px * scale;
+    const std::size_t first = as_size(page - 1) * table.lines;
+    for (const Column& column : columns_of(text, canvas.width_px / scale)) {
+        std::int32_t y = bottom - static_cast<std::int32_t>(table.lines + 1) * row_px;
+        if (first < column.lines.size()) draw_text(canvas, column.left * scale, y, column.head, colours);
+        for (std::size_t i = first; i < std::min(first + table.lines, column.lines.size()); ++i)
+            draw_text(canvas, column.left * scale, y += row_px, column.lines[i], colours);
+    }
+}
+
+FrameCost::FrameCost(const Palette& palette, std::uint64_t now_us)
+    : text_{darker_colours(palette, kCostBackground), {}, {}, {}}, since_us_(now_us) {}
+
+void FrameCost::note(const GameView& view, const Settings& settings, const Palette& palette,
+                     const PaletteEffects& effects, std::uint64_t now_us, GameRenderer& renderer) {
+    times_.time(view, settings, renderer);
+    ++frames_;
+    const std::uint64_t since_us = now_us - since_us_;
+    if (since_us < kMeasured_us) return;
+    const std::uint64_t frames_a_second = frames_ * 1'000'000 / since_us;
+    since_us_ = now_us;
+    frames_ = 0;
+    const RenderingTimes& times = times_.renderings();
+    const TimeSpread frame = times.frame_ns();
+    text_.frame = short_time(frame.median) + " us " + spread_text(frame) + ", " + std::to_string(frames_a_second) +
+                  " frames/s, " + std::to_string(view.state.after.active_movers.size()) + " movers";
+    const FrameCounts counts = renderer.draw_and_count(view, settings);
+    text_.passes = times.pass_lines(renderer.plan(), counts);
+    text_.effects = other_lines(times.effect_lines(renderer.plan(), counts), text_.passes);
+    if (!effects.is_plain())
+        text_.effects.push_back({"palette", 0, palette_time_ns(palette, effects, time_ms_at(view.state))});
+}
 
 std::uint64_t Messages::reading_time_us(const std::string& text) {
     return std::max(kLeast_us, text.size() * kLetter_us);

@@ -1,4 +1,3 @@
-#include "engine/accuracy/dials.h"
 
 #include <gtest/gtest.h>
 
@@ -46,7 +45,7 @@ TEST(Dials, NamesDiffer) {
 /// `dial<&Accuracy::MEMBER>("NAME"` in the table of dials, and `accuracy.MEMBER` or `accuracy().MEMBER` in the file
 /// that the dial names.
 TEST(Dials, AreReadInTheFileThatTheyName) {
-    const std::string table = read_text(source_folder() + "/engine/accuracy/dials.cpp");
+    const std::string table = read_text(source_folder() + "/engine/accuracy/accuracy.cpp");
     const std::regex entry("dial<&Accuracy::(\\w+)>\\(\\s*\"([^\"]+)\"");
     std::size_t found = 0;
     for (std::sregex_iterator it(table.begin(), table.end(), entry), end; it != end; ++it, ++found) {

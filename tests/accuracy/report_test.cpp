@@ -1,5 +1,3 @@
-// The report's parts, each alone.
-
 #include "tools/accuracy/report.h"
 
 #include <gtest/gtest.h>
@@ -8,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/accuracy/scenes_fixture.h"
+#include "tests/support/bsp_writer.h"
+#include "tests/support/programs.h"
 #include "tools/accuracy/configurations.h"
 #include "tools/accuracy/errors.h"
 
@@ -111,9 +111,10 @@ TEST(AccuracyPage, HasTheReportInItWhateverItsNamesAre) {
 
 }  // namespace oblong::test
 
-namespace oblong {
-
+namespace oblong::test {
 namespace {
+
+// The report's parts, each alone.
 
 TEST(Configurations, AreAllDialsAloneAroundTheDefaultAndThePresets) {
     const Configurations all = make_configurations(all_dials());
@@ -182,6 +183,50 @@ TEST(HeatMap, BrightensWithTheLogarithmOfTheError) {
     }
 }
 
-}  // namespace
+// The program's answers to wrong usage and bad input, all before it measures anything.
 
-}  // namespace oblong
+TEST(AccuracyProgram, RefusesALevelWithoutCamerasAndCamerasWithoutALevel) {
+    for (const std::vector<std::string>& words : {std::vector<std::string>{"oblong-accuracy", "level.bsp"},
+                                                  {"oblong-accuracy", "--cameras", "cameras.csv"},
+                                                  {"oblong-accuracy", "--palette", "palette.lmp"},
+                                                  {"oblong-accuracy", "--out", ""},
+                                                  {"oblong-accuracy", "--slow"}}) {
+        const Outcome outcome = run_program(words);
+        EXPECT_EQ(outcome.exit_code, 2) << words.back();
+        EXPECT_NE(outcome.error, "");
+    }
+}
+
+TEST(AccuracyProgram, NamesTheFileThatItCannotRead) {
+    const TemporaryFolder folder;
+    const std::string no_level = folder.write("no_level.bsp", std::string("text")),
+                      cameras = folder.write("cameras.csv", std::string("x,y,z,yaw,pitch\n0,0,0,0,0\n"));
+    for (const std::string& level : {no_level, folder.path("missing.bsp")}) {
+        const Outcome outcome =
+            run_program({"oblong-accuracy", "--quick", "--out", folder.path("out"), level, "--cameras", cameras});
+        EXPECT_EQ(outcome.exit_code, 1);
+        EXPECT_EQ(outcome.error.find("oblong-accuracy: " + level + ": "), 0u) << outcome.error;
+    }
+}
+
+/// The tiny level's floor is at z = 8, solid below.
+TEST(AccuracyProgram, NamesTheCameraThatIsInAWall) {
+    const TemporaryFolder folder;
+    const std::string level = folder.write("tiny.bsp", join_lumps(29, make_tiny_lumps())),
+                      cameras = folder.write("cameras.csv", std::string("x,y,z,yaw,pitch\n9,9,50,0,0\n9,9,0,0,0\n"));
+    const Outcome outcome =
+        run_program({"oblong-accuracy", "--quick", "--out", folder.path("out"), level, "--cameras", cameras});
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_EQ(outcome.error.find("oblong-accuracy: " + level + ": camera 2: in a wall"), 0u) << outcome.error;
+}
+
+TEST(AccuracyProgram, NamesTheFolderThatItCannotMake) {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("file", std::string("text"));
+    const Outcome outcome = run_program({"oblong-accuracy", "--quick", "--out", file + "/out"});
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_EQ(outcome.error.find("oblong-accuracy: " + file), 0u) << outcome.error;
+}
+
+}  // namespace
+}  // namespace oblong::test

@@ -1,9 +1,14 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "engine/files/files.h"
 #include "engine/level/bsp_read.h"
+#include "game/level/load.h"
+#include "game/view/game_renderer.h"
 #include "tests/demo/visitor.h"
 #include "tests/support/folders.h"
+#include "tests/support/programs.h"
 
 namespace oblong::test::walk_test {
 namespace {
@@ -28,6 +33,47 @@ TEST_F(DemoWalk, TheTowerIsShutAtBothGatesWhileLensesAreMissing) {
     walk({{512, 1420}});
     walk(kCourtyardToTower);
     EXPECT_FALSE(visitor_.walk_to({512, 1800})) << "from the corridor";
+}
+
+// The level of "Build your own level" (tools/map/README.md), compiled without a warning: the player steps before the
+// door, which opens, rides the lift to the ledge, and jumps over the rim of the basin.
+TEST(FirstLevel, HasADoorThatOpensALiftThatLiftsAndWater) {
+    const TemporaryFolder folder;
+    const std::string bsp = folder.path("first.bsp");
+    const Outcome compiled = run_program({"oblong-map", "--strict", source_folder() + "/assets/first_level.map", "-o",
+                                          bsp, "--wad", build_folder() + "/assets/demo.wad"});
+    ASSERT_EQ(compiled.exit_code, 0) << compiled.error;
+    const Level level = read_bsp(read_file(bsp));
+    Visitor visitor(level);
+    const Player& player = visitor.state().player;
+    visitor.walk({{0, 200}, {0, 420}});
+    constexpr double kStandingOnTheLedge = 96 + 24;
+    visitor.walk({{40, 600}, {144, 600, kStandingOnTheLedge - 1}, {144, 720, kStandingOnTheLedge - 1}});
+    EXPECT_EQ(player.depth, Depth::Dry);
+    visitor.walk({{40, 720}, {40, 500}, {-136, 500}});
+    bool holds = false;
+    while (player.depth == Depth::Dry && visitor.step_to(-136, 648, (holds = !holds) ? kJumpButton : 0)) continue;
+    EXPECT_NE(player.depth, Depth::Dry);
+}
+
+/// In the dust room the lens is the only model.
+TEST(TakenItems, AreNoPartOfThePictureOrOfItsCost) {
+    const GameData data = load_game({"", "", test::build_folder() + "/assets", ""});
+    const GameLevel level = make_game_level(data.level);
+    GameRenderer renderer(data, level, ScreenMode{});
+    GameState state = start_of(level);
+    const auto draws_models = [&] {
+        const InterpolatedState both{state, state};
+        Camera camera;
+        camera.eye = world_vector(470, 144, 60);
+        camera.yaw = kHalfTurn;
+        camera.field_of_view = Degrees::from_int(90);
+        renderer.draw({both, camera}, Settings{});
+        return renderer.plan().has("models");
+    };
+    EXPECT_TRUE(draws_models());
+    std::ranges::fill(state.items, ItemState::Taken);
+    EXPECT_FALSE(draws_models());
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
-#include "engine/draw/text.h"
-
 #include <gtest/gtest.h>
 
 #include <set>
 #include <string>
+
+#include "engine/draw/drawing.h"
 
 namespace oblong {
 

@@ -1,17 +1,19 @@
-// Particles by the laws that they follow: they return after their period, stay in their box, fall and fly as they say.
 #include "engine/effects/particles.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <random>
 #include <vector>
 
 #include "tests/support/views.h"
 
-namespace oblong::test {
-
+namespace oblong::test::particles_test {
 namespace {
+
+// Particles by the laws that they follow: they return after their period, stay in their box, fall and fly as they say.
 
 constexpr std::array kKinds{ParticleKind::Rain, ParticleKind::Dust, ParticleKind::Sparks, ParticleKind::Bubbles};
 
@@ -35,6 +37,35 @@ Vec3<World> place(const ParticleEmitter& emitter, std::int32_t index, std::int64
 bool is_within(World position, World middle, World half) {
     return position >= middle - half && position <= middle + half;
 }
+
+// Dots against the projection in doubles, and what hides them.
+
+ParticleEmitter cloud(ParticleKind kind, Vec3<World> middle, Vec3<World> half_size, std::int32_t count = 500) {
+    return {kind, middle, half_size, count, 10, 10, 1000, 3};
+}
+
+std::vector<ParticleDot> dots_of(const ParticleEmitter& emitter, const ViewContext& view, std::int64_t time_ms = 0) {
+    std::vector<ParticleDot> dots;
+    append_dots(emitter, time_ms, view, dots);
+    return dots;
+}
+
+/// A picture of 320x200 with a wall straight ahead.
+class Picture {
+  public:
+    explicit Picture(std::int32_t wall_z) {
+        depth.want({0, 320, 0, 200});
+        depth.clear();
+        std::vector<Span> spans;
+        for (std::int32_t y = 0; y < 200; ++y) spans.push_back({y, 0, 320});
+        depth.fill(spans, {InverseZ::from_raw((std::int64_t{1} << 44) / wall_z), {}, {}});
+    }
+    void draw(std::span<const ParticleDot> dots) { draw_dots(dots, depth, {pixels.data(), 320, 200, 320}); }
+    std::int64_t count(std::uint8_t colour) const { return std::count(pixels.begin(), pixels.end(), colour); }
+
+    DepthBuffer depth{320, 200};
+    std::vector<std::uint8_t> pixels = std::vector<std::uint8_t>(320 * 200);
+};
 
 }  // namespace
 
@@ -142,5 +173,117 @@ TEST(Particles, AnotherSeedPutsThemElsewhere) {
     for (std::int32_t i = 0; i < 200; ++i) same += place(emitter_of(ParticleKind::Dust), i, 0) == place(other, i, 0);
     EXPECT_EQ(same, 0);
 }
+TEST(ParticleDots, LieWhereTheProjectionPutsThem) {
+    const ViewContext view = view_from(point_at(10, 20, 30));
+    const ParticleEmitter emitter = cloud(ParticleKind::Bubbles, point_at(300, 20, 30), point_at(200, 100, 60), 2000);
+    const std::vector<ParticleDot> dots = dots_of(emitter, view);
+    std::size_t next = 0;
+    for (std::int32_t i = 0; i < emitter.count; ++i) {
+        const Point p = to_point(particle_at(emitter, i, 0).position);
+        const double z = p.x - 10, x = 160 - 160 * (p.y - 20) / z, y = 100 - 160 / 1.2 * (p.z - 30) / z;
+        const double width = std::max(320 / z, 1.), height = std::max(320 / 1.2 / z, 1.);
+        if (x < 20 || x > 300 || y < 20 || y > 180) {
+            const bool is_its_dot = next < dots.size() && std::abs(dots[next].inverse_depth * z / 0x1p32 - 1) < 1e-5;
+            next += is_its_dot;
+            continue;
+        }
+        ASSERT_LT(next, dots.size());
+        const ParticleDot& dot = dots[next++];
+        EXPECT_NEAR(dot.inverse_depth, 0x1p32 / z, 0x1p32 / z * 1e-5);
+        EXPECT_NEAR((dot.first_column + dot.end_column) / 2., x, 0.6);
+        EXPECT_NEAR((dot.first_row + dot.end_row) / 2., y, 0.6);
+        EXPECT_NEAR(dot.end_column - dot.first_column, width, 0.6);
+        EXPECT_NEAR(dot.end_row - dot.first_row, height, 0.6);
+    }
+    EXPECT_EQ(next, dots.size());
+    EXPECT_GT(next, 1000u);
+}
 
-}  // namespace oblong::test
+TEST(ParticleDots, AreAsWideAsHighOnARealScreen) {
+    // Pixels are 1.2 times as high as wide.
+    for (const ScreenMode mode : {ScreenMode{320, 200, {4, 3}}, ScreenMode{1280, 800, {4, 3}}}) {
+        const ViewContext view = view_from({}, {}, {}, mode);
+        const std::vector<ParticleDot> dots = dots_of(cloud(ParticleKind::Bubbles, point_at(20, 0, 0), {}, 1), view);
+        ASSERT_EQ(dots.size(), 1u);
+        const double width = dots[0].end_column - dots[0].first_column, height = dots[0].end_row - dots[0].first_row;
+        EXPECT_NEAR(width, height * 1.2, 1.1);
+        EXPECT_GE(width, mode.width_px / 20.0 - 1);
+    }
+}
+
+TEST(ParticleDots, AreWithinTheScreenAndInFrontOfTheEye) {
+    for (const ParticleKind kind : {ParticleKind::Rain, ParticleKind::Bubbles, ParticleKind::Sparks})
+        for (std::int32_t turn = 0; turn < 16; ++turn) {
+            const ViewContext view = view_from({}, Angle::from_bam(turn * 4096), Angle::from_bam(turn * 1111));
+            const auto dots = dots_of(cloud(kind, point_at(3, 2, 1), point_at(60, 60, 60), 3000), view, turn * 10);
+            EXPECT_FALSE(dots.empty());
+            for (const ParticleDot& dot : dots) {
+                ASSERT_TRUE(dot.first_column >= 0 && dot.first_column < dot.end_column && dot.end_column <= 320);
+                ASSERT_TRUE(dot.first_row >= 0 && dot.first_row < dot.end_row && dot.end_row <= 200);
+                ASSERT_LE(dot.inverse_depth, 1u << 28) << "nearer than 16 units";
+                ASSERT_LE(dot.end_column - dot.first_column, 20);
+                ASSERT_LE(dot.end_row - dot.first_row, 50);
+            }
+        }
+}
+
+TEST(ParticleDots, OfHugeBoxesAndNarrowFieldsOfViewAreSound) {
+    for (const std::int32_t degrees : {1, 90, 179}) {
+        ViewContext view = view_from(point_at(-65000, 300, 0));
+        view.projection = make_projection({4096, 4096, {4, 3}}, Degrees::from_int(degrees));
+        view.frustum = make_frustum(view.axes, view.projection);
+        for (const ParticleKind kind : {ParticleKind::Rain, ParticleKind::Dust, ParticleKind::Sparks})
+            for (const ParticleDot& dot :
+                 dots_of(cloud(kind, point_at(65536, 65536, -65536), point_at(32768, 32768, 32768)), view))
+                ASSERT_TRUE(dot.first_column >= 0 && dot.end_column <= 4096 && dot.first_row >= 0 &&
+                            dot.end_row <= 4096);
+    }
+}
+
+TEST(ParticleDots, HideBehindWalls) {
+    const ViewContext view = view_from({});
+    const auto behind = dots_of(cloud(ParticleKind::Dust, point_at(300, 0, 0), point_at(90, 50, 50)), view);
+    const auto before = dots_of(cloud(ParticleKind::Dust, point_at(150, 0, 0), point_at(40, 20, 20)), view);
+    Picture picture(200);
+    picture.draw(behind);
+    EXPECT_EQ(picture.count(10), 0);
+    picture.draw(before);
+    EXPECT_GT(picture.count(10), 300);
+    // Some of a cloud that the wall cuts in two.
+    Picture cut(200);
+    const auto across = dots_of(cloud(ParticleKind::Dust, point_at(200, 0, 0), point_at(90, 60, 40)), view);
+    cut.draw(across);
+    const auto is_nearer = [](const ParticleDot& dot) { return dot.inverse_depth >= (1ll << 32) / 200; };
+    const auto nearer = std::count_if(across.begin(), across.end(), is_nearer);
+    EXPECT_GT(cut.count(10), nearer / 2);
+    EXPECT_LT(cut.count(10), nearer * 3 / 2);
+}
+
+TEST(ParticleDots, MayBeDrawnInAnyOrder) {
+    const ViewContext view = view_from({});
+    std::vector<ParticleDot> dots =
+        dots_of(cloud(ParticleKind::Bubbles, point_at(80, 0, 0), point_at(40, 30, 30)), view);
+    std::sort(dots.begin(), dots.end(), [](const auto& a, const auto& b) { return a.inverse_depth < b.inverse_depth; });
+    for (std::size_t i = 0; i < dots.size(); ++i)
+        dots[i].colour = static_cast<std::uint8_t>(1 + dots[i].inverse_depth % 255);
+    Picture far_first(10000), near_first(10000);
+    far_first.draw(dots);
+    std::reverse(dots.begin(), dots.end());
+    near_first.draw(dots);
+    EXPECT_EQ(far_first.pixels, near_first.pixels);
+}
+
+TEST(ParticleDots, ARectangleHoldsThemAll) {
+    const auto dots = dots_of(cloud(ParticleKind::Rain, point_at(200, 30, 0), point_at(20, 20, 20)), view_from({}));
+    ASSERT_FALSE(dots.empty());
+    const ScreenRectangle around = rectangle_around(dots);
+    const auto touches = [&](auto of_dot, std::int32_t border) {
+        return std::any_of(dots.begin(), dots.end(), [&](const ParticleDot& dot) { return of_dot(dot) == border; });
+    };
+    for (const ParticleDot& dot : dots)
+        ASSERT_TRUE(dot.first_column >= around.first_column && dot.end_column <= around.end_column &&
+                    dot.first_row >= around.first_row && dot.end_row <= around.end_row);
+    EXPECT_TRUE(touches([](const auto& dot) { return dot.first_column; }, around.first_column));
+    EXPECT_TRUE(touches([](const auto& dot) { return dot.end_row; }, around.end_row));
+}
+}  // namespace oblong::test::particles_test

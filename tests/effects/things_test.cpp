@@ -6,7 +6,6 @@
 #include <cmath>
 #include <string>
 
-#include "engine/effects/things_in_view.h"
 #include "engine/level/bsp_read.h"
 #include "engine/level/entities.h"
 #include "engine/visibility/visible_set.h"

@@ -2,12 +2,47 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
 #include <string>
+#include <vector>
 
+#include "engine/files/files.h"
+#include "tests/support/folders.h"
 #include "tests/support/refusal.h"
 
-namespace oblong {
+namespace oblong::test {
 namespace {
+
+/// MD5 (RFC 1321): what a FLAC file says of its samples.
+std::array<std::uint8_t, 16> md5(std::vector<std::uint8_t> bytes) {
+    const std::uint64_t bits = bytes.size() * 8;
+    bytes.push_back(0x80);
+    while (bytes.size() % 64 != 56) bytes.push_back(0);
+    for (int i = 0; i < 8; ++i) bytes.push_back(static_cast<std::uint8_t>(bits >> 8 * i));
+    constexpr int kTurns[4][4] = {{7, 12, 17, 22}, {5, 9, 14, 20}, {4, 11, 16, 23}, {6, 10, 15, 21}};
+    std::array<std::uint32_t, 4> sum{0x67452301, 0xefcdab89, 0x98badcfe, 0x10325476};
+    for (std::size_t block = 0; block < bytes.size(); block += 64) {
+        auto [a, b, c, d] = sum;
+        for (std::uint32_t i = 0; i < 64; ++i) {
+            const std::uint32_t mixes[4] = {(b & c) | (~b & d), (d & b) | (~d & c), b ^ c ^ d, c ^ (b | ~d)};
+            const std::uint32_t words[4] = {i, 5 * i + 1, 3 * i + 5, 7 * i};
+            std::uint32_t word = 0;
+            for (std::size_t k = 4; k-- > 0;) word = word << 8 | bytes[block + words[i / 16] % 16 * 4 + k];
+            const auto sine = static_cast<std::uint32_t>(std::floor(std::abs(std::sin(i + 1.0)) * 4294967296.0));
+            const std::uint32_t turned = std::rotl(a + mixes[i / 16] + sine + word, kTurns[i / 16][i % 4]);
+            a = d, d = c, c = b, b += turned;
+        }
+        sum[0] += a, sum[1] += b, sum[2] += c, sum[3] += d;
+    }
+    std::array<std::uint8_t, 16> result{};
+    for (std::size_t i = 0; i < 16; ++i) result[i] = static_cast<std::uint8_t>(sum[i / 4] >> 8 * (i % 4));
+    return result;
+}
 
 // RIFF WAVE by the description of Microsoft and IBM (1991), written by hand.
 std::string little(std::uint32_t number, int bytes) {
@@ -65,5 +100,163 @@ TEST(Wav, FaultsAreNamedWithTheirOffset) {
         EXPECT_EQ(test::refusal([&, &bytes = file] { decoded(bytes); }), said);
 }
 
+using Bytes = std::vector<std::uint8_t>;
+
+/// Writes numbers of any count of bits, by RFC 9639 and not by the decoder's code.
+class BitWriter {
+  public:
+    BitWriter& put(std::uint64_t value, int count) {
+        for (int bit = count; bit-- > 0; ++size_) {
+            if (size_ % 8 == 0) bytes.push_back(0);
+            bytes.back() = static_cast<std::uint8_t>(bytes.back() | (value >> bit & 1) << (7 - size_ % 8));
+        }
+        return *this;
+    }
+    BitWriter& align() { return put(0, static_cast<int>((8 - size_ % 8) % 8)); }
+
+    Bytes bytes;
+
+  private:
+    std::size_t size_ = 0;
+};
+
+/// The remainder of the division by x^16 + x^15 + x^2 + 1, bit by bit.
+std::uint32_t remainder_of(const Bytes& bytes) {
+    std::uint32_t rest = 0;
+    for (const std::uint8_t byte : bytes)
+        for (int bit = 8; bit-- > 0;) {
+            const bool carries = (rest >> 15 & 1) != (byte >> bit & 1u);
+            rest = (rest << 1 & 0xffff) ^ (carries ? 0x8005 : 0);
+        }
+    return rest;
+}
+
+/// A file of one frame with 8 samples; `write` adds its subframe.
+template <class Write>
+Bytes file_of(Write write, std::uint32_t channels = 1, std::uint64_t samples = 8) {
+    BitWriter frame;
+    frame.put(0x7ffc, 15).put(0, 1).put(6, 4).put(0, 4).put(channels - 1, 4).put(4, 3).put(0, 1);
+    frame.put(0, 8).put(7, 8).put(0, 8);  // the first frame, of 7 + 1 samples, and the header's checksum
+    write(frame);
+    frame.align();
+    frame.put(remainder_of(frame.bytes), 16);
+    BitWriter file;
+    file.put(0x664c6143, 32).put(0, 1).put(0, 7).put(34, 24);
+    file.put(8, 16).put(8, 16).put(0, 48).put(22'050, 20).put(channels - 1, 3).put(15, 5).put(samples, 36);
+    for (int i = 0; i < 16; ++i) file.put(0, 8);
+    file.put(1, 1).put(1, 7).put(2, 24).put(0xffff, 16);  // padding
+    file.bytes.insert(file.bytes.end(), frame.bytes.begin(), frame.bytes.end());
+    return file.bytes;
+}
+
+void write_constant(BitWriter& frame) {
+    frame.put(0, 8).put(0x10000 - 300, 16);
+}
+
+using Samples = std::vector<std::int16_t>;
+
+TEST(Flac, HasSubframesOfOneSample) {
+    const SoundSamples sound = decode_flac(file_of(write_constant));
+    EXPECT_EQ(sound.rate_hz, 22'050);
+    EXPECT_EQ(sound.samples, Samples(8, -300));
+}
+
+TEST(Flac, HasSubframesOfSamplesAsTheyAre) {
+    const Samples samples{0, 1, -1, 32'767, -32'768, 5, -6, 7};
+    const auto write = [&](BitWriter& frame) {
+        frame.put(1 << 1, 8);
+        for (const std::int16_t sample : samples) frame.put(static_cast<std::uint16_t>(sample), 16);
+    };
+    EXPECT_EQ(decode_flac(file_of(write)).samples, samples);
+}
+
+TEST(Flac, HasLowBitsThatAreZeroInAllSamples) {
+    const auto write = [](BitWriter& frame) {
+        frame.put(1 << 1 | 1, 8).put(1, 3);  // three of them: a one behind two zeros
+        for (int i = 0; i < 8; ++i) frame.put(static_cast<std::uint64_t>(i), 13);
+    };
+    EXPECT_EQ(decode_flac(file_of(write)).samples, (Samples{0, 8, 16, 24, 32, 40, 48, 56}));
+}
+
+// A residual as Rice's code with two low bits: its sign folded into the lowest.
+void put_residual(BitWriter& frame, int value) {
+    const auto folded = static_cast<std::uint64_t>(value < 0 ? -2 * value - 1 : 2 * value);
+    frame.put(1, static_cast<int>(folded / 4) + 1).put(folded % 4, 2);
+}
+
+TEST(Flac, PredictsByALineAndAddsWhatIsLeft) {
+    const Samples samples{10, 20, 31, 40, 40, 45, 41, 42};
+    const auto write = [&](BitWriter& frame) {
+        frame.put((8 + 2) << 1, 8).put(10, 16).put(20, 16).put(0, 2).put(1, 4);  // two parts of four samples
+        for (std::size_t i = 2; i < 8; ++i) {
+            if (i == 2 || i == 4) frame.put(2, 4);
+            put_residual(frame, samples[i] - 2 * samples[i - 1] + samples[i - 2]);
+        }
+    };
+    EXPECT_EQ(decode_flac(file_of(write)).samples, samples);
+}
+
+TEST(Flac, PredictsByCoefficientsWithAShift) {
+    const Samples samples{100, -60, 33, 0, 5, -9, 12, 3};
+    const auto write = [&](BitWriter& frame) {
+        frame.put((31 + 1) << 1, 8).put(100, 16);
+        frame.put(7, 4).put(2, 5).put(0x100 - 3, 8);     // one coefficient of 8 bits, -3, over 2^2
+        frame.put(1, 2).put(0, 4).put(31, 5).put(9, 5);  // the residual as it is, 9 bits each
+        for (std::size_t i = 1; i < 8; ++i) {
+            const double predicted = std::floor(-3 * samples[i - 1] / 4.0);
+            frame.put(static_cast<std::uint64_t>(static_cast<std::int64_t>(samples[i] - predicted)) & 511, 9);
+        }
+    };
+    EXPECT_EQ(decode_flac(file_of(write)).samples, samples);
+}
+
+std::string fault_in(const Bytes& file) {
+    return test::refusal([&] { decode_flac(file); });
+}
+
+TEST(Flac, NamesWhatItDoesNotTake) {
+    EXPECT_NE(fault_in({}).find("fLaC"), std::string::npos);
+    EXPECT_NE(fault_in({'R', 'I', 'F', 'F', 0, 0, 0, 0}).find("fLaC"), std::string::npos);
+    EXPECT_NE(fault_in(file_of(write_constant, 2)).find("one channel"), std::string::npos);
+    EXPECT_NE(fault_in(file_of(write_constant, 1, 9)).find("samples"), std::string::npos);
+}
+
+TEST(Flac, NoPartOfAFileIsAFile) {
+    const Bytes whole = file_of(write_constant);
+    for (std::size_t size = 0; size < whole.size(); ++size)
+        EXPECT_NE(fault_in({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)}), "") << size;
+}
+
+TEST(Flac, NoBitOfAFrameCanBeWrong) {
+    const Bytes whole = file_of(write_constant);
+    const std::size_t frame = whole.size() - 12;
+    ASSERT_EQ(whole[frame], 0xff);
+    for (std::size_t bit = frame * 8; bit < whole.size() * 8; ++bit) {
+        Bytes damaged = whole;
+        damaged[bit / 8] = static_cast<std::uint8_t>(damaged[bit / 8] ^ 0x80 >> bit % 8);
+        EXPECT_NE(fault_in(damaged), "") << bit;
+    }
+}
+
+TEST(Md5, IsThatOfItsDescription) {
+    const std::string text = "message digest";
+    const Bytes wanted{0xf9, 0x6b, 0x69, 0x7d, 0x7c, 0xb7, 0x93, 0x8d, 0x52, 0x5a, 0x2f, 0x31, 0xaa, 0xf1, 0x61, 0xd0};
+    EXPECT_TRUE(std::ranges::equal(test::md5({text.begin(), text.end()}), wanted));
+}
+
+/// What the encoder has noted of the samples it was given.
+TEST(Flac, TheGamesSoundsAreThoseThatWereEncoded) {
+    int files = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(test::source_folder() + "/assets/sounds")) {
+        const Bytes file = read_file(entry.path().string());
+        Bytes samples;
+        for (const std::int16_t sample : decode_flac(file).samples)
+            samples.insert(samples.end(), {static_cast<std::uint8_t>(sample), static_cast<std::uint8_t>(sample >> 8)});
+        EXPECT_TRUE(std::ranges::equal(test::md5(samples), std::span(file).subspan(26, 16))) << entry.path();
+        ++files;
+    }
+    EXPECT_GT(files, 50);
+}
+
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test

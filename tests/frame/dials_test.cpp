@@ -1,7 +1,5 @@
 // What each dial does to a frame.
 
-#include "engine/accuracy/dials.h"
-
 #include <set>
 
 #include "engine/accuracy/accuracy.h"

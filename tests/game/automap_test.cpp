@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/game/toy_level.h"
+#include "tests/game/logic_level.h"
 
 namespace oblong::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "engine/accuracy/dials.h"
+#include "engine/accuracy/accuracy.h"
 #include "game/level/load.h"
 #include "tests/support/folders.h"
 

@@ -10,10 +10,9 @@
 #include <tuple>
 #include <vector>
 
-#include "engine/draw/text.h"
+#include "engine/draw/drawing.h"
 #include "game/lab/aspects.h"
 #include "game/lab/lab.h"
-#include "game/lab/lab_panel.h"
 #include "game/menu/menu_layout.h"
 #include "game/view/hud.h"
 #include "tests/support/palettes.h"

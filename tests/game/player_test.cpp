@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "game/simulation/collision.h"
+#include "tests/game/logic_level.h"
 #include "tests/game/scenario.h"
-#include "tests/game/toy_game.h"
 
 namespace oblong {
 namespace {

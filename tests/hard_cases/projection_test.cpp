@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/math/plane.h"
 #include "engine/math/vec.h"
 #include "engine/methods/lines.h"
 #include "engine/methods/polygons.h"

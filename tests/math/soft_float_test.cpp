@@ -6,7 +6,6 @@
 #include <random>
 
 #include "engine/fixed/arithmetic.h"
-#include "engine/math/wide_sum.h"
 
 namespace oblong {
 

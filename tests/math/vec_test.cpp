@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "engine/math/plane.h"
 #include "engine/methods/lines.h"
 #include "tests/math/vectors.h"
 

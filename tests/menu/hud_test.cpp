@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <random>
+#include <sstream>
 
-#include "engine/draw/text.h"
+#include "engine/draw/drawing.h"
 
 namespace oblong {
 namespace {
@@ -66,6 +68,86 @@ TEST(Hud, AMessageComesFirstThenCaptionsNotesAndCost) {
     EXPECT_GE(narrow.messages.height(), kLineHeight_px);
     EXPECT_EQ(narrow.captions.height(), kLineHeight_px);
     EXPECT_EQ(narrow.notes[0].height() + narrow.cost.height(), 0);
+}
+
+using Lines = std::vector<std::string>;
+constexpr std::uint64_t kSecond_us = 1'000'000;
+
+TEST(Messages, StayAsLongAsTheyTakeToRead) {
+    Messages messages;
+    messages.show("A");
+    EXPECT_EQ(messages.lines(0, 50, 5), Lines{"A"});
+    EXPECT_EQ(messages.lines(2'400'000, 50, 5), Lines{"A"});
+    EXPECT_EQ(messages.lines(2'500'000, 50, 5), Lines{});
+    const std::string hundred(100, 'b');
+    messages.show(hundred);
+    EXPECT_EQ(messages.lines(3 * kSecond_us, 200, 5), Lines{hundred});
+    EXPECT_EQ(messages.lines(8'900'000, 200, 5), Lines{hundred});
+    EXPECT_EQ(messages.lines(9'000'000, 200, 5), Lines{});
+}
+
+TEST(Messages, TheNewestAloneIsUp) {
+    Messages messages;
+    messages.show("one");
+    messages.show("two");
+    EXPECT_EQ(messages.lines(0, 50, 5), Lines{"two"});
+    messages.show("three four");
+    EXPECT_EQ(messages.lines(1, 5, 1), Lines{"three"});
+    messages.show("five");  // in place of what was still to come, too
+    EXPECT_EQ(messages.lines(2, 5, 1), Lines{"five"});
+    EXPECT_EQ(messages.lines(2'500'001, 5, 1), Lines{"five"}) << "its time began with it";
+    EXPECT_EQ(messages.lines(2'500'002, 5, 1), Lines{});
+}
+
+TEST(Messages, WhatHasNoRoomLosesNoTime) {
+    Messages messages;
+    messages.show("one");
+    EXPECT_EQ(messages.lines(0, 50, 1), Lines{"one"});
+    EXPECT_EQ(messages.lines(2'400'000, 50, 0), Lines{});  // no room now: a panel, say
+    EXPECT_EQ(messages.lines(90 * kSecond_us, 50, 1), Lines{"one"});
+    EXPECT_EQ(messages.lines(90 * kSecond_us + 100'000, 50, 1), Lines{});
+}
+
+TEST(Messages, AllThatWasToldIsKeptOnceTheNewestFirst) {
+    Messages messages;
+    for (const char* text : {"one", "two", "one", "three"}) messages.show(text);
+    EXPECT_EQ(messages.told(), (Lines{"three", "one", "two"}));
+    messages.lines(0, 50, 1);
+    messages.lines(90 * kSecond_us, 50, 1);
+    EXPECT_EQ(messages.told().size(), 3u) << "also what is no longer up";
+    for (int i = 0; i < 1000; ++i) messages.show(std::to_string(i));
+    EXPECT_LT(messages.told().size(), 100u);
+    EXPECT_EQ(messages.told().front(), "999");
+}
+
+TEST(Messages, ALongOneIsShownInParts) {
+    Messages messages;
+    messages.show("one two three four five");
+    EXPECT_EQ(messages.lines(0, 7, 2), (Lines{"one two", "three"}));
+    EXPECT_EQ(messages.lines(2'500'000, 7, 2), (Lines{"four", "five"}));
+    EXPECT_EQ(messages.lines(5'000'000, 7, 2), Lines{});
+}
+
+// However long it is, and whatever the room: each word of the newest message is up for a part's reading time.
+TEST(Messages, NoPartIsLost) {
+    std::mt19937 random(3);
+    for (int run = 0; run < 50; ++run) {
+        Messages messages;
+        std::map<std::string, int> up_ms;  // by the words, each of which is another
+        const std::int32_t columns = 8 + static_cast<std::int32_t>(random() % 40);
+        const std::size_t most_lines = 1 + random() % 4, words = 1 + random() % 60;
+        std::string text;
+        for (std::size_t i = 0; i < words; ++i) text += (i == 0 ? "w" : " w") + std::to_string(i);
+        messages.show(text);
+        for (int ms = 0; !messages.is_empty() && ms < 1'000'000; ms += 100)
+            for (const std::string& line : messages.lines(static_cast<std::uint64_t>(ms) * 1000, columns, most_lines)) {
+                ASSERT_LE(line.size(), static_cast<std::size_t>(columns));
+                std::istringstream in(line);
+                for (std::string word; in >> word;) up_ms[word] += 100;
+            }
+        EXPECT_EQ(up_ms.size(), words);
+        for (const auto& [word, time_ms] : up_ms) EXPECT_GE(time_ms, 2400) << word;
+    }
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include "engine/platform/headless.h"
 #include "tests/support/folders.h"
 #include "tests/support/scripted_input.h"
-#include "tests/walk/scripted_platform.h"
+#include "tests/walk/walked_level.h"
 
 namespace oblong {
 namespace {

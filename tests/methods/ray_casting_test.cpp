@@ -3,7 +3,7 @@
 #include <array>
 #include <random>
 
-#include "engine/math/plane.h"
+#include "engine/math/vec.h"
 #include "engine/methods/lines.h"
 #include "engine/methods/pixel_owners.h"
 #include "engine/view/projection.h"

@@ -37,7 +37,7 @@ LEFT_OUT = ("left out",)
 # libraries of the build.
 OF_EFFECTS = re.compile("engine/(draw/|effects/|files/|mesh/|raster/(depth|lines|kernels/(?!plain))|"
                         "scene/(light_styles|texture_animation|pick|"
-                        "moving_lights|level_effects)|math/(soft_float|wide_sum)|"
+                        "moving_lights|level_effects)|math/soft_float|"
                         "methods/|"
                         "frame/(fog|light|mirror|model|see_through)_pass|frame/(frame_things|shared_drawing|wireframe))")
 BEFORE_FRAMES = re.compile("engine/(level/(bsp|entities|trace|t_junctions)|platform|accuracy|files/files|surface/(palette|colormap|oklab))")

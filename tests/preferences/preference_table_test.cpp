@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "engine/accuracy/dials.h"
+#include "engine/accuracy/accuracy.h"
 #include "engine/files/arguments.h"
 #include "tests/preferences/named.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "game/saves/saved_game.h"
-#include "tests/game/toy_game.h"
+#include "tests/game/logic_level.h"
 
 namespace oblong::test {
 

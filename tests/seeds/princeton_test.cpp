@@ -6,7 +6,6 @@
 #include <array>
 
 #include "engine/fixed/trig.h"
-#include "engine/math/plane.h"
 #include "engine/math/vec.h"
 #include "engine/methods/lines.h"
 #include "engine/methods/transforms.h"

@@ -4,7 +4,6 @@
 
 #include "engine/math/basis.h"
 #include "engine/math/matrix.h"
-#include "engine/math/plane.h"
 #include "engine/math/vec.h"
 #include "engine/methods/lines.h"
 #include "engine/methods/square_root.h"

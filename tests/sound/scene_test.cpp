@@ -5,7 +5,6 @@
 
 #include "game/sound/captions.h"
 #include "game/sound/sound_scene.h"
-#include "game/sound/sound_starts.h"
 #include "tests/game/logic_level.h"
 #include "tests/sound/walled_level.h"
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-#include "tests/game/toy_game.h"
+#include "tests/game/logic_level.h"
 
 namespace oblong::test {
 

@@ -1,15 +1,17 @@
-// Boxes against the sides of a view, corner by corner.
 #include "engine/visibility/box_culler.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "engine/visibility/visible_set.h"
 #include "tests/visibility/visibility_fixture.h"
 
-namespace oblong::test {
-
+namespace oblong::test::box_rectangle_test {
 namespace {
+
+// Boxes against the sides of a view, corner by corner.
 
 struct Culling {
     Frustum frustum;
@@ -83,6 +85,69 @@ void expect_all_kinds(const Tally& tally) {
     EXPECT_GT(tally.crossing, 100);
 }
 
+// Boxes among leaves, against points of them.
+
+BoxCuller culler_of(const ViewContext& view) {
+    return {view.frustum, view.eye};
+}
+
+LevelBox box_around(const Vec3<World>& middle, std::int32_t half) {
+    const std::array at{floor_of(middle.x), floor_of(middle.y), floor_of(middle.z)};
+    return {{at[0] - half, at[1] - half, at[2] - half}, {at[0] + half, at[1] + half, at[2] + half}};
+}
+
+bool has_leaf(const PlacedBox& placed, LeafIndex leaf) {
+    return std::find(placed.leaves.begin(), placed.leaves.end(), leaf) != placed.leaves.end();
+}
+
+/// Of a world that reaches `reach` units either way.
+ViewContext random_view(std::mt19937& random, std::int32_t reach = 2000) {
+    const auto coordinate = [&] { return random_below(random, 2 * reach) - reach; };
+    const Vec3<World> eye{World::from_int(coordinate()), World::from_int(coordinate()), World::from_int(coordinate())};
+    return view_along(eye, random_axes(random), {}, 20 + random_below(random, 130));
+}
+
+/// Column and row, in doubles, of a point of the box.
+std::pair<double, double> seen_at(const ViewContext& view, const Point& p) {
+    const Point way = p - to_point(view.eye);
+    const double depth = dot(way, to_point(view.axes.forward));
+    return {160 + number_of(view.projection.x.multiplier) * dot(way, to_point(view.axes.right)) / depth,
+            100 - number_of(view.projection.y.multiplier) * dot(way, to_point(view.axes.up)) / depth};
+}
+
+struct Seen {
+    int on_screen = 0, small = 0;
+};
+
+/// Points of random boxes, in doubles, are in the boxes' rectangles.
+Seen check_boxes(std::int32_t reach, std::int32_t largest) {
+    std::mt19937 random(9);
+    std::uniform_real_distribution<double> part(0, 1);
+    Seen tally;
+    for (int trial = 0; trial < 20000; ++trial) {
+        const ViewContext view = random_view(random, reach);
+        const LevelBox box = random_box(random, reach, largest);
+        const std::optional<ScreenRectangle> rectangle = rectangle_of(box, view);
+        if (!rectangle) continue;
+        tally.small +=
+            (rectangle->end_column - rectangle->first_column) * (rectangle->end_row - rectangle->first_row) < 6400;
+        for (int point = 0; point < 8; ++point) {
+            const auto at = [&](std::size_t axis) {
+                const double along = trial % 2 ? std::round(part(random)) : part(random);
+                return box.mins[axis] + along * (box.maxs[axis] - box.mins[axis]);
+            };
+            const auto [column, row] = seen_at(view, {at(0), at(1), at(2)});
+            if (column < 0 || column >= 320 || row < 0 || row >= 200) continue;
+            ++tally.on_screen;
+            EXPECT_GE(column, rectangle->first_column);
+            EXPECT_LE(column, rectangle->end_column);
+            EXPECT_GE(row, rectangle->first_row);
+            EXPECT_LE(row, rectangle->end_row);
+        }
+    }
+    return tally;
+}
+
 }  // namespace
 
 TEST(BoxCuller, AgreesWithTheEightCorners) {
@@ -118,5 +183,73 @@ TEST(BoxCuller, AgreesAtTheLimits) {
     }
     EXPECT_GT(at_limits, 4000);
 }
+class PlacedBoxOf : public OfLevel {};
 
-}  // namespace oblong::test
+TEST_P(PlacedBoxOf, HasTheLeafOfEachOfItsPoints) {
+    const Level level = read_level(GetParam());
+    std::mt19937 random(1);
+    for (int trial = 0; trial < 100; ++trial) {
+        const PlacedBox placed = place_box(level, box_around(random_open_point(level, random), 1 << random() % 7));
+        ASSERT_FALSE(placed.has_many_leaves);
+        for (int i = 0; i < 50; ++i) {
+            const LeafIndex leaf = find_leaf(level, level.world(), random_point_in(placed.box, random));
+            const bool is_solid = level.leaves[leaf].contents == contents::kSolid;
+            ASSERT_EQ(has_leaf(placed, leaf), !is_solid);
+        }
+    }
+}
+
+TEST_P(PlacedBoxOf, MayBeSeenIfAPointOfItIsInViewInAVisibleLeaf) {
+    const Level level = read_level(GetParam());
+    std::mt19937 random(2);
+    VisibleSet visible(level);
+    int seen = 0, unseen = 0;
+    for (int trial = 0; trial < 2000; ++trial) {
+        const Vec3<World> eye = random_open_point(level, random);
+        visible.see_from(level, find_leaf(level, level.world(), eye));
+        const ViewContext view = view_from(eye, Angle::from_bam(random()));
+        const PlacedBox placed = place_box(level, box_around(random_open_point(level, random), 40));
+        const bool may_be = may_be_seen(placed, visible.leaf_set(), culler_of(view));
+        (may_be ? seen : unseen) += 1;
+        if (may_be) continue;
+        for (int i = 0; i < 20; ++i) {
+            const Vec3<World> p = random_point_in(placed.box, random);
+            const bool is_in_view = outcode_of(view.frustum, to_view(p, eye, view.axes)) == 0;
+            ASSERT_FALSE(is_in_view && visible.has_leaf(find_leaf(level, level.world(), p)));
+        }
+    }
+    EXPECT_GT(seen, 20);
+    EXPECT_GT(unseen, 500);
+}
+
+TEST_P(PlacedBoxOf, HasNoListWhereItHoldsTheWholeLevel) {
+    const Level level = read_level(GetParam());
+    const PlacedBox placed = place_box(level, {{-500000, -500000, -500000}, {500000, 500000, 500000}});
+    EXPECT_TRUE(placed.has_many_leaves && placed.leaves.empty());
+    VisibleSet visible(level);
+    std::mt19937 random(3);
+    const Vec3<World> eye = random_open_point(level, random);
+    visible.see_from(level, find_leaf(level, level.world(), eye));
+    EXPECT_TRUE(may_be_seen(placed, visible.leaf_set(), culler_of(view_from(eye, {}))));
+}
+
+OBLONG_FOR_REAL_LEVELS(PlacedBoxOf);
+TEST(BoxRectangle, HoldsAllOfTheBoxThatIsOnTheScreen) {
+    const Seen tally = check_boxes(2000, 300);
+    EXPECT_GT(tally.on_screen, 1000);
+    EXPECT_GT(tally.small, 1000) << "a rectangle that is always large hides nothing";
+}
+
+TEST(BoxRectangle, HoldsBoxesAsLargeAsTheWorld) {
+    EXPECT_GT(check_boxes(524'287, 80'000).on_screen, 1000);
+    EXPECT_GT(check_boxes(524'287, 2 * 524'287).on_screen, 1000);
+}
+
+/// As wide as BSP2 files may have it, before the eye and past it.
+TEST(BoxRectangle, OfTheWholeWorldIsAnywhere) {
+    constexpr std::int32_t kFar = 524'287;
+    std::mt19937 random(11);
+    for (int trial = 0; trial < 1000; ++trial)
+        EXPECT_FALSE(rectangle_of({{-kFar, -kFar, -kFar}, {kFar, kFar, kFar}}, random_view(random, kFar)));
+}
+}  // namespace oblong::test::box_rectangle_test

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <set>
 
-#include "tests/visibility/rays.h"
 #include "tests/visibility/visibility_fixture.h"
 
 namespace oblong::test::brush_models_test {

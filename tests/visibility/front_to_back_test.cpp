@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <map>
 
-#include "tests/visibility/rays.h"
 #include "tests/visibility/visibility_fixture.h"
 
 namespace oblong::test::front_to_back_test {

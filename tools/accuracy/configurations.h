@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "engine/accuracy/accuracy.h"
-#include "engine/accuracy/dials.h"
 
 namespace oblong {
 

@@ -8,7 +8,7 @@
 #include "engine/files/arguments.h"
 #include "engine/files/command_line.h"
 #include "engine/files/files.h"
-#include "tools/accuracy/machine.h"
+#include "tools/accuracy/frame_times.h"
 #include "tools/accuracy/measured_level.h"
 #include "tools/accuracy/report.h"
 #include "tools/render/camera_list.h"

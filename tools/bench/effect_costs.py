@@ -57,7 +57,7 @@ PARTS = [
      [retextured("+0volt", "brick")]),
     (["light_styles"], "scene/light_styles", "[Pp]attern|make_style_steps", [without_key("style")]),
     (["moving_lights"], "scene/moving_lights effects/lanterns", "", [without_entity("misc_lantern")]),
-    (["particles"], "effects/particles effects/particle_dots", "",
+    (["particles"], "effects/particles", "",
      [without_entity("misc_rain", "misc_dust", "misc_sparks", "air_bubbles")]),
     (["sprites", "shadows", "moving_lights"], "effects/sprites effects/shadows effects/lanterns", "",
      [without_entity("misc_sprite", "misc_lantern")]),

@@ -9,7 +9,6 @@
 
 #include "engine/base/table.h"
 #include "engine/draw/drawing.h"
-#include "engine/draw/text.h"
 #include "engine/surface/palette.h"
 #include "tools/gallery/texts.h"
 

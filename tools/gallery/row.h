@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/draw/text.h"
+#include "engine/draw/drawing.h"
 #include "engine/fixed/trig.h"
 #include "engine/frame/settings.h"
 #include "engine/level/level.h"

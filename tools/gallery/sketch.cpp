@@ -7,7 +7,6 @@
 
 #include "engine/base/table.h"
 #include "engine/draw/drawing.h"
-#include "engine/draw/text.h"
 #include "engine/fixed/trig.h"
 #include "engine/math/matrix.h"
 #include "engine/methods/canonical_volume.h"

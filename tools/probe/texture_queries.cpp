@@ -4,7 +4,7 @@
 #include <tuple>
 #include <utility>
 
-#include "engine/accuracy/dials.h"
+#include "engine/accuracy/accuracy.h"
 #include "engine/base/table.h"
 #include "engine/fixed/root.h"
 #include "engine/frame/frame_record.h"

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "engine/accuracy/dials.h"
+#include "engine/accuracy/accuracy.h"
 #include "engine/base/table.h"
 #include "engine/files/doubles.h"
 #include "engine/view/screen.h"

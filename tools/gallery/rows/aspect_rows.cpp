@@ -7,7 +7,6 @@
 
 #include "engine/base/table.h"
 #include "engine/draw/drawing.h"
-#include "engine/draw/text.h"
 #include "engine/fixed/trig.h"
 #include "engine/view/project.h"
 #include "tools/gallery/counted.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/draw/text.h"
+#include "engine/draw/drawing.h"
 #include "engine/mesh/triangulate.h"
 #include "engine/methods/canonical_volume.h"
 #include "engine/methods/polygons.h"

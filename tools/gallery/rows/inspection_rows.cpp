@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/draw/text.h"
+#include "engine/draw/drawing.h"
 #include "engine/files/crosshair.h"
 #include "engine/files/frame_log.h"
 #include "engine/level/side.h"

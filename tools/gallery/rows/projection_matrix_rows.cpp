@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/math/plane.h"
+#include "engine/math/vec.h"
 #include "engine/methods/canonical_volume.h"
 #include "engine/methods/lines.h"
 #include "engine/methods/transforms.h"

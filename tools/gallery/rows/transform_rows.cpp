@@ -8,7 +8,7 @@
 #include "engine/base/table.h"
 #include "engine/fixed/trig.h"
 #include "engine/math/matrix.h"
-#include "engine/math/plane.h"
+#include "engine/math/vec.h"
 #include "engine/methods/polygons.h"
 #include "engine/methods/transforms.h"
 #include "tools/gallery/row.h"

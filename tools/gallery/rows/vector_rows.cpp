@@ -7,7 +7,7 @@
 #include "engine/draw/drawing.h"
 #include "engine/fixed/trig.h"
 #include "engine/math/matrix.h"
-#include "engine/math/plane.h"
+#include "engine/math/vec.h"
 #include "engine/methods/lines.h"
 #include "engine/methods/transforms.h"
 #include "tools/gallery/counted.h"

@@ -4,12 +4,12 @@
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
+#include <vector>
 
 #include "engine/level/entities.h"
 #include "engine/level/entity_classes.h"
 #include "tools/map/source/brush.h"
 #include "tools/map/source/entities.h"
-#include "tools/map/source/nearest_name.h"
 
 namespace oblong::map {
 namespace {
@@ -180,7 +180,37 @@ class Checker {
     std::unordered_set<std::string> targets_;
 };
 
+// The number of letters to change, add, remove or swap with the next one (Damerau, Levenshtein).
+std::size_t typing_errors(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> before, last(b.size() + 1), now(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        now[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            now[j] = std::min({last[j] + 1, now[j - 1] + 1, last[j - 1] + (a[i - 1] != b[j - 1])});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                now[j] = std::min(now[j], before[j - 2] + 1);
+        }
+        before = std::exchange(last, now);
+    }
+    return last.back();
+}
+
 }  // namespace
+
+void NearestName::add(std::string_view name) {
+    constexpr std::size_t kLongest = 64;
+    if (name.ends_with('#')) name.remove_suffix(1);
+    if (name.ends_with('*') || wanted_.size() > kLongest) return;
+    const std::size_t errors = typing_errors(wanted_, name);
+    if (errors >= least_) return;
+    least_ = errors;
+    name_ = name;
+}
+
+std::string NearestName::text() const {
+    return name_.empty() ? "" : ", perhaps '" + std::string(name_) + "' is meant";
+}
 
 void Warnings::add(int line, const std::string& what) {
     if (known_[what]++ == 0) warnings_.push_back({line, what});

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "tools/map/source/checks.h"
 #include "tools/map/source/map_file.h"
-#include "tools/map/source/nearest_name.h"
 
 namespace oblong::map {
 

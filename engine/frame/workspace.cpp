@@ -1,4 +1,4 @@
-#include "engine/frame/view_scratch.h"
+#include "engine/frame/workspace.h"
 
 #include "engine/base/table.h"
 
@@ -27,7 +27,5 @@ ViewScratch::ViewScratch(const ViewScratch& outer, const ScreenMode& mode)
       claiming(outer.claiming),
       surfaces(outer.surfaces),
       effects(outer.effects) {}
-
-ViewScratch::~ViewScratch() = default;
 
 }  // namespace oblong

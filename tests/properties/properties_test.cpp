@@ -1,16 +1,20 @@
-// Projection never turns the order of points round.
-
-#include "engine/view/projection.h"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <array>
 
+#include "engine/methods/polygons.h"
+#include "engine/methods/transforms.h"
+#include "engine/view/clip.h"
 #include "engine/view/project.h"
+#include "engine/view/projection.h"
+#include "tests/frame/frame_fixture.h"
 
 namespace oblong::test {
 namespace {
+
+// Projection never turns the order of points round.
 
 __extension__ using Int128 = __int128;
 
@@ -107,6 +111,117 @@ RC_GTEST_PROP(PropertyProjection, BeyondTheChangeItIsWithinItsBound, ()) {
     const Int128 bound_32 =
         static_cast<Int128>(z_16) * ((1 << 23) + (std::int64_t{64} << 15) + (std::int64_t{8} << 15));
     RC_ASSERT(error_32 <= bound_32 && error_32 >= -bound_32);
+}
+
+// Closed surfaces clipped to the four sides of random views. One plane at a time: HardCaseC1 to HardCaseC3.
+
+using ViewPoint = Vec3<View>;
+
+/// Of a mode and a field of view, any that the engine takes.
+Frustum any_frustum() {
+    ScreenMode mode;
+    mode.width_px = *rc::gen::inRange(16, 2'048);
+    mode.height_px = *rc::gen::inRange(16, 2'048);
+    const Degrees field_of_view = Degrees::from_int(*rc::gen::inRange(10, 170));
+    return make_frustum(y_up_basis({}, {}, {}), make_projection(mode, field_of_view));
+}
+
+/// As a frame clips: to the sides that the polygon's own corners are outside of.
+std::vector<ClipVertex> clipped_as_in_a_frame(const Frustum& frustum, const std::vector<ViewPoint>& corners) {
+    ClipScratch scratch;
+    unsigned any_outside = 0, all_outside = 0xff;
+    for (const ViewPoint& corner : corners) {
+        const std::uint8_t outcode = outcode_of(frustum, corner);
+        any_outside |= outcode;
+        all_outside &= outcode;
+        scratch.polygon.push_back({corner, 0, outcode, 0});
+    }
+    if (all_outside != 0) return {};
+    if (any_outside != 0) clip_polygon(frustum, any_outside, scratch);
+    return scratch.polygon;
+}
+
+/// An edge of a clipped polygon: where it begins and ends, and the borders that both ends are on.
+using ClippedEdge = std::array<ViewPoint, 2>;
+
+bool has_edge(const std::vector<ClipVertex>& polygon, const ClippedEdge& edge) {
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+        if (polygon[i].position == edge[0] && polygon[(i + 1) % polygon.size()].position == edge[1]) return true;
+    return false;
+}
+
+/// The edges within the view: those that clipping did not lay on a border.
+std::vector<ClippedEdge> inner_edges(const std::vector<ClipVertex>& polygon) {
+    std::vector<ClippedEdge> edges;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const ClipVertex &from = polygon[i], &to = polygon[(i + 1) % polygon.size()];
+        if ((from.borders & to.borders) == 0 && from.position != to.position)
+            edges.push_back({from.position, to.position});
+    }
+    return edges;
+}
+
+/// A tetrahedron is closed: clipped face by face, near the eye where positions are coarse, each edge in view is still
+/// walked once forth and once back, bit for bit.
+RC_GTEST_PROP(PropertyClip, ClosedSurfacesStayClosedWithinTheView, ()) {
+    const Frustum frustum = any_frustum();
+    const std::int64_t size_16 = *rc::gen::element<std::int64_t>(3, 8, 40, 900, 65'536, 20'000'000);
+    const auto any_corner = [&] {
+        const auto along = [&] { return View::from_raw(*rc::gen::inRange(-size_16, size_16 + 1)); };
+        return ViewPoint{along(), along(), along()};
+    };
+    const ViewPoint a = any_corner(), b = any_corner(), c = any_corner(), d = any_corner();
+    std::vector<std::vector<ClipVertex>> faces;
+    for (const std::vector<ViewPoint>& corners : {std::vector{a, b, c}, {a, c, d}, {a, d, b}, {b, d, c}})
+        faces.push_back(clipped_as_in_a_frame(frustum, corners));
+    for (const auto& face : faces)
+        for (const ClippedEdge& edge : inner_edges(face)) {
+            const auto is_its_back = [&](const auto& other) { return has_edge(other, {edge[1], edge[0]}); };
+            RC_ASSERT(std::any_of(faces.begin(), faces.end(), is_its_back));
+        }
+}
+
+// Textures repeat: what is shifted by whole textures has the same bytes. Spans far from the texture's origin:
+// HardCaseX5; below zero: HardCaseX6.
+
+/// The level with each texture moved along its faces by its own number of whole textures.
+Level shifted_by_whole_textures(Level level) {
+    Table<std::array<std::int32_t, 2>, TexInfo> shifts;
+    for (TexInfo& texinfo : level.texinfos) {
+        const MipTexture& texture = level.textures[texinfo.texture];
+        const std::int32_t by_u = *rc::gen::inRange(-20, 21) * texture.width,
+                           by_v = *rc::gen::inRange(-20, 21) * texture.height;
+        texinfo.s_offset += Texel::from_int(by_u);
+        texinfo.t_offset += Texel::from_int(by_v);
+        shifts.push_back({by_u, by_v});
+    }
+    for (Face& face : level.faces) {
+        const auto& [by_u, by_v] = shifts[face.texinfo];
+        face.texel_min_u += by_u;
+        face.texel_min_v += by_v;
+    }
+    return level;
+}
+
+std::vector<std::uint8_t> picture_of(Stage& stage, const Camera& camera) {
+    FrameWorkspace work(stage.level, stage.mode);
+    stage.draw(camera, work);
+    return stage.pixels;
+}
+
+TEST(PropertyTexture, FramesOfTheDemoLevelAreTheSameWithTexturesShiftedByWholeTextures) {
+    Stage stage = demo_stage();
+    Stage shifted = demo_stage();
+    const std::vector<Vec3<World>> places = entity_origins(stage.level);
+    ASSERT_FALSE(places.empty());
+    EXPECT_TRUE(rc::check([&] {
+        shifted.level = shifted_by_whole_textures(stage.level);
+        Camera camera;
+        camera.eye = *rc::gen::elementOf(places);
+        camera.yaw = Angle::from_bam(*rc::gen::arbitrary<std::uint16_t>());
+        camera.pitch = Angle::from_bam(*rc::gen::inRange(-8'000, 8'000));
+        RC_ASSERT(picture_of(shifted, camera) == picture_of(stage, camera));
+    }));
 }
 
 }  // namespace
