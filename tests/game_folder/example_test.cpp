@@ -203,7 +203,7 @@ TEST_F(ExampleGame, EntitiesHaveSoundsOfTheirOwn) {
 TEST_F(ExampleGame, ASoundThatIsMissingIsAWarningAndABrokenOneAnError) {
     const std::string pictures = " --headless 1 --out " + temporary_.path("out");
     fs::remove(folder_ + "/sounds/creak.wav");
-    replace_in_definition("\"sounds/creak.wav\"", "\"sounds/coin.wav\"");
+    replace_in_definition(",\n    \"sounds/creak.wav\": \"a gate creaks\"", "");
     EXPECT_EQ(run("oblong --game " + folder_ + pictures), 0);
     EXPECT_NE(said_.find("(func_door_rotating): there is no file sounds/creak.wav for its noise, expected one in " +
                          folder_ + "\n"),
