@@ -62,7 +62,7 @@ constexpr EventCost kRotation{1800, 900, 0, 0, 4800, 2400};
 constexpr EventCost kOutcode{1800, 400, 0, 0, 0, 100};
 /// view/screen_polygon.cpp: a face's corner looked up, its outcode joined to the others'; the z of scanned faces'
 /// corners. A scanned edge also includes an edge of faces that turn out to be covered.
-constexpr EventCost kCorner{5069};
+constexpr EventCost kCorner{4443};
 /// view/projection.h, project_axis(), twice; view/project.h: rounding, snapping, keeping on the screen.
 constexpr EventCost kProjection{3300, 200, 200, 0, 2400, 800};
 /// Further projections, of a hundred corners of clipped faces: corners made by clipping (others are already projected),
