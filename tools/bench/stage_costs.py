@@ -48,12 +48,12 @@ STAGES = [
 ]
 SHARED_FUNCTIONS = [
     ("gradients and face constants", r"make_face_gradients|gradients_of|make_block_thresholds|make_texel_limits"),
-    ("walk and boxes", r"BrushModels|VisibleSet|FrontToBack"),
+    ("walk and boxes", r"BrushModels|VisibleSet|FrontToBack|FacesInView"),
     ("transform, clip, project", r"ClipVertex|VertexCache|ScreenPolygon|to_screen_vertex|Vec3.*View"),
     ("coverage", r"SpanBuffer"),
     ("block set-up", r"SpanTarget|BlockList|TexelBlock"),
     ("exact spans", r"OctaveRow"),
-    ("effects, things, models", r"box_around"),
+    ("effects, things, models", r"box_around|DepthBuffer"),
     ("other", r"^(__)?(mem(cpy|set|move)|(u?div|u?mod|mul)(mod)?ti)|clock_gettime|^operator (new|delete)|malloc|free|^std::"),
 ]
 # From a throw-away renderer of this design, on another Quake level (e1m1) at 320x200; some stages were counted together.
