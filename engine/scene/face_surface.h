@@ -48,7 +48,7 @@ class FaceSurfaces {
     int mip_level(FaceIndex face, View nearest_z, const ProjectionAxis& projection_x, std::int32_t bias) const;
     /// Sets the moving lights from now on; at first there are none.
     void set_moving_lights(std::span<const MovingLight> lights, const Vec3<World>& eye) {
-        moving_lights_.set(lights, eye);
+        if (!lights.empty() || has_moving_lights()) moving_lights_.set(lights, eye);
     }
     bool has_moving_lights() const { return !moving_lights_.is_empty(); }
     /// Whether a moving light touches a lit face, its model moved by `offset`.

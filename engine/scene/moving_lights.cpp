@@ -204,7 +204,6 @@ void MovingLights::add_new() {
 }
 
 void MovingLights::set(std::span<const MovingLight> lights, const Vec3<World>& eye) {
-    if (lights.empty() && active_ == 0) return;
     choose(lights, eye);
     keep_known();
     add_new();

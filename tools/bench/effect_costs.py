@@ -45,25 +45,25 @@ def without_key(key):
 # the changes that remove the effects from the map.
 PARTS = [
     (["sky"], "effects/sky", "", [retextured("sky_night", "plaster_ivory")]),
-    (["liquid", "translucency", "underwater"], "effects/warp effects/underwater", "",
+    (["liquid", "translucency", "underwater"], "effects/warp", "",
      [without_brush("*water"), without_brush("*lava")]),
     (["liquid", "fence", "translucency"], "raster/kernels/effect_kernels", "",
      [without_brush("*water"), without_brush("*lava"), without_entity("func_wall")]),
-    (["translucency", "fog"], "effects/colour_tables effects/fog effects/height_fog", "sky_fog",
+    (["translucency", "fog"], "effects/colour_tables effects/fog", "sky_fog",
      [without_brush("*water"), without_key("fog")]),
     (["brush_models", "fence"], "visibility/fragment_tree visibility/model_cutter", "polygon_side|append_part",
      [without_entity("func_wall")]),
     (["animated_textures"], "scene/texture_animation", "TextureAnimations::TextureAnimations|TextureAnimations::add",
      [retextured("+0volt", "brick")]),
     (["light_styles"], "scene/light_styles", "[Pp]attern|make_style_steps", [without_key("style")]),
-    (["moving_lights"], "scene/moving_lights effects/lanterns", "", [without_entity("misc_lantern")]),
+    (["moving_lights"], "scene/moving_lights effects/things", "read_things|find_", [without_entity("misc_lantern")]),
     (["particles"], "effects/particles", "",
      [without_entity("misc_rain", "misc_dust", "misc_sparks", "air_bubbles")]),
-    (["sprites", "shadows", "moving_lights"], "effects/sprites effects/shadows effects/lanterns", "",
+    (["sprites", "shadows", "moving_lights"], "effects/sprites effects/shadows effects/things", "read_things|find_",
      [without_entity("misc_sprite", "misc_lantern")]),
     (["shadows"], "effects/shadows", "", [without_key("shadow")]),
     (["mirror"], "frame/mirror_pass", "", [retextured("mirror_hall", "brick")]),
-    (["underwater"], "effects/underwater", "", []),
+    (["underwater"], "effects/warp", "[Ww]arp", []),
 ]
 
 # Cameras outside the tank of water, and in it.
