@@ -80,7 +80,7 @@ def joined_files(path, root):
     with open(path[:-2]) as unity:
         names = re.findall(r'#include "(.*)"', unity.read())
     texts = {}
-    for name in names:
+    for name in filter(os.path.exists, names):  # an object may be left from an older build
         with open(name) as file:
             texts[re.sub("^engine/", "", os.path.relpath(name, root))] = file.read()
     return texts
