@@ -1,6 +1,7 @@
 namespace oblong {
-int start_game(int argument_count, const char* const* arguments);  // program.h, which takes seconds to compile
-}
+// Declared in program.h, too, whose headers take seconds to compile.
+int start_game(int argument_count, const char* const* arguments);
+}  // namespace oblong
 
 int main(int argc, char** argv) {
     return oblong::start_game(argc, argv);

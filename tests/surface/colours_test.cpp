@@ -1,5 +1,3 @@
-#include "engine/surface/colormap.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +7,7 @@
 #include <vector>
 
 #include "engine/base/input_error.h"
+#include "engine/surface/colormap.h"
 #include "engine/surface/palette.h"
 #include "tests/support/folders.h"
 #include "tests/support/palettes.h"
