@@ -1,7 +1,7 @@
 # oblong_room(NAME FOLDER DEPENDS ... [EXTRA_FOLDERS ...] [EXCEPT FILES]): a library oblong_NAME for a room, of all .cpp
 # files directly in FOLDER and the extra folders, except FILES. A room of only headers becomes an interface library, so
 # that its dependents need not know. If files are compiled together (tools/cmake/uncached.cmake), rooms after
-# set(OBLONG_PART part) share one library oblong_PART.
+# set(OBLONG_PART part) share one library oblong_PART. Fuzz targets compile some rooms in another way than the rest.
 function(oblong_room NAME FOLDER)
     cmake_parse_arguments(ROOM "" "" "DEPENDS;EXTRA_FOLDERS;EXCEPT" ${ARGN})
     file(GLOB SOURCES CONFIGURE_DEPENDS ${FOLDER}/*.cpp)
@@ -12,7 +12,7 @@ function(oblong_room NAME FOLDER)
     list(TRANSFORM ROOM_EXCEPT PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/${FOLDER}/)
     list(REMOVE_ITEM SOURCES ${ROOM_EXCEPT} "")
     list(TRANSFORM ROOM_DEPENDS PREPEND oblong_)
-    if(SOURCES AND OBLONG_PART AND CMAKE_UNITY_BUILD)
+    if(SOURCES AND OBLONG_PART AND CMAKE_UNITY_BUILD AND NOT OBLONG_FUZZ)
         set(PART oblong_${OBLONG_PART})
         if(NOT TARGET ${PART})
             add_library(${PART} STATIC)
