@@ -228,5 +228,20 @@ TEST(AccuracyProgram, NamesTheFolderThatItCannotMake) {
     EXPECT_EQ(outcome.error.find("oblong-accuracy: " + file), 0u) << outcome.error;
 }
 
+/// Beside a palette that cannot be read, as the first thing that is measured would need it.
+TEST(AccuracyProgram, NamesTheFileThatItCannotWriteBeforeItMeasures) {
+    const TemporaryFolder folder;
+    for (const char* name : {"bin", "assets", "out/accuracy.html"})
+        std::filesystem::create_directories(folder.path(name));
+    std::filesystem::copy_file(build_folder() + "/bin/oblong-accuracy", folder.path("bin/oblong-accuracy"));
+    folder.write("assets/palette.lmp", std::string("text"));
+    const std::string missing = folder.path("none/page.md"), page = folder.write("page.md", std::string("no table"));
+    const auto run = [&](const std::string& words) { return run_line(folder.path("bin/oblong-accuracy") + words); };
+    EXPECT_TRUE(names_fault(run(" --page " + missing), "oblong-accuracy", missing, "open: "));
+    EXPECT_TRUE(names_fault(run(" --page " + page), "oblong-accuracy", page, "<!-- oblong-accuracy -->"));
+    EXPECT_TRUE(names_fault(run(" --quick --out " + folder.path("out")), "oblong-accuracy",
+                            folder.path("out/accuracy.html"), "is a folder"));
+}
+
 }  // namespace
 }  // namespace oblong::test

@@ -157,6 +157,20 @@ TEST(Checks, NameBrushesOfTwoKinds) {
     EXPECT_EQ(warnings_of_pool("skip"), Said{});
 }
 
+TEST(Checks, NameTextureAxesThatDoNotSpanTheirFace) {
+    const auto of_floor = [](const std::string& axes) {
+        return warnings_of(entity("func_wall", {}, "{\n( 0 0 8 ) ( 0 8 8 ) ( 8 0 8 ) wall " + axes + " 0 1 1\n}\n"));
+    };
+    EXPECT_EQ(of_floor("[ 1 0 0 0 ] [ 0 -1 0 0 ]"), Said{});
+    EXPECT_EQ(of_floor("[ 8 0 99 0 ] [ 1 1 0 0 ]"), Said{}) << "slanted, of any length";
+    const std::string zero = "[ 0 0 0 5 ] [ 0 -1 0 0 ]", parallel = "[ 1 2 0 0 ] [ -2 -4 0 0 ]",
+                      upright = "[ 1 0 0 0 ] [ 0 0 -1 0 ]";
+    for (const std::string& axes : {zero, parallel, upright})
+        EXPECT_EQ(of_floor(axes), Said{"line 7: the texture axes of 'wall' are zero, parallel or lead off the face, "
+                                       "expected two directions along it"})
+            << axes;
+}
+
 TEST(Checks, NameTeleportersToNowhere) {
     EXPECT_EQ(warnings_of(entity("trigger_teleport", {}, kBrush)),
               Said{"line 4: a trigger_teleport without 'target', expected the exit, an `info_teleport_destination`"});

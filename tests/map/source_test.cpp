@@ -28,6 +28,8 @@ TEST(MapFile, BadInputIsNamedWithItsLine) {
                      "begins in line 1");
     expect_complaint(std::string(kHead) + "{\n( 0 0 0 ) ( 1 0 65537 )",
                      "line 4: found '65537', expected a number for z, at most 65536");
+    expect_complaint(std::string(kHead) + "}\n" + kHead + "}\n",
+                     "line 4: a second worldspawn, expected one, that of line 1");
     expect_complaint(std::string(kHead) + "// a remark\n;", "line 4: found ';', expected a key in quotes");
     expect_complaint(std::string(kHead) + "{\n( 0 0 0 ) ( 1 0 nan ) ( 0 1 0 ) wall 0 0 0 1 1", "expected a number");
     expect_complaint(std::string(kHead) + "{\n( 0 0 0 ) ( 1 0 1e9 ) ( 0 1 0 ) wall 0 0 0 1 1", "expected a number");

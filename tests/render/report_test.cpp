@@ -195,9 +195,12 @@ TEST(ViewOption, SaysWhatIsWrong) {
 }
 
 TEST(ViewOption, NamesTheCameraWhoseViewCannotBeDrawn) {
-    EXPECT_EQ(test::place_of_refusal(
-                  [] { checked_view(parse_view("top:width=0"), camera_at(0, 0, 0), {}, "--view at camera 7"); }),
-              "--view at camera 7");
+    const auto place_of = [](const std::string& text) {
+        return test::place_of_refusal(
+            [&] { checked_view(parse_view(text), camera_at(0, 0, 0), {}, "--view at camera 7"); });
+    };
+    EXPECT_EQ(place_of("top:width=0"), "--view at camera 7");
+    EXPECT_EQ(place_of("vrp:vpn=0/0/0"), "--view at camera 7: VPN");
 }
 
 }  // namespace

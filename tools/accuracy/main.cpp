@@ -74,14 +74,16 @@ std::deque<MeasuredLevel> read_levels(const Options& options, const std::string&
 
 /// The presets in the hard scenes and the demo level, without times.
 void report_to_page(const Options& options, const std::string& assets) {
+    const std::vector<std::uint8_t> bytes = read_file(options.page);
+    const std::string page(bytes.begin(), bytes.end());
+    with_table(page, options.page, "");  // an error before the work that takes long
     const Colours demo(assets + "/palette.lmp");
     const std::deque<MeasuredLevel> levels = read_levels({}, assets, demo.palette);
     std::vector<MeasuredPlace> places;
     for (const MeasuredLevel& level : levels) places.push_back({level, demo.palette, demo.colormap});
     map::ProgressLine progress("oblong-accuracy");
     const std::string table = preset_table(measure_all(make_configurations({}), places, {0, 1, false}, &progress));
-    const std::vector<std::uint8_t> bytes = read_file(options.page);
-    const std::string page(bytes.begin(), bytes.end()), measured = with_table(page, options.page, table);
+    const std::string measured = with_table(page, options.page, table);
     if (!options.checks_page) return write_file(options.page, measured);
     if (page == measured) return;
     std::fputs(table.c_str(), stdout);
@@ -93,7 +95,10 @@ void report_to_files(const Options& options, const std::string& assets) {
     if (!options.level.empty() && options.cameras.empty())
         throw UsageError("LEVEL needs --cameras, expected a file of cameras in the level");
     const auto start = std::chrono::steady_clock::now();
+    const std::string json_file = options.out + "/accuracy.json", page_file = options.out + "/accuracy.html";
     make_folder(options.out);  // before the work that takes long
+    check_writable(json_file);
+    check_writable(page_file);
     const std::string demo_palette = assets + "/palette.lmp";
     const Colours demo(demo_palette), named(options.palette.empty() ? demo_palette : options.palette);
     const std::deque<MeasuredLevel> levels = read_levels(options, assets, demo.palette);
@@ -109,8 +114,8 @@ void report_to_files(const Options& options, const std::string& assets) {
     report.compiler = compiler_name();
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const std::string json = report_json(report);
-    write_file(options.out + "/accuracy.json", json);
-    write_file(options.out + "/accuracy.html", report_page(json));
+    write_file(json_file, json);
+    write_file(page_file, report_page(json));
 }
 
 }  // namespace

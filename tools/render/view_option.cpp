@@ -190,7 +190,12 @@ ViewOfCamera parse_view(const std::string& text) {
 
 ViewSpec checked_view(const ViewOfCamera& view, const Camera& camera, const ScreenMode& mode,
                       const std::string& where) {
-    ViewSpec spec = view(camera);
+    ViewSpec spec;
+    try {
+        spec = view(camera);
+    } catch (const InputError& error) {
+        throw InputError(where + ": " + error.where, error.what());
+    }
     if (const std::optional<std::string> problem = problem_of(spec, mode)) throw InputError(where, *problem);
     return spec;
 }

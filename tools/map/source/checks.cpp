@@ -125,8 +125,18 @@ class Checker {
         for (const MapBrush& brush : entity.brushes) check_textures(brush);
     }
 
+    void check_axes(const MapSide& side) {
+        if (!side.texture.has_axes) return;
+        const auto& [u, v] = side.texture.axes;
+        constexpr double kLeast = 1e-4;  // of 1, that of two axes in the face at right angles
+        if (std::abs(dot(cross(u, v), plane_of(side).normal)) <= kLeast * length(u) * length(v))
+            warnings_.add(side.line, "the texture axes of " + quoted(side.texture.name) +
+                                         " are zero, parallel or lead off the face, expected two directions along it");
+    }
+
     // The first side decides what a brush holds.
     void check_textures(const MapBrush& brush) {
+        for (const MapSide& side : brush.sides) check_axes(side);
         if (brush.sides.empty()) return;
         const std::string& first = brush.sides.front().texture.name;
         for (const MapSide& side : brush.sides) {

@@ -239,7 +239,12 @@ std::vector<MapEntity> parse_map(std::string_view text) {
     check_no_zero_byte(text);
     MapTokens tokens(without_byte_order_mark(text));
     std::vector<MapEntity> entities;
-    while (!tokens.peek().is_end) entities.push_back(take_entity(tokens));
+    while (!tokens.peek().is_end) {
+        entities.push_back(take_entity(tokens));
+        if (entities.size() > 1 && role_of(entities.back()) == ClassRole::Worldspawn)
+            throw InputError("line " + std::to_string(entities.back().line),
+                             "a second worldspawn, expected one, that of line " + std::to_string(entities[0].line));
+    }
     if (entities.empty() || role_of(entities[0]) != ClassRole::Worldspawn)
         throw InputError("line 1", "the first entity is no worldspawn, expected one that holds the world's brushes");
     return entities;
