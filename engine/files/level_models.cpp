@@ -47,7 +47,12 @@ class ModelFinder {
   public:
     explicit ModelFinder(const ModelFolders& folders) : game_(folders.game) {
         const fs::path level_folder = fs::path(folders.level_file).parent_path();
-        if (!folders.named.empty()) folders_.emplace_back(folders.named);
+        if (!folders.named.empty()) {
+            std::error_code ignored;
+            if (!fs::is_directory(folders.named, ignored))
+                throw FileError(folders.named, "--models", "is no folder, expected one of models");
+            folders_.emplace_back(folders.named);
+        }
         folders_.push_back(level_folder);
         folders_.push_back(level_folder / "..");
         if (!folders.own.empty()) folders_.emplace_back(folders.own);

@@ -28,6 +28,7 @@ TEST_F(BadRender, GoodInputIsNotRefused) {
     EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
     EXPECT_EQ(outcome.error, "");
     EXPECT_TRUE(std::filesystem::exists(folder_.path("pictures/00000.png")));
+    EXPECT_NE(render(kLevel, {"--json", "-", "--plan"}).error.find("sky"), std::string::npos) << "no plan";
 }
 
 TEST_F(BadRender, WhatIsNoLevel) {
@@ -41,6 +42,10 @@ TEST_F(BadRender, WhatIsNoLevel) {
 
 /// Models that the demo level shows, from a folder that comes before its own.
 TEST_F(BadRender, Models) {
+    const std::string missing = folder_.path("missing"), headless = folder_.path("pictures");
+    EXPECT_TRUE(names_fault(render(kLevel, {"--models", missing}), kProgram, missing, "--models: is no folder"));
+    EXPECT_TRUE(names_fault(run_program({"oblong", "--models", missing, "--headless", "1", "--out", headless}),
+                            "oblong", missing, "--models: is no folder"));
     std::filesystem::create_directory(folder_.path("models"));
     const std::string model = "models/armillary.obj";
     const std::pair<std::string, std::string> cases[] = {{"", "file: has no faces, expected"},

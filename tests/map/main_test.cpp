@@ -158,11 +158,17 @@ TEST_F(Program, MakesAPartOfALevelOnlyIfThereIsOne) {
     EXPECT_EQ(run(command + " --only vis"), 0) << said_;
 }
 
-TEST_F(Program, NeverReplacesTheSource) {
+TEST_F(Program, ReplacesNoSourceAndNoFileButALevel) {
     const std::string source = read_text(path("good.map"));
     EXPECT_EQ(run(path("good.map") + " -o " + path("./good.map") + " --wad " + path("t.wad")), 2);
     EXPECT_NE(said_.find("is the source itself"), std::string::npos) << said_;
     EXPECT_EQ(read_text(path("good.map")), source);
+    const std::string other = read_text(path("odd.map")), command = path("good.map") + " --wad " + path("t.wad");
+    EXPECT_EQ(run(command + " -o " + path("odd.map")), 2);
+    EXPECT_NE(said_.find("is there and no level"), std::string::npos) << said_;
+    EXPECT_EQ(read_text(path("odd.map")), other);
+    write_file(path("good.bsp"), "");
+    for (int i = 0; i < 2; ++i) EXPECT_EQ(run(command + " -o " + path("good.bsp")), 0) << said_;
 }
 
 // --help shows one value for each --wad, as no more are taken.

@@ -187,12 +187,20 @@ void compile(const Arguments& arguments, const std::string& text, const char* ca
     }
 }
 
+// An empty file, or one that begins as a level does.
+bool may_be_replaced(std::string_view file) {
+    return file.empty() || file.starts_with(std::string_view("\x1d\0\0\0", 4)) || file.starts_with("BSP2");
+}
+
 void compile_to_file(const Arguments& arguments, const char* called_as) {
     if (arguments.input.empty()) throw UsageError("IN.map is required");
     if (arguments.output.empty()) throw UsageError("--out is required");
     std::error_code none;
     if (std::filesystem::equivalent(arguments.input, arguments.output, none))
         throw UsageError("--out: '" + arguments.output + "' is the source itself, expected another name");
+    if (std::filesystem::is_regular_file(arguments.output, none) && !may_be_replaced(read_text(arguments.output)))
+        throw UsageError("--out: '" + arguments.output +
+                         "' is there and no level, expected a level to replace or another name");
     if (!arguments.portals.empty() && !makes_portals(arguments))
         throw UsageError("--prt: --only " + arguments.only + " makes no portals, expected --only vis, or none");
     for (const std::string& file : {arguments.output, arguments.portals, arguments.reads})

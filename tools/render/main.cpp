@@ -72,8 +72,9 @@ void declare(CommandArguments& line, Options& options) {
     line.add("--texel-error", options.texel_error, "largest texture error on screen, pixels (default 0.375)");
     line.add("--effects", options.effects, "auto, none, or names: " + effect_names());
     line.add("--hidden-surfaces", options.hidden_surfaces, "by " + listed(kHiddenSurfaceNames));
-    line.add_flag("--plan", options.prints_plan,
-                  "print the passes and effects of each frame, with their pixels and times");
+    line.add_flag(
+        "--plan", options.prints_plan,
+        "print the passes and effects of each frame, with their pixels and times (with --json - on standard error)");
     line.add("--log", options.log, "write lines of these kinds on standard error: " + names_of(LogChannels::all()));
     line.add("--kernel", options.kernel, "the kernel that draws blocks: " + kernel_names() + " (default: the first)");
     line.add("--threads", options.threads,
@@ -132,11 +133,11 @@ std::string picture_path(const std::string& folder, std::size_t index) {
 void report(const ReportHead& head, const std::vector<FrameReport>& frames, const Options& options) {
     const std::string& json_path = options.json;
     const std::string json = json_path.empty() ? "" : report_json(head, frames);
+    if (options.prints_plan) std::fputs(plan_text(frames).c_str(), json_path == "-" ? stderr : stdout);
     if (json_path == "-") {
         std::fputs(json.c_str(), stdout);
         return;
     }
-    if (options.prints_plan) std::fputs(plan_text(frames).c_str(), stdout);
     const TimeSummary times = summarize_times(frames);
     std::printf("%zu frames, median %.1f us, 99th percentile %.1f us, level loaded in %.1f ms\n", frames.size(),
                 times.median, times.p99, head.load_milliseconds);
