@@ -84,16 +84,25 @@ TEST(Mirrors, BuildNoSurfaceAgainAndCountLightOnce) {
     EXPECT_EQ(stage.draw(1'000), first);
 }
 
-/// The lights that only the mirror's picture calls for, and those that only the frame's own does.
+/// A light behind the eye, which only the picture of a mirror ahead calls for, and one beside the eye, which that of a
+/// mirror at the other side does not. All show the floor, a single face, which the light touches.
 TEST(Mirrors, WithLightsOnOneSideOnlyBuildNoSurfaceAgain) {
-    for (const Whole& origin : {Whole{-230, 0, 80}, Whole{200, 200, 80}}) {
+    const std::string ahead = box({248, -100, 30}, {254, 100, 160}, "mirror"),
+                      aside = box({100, 248, 4}, {250, 254, 160}, "mirror");
+    for (const auto& [mirror, place, radius] :
+         {std::tuple{ahead, Whole{-230, 200, 30}, "50"}, {aside, Whole{0, -60, 30}, "60"}}) {
         const std::string lantern =
-            entity_at("misc_lantern", origin, {{"texture", "{lamp"}, {"light", "120"}, {"radius", "0"}});
-        EffectStage stage(mirror_room(lantern), toward_mirror(), shades_as_colours());
+            entity_at("misc_lantern", place, {{"texture", "{lamp"}, {"light", radius}, {"radius", "0"}});
+        MapText text =
+            room_with("", entity("func_wall", {}, mirror) + entity_at("light", {0, 0, 120}) + lantern, "other");
+        text.brushes = replaced(text.brushes, " 0 0 0 1 1", " 0 0 0 4 4");
+        EffectStage stage(text, toward_mirror(), shades_as_colours());
         const Picture first = stage.draw();
+        EXPECT_TRUE(stage.has("mirror"));
         EXPECT_EQ(stage.draw(), first);
         EXPECT_EQ(stage.work.counts.stages.lit_texels, 0);
         EXPECT_EQ(stage.draw_afresh(), first);
+        EXPECT_NE(stage.draw_without(Effect::Lights), first);
     }
 }
 
