@@ -71,8 +71,7 @@ MenuPage MenuPages::title_page() {
         page.rows.push_back(menu_row(
             "Continue", closing([this] { host_.continue_walk(); }),
             last->has_game ? "continue in " + last->content : last->content + ". " + host_.key_names().in(last->help)));
-    page.rows.push_back(
-        menu_row("Walk", closing([this] { host_.walk(); }), "a new walk, from the entrance of the museum"));
+    page.rows.push_back(menu_row("Walk", closing([this] { host_.walk(); }), "a new walk, from the beginning"));
     page.rows.push_back(menu_row(
         "Levels", [this] { open_levels(); }, "other levels"));
     page.rows.push_back(menu_row(

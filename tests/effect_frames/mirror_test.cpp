@@ -69,6 +69,19 @@ TEST(Mirrors, ShowNoSpriteAndNoParticleBehindThem) {
     EXPECT_EQ(drawn(entity_at("misc_rain", at, {{"size", "16 16 80"}, {"count", "200"}})), drawn(""));
 }
 
+/// A pit behind the eye, whose low fog nothing but the mirror shows.
+TEST(Mirrors, ShowLowFogBelowAllThatTheFrameItselfShows) {
+    MapText text;
+    text.brushes = room({-600, -256, -128}, {256, 256, 192}) + box({-120, -256, -128}, {256, 256, 0});
+    text.entities = entity("func_wall", {}, box({248, -100, 30}, {254, 100, 160}, "mirror"));
+    text.world_keys = {{"fog", "4 0.784 0.784 0.784 1 0 4096 -4 1"}};
+    EffectStage stage(text, toward_mirror());
+    const Picture with = stage.draw();
+    EXPECT_GT(changed_pixels(with, stage.draw_without(Effect::Fog)), 400);
+    stage.draw_without(Effect::Mirror);
+    EXPECT_FALSE(stage.has(Effect::Fog));
+}
+
 TEST(Mirrors, BuildNoSurfaceAgainAndCountLightOnce) {
     const std::string lantern =
         entity_at("misc_lantern", {100, 0, 80}, {{"texture", "{lamp"}, {"light", "300"}, {"scale", "0.25"}});

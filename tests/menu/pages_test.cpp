@@ -100,7 +100,10 @@ class Pages : public testing::Test {
 TEST_F(Pages, TheTitleHasWhatAPlayerLooksFor) {
     pages_.open_title();
     std::vector<std::string> labels;
-    for (const MenuRow& row : menu_.page().rows) labels.push_back(row.label);
+    for (const MenuRow& row : menu_.page().rows) {
+        labels.push_back(row.label);
+        EXPECT_EQ(row.help.find("museum"), std::string::npos) << "other games have the same page";
+    }
     EXPECT_EQ(labels, (std::vector<std::string>{"Continue", "Walk", "Levels", "Load", "Options", "Gallery", "Credits",
                                                 "Quit"}));
     choose("Walk");
