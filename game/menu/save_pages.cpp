@@ -15,9 +15,9 @@ void MenuPages::open_load() {
         for (std::size_t i = 0; i < saves.size(); ++i) {
             const SaveEntry& save = saves[i];
             const auto load = [this, i, save] {
+                if (!save.has_game) return host_.load(i);  // which shows the reason; then another may be chosen
                 const std::string question = "Leave this walk and load " + save.name + "?";
                 const auto action = closing([this, i] { host_.load(i); });
-                if (!save.has_game) return action();  // which shows the reason
                 if (save.is_of_this_walk && host_.has_unsaved_progress())
                     return ask("Load", question + kLost, "Yes", action);
                 leave_walk(question, action);

@@ -220,6 +220,7 @@ TEST_F(Pages, ADamagedWalkIsChosenToLearnWhy) {
     EXPECT_EQ(menu_.page().rows[3].help, "Enter says why it can't be loaded");
     choose("Walk 1");
     EXPECT_EQ(host_.done.back(), "load 3");
+    EXPECT_EQ(menu_.page().title, "Load") << "another can be chosen";
     pages_.open_game();
     choose("Save");
     EXPECT_EQ(menu_.page().rows[2].label, "Slot 3");
