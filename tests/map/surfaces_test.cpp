@@ -132,14 +132,16 @@ int samples_of(const map::BspFile& bsp, const map::FileFace& face) {
     return width * height;
 }
 
-// 312 units at 1.3 units a texel are a hair less than 240 texels, 552 at 2.3 a hair more: the most of a face.
+// 312 units at 1.3 units a texel are a hair less than 240 texels, 552 at 2.3 and those across 408 at 2.38 a hair more:
+// the most of a face.
 TEST(Surfaces, NoRoundingErrorAtAWholeStepCutsAFace) {
-    const auto faces_of_room = [](int low, int high, const std::string& scale) {
+    const auto faces_of_room = [](int low, int high, const std::string& tail) {
         const std::string plain = room({low, low, 0}, {high, high, 64});
-        return compile(level(replaced(plain, " 0 0 0 1 1", " 0 0 0 " + scale + " " + scale)), {true}).faces.size();
+        return compile(level(replaced(plain, " 0 0 0 1 1", tail)), {true}).faces.size();
     };
-    EXPECT_EQ(faces_of_room(312, 624, "1.3"), 6u);
-    EXPECT_EQ(faces_of_room(0, 552, "2.3"), 6u);
+    EXPECT_EQ(faces_of_room(312, 624, " 0 0 0 1.3 1.3"), 6u);
+    EXPECT_EQ(faces_of_room(0, 552, " 0 0 0 2.3 2.3"), 6u);
+    EXPECT_EQ(faces_of_room(0, 408, " [ 0.8 0.6 0 0 ] [ 0.6 -0.8 0 0 ] 0 2.38 9"), 6u);
 }
 
 // Axes that an editor turned: as doubles, corners at 16 and 256 texels lie a hair beyond the border of a sample.
