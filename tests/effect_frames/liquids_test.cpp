@@ -139,6 +139,15 @@ TEST(Underwater, OnlyWhereTheEyeIsInALiquid) {
     EXPECT_FALSE(stage.has("underwater"));
 }
 
+/// As in Quake, where sky is infinitely far away. It fills the view, so that no leaf behind it is entered.
+TEST(Sky, IsBehindThingsThatAreFarther) {
+    const std::string lamp = entity_at("misc_sprite", {200, 0, 90}, {{"texture", "{lamp"}, {"scale", "2"}});
+    EffectStage stage(room_with(box({100, -256, 0}, {116, 256, 176}, "sky"), lamp), camera_at(point_at(60, 3, 90), 0));
+    const Picture picture = stage.draw();
+    EXPECT_EQ(stage.pixels("sky"), kPicturePixels);
+    EXPECT_GT(count_of(picture, kLamp), 50);
+}
+
 TEST(Sky, DriftsOnItsOwnPixelsAndRepeats) {
     MapText text;
     text.brushes = box({-272, -272, -16}, {272, 272, 0}) + box({-272, -272, 192}, {272, 272, 208}, "sky") +

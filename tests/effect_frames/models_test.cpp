@@ -115,15 +115,6 @@ TEST(Models, BehindAWallAreNotOnThePlan) {
     }
 }
 
-/// As in Quake, where the sky is drawn after all else. It fills the view, so that no leaf behind it is entered.
-TEST(Models, ShowBeforeSkyThatIsNearer) {
-    EffectStage stage(room_with(box({100, -256, 0}, {116, 256, 176}, "sky")), camera_at(point_at(60, 3, 90), 0, 0));
-    stage.meshes = {ball_at(point_at(200, 0, 90))};
-    const Picture picture = stage.draw();
-    EXPECT_EQ(stage.pixels("sky"), kPicturePixels);
-    EXPECT_GT(count_of(picture, kBall), 1000);
-}
-
 TEST(Models, NotAllowedAreNotDrawn) {
     EffectStage stage(pillared_room(), before_pillar());
     const Picture bare = stage.draw();
