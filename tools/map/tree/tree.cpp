@@ -8,7 +8,8 @@ namespace oblong::map {
 namespace {
 
 constexpr std::size_t kMaxCandidates = 96;
-constexpr long kCutCost = 6;
+// Of 6 to 200, 30 gives the fastest pictures: of 6 to 30, faces get 4 to 8 % fewer, and the rest hardly changes above.
+constexpr long kCutCost = 30;
 
 enum class Side { kOn, kFront, kBack, kBoth };
 
