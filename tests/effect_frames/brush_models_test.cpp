@@ -85,6 +85,22 @@ TEST(BrushModels, ALongThinOneBeforeALargeOneShowsThoughItsMiddleIsFarther) {
         {-200, 0, 0}, 0);
 }
 
+/// Where their faces are in one plane, the model whose middle is nearer shows, and of equal ones the first.
+TEST(BrushModels, WithFacesInOnePlaneHaveAnOrder) {
+    const auto shown = [](int depth_of_floor, int depth_of_other) {
+        const auto boxed = [](int depth, const char* texture) {
+            return ColouredBox{{-40, -60, -60}, {depth - 40, 60, 60}, texture, 0};
+        };
+        EffectStage stage(room_of({boxed(depth_of_floor, "floor"), boxed(depth_of_other, "other")}),
+                          camera_at(point_at(-200, 3, 2), 0));
+        stage.draw();
+        return stage.texture_at(100 * kPictureWidth + 160);
+    };
+    EXPECT_EQ(shown(40, 80), "floor");
+    EXPECT_EQ(shown(80, 40), "other");
+    EXPECT_EQ(shown(40, 40), "floor");
+}
+
 /// Boxes before the mirror, beside it, and behind it, where it must not show them; one reaches through its plane.
 TEST(Mirrors, ShowWhatIsBeforeThem) {
     const std::vector<ColouredBox> boxes{{{100, -120, -90}, {104, 120, 90}, "mirror", kMirror},
