@@ -168,7 +168,8 @@ TEST(ColourErrors, AreOfPixelsThatTheDialsOfTheMeasureChange) {
             const bool is_same = std::all_of(pictures.begin(), pictures.end(),
                                              [&](const auto& picture) { return picture[i] == pictures[0][i]; });
             for (const PixelErrors& setting : errors)
-                ASSERT_TRUE(!is_same || setting.light[i] < 0) << "no dial of light changes pixel " << i;
+                ASSERT_TRUE(!is_same || item(setting, Measure::LightColour)[i] < 0)
+                    << "no dial of light changes pixel " << i;
         }
     }
 }
@@ -185,7 +186,7 @@ TEST(ColourErrors, DifferBetweenTheSettingsOfEachDialByEveryFigure) {
         for (const auto figure : {&ErrorSummary::rms, &ErrorSummary::p99, &ErrorSummary::max}) {
             std::set<double> values;
             for (const Configurations::Row& row : rows.rows)
-                values.insert(summary_of(report.results[row.index].errors, rows.measure).*figure);
+                values.insert(item(report.results[row.index].errors, rows.measure).*figure);
             EXPECT_GT(values.size(), 1u) << rows.dial->name << ": " << *values.begin() << " in each setting";
         }
 }

@@ -107,13 +107,6 @@ TEST(AccuracyPage, HasTheReportInItWhateverItsNamesAre) {
     EXPECT_TRUE(page.starts_with("<!DOCTYPE html>") && page.ends_with("</html>\n"));
 }
 
-}  // namespace
-
-}  // namespace oblong::test
-
-namespace oblong::test {
-namespace {
-
 // The report's parts, each alone.
 
 TEST(Configurations, AreAllDialsAloneAroundTheDefaultAndThePresets) {
@@ -145,8 +138,8 @@ Report report_with(std::vector<ErrorSummaries> errors) {
 
 ErrorSummaries displaced(double rms, double max, double texels = 1) {
     ErrorSummaries errors;
-    errors.displacement = {1, rms, rms, max};
-    errors.texels = {1, texels, texels, texels};
+    item(errors, Measure::Displacement) = {1, rms, rms, max};
+    item(errors, Measure::Texels) = {1, texels, texels, texels};
     return errors;
 }
 

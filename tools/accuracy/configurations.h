@@ -8,15 +8,18 @@
 
 namespace oblong {
 
-/// How a dial's settings are measured.
+/// What is measured of a setting.
 enum class Measure {
-    Displacement,  ///< the distance of texels from their exact places on the screen
-    WrongPixels,   ///< the pixels that show a wrong face
+    Displacement,  ///< the distance of texels from their exact places on the screen, pixels
+    Texels,        ///< the same, texels of mip level 0
+    WrongPixels,   ///< the pixels that show a wrong face, without close calls
     EdgePixels,    ///< the pixels that show another face than with exact edges
+    CloseCalls,    ///< the close calls that show a wrong face
     FreePixels,    ///< the pixels that no face covers
     LightColour,   ///< the distance of texels' colours from their exactly lit colours
     PixelColour    ///< the distance of pixels from the mean colour of their area
 };
+inline constexpr std::size_t kMeasureCount = 8;
 
 /// Settings that are measured together; each is a complete Accuracy.
 struct Configurations {
@@ -47,8 +50,7 @@ struct Configurations {
 /// perspective=bounded-texels), and the presets.
 Configurations make_configurations(std::span<const Dial> dials);
 
-inline constexpr std::size_t kMeasureCount = 6;
-
+/// How a dial's settings are measured.
 Measure measure_of(const Dial& dial);
 /// Whether both settings give the same lit surfaces.
 bool has_same_surfaces(const Accuracy& a, const Accuracy& b);

@@ -45,36 +45,47 @@ void append_measured(const std::vector<float>& values, std::vector<float>& all) 
     std::copy_if(values.begin(), values.end(), std::back_inserter(all), [](float value) { return value >= 0; });
 }
 
-float per_mille(std::int64_t part, std::size_t whole) {
-    return whole == 0 ? 0 : static_cast<float>(1000.0 * static_cast<double>(part) / static_cast<double>(whole));
+/// The pixels of those measured that have the value 1, per mille.
+float per_mille_of(const std::vector<float>& values) {
+    const auto whole = std::count_if(values.begin(), values.end(), [](float value) { return value >= 0; });
+    const double part = 1000.0 * static_cast<double>(std::count(values.begin(), values.end(), 1.f));
+    return whole == 0 ? 0 : static_cast<float>(part / static_cast<double>(whole));
 }
 
 struct MeasureEntry {
-    ErrorSummary ErrorSummaries::*summary;
-    std::vector<float> PixelErrors::*pixels;
-    std::string_view unit, about;
+    std::string_view name, unit, about;
+    bool is_share = false;  ///< of a frame's pixels
+    HeatScale heat{1.0 / 256, 64, "1/256 pixel", "64 pixels"};
 };
 
+const HeatScale kFaceHeat{0.5, 1, "same face", "another face"}, kColourHeat{1, 256, "1", "256"};
+
 /// In the order of Measure.
-constexpr std::array<MeasureEntry, kMeasureCount> kMeasures{{
-    {&ErrorSummaries::displacement, &PixelErrors::displacement, "pixels",
-     "How far from its place on the screen a texel is shown, in pixels."},
-    {&ErrorSummaries::wrong, &PixelErrors::wrong, "wrong pixels per mille of a frame",
+const std::array<MeasureEntry, kMeasureCount> kMeasures{{
+    {"displacement", "pixels", "How far from its place on the screen a texel is shown, in pixels."},
+    {"texels", "texels", "How far from the texel that belongs there the one shown is, in texels of mip level 0."},
+    {"wrong_pixels", "wrong pixels per mille of a frame",
      "The share of pixels that show another face than the exact one, close calls (an edge within 1/512 pixel of the "
-     "centre) counted apart; rms, 99th percentile and largest are over frames."},
-    {&ErrorSummaries::edges, &PixelErrors::edges, "pixels changed per mille of a frame",
+     "centre) counted apart; rms, 99th percentile and largest are over frames.",
+     true, kFaceHeat},
+    {"edge_pixels", "pixels changed per mille of a frame",
      "The share of pixels that show another face than with exact edges between the same corners, close calls among "
-     "them; "
-     "rms, 99th percentile and largest are over frames."},
-    {&ErrorSummaries::free_pixels, &PixelErrors::free, "pixels without a face per mille of a frame",
+     "them; rms, 99th percentile and largest are over frames.",
+     true, kFaceHeat},
+    {"close_calls", "close calls of another face per mille of a frame",
+     "The share of pixels that are close calls and show another face than the exact one.", true, kFaceHeat},
+    {"free_pixels", "pixels without a face per mille of a frame",
      "The share of pixels that no face covers: cracks between faces, filled with the colour beside them; rms, 99th "
-     "percentile and largest are over frames."},
-    {&ErrorSummaries::light, &PixelErrors::light, "RGB distance, 0 to 442",
+     "percentile and largest are over frames.",
+     true, HeatScale{0.5, 1, "a face", "no face"}},
+    {"light_colour", "RGB distance, 0 to 442",
      "How far a pixel's colour is from that of the texel it shows times the exact light there, where mip level 0 is "
-     "drawn and a dial of light changes the pixel. The 256 colours of the palette are part of it."},
-    {&ErrorSummaries::colour, &PixelErrors::colour, "RGB distance, 0 to 442",
+     "drawn and a dial of light changes the pixel. The 256 colours of the palette are part of it.",
+     false, kColourHeat},
+    {"pixel_colour", "RGB distance, 0 to 442",
      "How far a pixel's colour is from the mean colour of all that it covers, found by many rays a pixel, where that "
-     "is one face and a dial of mip levels changes the pixel."},
+     "is one face and a dial of mip levels changes the pixel.",
+     false, kColourHeat},
 }};
 
 constexpr int kFirstHeat = 1;  // 0: no value
@@ -125,21 +136,22 @@ PixelErrors measure_frame(const DrawnFrame& frame) {
         const std::int32_t true_face = frame.truth.faces[i];
         const bool is_close = frame.truth.is_close_call[i], is_wrong = true_face != pixel.face.number();
         const reference::ColourPixel& colour = frame.truth.colours[i];
-        errors.displacement.push_back(texels[i].pixels);
-        errors.texels.push_back(texels[i].texels);
-        errors.wrong.push_back(true_face < 0 || is_close ? -1.f : is_wrong ? 1.f : 0.f);
-        errors.edges.push_back(frame.truth.exact_edges[i] != pixel.face.number() ? 1.f : 0.f);
-        errors.wrong_close_calls += is_close && is_wrong;
-        errors.light.push_back(frame.truth.light_changes[i] ? light_error(frame, pixel, frame.pixels[i]) : -1);
+        const auto add = [&](Measure measure, float value) { item(errors, measure).push_back(value); };
+        add(Measure::Displacement, texels[i].pixels);
+        add(Measure::Texels, texels[i].texels);
+        add(Measure::WrongPixels, true_face < 0 || is_close ? -1.f : is_wrong ? 1.f : 0.f);
+        add(Measure::EdgePixels, frame.truth.exact_edges[i] != pixel.face.number() ? 1.f : 0.f);
+        add(Measure::CloseCalls, is_close && is_wrong ? 1.f : 0.f);
+        add(Measure::FreePixels, pixel.face.is_none() ? 1.f : 0.f);
+        add(Measure::LightColour, frame.truth.light_changes[i] ? light_error(frame, pixel, frame.pixels[i]) : -1);
         const bool has_colour = frame.truth.mip_changes[i] && !colour.is_excluded && !colour.is_border;
-        errors.colour.push_back(has_colour ? distance(frame.palette[frame.pixels[i]], colour.colour) : -1);
-        errors.free.push_back(pixel.face.is_none() ? 1.f : 0.f);
+        add(Measure::PixelColour, has_colour ? distance(frame.palette[frame.pixels[i]], colour.colour) : -1);
     }
     return errors;
 }
 
-const ErrorSummary& summary_of(const ErrorSummaries& errors, Measure measure) {
-    return errors.*item(kMeasures, measure).summary;
+std::string_view name_of(Measure measure) {
+    return item(kMeasures, measure).name;
 }
 
 std::string_view unit_of(Measure measure) {
@@ -151,26 +163,17 @@ std::string_view about(Measure measure) {
 }
 
 void ErrorCollector::add(const PixelErrors& frame) {
-    append_measured(frame.displacement, displacement_);
-    append_measured(frame.texels, texels_);
-    append_measured(frame.light, light_);
-    append_measured(frame.colour, colour_);
-    std::vector<float> known;
-    append_measured(frame.wrong, known);
-    wrong_.push_back(per_mille(std::count(known.begin(), known.end(), 1.f), known.size()));
-    edges_.push_back(per_mille(std::count(frame.edges.begin(), frame.edges.end(), 1.f), frame.edges.size()));
-    close_calls_.push_back(per_mille(frame.wrong_close_calls, frame.wrong.size()));
-    free_.push_back(per_mille(std::count(frame.free.begin(), frame.free.end(), 1.f), frame.free.size()));
+    for (std::size_t i = 0; i < kMeasureCount; ++i)
+        if (kMeasures[i].is_share)
+            values_[i].push_back(per_mille_of(frame[i]));
+        else
+            append_measured(frame[i], values_[i]);
 }
 
 ErrorSummaries ErrorCollector::summarize() const {
-    return {summarize_errors(displacement_), summarize_errors(texels_),      summarize_errors(wrong_),
-            summarize_errors(edges_),        summarize_errors(close_calls_), summarize_errors(free_),
-            summarize_errors(light_),        summarize_errors(colour_)};
-}
-
-const std::vector<float>& pixels_by(const PixelErrors& errors, Measure measure) {
-    return errors.*item(kMeasures, measure).pixels;
+    ErrorSummaries summaries;
+    std::transform(values_.begin(), values_.end(), summaries.begin(), summarize_errors);
+    return summaries;
 }
 
 double rms_of(const std::vector<float>& values) {
@@ -179,20 +182,8 @@ double rms_of(const std::vector<float>& values) {
     return summarize_errors(std::move(measured)).rms;
 }
 
-HeatScale heat_scale(Measure measure) {
-    switch (measure) {
-        case Measure::WrongPixels:
-        case Measure::EdgePixels:
-            return {0.5, 1, "same face", "another face"};
-        case Measure::FreePixels:
-            return {0.5, 1, "a face", "no face"};
-        case Measure::LightColour:
-        case Measure::PixelColour:
-            return {1, 256, "1", "256"};
-        case Measure::Displacement:
-            break;
-    }
-    return {1.0 / 256, 64, "1/256 pixel", "64 pixels"};
+const HeatScale& heat_scale(Measure measure) {
+    return item(kMeasures, measure).heat;
 }
 
 Palette heat_palette() {
@@ -210,7 +201,7 @@ Palette heat_palette() {
 }
 
 std::vector<std::uint8_t> heat_pixels(const std::vector<float>& values, Measure measure) {
-    const HeatScale scale = heat_scale(measure);
+    const HeatScale& scale = heat_scale(measure);
     std::vector<std::uint8_t> pixels;
     for (const float value : values) {
         const double part =

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -42,36 +43,18 @@ struct DrawnFrame {
     std::span<const std::uint8_t> pixels;
 };
 
-/// A value for each pixel; negative: none.
-struct PixelErrors {
-    std::vector<float> displacement;  ///< of texels on the screen, pixels
-    std::vector<float> texels;        ///< the same, texels of mip level 0
-    std::vector<float> wrong;         ///< 1: a wrong face, 0: the right one; without close calls
-    /// If mip level 0 is drawn and light changes the pixel: the distance in RGB, 0 to 255 a channel, from the shown
-    /// texel's colour times the exact light.
-    std::vector<float> light;
-    /// If mip levels change the pixel, and it shows one face: the distance in RGB from the mean colour of its area.
-    std::vector<float> colour;
-    std::vector<float> edges;  ///< 1: another face than with exact edges, 0: the same
-    std::int64_t wrong_close_calls = 0;
-    std::vector<float> free;  ///< 1: no face covers it, 0: one does
-};
+/// By measure, a value for each pixel; negative: none. Of shares of pixels it is 1 or 0. Of colours: the distance in
+/// RGB, 0 to 255 a channel; LightColour, from the shown texel's colour times the exact light, if mip level 0 is drawn
+/// and light changes the pixel; PixelColour, if mip levels change the pixel and it shows one face.
+using PixelErrors = std::array<std::vector<float>, kMeasureCount>;
 
 PixelErrors measure_frame(const DrawnFrame& frame);
 
-/// The errors of one setting over some frames.
-struct ErrorSummaries {
-    ErrorSummary displacement;  ///< pixels
-    ErrorSummary texels;        ///< texels
-    ErrorSummary wrong;         ///< of frames: pixels with a wrong face, per mille of those that are not close calls
-    ErrorSummary edges;         ///< of frames: pixels of another face than with exact edges, per mille
-    ErrorSummary close_calls;   ///< of frames: close calls with a wrong face, per mille of all pixels
-    ErrorSummary free_pixels;   ///< of frames: pixels that no face covers, per mille
-    ErrorSummary light;         ///< RGB
-    ErrorSummary colour;        ///< RGB
-};
+/// By measure, the errors of one setting: of pixels, or of frames' shares of pixels, per mille.
+using ErrorSummaries = std::array<ErrorSummary, kMeasureCount>;
 
-const ErrorSummary& summary_of(const ErrorSummaries& errors, Measure measure);
+/// "displacement", "wrong_pixels": in the report's file.
+std::string_view name_of(Measure measure);
 /// "pixels", "wrong pixels per mille of a frame", "RGB distance (0 to 442)".
 std::string_view unit_of(Measure measure);
 /// One sentence on what is measured.
@@ -84,11 +67,9 @@ class ErrorCollector {
     ErrorSummaries summarize() const;
 
   private:
-    std::vector<float> displacement_, texels_, wrong_, edges_, close_calls_, free_, light_, colour_;
+    std::array<std::vector<float>, kMeasureCount> values_;
 };
 
-/// The value of each pixel by a measure.
-const std::vector<float>& pixels_by(const PixelErrors& errors, Measure measure);
 /// The root of the mean square of the values that are not negative.
 double rms_of(const std::vector<float>& values);
 
@@ -97,7 +78,7 @@ struct HeatScale {
     double least = 0, greatest = 0;
     std::string least_text, greatest_text;
 };
-HeatScale heat_scale(Measure measure);
+const HeatScale& heat_scale(Measure measure);
 
 /// Dark blue to yellow, on a logarithmic scale; grey: no value.
 Palette heat_palette();

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "engine/base/table.h"
 #include "tools/accuracy/report.h"
 
 namespace oblong {
@@ -27,7 +28,8 @@ std::string percent_more(double more, double less) {
 std::string reason_for(const Report& report, Measure measure, const Configurations::Row& coarse,
                        const Configurations::Row& exact) {
     const ErrorSummaries &a = report.results[coarse.alone].errors, &b = report.results[exact.alone].errors;
-    const ErrorSummary &before = summary_of(a, measure), &after = summary_of(b, measure);
+    const ErrorSummary &before = item(a, measure), &after = item(b, measure);
+    const double texels_before = item(a, Measure::Texels).rms, texels_after = item(b, Measure::Texels).rms;
     if (measure == Measure::PixelColour || measure == Measure::LightColour)
         return "It is compared with a mean of many samples: what is sharper or smoother is not always nearer to that "
                "mean. The largest errors: " +
@@ -35,8 +37,9 @@ std::string reason_for(const Report& report, Measure measure, const Configuratio
     if (after.max < before.max)
         return "Its largest error is smaller: " + number_text(after.max) + " instead of " + number_text(before.max) +
                ". It bounds the worst and spends less on what is within the bound.";
-    if (measure == Measure::Displacement && b.texels.rms < a.texels.rms)
-        return "By texels it is closer: rms " + number_text(b.texels.rms) + " instead of " + number_text(a.texels.rms) +
+    if (measure == Measure::Displacement && texels_after < texels_before)
+        return "By texels it is closer: rms " + number_text(texels_after) + " instead of " +
+               number_text(texels_before) +
                ". It bounds the error on the texture; where texels are many pixels wide, "
                "that lets more pixels pass.";
     if (measure == Measure::Displacement && before.rms < 1.0 / 256)
@@ -71,8 +74,8 @@ std::vector<std::string> notes_on_order(const Report& report, const Configuratio
     std::vector<std::string> notes;
     for (std::size_t i = 1; i < dial.rows.size(); ++i) {
         const Configurations::Row &coarse = dial.rows[i - 1], &exact = dial.rows[i];
-        const double before = summary_of(report.results[coarse.alone].errors, dial.measure).rms;
-        const double after = summary_of(report.results[exact.alone].errors, dial.measure).rms;
+        const double before = item(report.results[coarse.alone].errors, dial.measure).rms;
+        const double after = item(report.results[exact.alone].errors, dial.measure).rms;
         if (after <= before * kSameError) continue;
         notes.push_back((dial.is_below_bound ? "Alone, by its rms error " : "By its rms error ") + exact.name +
                         " is further off than " + coarse.name + ": " + number_text(after) + ", not " +
@@ -81,10 +84,9 @@ std::vector<std::string> notes_on_order(const Report& report, const Configuratio
     return notes;
 }
 
-const ErrorSummary& floor_of(const Report& report, const Configurations::DialRows& dial) {
-    if (dial.measure != Measure::Displacement)
-        return summary_of(result_of(report, dial.rows.back()).errors, dial.measure);
-    return result_of(report, report.configurations.presets.back()).errors.displacement;
+const ErrorSummaries& floor_of(const Report& report, const Configurations::DialRows& dial) {
+    const bool is_placed = dial.measure == Measure::Displacement;
+    return result_of(report, is_placed ? report.configurations.presets.back() : dial.rows.back()).errors;
 }
 
 std::vector<std::string> notes_on_presets(const Report& report) {
@@ -96,7 +98,10 @@ std::vector<std::string> notes_on_presets(const Report& report) {
                        &other_time = report.times.settings[other.index]->frame;
             const SettingResult &mine = result_of(report, row), &theirs = result_of(report, other);
             const bool is_slower = time.low > other_time.median;
-            if (theirs.errors.displacement.rms >= mine.errors.displacement.rms || !is_slower) continue;
+            const auto error_of = [](const SettingResult& result) {
+                return item(result.errors, Measure::Displacement).rms;
+            };
+            if (error_of(theirs) >= error_of(mine) || !is_slower) continue;
             const double cycles = mine.cost.cycles[i486], other_cycles = theirs.cost.cycles[i486];
             const std::string on_486 =
                 cycles < other_cycles ? "on a 486 the other would take " + percent_more(other_cycles, cycles) + " more"

@@ -85,7 +85,7 @@ struct WorstFrames {
 
     void add(const PixelErrors& errors, std::size_t index) {
         for (std::size_t measure = 0; measure < rms.size(); ++measure) {
-            const double found = rms_of(pixels_by(errors, static_cast<Measure>(measure)));
+            const double found = rms_of(errors[measure]);
             if (found <= rms[measure]) continue;
             rms[measure] = found;
             job[measure] = index;
@@ -110,7 +110,7 @@ SettingResult measure_setting(const Accuracy& accuracy, bool is_counted, std::sp
 
 HeatMap draw_heat_map(const Configurations::Row& row, const Accuracy& accuracy, Measure measure, const FrameJob& job) {
     const PixelErrors errors = job.measure(accuracy);
-    const std::vector<float>& values = pixels_by(errors, measure);
+    const std::vector<float>& values = item(errors, measure);
     return {row.name, job.frames.level().name, job.camera, rms_of(values),
             encode_indexed_png(heat_pixels(values, measure), kMeasuredMode.width_px, kMeasuredMode.height_px,
                                heat_palette())};
@@ -121,7 +121,7 @@ HeatMap draw_heat_map(const Configurations::Row& row, const Accuracy& accuracy, 
 std::vector<HeatMap> draw_heat_maps(const Configurations::DialRows& dial, const Report& report,
                                     std::span<const FrameJob> jobs, std::span<const WorstFrames> worst) {
     const auto rms = [&](const Configurations::Row& row) {
-        return summary_of(report.results[row.index].errors, dial.measure).rms;
+        return item(report.results[row.index].errors, dial.measure).rms;
     };
     const auto furthest =
         std::max_element(dial.rows.begin(), dial.rows.end(), [&](auto& a, auto& b) { return rms(a) < rms(b); });

@@ -86,9 +86,9 @@ std::string number_text(double value);
 /// than 2 %: by how much, and why, from the measurements.
 std::vector<std::string> notes_on_order(const Report& report, const Configurations::DialRows& dial);
 
-/// The error with a division for each pixel and all other dials at their defaults: no setting of a dial of displacement
-/// has less. For other dials, the error of the most exact setting.
-const ErrorSummary& floor_of(const Report& report, const Configurations::DialRows& dial);
+/// The errors with a division for each pixel and all other dials at their defaults: no setting of a dial of
+/// displacement has less. For other dials, the errors of the most exact setting.
+const ErrorSummaries& floor_of(const Report& report, const Configurations::DialRows& dial);
 
 /// Sentences on presets that are less exact than another one and slower here, by more than half of the spread of their
 /// times.

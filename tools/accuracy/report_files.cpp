@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/base/input_error.h"
+#include "engine/base/table.h"
 #include "tools/accuracy/errors.h"
 #include "tools/accuracy/page.h"
 #include "tools/accuracy/report.h"
@@ -21,19 +22,19 @@ double rounded(double value) {
     return std::atof(text);
 }
 
-Json error_json(const ErrorSummary& error, std::string_view unit) {
-    return {{"unit", unit}, {"rms", rounded(error.rms)}, {"p99", rounded(error.p99)}, {"max", rounded(error.max)}};
+Json error_json(const ErrorSummaries& errors, Measure measure) {
+    const ErrorSummary& error = item(errors, measure);
+    return {{"unit", unit_of(measure)},
+            {"rms", rounded(error.rms)},
+            {"p99", rounded(error.p99)},
+            {"max", rounded(error.max)}};
 }
 
 Json errors_json(const ErrorSummaries& errors) {
-    return {{"displacement", error_json(errors.displacement, unit_of(Measure::Displacement))},
-            {"texels", error_json(errors.texels, "texels")},
-            {"wrong_pixels", error_json(errors.wrong, unit_of(Measure::WrongPixels))},
-            {"edge_pixels", error_json(errors.edges, unit_of(Measure::EdgePixels))},
-            {"close_calls", error_json(errors.close_calls, "close calls of another face per mille of a frame")},
-            {"free_pixels", error_json(errors.free_pixels, "pixels without a face per mille of a frame")},
-            {"light_colour", error_json(errors.light, unit_of(Measure::LightColour))},
-            {"pixel_colour", error_json(errors.colour, unit_of(Measure::PixelColour))}};
+    Json json;
+    for (std::size_t i = 0; i < kMeasureCount; ++i)
+        json[std::string(name_of(Measure(i)))] = error_json(errors, Measure(i));
+    return json;
 }
 
 Json widths_json(const ByWidth& counts) {
@@ -85,9 +86,7 @@ Json levels_json(const Report& report, std::size_t index, Measure measure, bool 
     Json levels = Json::array();
     const auto& times = report.times.settings[index];
     for (std::size_t i = 0; i < report.levels.size(); ++i) {
-        const ErrorSummaries& errors = report.results[index].by_level[i];
-        Json level{{"name", report.levels[i].name},
-                   {"error", error_json(summary_of(errors, measure), unit_of(measure))}};
+        Json level{{"name", report.levels[i].name}, {"error", error_json(report.results[index].by_level[i], measure)}};
         level["nanoseconds"] = nullptr;
         if (is_measured && times) level["nanoseconds"] = std::round(times->by_level[i]);
         levels.push_back(level);
@@ -99,8 +98,8 @@ Json setting_json(const Report& report, const Configurations::Row& row, Measure 
     const ErrorSummaries& errors = report.results[row.index].errors;
     return {{"name", row.name},
             {"configuration", row.index},
-            {"error", error_json(summary_of(errors, measure), unit_of(measure))},
-            {"alone", error_json(summary_of(report.results[row.alone].errors, measure), unit_of(measure))},
+            {"error", error_json(errors, measure)},
+            {"alone", error_json(report.results[row.alone].errors, measure)},
             {"cost", cost_json(report, row.index, is_measured)},
             {"time", is_measured ? "measured" : "modelled"},
             {"errors", errors_json(errors)},
@@ -118,7 +117,7 @@ std::string hexadecimal(std::span<const std::uint8_t> bytes) {
 }
 
 Json heat_maps_json(const std::vector<HeatMap>& maps, Measure measure) {
-    const HeatScale scale = heat_scale(measure);
+    const HeatScale& scale = heat_scale(measure);
     Json pictures = Json::array();
     for (const HeatMap& map : maps)
         pictures.push_back({{"setting", map.setting},
@@ -141,7 +140,7 @@ Json dial_json(const Report& report, std::size_t index) {
             {"read_in", dial.read_in},
             {"others_stand_at", rows.base},
             {"alone_stands_at", rows.is_below_bound ? "default with perspective=exact" : rows.base},
-            {"floor", error_json(floor_of(report, rows), unit_of(rows.measure))},
+            {"floor", error_json(floor_of(report, rows), rows.measure)},
             {"settings", settings},
             {"notes", notes_on_order(report, rows)},
             {"error_is", about(rows.measure)},
@@ -206,9 +205,9 @@ std::string preset_table(const Report& report) {
         const bool is_default = preset.index == report.configurations.default_index;
         table += is_default ? "| **" + preset.name + "** |" : "| " + preset.name + " |";
         const auto add = [&](double value) { table += " " + number_text(value) + " |"; };
-        add(result.errors.displacement.rms);
-        add(result.errors.displacement.max);
-        add(result.errors.wrong.rms);
+        add(item(result.errors, Measure::Displacement).rms);
+        add(item(result.errors, Measure::Displacement).max);
+        add(item(result.errors, Measure::WrongPixels).rms);
         for (std::size_t i = 0; i < kProcessors.size(); ++i) add(frame_rate(kProcessors[i], result.cost.cycles[i]));
         table += "\n";
     }

@@ -26,8 +26,8 @@ constexpr double kWall = 16;
 MapSide make_side(const std::vector<Point>& polygon, const Point& inside, const std::string& texture, double units) {
     MapSide side;
     side.points = {polygon[0], polygon[1], polygon[2]};
-    const Point outwards = map::cross(side.points[0] - side.points[1], side.points[2] - side.points[1]);
-    if (map::dot(outwards, inside - polygon[0]) > 0) std::swap(side.points[0], side.points[2]);
+    const Point outwards = cross(side.points[0] - side.points[1], side.points[2] - side.points[1]);
+    if (dot(outwards, inside - polygon[0]) > 0) std::swap(side.points[0], side.points[2]);
     side.texture.name = texture;
     side.texture.scale = {units, units};
     return side;
@@ -125,7 +125,7 @@ Point place_of(const map::BspFile& bsp, int vertex) {
 /// Whether a corner lies on the line from the one before to the next.
 bool is_within_edge(const Point& before, const Point& corner, const Point& next) {
     const Point whole = next - before;
-    return map::length(map::cross(whole, corner - before)) <= kOnEdge_units * map::length(whole);
+    return length(cross(whole, corner - before)) <= kOnEdge_units * length(whole);
 }
 
 std::vector<int> corners_of(const map::BspFile& bsp, const map::FileFace& face) {
