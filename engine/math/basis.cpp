@@ -11,10 +11,6 @@ Vec3<Unit> rounded(Sine60 x, Sine60 y, Sine60 z) {
     return {convert<Unit>(x), convert<Unit>(y), convert<Unit>(z)};
 }
 
-Vec3<Unit> direction_between(const Vec3<World>& from, const Vec3<World>& to) {
-    return normalised(widening_difference(to, from));
-}
-
 /// SineMethod::NearestStep keeps 60 bits until the products are rounded.
 SineCosine60 sine_cosine_by(SineMethod method, Angle angle) {
     if (method == SineMethod::NearestStep) return sine_cosine(angle);
@@ -44,7 +40,7 @@ Basis look_at(const Vec3<World>& world_eye, const Vec3<World>& world_target, con
               Handedness handedness) {
     constexpr Vec3<Unit> kNone{};
     Basis result;
-    result.forward = direction_between(world_eye, world_target);
+    result.forward = normalised(widening_difference(world_target, world_eye));
     if (result.forward == kNone) result.forward = perpendicular_to(up_hint);
     Vec3<Unit> right = normalised(cross(result.forward, up_hint));
     if (right == kNone) right = perpendicular_to(result.forward);

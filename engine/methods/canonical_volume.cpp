@@ -3,12 +3,22 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/base/table.h"
+
 namespace oblong {
 
 namespace {
 
-constexpr std::array<VolumeSide, kVolumeSideCount> kVolumeSides{VolumeSide::Left, VolumeSide::Right, VolumeSide::Bottom,
-                                                                VolumeSide::Top,  VolumeSide::Near,  VolumeSide::Far};
+/// A side of the volume: one coordinate is -w, 0 or w.
+struct Side {
+    Entry Vec4::*coordinate;
+    int times_w;
+
+    Entry at(const Vec4& point) const { return times_w == 0 ? Entry{} : times_w < 0 ? -point.w : point.w; }
+};
+/// In the order of VolumeSide.
+constexpr std::array<Side, kVolumeSideCount> kSides{
+    {{&Vec4::x, -1}, {&Vec4::x, 1}, {&Vec4::y, -1}, {&Vec4::y, 1}, {&Vec4::z, 0}, {&Vec4::z, 1}}};
 
 /// The same point with smaller coordinates, so that sums of two, and differences of such sums, fit.
 Vec4 with_room(const Vec4& point) {
@@ -27,53 +37,22 @@ Vec4 between(const Vec4& from, const Vec4& to, Entry part, Entry whole) {
 Vec4 cross_side(const Vec4& inside, const Vec4& outside, VolumeSide side) {
     const Entry from_inside = distance_inside(inside, side);
     Vec4 crossing = between(inside, outside, from_inside, from_inside - distance_inside(outside, side));
-    switch (side) {
-        case VolumeSide::Left:
-            crossing.x = -crossing.w;
-            break;
-        case VolumeSide::Right:
-            crossing.x = crossing.w;
-            break;
-        case VolumeSide::Bottom:
-            crossing.y = -crossing.w;
-            break;
-        case VolumeSide::Top:
-            crossing.y = crossing.w;
-            break;
-        case VolumeSide::Near:
-            crossing.z = Entry{};
-            break;
-        case VolumeSide::Far:
-            crossing.z = crossing.w;
-            break;
-    }
+    crossing.*item(kSides, side).coordinate = item(kSides, side).at(crossing);
     return crossing;
 }
 
 }  // namespace
 
 Entry distance_inside(const Vec4& point, VolumeSide side) {
-    switch (side) {
-        case VolumeSide::Left:
-            return point.w + point.x;
-        case VolumeSide::Right:
-            return point.w - point.x;
-        case VolumeSide::Bottom:
-            return point.w + point.y;
-        case VolumeSide::Top:
-            return point.w - point.y;
-        case VolumeSide::Near:
-            return point.z;
-        default:
-            return point.w - point.z;
-    }
+    const Entry coordinate = point.*item(kSides, side).coordinate, border = item(kSides, side).at(point);
+    return item(kSides, side).times_w > 0 ? border - coordinate : coordinate - border;
 }
 
 unsigned volume_outcode(const Vec4& point) {
     const Vec4 roomy = with_room(point);
     unsigned outcode = 0;
-    for (const VolumeSide side : kVolumeSides)
-        outcode |= static_cast<unsigned>(distance_inside(roomy, side) < Entry{}) << static_cast<unsigned>(side);
+    for (unsigned side = 0; side < kVolumeSideCount; ++side)
+        outcode |= static_cast<unsigned>(distance_inside(roomy, static_cast<VolumeSide>(side)) < Entry{}) << side;
     return outcode;
 }
 
@@ -99,7 +78,8 @@ SplitPolygon split_polygon(const std::vector<Vec4>& polygon, VolumeSide side) {
 std::vector<Vec4> clip_to_volume(const std::vector<Vec4>& polygon) {
     std::vector<Vec4> clipped(polygon.size());
     std::transform(polygon.begin(), polygon.end(), clipped.begin(), with_room);
-    for (const VolumeSide side : kVolumeSides) clipped = split_polygon(clipped, side).inside;
+    for (int side = 0; side < kVolumeSideCount; ++side)
+        clipped = split_polygon(clipped, static_cast<VolumeSide>(side)).inside;
     return clipped;
 }
 

@@ -1,6 +1,7 @@
 #include "engine/raster/texture_blocks.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "engine/base/table.h"
@@ -9,7 +10,6 @@
 #include "engine/raster/perspective.h"
 #include "engine/raster/row_repeater.h"
 #include "engine/raster/span_cutter.h"
-#include "engine/raster/span_ends.h"
 
 #if defined(__x86_64__)
 #define OBLONG_TARGET_BMI2 [[gnu::target("bmi2,lzcnt")]]
@@ -228,26 +228,14 @@ OBLONG_TARGET_BMI2 std::span<const Span> append_bounded_avx512(std::span<const S
     return cut_repeating_rows<PerspectiveRange::Fits>(spans, pitch, cutting, DividedReciprocal{}, repeat, blocks);
 }
 
-template <ReciprocalMethod Method>
-BlockCutter cutter_by(Texturing texturing) {
-    switch (texturing) {
-        case Texturing::Affine:
-            return append_blocks<Texturing::Affine, Method>;
-        case Texturing::Every32:
-            return append_blocks<Texturing::Every32, Method>;
-        case Texturing::Every16:
-            return append_blocks<Texturing::Every16, Method>;
-        case Texturing::Every8:
-            return append_blocks<Texturing::Every8, Method>;
-        case Texturing::Bounded:
-            return append_blocks<Texturing::Bounded, Method>;
-        case Texturing::BoundedTexels:
-            return append_blocks<Texturing::BoundedTexels, Method>;
-        case Texturing::Exact:
-            break;
-    }
-    return append_blocks<Texturing::Exact, Method>;
+constexpr std::size_t kWays = as_size(Texturing::Exact) + 1;
+
+/// append_blocks() by method, then by way.
+template <std::size_t... kCells>
+constexpr std::array<BlockCutter, sizeof...(kCells)> make_cutters(std::index_sequence<kCells...>) {
+    return {append_blocks<static_cast<Texturing>(kCells % kWays), static_cast<ReciprocalMethod>(kCells / kWays)>...};
 }
+constexpr auto kCutters = make_cutters(std::make_index_sequence<kWays * kReciprocalMethods.size()>());
 
 }  // namespace
 
@@ -289,21 +277,11 @@ std::int64_t divisions_of(std::span<const Span> spans, const BlockCutting& cutti
 }
 
 BlockCutter block_cutter(const Accuracy& accuracy, Instructions instructions) {
-    switch (accuracy.reciprocal) {
-        case ReciprocalMethod::Table256:
-            return cutter_by<ReciprocalMethod::Table256>(accuracy.texturing);
-        case ReciprocalMethod::Table256Newton:
-            return cutter_by<ReciprocalMethod::Table256Newton>(accuracy.texturing);
-        case ReciprocalMethod::Table1024Newton:
-            return cutter_by<ReciprocalMethod::Table1024Newton>(accuracy.texturing);
-        case ReciprocalMethod::Table256TwoNewton:
-            return cutter_by<ReciprocalMethod::Table256TwoNewton>(accuracy.texturing);
-        case ReciprocalMethod::Exact:
-            break;
+    if (accuracy.texturing == Texturing::Bounded && accuracy.reciprocal == ReciprocalMethod::Exact) {
+        if (instructions == Instructions::Avx512) return append_bounded_avx512;
+        if (instructions == Instructions::Bmi2) return append_bounded_bmi2;
     }
-    if (accuracy.texturing == Texturing::Bounded && instructions == Instructions::Avx512) return append_bounded_avx512;
-    if (accuracy.texturing == Texturing::Bounded && instructions == Instructions::Bmi2) return append_bounded_bmi2;
-    return cutter_by<ReciprocalMethod::Exact>(accuracy.texturing);
+    return kCutters[as_size(accuracy.reciprocal) * kWays + as_size(accuracy.texturing)];
 }
 
 }  // namespace oblong

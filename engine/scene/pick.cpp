@@ -106,10 +106,6 @@ class RayWalk {
     std::vector<RayStep> steps_;
 };
 
-Vec3<World> eye_in_model(const Vec3<World>& eye, const Vec3<World>& offset) {
-    return saturating_convert<World>(widening_difference(eye, offset));
-}
-
 }  // namespace
 
 std::optional<PickedFace> pick_face(const Level& level, std::span<const PlacedModel> models, const Vec3<World>& eye,
@@ -119,8 +115,9 @@ std::optional<PickedFace> pick_face(const Level& level, std::span<const PlacedMo
     std::optional<PickedFace> nearest = RayWalk(level, eye, direction).first_face(level.world().root, kFarthest);
     for (std::int32_t i = 0; i < std::ssize(models); ++i) {
         const PlacedModel& placed = item(models, i);
+        const auto eye_in_model = saturating_convert<World>(widening_difference(eye, placed.offset));
         std::optional<PickedFace> found =
-            RayWalk(level, eye_in_model(eye, placed.offset), direction)
+            RayWalk(level, eye_in_model, direction)
                 .first_face(level.models[placed.model].root, nearest ? nearest->distance : kFarthest);
         if (!found || (nearest && found->distance >= nearest->distance)) continue;
         nearest = found;

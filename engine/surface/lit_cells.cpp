@@ -1,4 +1,4 @@
-#include "engine/surface/lit_cells.h"
+#include "engine/surface/lit_surface.h"
 
 #if defined(__x86_64__) && defined(__SSE2__)
 #include <emmintrin.h>

@@ -6,7 +6,6 @@
 
 #include "engine/base/table.h"
 #include "engine/fixed/fixed.h"
-#include "engine/surface/lit_cells.h"
 
 namespace oblong {
 

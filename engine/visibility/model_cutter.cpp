@@ -21,10 +21,6 @@ Vec3<World> cross_plane(const Vec3<World>& a, PlaneDistance distance_a, const Ve
     return between(front, back, part, whole);
 }
 
-bool point_same_way(const Vec3<Unit>& a, const Vec3<Unit>& b) {
-    return dot(a, b) > Sine60{};
-}
-
 /// Cuts one face at a time, with a stack of pieces and the nodes that they have reached.
 class FaceCutter {
   public:
@@ -66,7 +62,7 @@ class FaceCutter {
     bool is_seen_from_front(FaceIndex face, const LevelPlane& plane) const {
         const Face& cut = level_.faces[face];
         const LevelPlane& own = level_.planes[cut.plane];
-        return point_same_way(own.normal, plane.normal) != cut.is_back;
+        return (dot(own.normal, plane.normal) > Sine60{}) != cut.is_back;
     }
 
     void split(const Piece& piece, const Node& node) {

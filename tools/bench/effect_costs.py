@@ -189,12 +189,10 @@ def table_of_files(costs):
 
 def fitted(points):
     """The slope and offset of the line fitted to points, and the correlation."""
-    xs, ys = [p[0] for p in points], [p[1] for p in points]
-    x, y = statistics.fmean(xs), statistics.fmean(ys)
-    xx, yy = sum((a - x) ** 2 for a in xs), sum((b - y) ** 2 for b in ys)
-    xy = sum((a - x) * (b - y) for a, b in points)
-    slope = xy / xx if xx else 0
-    return slope, y - slope * x, xy / math.sqrt(xx * yy) if xx and yy else 0
+    xs, ys = zip(*points)
+    if min(xs) == max(xs) or min(ys) == max(ys):
+        return 0, statistics.fmean(ys), 0
+    return *statistics.linear_regression(xs, ys), statistics.correlation(xs, ys)
 
 
 def least_times(costs, level, cameras, runs, *more):

@@ -56,16 +56,6 @@ SHARED_FUNCTIONS = [
     ("effects, things, models", r"box_around|DepthBuffer"),
     ("other", r"^(__)?(mem(cpy|set|move)|(u?div|u?mod|mul)(mod)?ti)|clock_gettime|^operator (new|delete)|malloc|free|^std::"),
 ]
-# From a throw-away renderer of this design, on another Quake level (e1m1) at 320x200; some stages were counted together.
-PROTOTYPE = {
-    ("walk and boxes",): 0.50,
-    ("transform, clip, project", "edge scan"): 1.18,
-    ("coverage",): 1.47,
-    ("gradients and face constants", "surface lookup"): 0.22,
-    ("block set-up",): 3.58,
-    ("block fill",): 5.32,
-}
-PROTOTYPE_TOTAL = 12.35
 HOT_SHARE = 0.01
 
 
@@ -158,19 +148,14 @@ def mean_of(costs, stage):
     return sum(cost.stages[stage] for cost in costs) / len(costs)
 
 
-def print_table(costs, shows_prototype):
-    """A row for each stage, a column for each level, then the mean of the real levels and the prototype."""
+def print_table(costs):
+    """A row for each stage, a column for each level, then the mean of the real levels."""
     real = [cost for cost in costs if cost.name != "demo"] or costs
-    print("%-30s %s %9s%s" % ("instructions a pixel", "".join("%9s" % cost.name[:8] for cost in costs), "mean",
-                              "   prototype" if shows_prototype else ""))
+    print("%-30s %s %9s" % ("instructions a pixel", "".join("%9s" % cost.name[:8] for cost in costs), "mean"))
     for stage, _ in STAGES:
-        group, figure = next(((group, figure) for group, figure in PROTOTYPE.items() if stage in group), ((), None))
-        beside = "" if figure is None else "%12.2f" % figure if stage == group[0] else "           \""
-        print("%-30s %s %9.2f%s" % (stage, "".join("%9.2f" % cost.stages[stage] for cost in costs), mean_of(real, stage),
-                                    beside if shows_prototype else ""))
-    print("%-30s %s %9.2f%s" % ("all", "".join("%9.2f" % cost.total for cost in costs),
-                                sum(cost.total for cost in real) / len(real),
-                                "%12.2f" % PROTOTYPE_TOTAL if shows_prototype else ""))
+        print("%-30s %s %9.2f" % (stage, "".join("%9.2f" % cost.stages[stage] for cost in costs), mean_of(real, stage)))
+    print("%-30s %s %9.2f" % ("all", "".join("%9.2f" % cost.total for cost in costs),
+                              sum(cost.total for cost in real) / len(real)))
 
 
 def print_functions(cost):
@@ -221,7 +206,7 @@ def main():
         instructions = runs.instructions_by_function(program, some, options.mode, options.render_options, folder)
         pixels = runs.pixels_of(options.mode) * some.camera_count()
         costs.append(Costs(some, instructions, sources, pixels))
-    print_table(costs, options.mode == "320x200" and not options.render_options)
+    print_table(costs)
     for cost in costs if options.functions else ():
         print_functions(cost)
     with open(options.json or os.path.join(folder, "stage_costs.json"), "w") as out:

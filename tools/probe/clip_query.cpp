@@ -129,7 +129,7 @@ bool read_level(const std::string& path, Level& level) {
 
 }  // namespace
 
-std::string answer_clip(Fields& fields) {
+std::string answer_clip(Fields& fields, const Accuracy&) {
     const ModeAndView view = fields.mode();
     const View near = convert<View>(fields.length()), far = convert<View>(fields.length());
     const std::int64_t count = fields.integer(3, static_cast<std::int64_t>(fields.left()) / 3);

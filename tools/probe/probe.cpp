@@ -10,29 +10,20 @@ namespace {
 
 struct NamedQuery {
     std::string_view name;
-    std::string (*answer)(Fields&);
-};
-
-constexpr std::array kQueries = {NamedQuery{"project", answer_project}, NamedQuery{"view", answer_view},
-                                 NamedQuery{"modes", answer_modes},     NamedQuery{"clip", answer_clip},
-                                 NamedQuery{"sqrt", answer_root},       NamedQuery{"recip", answer_reciprocal}};
-
-struct NamedDialQuery {
-    std::string_view name;
     std::string (*answer)(Fields&, const Accuracy&);
 };
 
-constexpr std::array kDialQueries = {
-    NamedDialQuery{"coverage", answer_coverage}, NamedDialQuery{"mesh", answer_mesh},
-    NamedDialQuery{"texspan", answer_texspan},   NamedDialQuery{"texspanq", answer_texspanq},
-    NamedDialQuery{"sin", answer_sine},          NamedDialQuery{"cos", answer_cosine}};
+constexpr std::array kQueries = {NamedQuery{"project", answer_project},   NamedQuery{"view", answer_view},
+                                 NamedQuery{"coverage", answer_coverage}, NamedQuery{"mesh", answer_mesh},
+                                 NamedQuery{"texspan", answer_texspan},   NamedQuery{"texspanq", answer_texspanq},
+                                 NamedQuery{"modes", answer_modes},       NamedQuery{"clip", answer_clip},
+                                 NamedQuery{"sin", answer_sine},          NamedQuery{"cos", answer_cosine},
+                                 NamedQuery{"sqrt", answer_root},         NamedQuery{"recip", answer_reciprocal}};
 
 std::string answer_fields(Fields& fields, const Accuracy& accuracy, LastLevel& levels) {
     const std::string_view name = fields.text();
     if (name == "leaf") return answer_leaf(fields, levels);
     for (const NamedQuery& query : kQueries)
-        if (query.name == name) return query.answer(fields);
-    for (const NamedDialQuery& query : kDialQueries)
         if (query.name == name) return query.answer(fields, accuracy);
     throw Unsupported{};
 }

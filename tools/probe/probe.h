@@ -13,18 +13,18 @@ namespace oblong {
 // One function for each query: reads the fields after the query's name, calls the engine, returns the answer's line.
 // Throws Unsupported. The protocol is in README.md. `accuracy`: the dials of the stages.
 
-std::string answer_project(Fields& fields);
-std::string answer_view(Fields& fields);
+std::string answer_project(Fields& fields, const Accuracy& accuracy);
+std::string answer_view(Fields& fields, const Accuracy& accuracy);
 std::string answer_coverage(Fields& fields, const Accuracy& accuracy);
 std::string answer_mesh(Fields& fields, const Accuracy& accuracy);
 std::string answer_texspan(Fields& fields, const Accuracy& accuracy);
 std::string answer_texspanq(Fields& fields, const Accuracy& accuracy);
-std::string answer_modes(Fields& fields);
-std::string answer_clip(Fields& fields);
+std::string answer_modes(Fields& fields, const Accuracy& accuracy);
+std::string answer_clip(Fields& fields, const Accuracy& accuracy);
 std::string answer_sine(Fields& fields, const Accuracy& accuracy);
 std::string answer_cosine(Fields& fields, const Accuracy& accuracy);
-std::string answer_root(Fields& fields);
-std::string answer_reciprocal(Fields& fields);
+std::string answer_root(Fields& fields, const Accuracy& accuracy);
+std::string answer_reciprocal(Fields& fields, const Accuracy& accuracy);
 
 /// The level of the last query: queries for many points of one level read it once.
 struct LastLevel {

@@ -134,7 +134,7 @@ Number read_only_number(Fields& fields) {
 
 }  // namespace
 
-std::string answer_project(Fields& fields) {
+std::string answer_project(Fields& fields, const Accuracy&) {
     const ModeAndView view = fields.mode();
     const auto point = convert<View>(fields.point());
     fields.expect_end();
@@ -143,7 +143,7 @@ std::string answer_project(Fields& fields) {
     return format_position(position_of(point, to_far_view(point), projection));
 }
 
-std::string answer_view(Fields& fields) {
+std::string answer_view(Fields& fields, const Accuracy&) {
     constexpr int kDepthBits = 40;
     const ModeAndView view = fields.mode();
     const auto eye = convert<World>(fields.point());
@@ -176,11 +176,11 @@ std::string answer_cosine(Fields& fields, const Accuracy& accuracy) {
     return format_fixed(cosine(read_only_angle(fields), accuracy.sine));
 }
 
-std::string answer_root(Fields& fields) {
+std::string answer_root(Fields& fields, const Accuracy&) {
     return format_fixed(square_root<Root>(read_only_number(fields), Rounding::NearestHalfUp));
 }
 
-std::string answer_reciprocal(Fields& fields) {
+std::string answer_reciprocal(Fields& fields, const Accuracy&) {
     const Number number = read_only_number(fields);
     return number == Number{} ? "inf" : format_fixed(reciprocal<Reciprocal>(number));
 }

@@ -198,7 +198,7 @@ std::string answer_texspanq(Fields& fields, const Accuracy& accuracy) {
     throw Unsupported{};
 }
 
-std::string answer_modes(Fields& fields) {
+std::string answer_modes(Fields& fields, const Accuracy&) {
     fields.expect_end();
     const std::span<const DialSetting> settings = dial_named("perspective")->settings;
     std::string text;

@@ -140,10 +140,6 @@ std::string joined(std::int64_t first, char between, std::int64_t second) {
     return std::to_string(first) + between + std::to_string(second);
 }
 
-double in_degrees(Degrees angle) {
-    return number_of(angle);
-}
-
 /// The dials that differ from the preset.
 Json dials_json(const Accuracy& accuracy, Preset preset) {
     Json json = Json::object();
@@ -221,7 +217,7 @@ std::string report_json(const ReportHead& head, const std::vector<FrameReport>& 
     Json report{{"level", head.level},
                 {"mode", joined(head.mode.width_px, 'x', head.mode.height_px)},
                 {"display", joined(head.mode.display.numerator, ':', head.mode.display.denominator)},
-                {"field_of_view", in_degrees(head.field_of_view)},
+                {"field_of_view", number_of(head.field_of_view)},
                 {"accuracy", name_of(head.preset)},
                 {"dials", dials_json(head.settings.accuracy, head.preset)},
                 {"texel_error", texel_error_json(head.settings.accuracy)},

@@ -1,9 +1,16 @@
 #include "engine/platform/dos/sound_blaster.h"
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstdlib>
+#include <optional>
+#include <span>
+#include <utility>
 
+#include "engine/platform/dos/calls.h"
 #include "engine/platform/dos/kernel/ports.h"
+#include "engine/platform/small_mixer.h"
 
 // The card's processor (DSP) gets its samples through the DMA controller (8237), which reads memory itself. (Creative
 // Labs, "Sound Blaster Series Hardware Programming Guide".)
@@ -33,7 +40,31 @@ std::uint32_t setting(const char* blaster, char letter, int base, std::uint32_t 
     return usual;
 }
 
-}  // namespace
+// A Sound Blaster 2.0 or a later one.
+class SoundBlaster {
+  public:
+    // The card at the address in DOS's variable BLASTER ("A220 I5 D1"); null: at the usual address.
+    static std::optional<SoundBlaster> find(const char* blaster);
+
+    // Plays these bytes in a loop until stop(): samples around 128, `rate_hz` a second. They are below 1 MB and cross
+    // no 64 KB boundary.
+    void start(std::span<const std::uint8_t> ring, std::int32_t rate_hz);
+    // The index of the byte of the ring that is played.
+    std::size_t position() const;
+    void stop();
+
+  private:
+    SoundBlaster(std::uint16_t base, std::uint8_t channel) : base_(base), channel_(channel) {}
+    std::uint16_t port(int offset) const { return static_cast<std::uint16_t>(base_ + offset); }
+    bool reset() const;
+    void tell(std::uint8_t byte) const;
+    std::uint8_t heard() const;
+
+    std::uint16_t base_;
+    std::uint8_t channel_;  // of the DMA controller
+    std::uint8_t version_ = 0;
+    std::size_t ring_size_ = 0;
+};
 
 std::optional<SoundBlaster> SoundBlaster::find(const char* blaster) {
     const std::uint32_t base = setting(blaster, 'A', 16, 0x220), channel = setting(blaster, 'D', 10, 1);
@@ -109,6 +140,80 @@ std::size_t SoundBlaster::position() const {
 void SoundBlaster::stop() {
     reset();
     write_port(kMask, kMasked | channel_);
+}
+
+constexpr std::size_t kLead = 1024;  // samples that are mixed in advance, 93 ms
+constexpr std::uint32_t kEvery = 8;  // interrupts of the timer: 27 ms
+
+/// Fills the card's ring buffer in interrupts, so that slow pictures do not interrupt the sound.
+class CardSound final : public SmallMixer {
+  public:
+    CardSound(SoundBlaster card, std::shared_ptr<Recordings> kept) : card_(card), kept_(std::move(kept)) {
+        std::fill(ring_.begin(), ring_.end(), kSilence);
+        card_.start(ring_, kRate_hz);
+        TimerHook hook{[](void* sound) { static_cast<CardSound*>(sound)->fill_sometimes(); }, this};
+        call(Call::Timer, &hook);
+    }
+    ~CardSound() override {
+        TimerHook none;
+        call(Call::Timer, &none);
+        card_.stop();
+        *kept_ = std::move(recordings_);
+    }
+    /// An emptied file stands for a kept recording.
+    SoundNumber add_sound(std::span<const std::int16_t> samples, std::int32_t rate_hz) override {
+        const std::size_t number = recordings_.size();
+        if (!samples.empty() || number >= kept_->size()) return SmallMixer::add_sound(samples, rate_hz);
+        recordings_.push_back(std::move((*kept_)[number]));
+        return static_cast<SoundNumber>(number);
+    }
+    CardSound(const CardSound&) = delete;
+    CardSound& operator=(const CardSound&) = delete;
+
+  private:
+    void fill_sometimes() {
+        if (++interrupts_ % kEvery == 0) fill();
+    }
+
+    // Overwrites played samples with silence, so that they are not repeated while DOS is called.
+    void fill() {
+        const std::size_t playing = card_.position();
+        for_each_part(played_, playing, [](std::span<std::uint8_t> part) {
+            std::fill(part.begin(), part.end(), kSilence);
+            return true;
+        });
+        const std::size_t ready = distance(played_, end_), passed = distance(played_, playing);
+        played_ = playing;
+        if (passed > ready) end_ = playing;  // nothing was ready
+        const std::size_t end = (playing + kLead) % ring_.size();
+        if (distance(playing, end_) < kLead &&
+            for_each_part(end_, end, [this](std::span<std::uint8_t> part) { return mix(part); }))
+            end_ = end;
+    }
+
+    std::size_t distance(std::size_t from, std::size_t to) const { return (to - from) % ring_.size(); }
+
+    // The range may wrap around the ring's end.
+    template <class Use>
+    bool for_each_part(std::size_t from, std::size_t to, Use use) {
+        if (from <= to) return use(ring_.subspan(from, to - from));
+        return use(ring_.subspan(from)) && use(ring_.first(to));
+    }
+
+    SoundBlaster card_;
+    std::shared_ptr<Recordings> kept_;  // while the device is closed
+    std::span<std::uint8_t> ring_{reinterpret_cast<std::uint8_t*>(call(Call::LowMemory)), kLowMemory};
+    std::uint32_t interrupts_ = 0;
+    std::size_t played_ = 0, end_ = 0;  // in the ring: the end of the silence, the end of the samples
+};
+
+}  // namespace
+
+OpenSound sound_of_card() {
+    const auto card = SoundBlaster::find(std::getenv("BLASTER"));
+    if (!card) return nullptr;
+    auto kept = std::make_shared<SmallMixer::Recordings>();
+    return [card = *card, kept = std::move(kept)] { return std::make_unique<CardSound>(card, kept); };
 }
 
 }  // namespace oblong::dos

@@ -13,7 +13,7 @@
 #include "engine/level/bsp_read.h"
 #include "engine/raster/kernels/kernels.h"
 #include "engine/scene/placed_models.h"
-#include "engine/surface/lit_cells.h"
+#include "engine/surface/lit_surface.h"
 #include "tools/measure/operations.h"
 #include "tools/render/camera_list.h"
 

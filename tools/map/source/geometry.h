@@ -15,7 +15,6 @@ namespace oblong::map {
 
 /// A point or direction of the world in doubles, in world units: the compiler's arithmetic.
 using Point = reference::Vec;
-using reference::cross, reference::dot, reference::length;
 
 /// With six digits.
 std::string number_text(double number);

@@ -1,3 +1,5 @@
+#include <type_traits>
+
 #include "engine/platform/dos/kernel/kernel.h"
 
 // The game is compiled for an i486, but Debian's libraries for the Pentium Pro and later: its CMOVs and
@@ -59,33 +61,9 @@ Operand operand_at(std::uint32_t at, Registers& registers) {
 // Whether a condition holds, by its number in instructions.
 bool holds(std::uint32_t condition, std::uint32_t flags) {
     const bool is_less = ((flags & kSign) != 0) != ((flags & kOverflow) != 0);
-    bool is_so = false;
-    switch (condition >> 1) {
-        case 0:
-            is_so = (flags & kOverflow) != 0;
-            break;
-        case 1:
-            is_so = (flags & kCarry) != 0;
-            break;
-        case 2:
-            is_so = (flags & kZero) != 0;
-            break;
-        case 3:
-            is_so = (flags & (kCarry | kZero)) != 0;
-            break;
-        case 4:
-            is_so = (flags & kSign) != 0;
-            break;
-        case 5:
-            is_so = (flags & kParity) != 0;
-            break;
-        case 6:
-            is_so = is_less;
-            break;
-        default:
-            is_so = is_less || (flags & kZero) != 0;
-            break;
-    }
+    constexpr std::uint32_t kFlags[] = {kOverflow, kCarry, kZero, kCarry | kZero, kSign, kParity, 0, kZero};
+    const std::uint32_t kind = condition >> 1;
+    const bool is_so = (flags & kFlags[kind]) != 0 || (kind >= 6 && is_less);
     return is_so != ((condition & 1) != 0);
 }
 
@@ -99,35 +77,19 @@ void move_if(std::uint32_t condition, std::uint32_t at, bool is_wide, Registers&
     registers.eip = at + from.size;
 }
 
+// Calls use(constant) for one of the eight floating-point registers, whose numbers are part of instructions.
+template <int kNumber = 0>
+void with_number(std::uint32_t number, const auto& use) {
+    if (number == kNumber) return use(std::integral_constant<int, kNumber>());
+    if constexpr (kNumber < 7) with_number<kNumber + 1>(number, use);
+}
+
 // FUCOMI and its variants: compare the top of the floating-point stack with another register, and may pop it.
 void compare_floats(std::uint32_t number, bool pops, Registers& registers) {
     std::uint16_t status = 0;
-    switch (number) {
-        case 0:
-            asm volatile("fucom %%st(0); fnstsw %0" : "=a"(status));
-            break;
-        case 1:
-            asm volatile("fucom %%st(1); fnstsw %0" : "=a"(status));
-            break;
-        case 2:
-            asm volatile("fucom %%st(2); fnstsw %0" : "=a"(status));
-            break;
-        case 3:
-            asm volatile("fucom %%st(3); fnstsw %0" : "=a"(status));
-            break;
-        case 4:
-            asm volatile("fucom %%st(4); fnstsw %0" : "=a"(status));
-            break;
-        case 5:
-            asm volatile("fucom %%st(5); fnstsw %0" : "=a"(status));
-            break;
-        case 6:
-            asm volatile("fucom %%st(6); fnstsw %0" : "=a"(status));
-            break;
-        default:
-            asm volatile("fucom %%st(7); fnstsw %0" : "=a"(status));
-            break;
-    }
+    with_number(number, [&](auto constant) {
+        asm volatile("fucom %%st(%c1); fnstsw %0" : "=a"(status) : "i"(decltype(constant)::value));
+    });
     if (pops) asm volatile("fstp %st(0)");
     // Bits 8, 10 and 14 of the status are bits 0, 2 and 6 of the flags.
     constexpr std::uint32_t kCompared = kCarry | kParity | kZero;
@@ -139,31 +101,9 @@ void compare_floats(std::uint32_t number, bool pops, Registers& registers) {
 void move_float_if(std::uint32_t condition, std::uint32_t number, Registers& registers) {
     registers.eip += 2;
     if (!holds(condition, registers.flags)) return;
-    switch (number) {
-        case 0:
-            return;
-        case 1:
-            asm volatile("fld %st(1); fstp %st(1)");
-            return;
-        case 2:
-            asm volatile("fld %st(2); fstp %st(1)");
-            return;
-        case 3:
-            asm volatile("fld %st(3); fstp %st(1)");
-            return;
-        case 4:
-            asm volatile("fld %st(4); fstp %st(1)");
-            return;
-        case 5:
-            asm volatile("fld %st(5); fstp %st(1)");
-            return;
-        case 6:
-            asm volatile("fld %st(6); fstp %st(1)");
-            return;
-        default:
-            asm volatile("fld %st(7); fstp %st(1)");
-            return;
-    }
+    with_number(number, [](auto constant) {
+        if constexpr (constant != 0) asm volatile("fld %%st(%c0); fstp %%st(1)" : : "i"(decltype(constant)::value));
+    });
 }
 
 bool emulate_at(std::uint32_t at, bool is_wide, Registers& registers) {
