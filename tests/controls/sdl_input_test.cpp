@@ -4,10 +4,9 @@
 #include "game/input/input_mapper.h"
 #include "tests/controls/virtual_pad.h"
 
-namespace oblong {
+namespace oblong::test {
 namespace {
 
-using test::VirtualPad;
 using Commands = std::vector<Action>;
 
 class SdlInputTest : public testing::Test {
@@ -58,7 +57,7 @@ class SdlInputTest : public testing::Test {
         SDL_PushEvent(&event);
     }
 
-    test::UnseenWindow window_;
+    UnseenWindow window_;
     Bindings bindings_ = default_bindings();
     InputMapper mapper_{bindings_};
 };
@@ -242,4 +241,4 @@ TEST_F(SdlInputTest, LocalNamesArePrintable) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test

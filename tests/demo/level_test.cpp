@@ -218,8 +218,8 @@ bool is_free_of(const MapBrush& body, const MapEntity& light) {
     double nearest = 1e9, farthest = 0;
     for (const map::MapSide& side : body.sides)
         for (const map::Point& corner : side.points) {
-            nearest = std::min(nearest, map::length(corner - at));
-            farthest = std::max(farthest, map::length(corner - at));
+            nearest = std::min(nearest, length(corner - at));
+            farthest = std::max(farthest, length(corner - at));
         }
     return nearest < 16 && farthest < map::number_of(light, "radius", 0);
 }

@@ -5,8 +5,7 @@
 
 #include "engine/draw/drawing.h"
 
-namespace oblong {
-
+namespace oblong::test {
 namespace {
 
 using Lines = std::vector<std::string_view>;
@@ -53,14 +52,6 @@ TEST(Lines, HoldAllWordsAndFit) {
     }
 }
 
-}  // namespace
-
-}  // namespace oblong
-
-namespace oblong::test {
-
-namespace {
-
 TEST(Font, EveryPrintableCharacterHasAPictureOfItsOwn) {
     std::set<Glyph> glyphs;
     for (char character = kFirstGlyph; character <= '~'; ++character) glyphs.insert(glyph_of(character));
@@ -81,5 +72,4 @@ TEST(Font, RowsRunDownAndColumnsFromTheLeft) {
 }
 
 }  // namespace
-
 }  // namespace oblong::test

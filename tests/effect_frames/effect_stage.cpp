@@ -86,6 +86,13 @@ Picture EffectStage::draw_without(Effect effect, std::int64_t time_ms) {
     return picture;
 }
 
+Picture EffectStage::draw_without_models() {
+    const std::vector<PlacedModel> placed = std::exchange(models, {});
+    Picture picture = draw();
+    models = placed;
+    return picture;
+}
+
 const Face* EffectStage::face_at(std::size_t pixel) const {
     const FaceIndex face = work.record.pixels[pixel].face;
     return face.is_none() ? nullptr : &level.faces[face];

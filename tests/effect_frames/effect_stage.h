@@ -64,6 +64,7 @@ class EffectStage {
     Picture draw_afresh(std::int64_t time_ms = 0) const;
     Picture draw_in(FrameWorkspace& in, std::int64_t time_ms) const;
     Picture draw_without(Effect effect, std::int64_t time_ms = 0);
+    Picture draw_without_models();
     /// Of the frame drawn last, in `work`.
     bool has(Effect effect) const { return work.plan.effects.has(effect); }
     bool has(std::string_view pass) const { return work.plan.has(pass); }

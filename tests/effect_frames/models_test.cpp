@@ -164,10 +164,7 @@ TEST(Models, ShowInTheHolesOfAFenceBeforeThem) {
     EffectStage stage(text, camera_at(point_at(-150, 3, 90), 0, 0));
     for (const int x : {-60, 60}) {
         stage.meshes = {ball_at(point_at(x, 0, 90))};
-        const PlacedModel fence = stage.models[0];
-        stage.models.clear();
-        const Picture open = stage.draw();
-        stage.models.push_back(fence);
+        const Picture open = stage.draw_without_models();
         const Picture bare = stage.draw_without(Effect::Meshes), picture = stage.draw();
         EXPECT_GT(count_of(open, kBall), 2'000);
         for (std::size_t i = 0; i < picture.size(); ++i) {

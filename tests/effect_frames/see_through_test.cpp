@@ -49,10 +49,7 @@ TEST(Sprites, BeforeAFenceHideIt) {
     EffectStage stage(fenced_room(lamp_at({-60, 0, 90})), before_fence());
     const Picture picture = stage.draw();
     EXPECT_TRUE(stage.has(Effect::Sprites));
-    const PlacedModel fence = stage.models[0];
-    stage.models.clear();
-    const Picture open = stage.draw();
-    stage.models.push_back(fence);
+    const Picture open = stage.draw_without_models();
     const Picture bare = stage.draw_without(Effect::Sprites);
     EXPECT_GT(count_of(open, kLamp), 5'000);
     for (std::size_t i = 0; i < picture.size(); ++i) ASSERT_EQ(picture[i], open[i] == kLamp ? kLamp : bare[i]);
@@ -61,10 +58,7 @@ TEST(Sprites, BeforeAFenceHideIt) {
 TEST(Sprites, BehindAFenceShowInItsHoles) {
     EffectStage stage(fenced_room(lamp_at({60, 0, 90})), before_fence());
     const Picture picture = stage.draw();
-    const PlacedModel fence = stage.models[0];
-    stage.models.clear();
-    const Picture open = stage.draw();
-    stage.models.push_back(fence);
+    const Picture open = stage.draw_without_models();
     const Picture bare = stage.draw_without(Effect::Sprites);
     EXPECT_GT(count_of(picture, kLamp), 500);
     EXPECT_LT(count_of(picture, kLamp), count_of(open, kLamp));

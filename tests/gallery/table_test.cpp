@@ -9,8 +9,7 @@
 #include "tests/gallery/gallery_fixture.h"
 #include "tools/gallery/row.h"
 
-namespace oblong {
-
+namespace oblong::test {
 namespace {
 
 struct Named {
@@ -79,14 +78,6 @@ TEST(GalleryTable, ShowsAllThatTheSeedsName) {
         for (const std::string_view id : named.rows) EXPECT_TRUE(ids.contains(id)) << named.what << ": " << id;
 }
 
-}  // namespace
-
-}  // namespace oblong
-
-namespace oblong::test {
-
-namespace {
-
 using PipelineRow = GalleryTest;
 
 constexpr std::int64_t kStages = 11, kSpans = 9, kPixels = 10;
@@ -134,5 +125,4 @@ TEST_F(PipelineRow, SpansAreHalfOfThePixels) {
 }
 
 }  // namespace
-
 }  // namespace oblong::test

@@ -10,15 +10,8 @@
 #include "game/simulation/game_level.h"
 #include "tests/game/hostile_levels.h"
 
-namespace oblong {
+namespace oblong::test {
 namespace {
-
-using test::HostileLevel;
-using test::kHostileLevels;
-using test::kStand;
-using test::LogicGame;
-using test::LogicLevel;
-using test::Solid;
 
 constexpr int kTicks = 14;
 
@@ -281,4 +274,4 @@ TEST(BoxTreeParts, TogetherAreTheWhole) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test

@@ -5,11 +5,8 @@
 #include "game/simulation/items.h"
 #include "tests/game/logic_level.h"
 
-namespace oblong {
+namespace oblong::test {
 namespace {
-
-using test::LogicGame;
-using test::LogicLevel;
 
 // Five lenses 300 units apart to the east, named A to E.
 LogicLevel with_lenses() {
@@ -71,4 +68,4 @@ TEST(Goal, DirectionsAreTheNearestOfEight) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test

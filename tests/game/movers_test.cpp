@@ -13,7 +13,7 @@ namespace {
 
 // Plates of 128x128x16 whose least corner goes round a square of 400 units from (300, 0, 100), at 200 a second. It
 // stands at (-600, -600, 100) in the level: an offset of 900 600 is at the first corner.
-constexpr test::Scenario kTrains[] = {
+constexpr Scenario kTrains[] = {
     {"StartAtTheirFirstCornerGoRoundAndWaitWhereTheyAreTold", R"(
         + func_train -600 -600 100 -472 -472 116 target=a speed=200
         + path_corner targetname=a target=b origin="300 0 100"
@@ -71,7 +71,7 @@ constexpr test::Scenario kTrains[] = {
 OBLONG_SCENARIOS(Trains, kTrains);
 
 TEST(Train, CornersInHostileOrderAreHarmless) {
-    test::LogicLevel level;
+    LogicLevel level;
     for (const char* first : {"self", "far", "pair"})
         level.add("func_train", {300, -64, 0, 400, 64, 100}, {{"target", first}, {"speed", "1e9"}});
     level.add("path_corner", {{"targetname", "self"}, {"target", "self"}, {"origin", "0 0 0"}, {"wait", "99999999"}});
@@ -79,27 +79,21 @@ TEST(Train, CornersInHostileOrderAreHarmless) {
     level.add("path_corner", {{"targetname", "end"}, {"target", "far"}, {"origin", "-32768 -32768 -32768"}});
     level.add("path_corner", {{"targetname", "pair"}, {"target", "pair2"}, {"origin", "5 5 5"}});
     level.add("path_corner", {{"targetname", "pair2"}, {"target", "pair2"}, {"origin", "5 5 5"}});
-    test::LogicGame game(level);
+    LogicGame game(level);
     game.wait(500);
     EXPECT_EQ(game.state.tick, 500);
 }
 
 TEST(Train, GoesAsFarAsThe4096thCornerOfAnEndlessChain) {
-    test::LogicLevel source;
+    LogicLevel source;
     source.add("func_train", {-600, -600, 100, -472, -472, 116}, {{"target", "c0"}});
     for (int i = 0; i < 5000; ++i)
         source.add("path_corner", {{"targetname", "c" + std::to_string(i)},
                                    {"target", "c" + std::to_string(i + 1)},
                                    {"origin", std::to_string(i % 100) + " 0 100"}});
-    EXPECT_EQ(test::LogicGame(source).level.movers[0].legs.size(), 4095u);
+    EXPECT_EQ(LogicGame(source).level.movers[0].legs.size(), 4095u);
 }
 
-using test::floor_and;
-using test::kAhead;
-using test::kStand;
-using test::Solid;
-using test::ToyGame;
-using test::ToyLevel;
 using Phase = MoverState::Phase;
 
 // A door across the way, 128 high, that goes up by 128 - 8 unless it is said to go elsewhere.
@@ -185,11 +179,11 @@ TEST(Mover, WhoIsInsideOneWithoutAWayOutStartsAgain) {
 
 // Doors, lifts and teleporters close together, with exits where doors and lifts pass.
 ToyLevel crowded_room() {
-    test::LogicLevel level({{400, -400, 0, 420, 400, 400},
-                            {-420, -400, 0, -400, 400, 400},
-                            {-400, 400, 0, 400, 420, 400},
-                            {-400, -420, 0, 400, -400, 400},
-                            {-420, -420, 400, 420, 420, 440}});
+    LogicLevel level({{400, -400, 0, 420, 400, 400},
+                      {-420, -400, 0, -400, 400, 400},
+                      {-400, 400, 0, 400, 420, 400},
+                      {-400, -420, 0, 400, -400, 400},
+                      {-420, -420, 400, 420, 420, 440}});
     for (const int side : {-1, 1}) {
         const int x = side * 200;
         level.add("func_plat", {x - 60, 100, 0, x + 60, 220, 64}, {{"height", "56"}});

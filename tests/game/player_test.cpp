@@ -7,22 +7,14 @@
 #include "tests/game/logic_level.h"
 #include "tests/game/scenario.h"
 
-namespace oblong {
+namespace oblong::test {
 namespace {
-
-using test::floor_and;
-using test::kAhead;
-using test::kJump;
-using test::kStand;
-using test::Solid;
-using test::ToyGame;
-using test::ToyLevel;
 
 ToyLevel room(std::vector<Solid> others = {}) {
     return ToyLevel().add_model(floor_and(std::move(others)));
 }
 
-constexpr test::Scenario kPlayers[] = {
+constexpr Scenario kPlayers[] = {
     {"StandsStill", R"(
         play 35: x = 0, vx = 0, vy = 0, vz = 0, feet = 0.03125 +- 0.001     # the trace keeps 1/32 unit of air
     )"},
@@ -159,4 +151,4 @@ TEST(Player, HostileInputsStayInTheRoom) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test

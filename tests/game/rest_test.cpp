@@ -7,15 +7,8 @@
 #include "tests/game/logic_level.h"
 #include "tests/game/scenario.h"
 
-namespace oblong {
+namespace oblong::test {
 namespace {
-
-using test::kAhead;
-using test::kStand;
-using test::LogicLevel;
-using test::Solid;
-using test::ToyGame;
-using test::ToyLevel;
 
 // A floor with rows of doors, lifts, buttons, teleporters and triggers for the player to run through.
 ToyLevel field() {
@@ -68,7 +61,7 @@ TEST(AtRest, TheGameIsTheSameAsIfEverythingWereStepped) {
     ToyGame game(field());
     const GameLevel all_near = where_all_is_near(game.level);
     GameState reference = game.state;
-    test::RandomRun run;
+    RandomRun run;
     std::size_t most = 0, at_rest = 0;
     std::uint64_t styles_seen = 0;
     for (int tick = 0; tick < 20'000; ++tick) {
@@ -99,7 +92,7 @@ TEST(AtRest, NoMoverIsSteppedUntilOneIsActivatedAndNoneWhenAllRestAgain) {
     EXPECT_TRUE(game.state.active_movers.empty());
 }
 
-constexpr test::Scenario kSwitchedLights[] = {
+constexpr Scenario kSwitchedLights[] = {
     // As in Quake: again after each wait, for as long as the player stays.
     {"GoOffAndOnEachTimeThatATriggerFires", R"(
         + trigger_multiple 100 -64 0 300 64 128 target=lamp wait=2
@@ -138,4 +131,4 @@ TEST(SwitchedLight, IsPartOfTheStatesHash) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test

@@ -6,12 +6,9 @@
 #include "game/simulation/game_level.h"
 #include "tests/game/logic_level.h"
 
-namespace oblong {
+namespace oblong::test {
 namespace {
 
-using test::kAhead;
-using test::LogicGame;
-using test::LogicLevel;
 using Phase = MoverState::Phase;
 
 LogicLevel with_everything() {
@@ -51,92 +48,91 @@ TEST(Consistency, AGameThatHasEndedIsConsistent) {
     EXPECT_EQ(find_inconsistency(game.level, game.state), "");
 }
 
+/// What the game cannot go on from, by a change of a state of with_everything().
+struct Spoiler {
+    const char* what;
+    std::function<void(GameState&)> spoil;
+};
+const std::vector<Spoiler> kSpoilers{
+    {"a mover too few", [](GameState& state) { state.movers.pop_back(); }},
+    {"a mover too many", [](GameState& state) { state.movers.emplace_back(); }},
+    {"no walls", [](GameState& state) { state.walls.clear(); }},
+    {"a trigger too many", [](GameState& state) { state.triggers.emplace_back(); }},
+    {"no items", [](GameState& state) { state.items.clear(); }},
+    {"an active mover that is not listed", [](GameState& state) { state.active_movers.clear(); }},
+    {"an active mover that is none", [](GameState& state) { state.active_movers.push_back(99); }},
+    {"a leg that a door does not have", [](GameState& state) { state.movers[0].leg = 1; }},
+    {"beyond the end of its path", [](GameState& state) { state.movers[0].travelled = World::from_int(121); }},
+    {"before the start of its path", [](GameState& state) { state.movers[1].travelled = World::from_int(-1); }},
+    {"a wait below none for ever", [](GameState& state) { state.movers[1].wait_ticks = -2; }},
+    {"no phase", [](GameState& state) { state.movers[1].phase = static_cast<Phase>(9); }},
+    {"touched before the start of time", [](GameState& state) { state.movers[1].next_touch = -1; }},
+    {"no state of a wall", [](GameState& state) { state.walls[0] = static_cast<WallState>(7); }},
+    {"no state of an item", [](GameState& state) { state.items[0] = static_cast<ItemState>(7); }},
+    {"open for ever", [](GameState& state) { state.triggers[0].open_until = TriggerState::kNever; }},
+    {"delayed by none", [](GameState& state) { state.delayed[0].by.index = 99; }},
+    {"delayed by a wall", [](GameState& state) { state.delayed[0].by.kind = EntityRef::Kind::Wall; }},
+    {"delayed by no kind", [](GameState& state) { state.delayed[0].by.kind = static_cast<EntityRef::Kind>(9); }},
+    {"delayed until now", [](GameState& state) { state.delayed[0].tick = state.tick; }},
+    {"delays out of order",
+     [](GameState& state) {
+         state.delayed.insert(state.delayed.begin(), {state.delayed[0].tick + 1, {}});
+     }},
+    {"a message that is none", [](GameState& state) { state.message.shown = 9; }},
+    {"less than no message", [](GameState& state) { state.message.shown = -2; }},
+    {"an exit that is none", [](GameState& state) { state.exit = 9; }},
+    {"more secrets than there are", [](GameState& state) { state.progress.found_secrets = 2; }},
+    {"keys that do not exist", [](GameState& state) { state.progress.keys = 4; }},
+    {"before the start", [](GameState& state) { state.tick = -1; }},
+    {"a respawn outside the world", [](GameState& state) { state.progress.respawn.position.x = World::lowest(); }},
+    {"a player outside the world", [](GameState& state) { state.player.position.z = World::highest(); }},
+    {"too fast", [](GameState& state) { state.player.velocity.z = World::lowest(); }},
+    {"a look beyond straight up", [](GameState& state) { state.player.pitch = 20'000; }},
+    {"an eye too far behind", [](GameState& state) { state.player.eye_lag = World::from_int(19); }},
+    {"ground that is none", [](GameState& state) { state.player.ground = 99; }},
+    {"no depth", [](GameState& state) { state.player.depth = static_cast<Depth>(4); }},
+    {"a lift beyond the end of its path",
+     [](GameState& state) { state.movers[1].travelled = World::from_int(30'000); }},
+    {"a wait of years", [](GameState& state) { state.movers[1].wait_ticks = 1 << 30; }},
+    {"a mover that is active twice", [](GameState& state) { state.active_movers.assign(2, 0); }},
+    {"active movers out of order",
+     [](GameState& state) {
+         state.active_movers = {1, 0};
+     }},
+    {"a wall too many", [](GameState& state) { state.walls.emplace_back(); }},
+    {"an item too many", [](GameState& state) { state.items.emplace_back(); }},
+    {"a message of later", [](GameState& state) { state.message.tick = state.tick + 1; }},
+    {"just above the world", [](GameState& state) { state.player.position.z = World::from_int(40'001); }},
+    {"more delayed than there may be",
+     [](GameState& state) { state.delayed.resize(Activations::kMost + 1, state.delayed[0]); }},
+    {"more waiting than there may be",
+     [](GameState& state) {
+         state.backlog.waiting.resize(Activations::kMost + 1, {0, 0, false});
+     }},
+    {"waiting by none",
+     [](GameState& state) {
+         state.backlog.waiting = {{99, 0, false}};
+     }},
+    {"waiting for no target",
+     [](GameState& state) {
+         state.backlog.waiting = {{0, 99, false}};
+     }},
+    {"a next mover that is none", [](GameState& state) { state.backlog.next_mover = 99; }},
+    {"a next touch box that is none", [](GameState& state) { state.backlog.next_touch_box = 99; }},
+    {"a next trigger box that is none", [](GameState& state) { state.backlog.next_trigger_box = 99; }},
+    {"a next item box that is none", [](GameState& state) { state.backlog.next_item_box = 99; }},
+};
+
 TEST(Consistency, WhatTheGameCanNotGoOnFromIsFound) {
     LogicLevel level = with_everything();
     LogicGame game(level);
     game.play(20, kAhead);
     ASSERT_EQ(game.state.delayed.size(), 1u);
-    struct Spoiler {
-        const char* what;
-        std::function<void(GameState&)> spoil;
-    };
-    const std::vector<Spoiler> spoilers{
-        {"a mover too few", [](GameState& state) { state.movers.pop_back(); }},
-        {"a mover too many", [](GameState& state) { state.movers.emplace_back(); }},
-        {"no walls", [](GameState& state) { state.walls.clear(); }},
-        {"a trigger too many", [](GameState& state) { state.triggers.emplace_back(); }},
-        {"no items", [](GameState& state) { state.items.clear(); }},
-        {"an active mover that is not listed", [](GameState& state) { state.active_movers.clear(); }},
-        {"an active mover that is none", [](GameState& state) { state.active_movers.push_back(99); }},
-        {"a leg that a door does not have", [](GameState& state) { state.movers[0].leg = 1; }},
-        {"beyond the end of its path", [](GameState& state) { state.movers[0].travelled = World::from_int(121); }},
-        {"before the start of its path", [](GameState& state) { state.movers[1].travelled = World::from_int(-1); }},
-        {"a wait below none for ever", [](GameState& state) { state.movers[1].wait_ticks = -2; }},
-        {"no phase", [](GameState& state) { state.movers[1].phase = static_cast<Phase>(9); }},
-        {"touched before the start of time", [](GameState& state) { state.movers[1].next_touch = -1; }},
-        {"no state of a wall", [](GameState& state) { state.walls[0] = static_cast<WallState>(7); }},
-        {"no state of an item", [](GameState& state) { state.items[0] = static_cast<ItemState>(7); }},
-        {"open for ever", [](GameState& state) { state.triggers[0].open_until = TriggerState::kNever; }},
-        {"delayed by none", [](GameState& state) { state.delayed[0].by.index = 99; }},
-        {"delayed by a wall", [](GameState& state) { state.delayed[0].by.kind = EntityRef::Kind::Wall; }},
-        {"delayed by no kind", [](GameState& state) { state.delayed[0].by.kind = static_cast<EntityRef::Kind>(9); }},
-        {"delayed until now", [](GameState& state) { state.delayed[0].tick = state.tick; }},
-        {"delays out of order",
-         [](GameState& state) {
-             state.delayed.insert(state.delayed.begin(), {state.delayed[0].tick + 1, {}});
-         }},
-        {"a message that is none", [](GameState& state) { state.message.shown = 9; }},
-        {"less than no message", [](GameState& state) { state.message.shown = -2; }},
-        {"an exit that is none", [](GameState& state) { state.exit = 9; }},
-        {"more secrets than there are", [](GameState& state) { state.progress.found_secrets = 2; }},
-        {"keys that do not exist", [](GameState& state) { state.progress.keys = 4; }},
-        {"before the start", [](GameState& state) { state.tick = -1; }},
-        {"a respawn outside the world", [](GameState& state) { state.progress.respawn.position.x = World::lowest(); }},
-        {"a player outside the world", [](GameState& state) { state.player.position.z = World::highest(); }},
-        {"too fast", [](GameState& state) { state.player.velocity.z = World::lowest(); }},
-        {"a look beyond straight up", [](GameState& state) { state.player.pitch = 20'000; }},
-        {"an eye too far behind", [](GameState& state) { state.player.eye_lag = World::from_int(19); }},
-        {"ground that is none", [](GameState& state) { state.player.ground = 99; }},
-        {"no depth", [](GameState& state) { state.player.depth = static_cast<Depth>(4); }},
-        {"a lift beyond the end of its path",
-         [](GameState& state) { state.movers[1].travelled = World::from_int(30'000); }},
-        {"a wait of years", [](GameState& state) { state.movers[1].wait_ticks = 1 << 30; }},
-        {"a mover that is active twice",
-         [](GameState& state) {
-             state.active_movers = {0, 0};
-         }},
-        {"active movers out of order",
-         [](GameState& state) {
-             state.active_movers = {1, 0};
-         }},
-        {"a wall too many", [](GameState& state) { state.walls.emplace_back(); }},
-        {"an item too many", [](GameState& state) { state.items.emplace_back(); }},
-        {"a message of later", [](GameState& state) { state.message.tick = state.tick + 1; }},
-        {"just above the world", [](GameState& state) { state.player.position.z = World::from_int(40'001); }},
-        {"more delayed than there may be",
-         [](GameState& state) { state.delayed.resize(Activations::kMost + 1, state.delayed[0]); }},
-        {"more waiting than there may be",
-         [](GameState& state) {
-             state.backlog.waiting.resize(Activations::kMost + 1, {0, 0, false});
-         }},
-        {"waiting by none",
-         [](GameState& state) {
-             state.backlog.waiting = {{99, 0, false}};
-         }},
-        {"waiting for no target",
-         [](GameState& state) {
-             state.backlog.waiting = {{0, 99, false}};
-         }},
-        {"a next mover that is none", [](GameState& state) { state.backlog.next_mover = 99; }},
-        {"a next touch box that is none", [](GameState& state) { state.backlog.next_touch_box = 99; }},
-        {"a next trigger box that is none", [](GameState& state) { state.backlog.next_trigger_box = 99; }},
-        {"a next item box that is none", [](GameState& state) { state.backlog.next_item_box = 99; }},
-    };
     GameState waits = game.state;
     waits.backlog.waiting = {{0, 0, false}};
     ASSERT_TRUE(is_consistent(game.level, waits));
     ASSERT_TRUE(is_consistent(game.level, game.state));
-    for (const auto& [what, spoil] : spoilers) {
+    for (const auto& [what, spoil] : kSpoilers) {
         GameState spoilt = game.state;
         spoil(spoilt);
         EXPECT_FALSE(is_consistent(game.level, spoilt)) << what;
@@ -151,4 +147,4 @@ TEST(Consistency, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test

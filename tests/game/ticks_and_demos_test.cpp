@@ -10,12 +10,8 @@
 #include "tests/game/logic_level.h"
 #include "tests/support/refusal.h"
 
-namespace oblong {
+namespace oblong::test {
 namespace {
-
-using test::floor_and;
-using test::ToyGame;
-using test::ToyLevel;
 
 TEST(TickClock, GivesThirtyFiveTicksASecondHoweverItIsCut) {
     for (const std::uint64_t piece_us : {1u, 7u, 1000u, 6944u, 16'667u, 100'000u}) {
@@ -88,10 +84,6 @@ TEST(View, ATeleportIsNoFlight) {
     after.player.position.x = World::from_int(1000);
     EXPECT_EQ(camera_at({before, after, 0}, {}, Degrees::from_int(90)).eye.x, World::from_int(1000));
 }
-
-using test::floor_and;
-using test::ToyGame;
-using test::ToyLevel;
 
 ToyLevel with_things() {
     ToyLevel toy;
@@ -168,7 +160,7 @@ TEST(Demo, BadFieldsAreRefusedWithTheirOffset) {
     const auto where = [&](std::size_t at, std::uint8_t value) {
         auto bad = bytes;
         bad[at] = value;
-        return test::place_of_refusal([&] { decode_demo(bad); });
+        return place_of_refusal([&] { decode_demo(bad); });
     };
     EXPECT_EQ(where(0, 'X'), "offset 0");
     EXPECT_EQ(where(8, 2), "offset 8");       // version
@@ -179,4 +171,4 @@ TEST(Demo, BadFieldsAreRefusedWithTheirOffset) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test

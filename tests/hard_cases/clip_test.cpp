@@ -9,10 +9,9 @@
 #include "tests/hard_cases/hard_case.h"
 #include "tests/support/reference_polygons.h"
 
-namespace oblong {
+namespace oblong::test {
 namespace {
 
-using namespace test;
 using reference::Vec;
 
 constexpr ClipPlane kAtDepth4{{0, 0, 1}, 4 * 65536};
@@ -336,4 +335,4 @@ TEST(HardCaseC8, NearPolygonsAreCutAndNotPushed) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test

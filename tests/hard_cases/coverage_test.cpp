@@ -7,10 +7,9 @@
 #include "tests/hard_cases/hard_case.h"
 #include "tests/support/reference_polygons.h"
 
-namespace oblong {
+namespace oblong::test {
 namespace {
 
-using namespace test;
 using reference::CoverageMap;
 using reference::GridPoint;
 using Triangle = std::array<GridPoint, 3>;
@@ -257,4 +256,4 @@ TEST(HardCaseE10, NeitherOrderNorWindingChangesThePicture) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test

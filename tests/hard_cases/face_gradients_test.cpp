@@ -10,10 +10,8 @@
 
 // The gradients that a frame's faces take from their texture. Those of triangles, as outside checks ask for them, are
 // in texture_test.cpp.
-namespace oblong {
+namespace oblong::test {
 namespace {
-
-using namespace test;
 
 /// A face as a frame has it: a plane before the eye, whose texture shows `texel` at a pixel.
 struct SeenPlane {
@@ -110,4 +108,4 @@ TEST(HardCaseE11, FacesOfOnePlaneHaveTheSameDepthsBitForBit) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test

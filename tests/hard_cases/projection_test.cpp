@@ -11,10 +11,9 @@
 #include "tests/hard_cases/hard_case.h"
 #include "tools/reference/view.h"
 
-namespace oblong {
+namespace oblong::test {
 namespace {
 
-using namespace test;
 using reference::Vec;
 
 /// Left-handed axes, y up: yaw turns forward toward right, then pitch turns forward toward up, then roll turns right
@@ -145,4 +144,4 @@ TEST(HardCaseV10, FarOffTheScreenNothingWraps) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test

@@ -9,10 +9,9 @@
 #include "tests/hard_cases/hard_case.h"
 #include "tests/support/reference_polygons.h"
 
-namespace oblong {
+namespace oblong::test {
 namespace {
 
-using namespace test;
 using reference::TexturedCorner;
 using Corners = std::array<TexturedCorner, 3>;
 
@@ -281,4 +280,4 @@ TEST(HardCaseX10, InverseDepthIsPositiveWhereverATriangleIsSeen) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test

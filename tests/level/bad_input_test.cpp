@@ -4,20 +4,17 @@
 
 #include "tests/support/levels.h"
 
-namespace oblong {
+namespace oblong::test {
 
 namespace {
 
-using test::Bytes, test::fault_of, test::lump_label, test::names_a_lump;
-
-/// One wrong number in one lump of the tiny level.
+/// One wrong number in one lump of the tiny level, which the error names.
 struct Damage {
     const char* what;
     Lump lump;
     std::size_t offset;  ///< in the lump
     int size;            ///< bytes
     std::int64_t value;
-    Lump named_lump;  ///< in the error
 };
 
 std::int64_t bits_of(float value) {
@@ -26,197 +23,188 @@ std::int64_t bits_of(float value) {
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInfinity = std::numeric_limits<float>::infinity();
 
 const std::vector<Damage> kDamages = {
-    {"NaN in a plane's normal", Lump::Planes, 0, 4, bits_of(kNan), Lump::Planes},
-    {"infinite normal", Lump::Planes, 8, 4, bits_of(kInfinity), Lump::Planes},
-    {"normal of length 0", Lump::Planes, 8, 4, bits_of(0), Lump::Planes},
-    {"normal of length 1.1", Lump::Planes, 8, 4, bits_of(1.1F), Lump::Planes},
-    {"NaN in a plane's distance", Lump::Planes, 12, 4, bits_of(kNan), Lump::Planes},
-    {"distance past the world", Lump::Planes, 12, 4, bits_of(1048576.F), Lump::Planes},
-    {"NaN in a vertex", Lump::Vertices, 4, 4, bits_of(kNan), Lump::Vertices},
-    {"vertex outside the world", Lump::Vertices, 8, 4, bits_of(-524288.F), Lump::Vertices},
-    {"negative count of textures", Lump::Textures, 0, 4, -1, Lump::Textures},
-    {"too many textures", Lump::Textures, 0, 4, 1 << 30, Lump::Textures},
-    {"texture outside the lump", Lump::Textures, 4, 4, 1000, Lump::Textures},
-    {"texture at a negative offset", Lump::Textures, 4, 4, -2, Lump::Textures},
-    {"width not a multiple of 16", Lump::Textures, 24, 4, 17, Lump::Textures},
-    {"width 0", Lump::Textures, 24, 4, 0, Lump::Textures},
-    {"huge height", Lump::Textures, 28, 4, 0x7ffffff0, Lump::Textures},
-    {"mip level outside the lump", Lump::Textures, 44, 4, 377, Lump::Textures},
-    {"mip level far outside the lump", Lump::Textures, 32, 4, 0xffffffff, Lump::Textures},
-    {"visible row past the lump", Lump::Visibility, 0, 1, 0, Lump::Visibility},
-    {"node's plane", Lump::Nodes, 0, 4, 1, Lump::Nodes},
-    {"node's leaf", Lump::Nodes, 4, 2, -3, Lump::Nodes},
-    {"node below itself", Lump::Nodes, 6, 2, 0, Lump::Nodes},
-    {"node's faces", Lump::Nodes, 22, 2, 2, Lump::Nodes},
-    {"texture axis out of its format", Lump::TexInfos, 0, 4, bits_of(256.F), Lump::TexInfos},
-    {"texture axis that overflows its format when it is rounded", Lump::TexInfos, 0, 4, bits_of(255.99998F),
-     Lump::TexInfos},
-    {"NaN in a texture axis", Lump::TexInfos, 16, 4, bits_of(kNan), Lump::TexInfos},
-    {"texture offset out of its format", Lump::TexInfos, 12, 4, bits_of(2e9F), Lump::TexInfos},
-    {"texinfo's texture", Lump::TexInfos, 32, 4, 1, Lump::TexInfos},
-    {"texinfo's texture, negative", Lump::TexInfos, 32, 4, -1, Lump::TexInfos},
-    {"face's plane", Lump::Faces, 0, 2, 1, Lump::Faces},
-    {"face's first surfedge, negative", Lump::Faces, 4, 4, -1, Lump::Faces},
-    {"face of two edges", Lump::Faces, 8, 2, 2, Lump::Faces},
-    {"face's edges", Lump::Faces, 8, 2, 5, Lump::Faces},
-    {"face's texinfo", Lump::Faces, 10, 2, 1, Lump::Faces},
-    {"face's light past the lump", Lump::Faces, 16, 4, 1, Lump::Faces},
-    {"face's light, negative", Lump::Faces, 16, 4, -2, Lump::Faces},
-    {"second light style past the lump", Lump::Faces, 13, 1, 3, Lump::Faces},
-    {"clipnode's plane", Lump::ClipNodes, 0, 4, -1, Lump::ClipNodes},
-    {"clipnode below itself", Lump::ClipNodes, 4, 2, 0, Lump::ClipNodes},
-    {"clipnode's contents", Lump::ClipNodes, 4, 2, -17, Lump::ClipNodes},
-    {"first leaf not solid", Lump::Leaves, 0, 4, -1, Lump::Leaves},
-    {"leaf's contents", Lump::Leaves, 28, 4, 0, Lump::Leaves},
-    {"leaf's visibility", Lump::Leaves, 32, 4, 2, Lump::Leaves},
-    {"leaf's visibility, negative", Lump::Leaves, 32, 4, -2, Lump::Leaves},
-    {"leaf's markfaces", Lump::Leaves, 50, 2, 2, Lump::Leaves},
-    {"markface's face", Lump::MarkFaces, 0, 2, 1, Lump::MarkFaces},
-    {"edge's vertex", Lump::Edges, 18, 2, 4, Lump::Edges},
-    {"surfedge's edge", Lump::SurfEdges, 0, 4, 5, Lump::SurfEdges},
-    {"surfedge's edge, backward", Lump::SurfEdges, 0, 4, -5, Lump::SurfEdges},
-    {"surfedge without a negative", Lump::SurfEdges, 0, 4, std::numeric_limits<std::int32_t>::min(), Lump::SurfEdges},
-    {"NaN in a model's box", Lump::Models, 0, 4, bits_of(kNan), Lump::Models},
-    {"infinite origin", Lump::Models, 24, 4, bits_of(-kInfinity), Lump::Models},
-    {"model's node", Lump::Models, 36, 4, 1, Lump::Models},
-    {"model's leaf", Lump::Models, 36, 4, -3, Lump::Models},
-    {"model's clipnode", Lump::Models, 40, 4, 1, Lump::Models},
-    {"model's visible leaves", Lump::Models, 52, 4, 2, Lump::Models},
-    {"model's visible leaves, negative", Lump::Models, 52, 4, -1, Lump::Models},
-    {"model's faces", Lump::Models, 60, 4, 2, Lump::Models},
-    {"model's faces, overflowing", Lump::Models, 56, 4, 0x7fffffff, Lump::Models},
+    {"NaN in a plane's normal", Lump::Planes, 0, 4, bits_of(kNan)},
+    {"infinite normal", Lump::Planes, 8, 4, bits_of(kInfinity)},
+    {"normal of length 0", Lump::Planes, 8, 4, bits_of(0)},
+    {"normal of length 1.1", Lump::Planes, 8, 4, bits_of(1.1F)},
+    {"NaN in a plane's distance", Lump::Planes, 12, 4, bits_of(kNan)},
+    {"distance past the world", Lump::Planes, 12, 4, bits_of(1048576.F)},
+    {"NaN in a vertex", Lump::Vertices, 4, 4, bits_of(kNan)},
+    {"vertex outside the world", Lump::Vertices, 8, 4, bits_of(-524288.F)},
+    {"negative count of textures", Lump::Textures, 0, 4, -1},
+    {"too many textures", Lump::Textures, 0, 4, 1 << 30},
+    {"texture outside the lump", Lump::Textures, 4, 4, 1000},
+    {"texture at a negative offset", Lump::Textures, 4, 4, -2},
+    {"width not a multiple of 16", Lump::Textures, 24, 4, 17},
+    {"width 0", Lump::Textures, 24, 4, 0},
+    {"huge height", Lump::Textures, 28, 4, 0x7ffffff0},
+    {"mip level outside the lump", Lump::Textures, 44, 4, 377},
+    {"mip level far outside the lump", Lump::Textures, 32, 4, 0xffffffff},
+    {"visible row past the lump", Lump::Visibility, 0, 1, 0},
+    {"node's plane", Lump::Nodes, 0, 4, 1},
+    {"node's leaf", Lump::Nodes, 4, 2, -3},
+    {"node below itself", Lump::Nodes, 6, 2, 0},
+    {"node's faces", Lump::Nodes, 22, 2, 2},
+    {"texture axis out of its format", Lump::TexInfos, 0, 4, bits_of(256.F)},
+    {"texture axis that overflows its format when it is rounded", Lump::TexInfos, 0, 4, bits_of(255.99998F)},
+    {"NaN in a texture axis", Lump::TexInfos, 16, 4, bits_of(kNan)},
+    {"texture offset out of its format", Lump::TexInfos, 12, 4, bits_of(2e9F)},
+    {"texinfo's texture", Lump::TexInfos, 32, 4, 1},
+    {"texinfo's texture, negative", Lump::TexInfos, 32, 4, -1},
+    {"face's plane", Lump::Faces, 0, 2, 1},
+    {"face's first surfedge, negative", Lump::Faces, 4, 4, -1},
+    {"face of two edges", Lump::Faces, 8, 2, 2},
+    {"face's edges", Lump::Faces, 8, 2, 5},
+    {"face's texinfo", Lump::Faces, 10, 2, 1},
+    {"face's light past the lump", Lump::Faces, 16, 4, 1},
+    {"face's light, negative", Lump::Faces, 16, 4, -2},
+    {"second light style past the lump", Lump::Faces, 13, 1, 3},
+    {"clipnode's plane", Lump::ClipNodes, 0, 4, -1},
+    {"clipnode below itself", Lump::ClipNodes, 4, 2, 0},
+    {"clipnode's contents", Lump::ClipNodes, 4, 2, -17},
+    {"first leaf not solid", Lump::Leaves, 0, 4, -1},
+    {"leaf's contents", Lump::Leaves, 28, 4, 0},
+    {"leaf's visibility", Lump::Leaves, 32, 4, 2},
+    {"leaf's visibility, negative", Lump::Leaves, 32, 4, -2},
+    {"leaf's markfaces", Lump::Leaves, 50, 2, 2},
+    {"markface's face", Lump::MarkFaces, 0, 2, 1},
+    {"edge's vertex", Lump::Edges, 18, 2, 4},
+    {"surfedge's edge", Lump::SurfEdges, 0, 4, 5},
+    {"surfedge's edge, backward", Lump::SurfEdges, 0, 4, -5},
+    {"surfedge without a negative", Lump::SurfEdges, 0, 4, std::numeric_limits<std::int32_t>::min()},
+    {"NaN in a model's box", Lump::Models, 0, 4, bits_of(kNan)},
+    {"infinite origin", Lump::Models, 24, 4, bits_of(-kInfinity)},
+    {"model's node", Lump::Models, 36, 4, 1},
+    {"model's leaf", Lump::Models, 36, 4, -3},
+    {"model's clipnode", Lump::Models, 40, 4, 1},
+    {"model's visible leaves", Lump::Models, 52, 4, 2},
+    {"model's visible leaves, negative", Lump::Models, 52, 4, -1},
+    {"model's faces", Lump::Models, 60, 4, 2},
+    {"model's faces, overflowing", Lump::Models, 56, 4, 0x7fffffff},
 };
 
 TEST(BadInput, OneWrongNumberNamesItsLump) {
     for (const Damage& damage : kDamages) {
-        test::Lumps lumps = test::make_tiny_lumps();
-        test::put_number(test::lump_of(lumps, damage.lump), damage.offset, damage.size, damage.value);
-        const std::string where = fault_of(test::join_lumps(29, lumps));
-        EXPECT_TRUE(where.starts_with(lump_label(static_cast<std::size_t>(damage.named_lump)) + ","))
+        Lumps lumps = make_tiny_lumps();
+        put_number(lump_of(lumps, damage.lump), damage.offset, damage.size, damage.value);
+        const std::string where = fault_of(join_lumps(29, lumps));
+        EXPECT_TRUE(where.starts_with(lump_label(static_cast<std::size_t>(damage.lump)) + ","))
             << damage.what << ": '" << where << "'";
     }
 }
 
 /// Its lit surface would take as much memory as the numbers of the file ask for, 64 GiB for some.
 TEST(BadInput, HugeLitFacesAreRefusedInLevelsWithoutLightAsWell) {
-    test::Lumps lumps = test::make_tiny_lumps();
-    test::lump_of(lumps, Lump::Lighting).clear();
-    EXPECT_EQ(fault_of(test::join_lumps(29, lumps)), "");
-    test::put_number(test::lump_of(lumps, Lump::TexInfos), 0, 4, bits_of(200.F));  // the face is 32 units wide
-    EXPECT_TRUE(fault_of(test::join_lumps(29, lumps)).starts_with("lump 'faces', offset "));
+    Lumps lumps = make_tiny_lumps();
+    lump_of(lumps, Lump::Lighting).clear();
+    EXPECT_EQ(fault_of(join_lumps(29, lumps)), "");
+    put_number(lump_of(lumps, Lump::TexInfos), 0, 4, bits_of(200.F));  // the face is 32 units wide
+    EXPECT_TRUE(fault_of(join_lumps(29, lumps)).starts_with("lump 'faces', offset "));
 }
 
 TEST(BadInput, ErrorTellsTheByteOfTheFile) {
-    test::Lumps lumps = test::make_tiny_lumps();
-    test::put_number(test::lump_of(lumps, Lump::Faces), 10, 2, 1);  // the texinfo
-    const Bytes file = test::join_lumps(29, lumps);
-    const std::uint32_t faces = test::number_at(file, 4 + 7 * 8, 4);
+    Lumps lumps = make_tiny_lumps();
+    put_number(lump_of(lumps, Lump::Faces), 10, 2, 1);  // the texinfo
+    const Bytes file = join_lumps(29, lumps);
+    const std::uint32_t faces = number_at(file, 4 + 7 * 8, 4);
     EXPECT_EQ(fault_of(file), "lump 'faces', offset " + std::to_string(faces + 10));
 }
 
 TEST(BadInput, BrokenEntitiesAreFound) {
     for (const char* text : {"{", "{ \"key\" }", "{ \"key", "\"classname\" \"worldspawn\"", "{ key \"value\" }", "}"}) {
-        test::Lumps lumps = test::make_tiny_lumps();
-        test::lump_of(lumps, Lump::Entities).assign(text, text + std::string_view(text).size());
-        EXPECT_TRUE(fault_of(test::join_lumps(29, lumps)).starts_with("lump 'entities', offset ")) << text;
+        Lumps lumps = make_tiny_lumps();
+        lump_of(lumps, Lump::Entities).assign(text, text + std::string_view(text).size());
+        EXPECT_TRUE(fault_of(join_lumps(29, lumps)).starts_with("lump 'entities', offset ")) << text;
     }
 }
 
 TEST(BadInput, CycleOfTwoClipNodesIsFound) {
-    test::Lumps lumps = test::make_tiny_lumps();
-    test::Bytes& nodes = test::lump_of(lumps, Lump::ClipNodes);
+    Lumps lumps = make_tiny_lumps();
+    Bytes& nodes = lump_of(lumps, Lump::ClipNodes);
     nodes.clear();
-    test::ByteWriter(nodes).i32(0).i16(1).i16(-2).i32(0).i16(-1).i16(0);
-    EXPECT_TRUE(fault_of(test::join_lumps(29, lumps)).starts_with("lump 'clipnodes'"));
-    test::put_number(nodes, 14, 2, -1);  // the way back: now a chain
-    EXPECT_EQ(fault_of(test::join_lumps(29, lumps)), "");
+    ByteWriter(nodes).i32(0).i16(1).i16(-2).i32(0).i16(-1).i16(0);
+    EXPECT_TRUE(fault_of(join_lumps(29, lumps)).starts_with("lump 'clipnodes'"));
+    put_number(nodes, 14, 2, -1);  // the way back: now a chain
+    EXPECT_EQ(fault_of(join_lumps(29, lumps)), "");
 }
 
 TEST(BadInput, ClipNodesMayShareASubtreeAndNodesMayNot) {
-    test::Lumps lumps = test::make_tiny_lumps();
-    test::ByteWriter(test::lump_of(lumps, Lump::ClipNodes)).i32(0).i16(0).i16(0);
-    EXPECT_EQ(fault_of(test::join_lumps(29, lumps)), "");
-    test::ByteWriter(test::lump_of(lumps, Lump::Nodes)).i32(0).i16(0).i16(0).number(8, 0).i32(0).i16(0).i16(0);
-    EXPECT_TRUE(fault_of(test::join_lumps(29, lumps)).starts_with("lump 'nodes'"));
+    Lumps lumps = make_tiny_lumps();
+    ByteWriter(lump_of(lumps, Lump::ClipNodes)).i32(0).i16(0).i16(0);
+    EXPECT_EQ(fault_of(join_lumps(29, lumps)), "");
+    ByteWriter(lump_of(lumps, Lump::Nodes)).i32(0).i16(0).i16(0).number(8, 0).i32(0).i16(0).i16(0);
+    EXPECT_TRUE(fault_of(join_lumps(29, lumps)).starts_with("lump 'nodes'"));
 }
 
-/// Files that would take far more memory or time than their size.
+/// Adds 1,000 copies of a lump's last record, of so many bytes.
+template <std::ptrdiff_t kSize, Lump kLump>
+void repeat_record(Lumps& lumps) {
+    Bytes& records = lump_of(lumps, kLump);
+    const Bytes record(records.end() - kSize, records.end());
+    for (int i = 0; i < 1000; ++i) records.insert(records.end(), record.begin(), record.end());
+}
+
+/// What makes a file of the tiny level that would take far more memory or time than its size.
+struct Sharing {
+    const char *what, *where;
+    void (*spoil)(Lumps&);
+};
+constexpr Sharing kSharings[] = {
+    {"an endlessly deep tree", "lump 'clipnodes'",
+     [](Lumps& lumps) {
+         Bytes& nodes = lump_of(lumps, Lump::ClipNodes);
+         nodes.clear();
+         for (int i = 1; i < 5000; ++i) ByteWriter(nodes).i32(0).i16(i).i16(-2);
+         ByteWriter(nodes).i32(0).i16(-1).i16(-2);
+     }},
+    {"textures that share their bytes", "lump 'textures'",
+     [](Lumps& lumps) {
+         Bytes &textures = lump_of(lumps, Lump::Textures), table;
+         ByteWriter(table).i32(100);
+         for (int i = 0; i < 100; ++i) ByteWriter(table).i32(4 + 100 * 4);
+         textures.erase(textures.begin(), textures.begin() + 8);
+         textures.insert(textures.begin(), table.begin(), table.end());
+     }},
+    {"faces that share their edges", "lump 'faces'", repeat_record<20, Lump::Faces>},
+    {"nodes that share their faces", "lump 'nodes'", repeat_record<24, Lump::Nodes>},
+    {"leaves that share their markfaces", "lump 'leaves'", repeat_record<28, Lump::Leaves>},
+    {"visible rows that overlap", "lump 'visibility'",
+     [](Lumps& lumps) {
+         constexpr int kLeaves = 1000;  // a row takes 125 bytes, and one starts at every byte
+         lump_of(lumps, Lump::Visibility).assign(kLeaves + kLeaves / 8, 0xff);
+         ByteWriter leaves(lump_of(lumps, Lump::Leaves));
+         for (int i = 1; i < kLeaves; ++i) leaves.i32(contents::kEmpty).i32(i).number(8, 0).i32(0).i32(0).i32(0);
+         put_number(lump_of(lumps, Lump::Models), 52, 4, kLeaves);
+     }},
+    {"a million missing textures", "lump 'textures'",
+     [](Lumps& lumps) {
+         Bytes& textures = lump_of(lumps, Lump::Textures);
+         textures.assign(4 + 4 * 1000000, 0xff);
+         put_number(textures, 0, 4, 1000000);
+     }},
+};
+
 TEST(BadInput, WhatIsSharedOrMissingOverAndOverIsRefused) {
-    struct Row {
-        const char *what, *where;
-        void (*spoil)(test::Lumps&);
-    };
-    const std::vector<Row> rows{{"an endlessly deep tree", "lump 'clipnodes'",
-                                 [](test::Lumps& lumps) {
-                                     test::Bytes& nodes = test::lump_of(lumps, Lump::ClipNodes);
-                                     nodes.clear();
-                                     for (int i = 1; i < 5000; ++i) test::ByteWriter(nodes).i32(0).i16(i).i16(-2);
-                                     test::ByteWriter(nodes).i32(0).i16(-1).i16(-2);
-                                 }},
-                                {"textures that share their bytes", "lump 'textures'",
-                                 [](test::Lumps& lumps) {
-                                     test::Bytes& textures = test::lump_of(lumps, Lump::Textures);
-                                     Bytes table;
-                                     test::ByteWriter out(table);
-                                     out.i32(100);
-                                     for (int i = 0; i < 100; ++i) out.i32(4 + 100 * 4);
-                                     textures.erase(textures.begin(), textures.begin() + 8);
-                                     textures.insert(textures.begin(), table.begin(), table.end());
-                                 }},
-                                {"faces that share their edges", "lump 'faces'",
-                                 [](test::Lumps& lumps) {
-                                     test::Bytes& faces = test::lump_of(lumps, Lump::Faces);
-                                     const Bytes face = faces;
-                                     for (int i = 0; i < 1000; ++i) faces.insert(faces.end(), face.begin(), face.end());
-                                 }},
-                                {"nodes that share their faces", "lump 'nodes'",
-                                 [](test::Lumps& lumps) {
-                                     test::Bytes& nodes = test::lump_of(lumps, Lump::Nodes);
-                                     const Bytes node = nodes;
-                                     for (int i = 0; i < 1000; ++i) nodes.insert(nodes.end(), node.begin(), node.end());
-                                 }},
-                                {"leaves that share their markfaces", "lump 'leaves'",
-                                 [](test::Lumps& lumps) {
-                                     test::Bytes& leaves = test::lump_of(lumps, Lump::Leaves);
-                                     const Bytes leaf(leaves.end() - 28, leaves.end());
-                                     for (int i = 0; i < 1000; ++i)
-                                         leaves.insert(leaves.end(), leaf.begin(), leaf.end());
-                                 }},
-                                {"visible rows that overlap", "lump 'visibility'",
-                                 [](test::Lumps& lumps) {
-                                     constexpr int kLeaves =
-                                         1000;  // a row takes 125 bytes, and one starts at every byte
-                                     test::lump_of(lumps, Lump::Visibility).assign(kLeaves + kLeaves / 8, 0xff);
-                                     test::ByteWriter leaves(test::lump_of(lumps, Lump::Leaves));
-                                     for (int i = 1; i < kLeaves; ++i)
-                                         leaves.i32(contents::kEmpty).i32(i).number(8, 0).i32(0).i32(0).i32(0);
-                                     test::put_number(test::lump_of(lumps, Lump::Models), 52, 4, kLeaves);
-                                 }},
-                                {"a million missing textures", "lump 'textures'", [](test::Lumps& lumps) {
-                                     test::Bytes& textures = test::lump_of(lumps, Lump::Textures);
-                                     textures.assign(4 + 4 * 1000000, 0xff);
-                                     test::put_number(textures, 0, 4, 1000000);
-                                 }}};
-    for (const Row& row : rows) {
-        test::Lumps lumps = test::make_tiny_lumps();
-        row.spoil(lumps);
-        const std::string where = fault_of(test::join_lumps(29, lumps));
-        EXPECT_TRUE(where.starts_with(row.where)) << row.what << ": '" << where << "'";
+    for (const auto& [what, expected, spoil] : kSharings) {
+        Lumps lumps = make_tiny_lumps();
+        spoil(lumps);
+        const std::string where = fault_of(join_lumps(29, lumps));
+        EXPECT_TRUE(where.starts_with(expected)) << what << ": '" << where << "'";
     }
 }
 
 TEST(BadInput, UnknownVersionAndShortFilesNameTheHeader) {
-    const Bytes file = test::join_lumps(30, test::make_tiny_lumps());
+    const Bytes file = join_lumps(30, make_tiny_lumps());
     EXPECT_EQ(fault_of(file), "header, offset 0");
     EXPECT_EQ(fault_of({}), "header, offset 0");
     EXPECT_EQ(fault_of(Bytes(123, 0)), "header, offset 0");
 }
 
-class BadRealLevel : public test::OfLevel {
+class BadRealLevel : public OfLevel {
   protected:
     void SetUp() override {
-        test::OfLevel::SetUp();
-        if (!IsSkipped()) file_ = test::bytes_of_level(GetParam());
+        OfLevel::SetUp();
+        if (!IsSkipped()) file_ = bytes_of_level(GetParam());
     }
     Bytes file_;
 };
@@ -224,8 +212,7 @@ class BadRealLevel : public test::OfLevel {
 TEST_P(BadRealLevel, CutAtALumpsBorderItNamesALump) {
     std::vector<std::size_t> borders;
     for (std::size_t lump = 0; lump < kLumpCount; ++lump) {
-        const std::size_t start = test::number_at(file_, 4 + lump * 8, 4),
-                          size = test::number_at(file_, 8 + lump * 8, 4);
+        const std::size_t start = number_at(file_, 4 + lump * 8, 4), size = number_at(file_, 8 + lump * 8, 4);
         for (const std::size_t cut : {start, start + size / 2, start + size - 1}) borders.push_back(cut);
     }
     for (const std::size_t cut : borders) {
@@ -241,12 +228,12 @@ TEST_P(BadRealLevel, LumpOutsideTheFileIsNamed) {
              {std::int64_t{-1}, std::int64_t{-2147483648}, std::int64_t{2147483647}, size + 1}) {
             for (const std::size_t field : {4 + lump * 8, 8 + lump * 8}) {
                 Bytes bad = file_;
-                test::put_number(bad, field, 4, value);
+                put_number(bad, field, 4, value);
                 EXPECT_TRUE(fault_of(bad).starts_with(lump_label(lump))) << kLumpNames[lump] << ' ' << value;
             }
         }
         Bytes in_header = file_;
-        test::put_number(in_header, 4 + lump * 8, 4, kBspHeaderSize - 1);
+        put_number(in_header, 4 + lump * 8, 4, kBspHeaderSize - 1);
         EXPECT_TRUE(fault_of(in_header).starts_with(lump_label(lump))) << kLumpNames[lump];
     }
 }
@@ -254,13 +241,13 @@ TEST_P(BadRealLevel, LumpOutsideTheFileIsNamed) {
 // A lump moved by a record, or emptied, may by chance hold a valid level: then it is read.
 TEST_P(BadRealLevel, LumpMovedOrResizedIsReadOrNamesALump) {
     for (std::size_t lump = 0; lump < kLumpCount; ++lump) {
-        const auto offset = test::number_at(file_, 4 + lump * 8, 4), size = test::number_at(file_, 8 + lump * 8, 4);
+        const auto offset = number_at(file_, 4 + lump * 8, 4), size = number_at(file_, 8 + lump * 8, 4);
         const std::int64_t record = kBspFormats[0].record_sizes[lump];
         for (const std::int64_t change : {-record, std::int64_t{-1}, std::int64_t{1}, record}) {
             Bytes moved = file_, resized = file_, emptied = file_;
-            test::put_number(moved, 4 + lump * 8, 4, offset + change);
-            test::put_number(resized, 8 + lump * 8, 4, size + change);
-            test::put_number(emptied, 8 + lump * 8, 4, 0);
+            put_number(moved, 4 + lump * 8, 4, offset + change);
+            put_number(resized, 8 + lump * 8, 4, size + change);
+            put_number(emptied, 8 + lump * 8, 4, 0);
             for (const Bytes& bad : {moved, resized, emptied}) {
                 const std::string where = fault_of(bad);
                 EXPECT_TRUE(where.empty() || names_a_lump(where)) << where;
@@ -273,4 +260,4 @@ OBLONG_FOR_ALL_LEVELS(BadRealLevel);
 
 }  // namespace
 
-}  // namespace oblong
+}  // namespace oblong::test

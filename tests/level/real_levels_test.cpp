@@ -10,19 +10,19 @@
 #include "tests/support/levels.h"
 #include "tests/support/point.h"
 
-namespace oblong {
+namespace oblong::test {
 namespace {
 
 class RealLevel : public testing::TestWithParam<const char*> {
   protected:
     void SetUp() override {
         OBLONG_NEEDS_SHARED_LEVELS();
-        file_ = test::read_shared_file(std::string(GetParam()) + ".bsp");
+        file_ = read_shared_file(std::string(GetParam()) + ".bsp");
         level_ = read_bsp(file_);
     }
 
-    std::size_t lump_offset(std::size_t lump) const { return test::number_at(file_, 4 + lump * 8, 4); }
-    std::size_t lump_size(std::size_t lump) const { return test::number_at(file_, 8 + lump * 8, 4); }
+    std::size_t lump_offset(std::size_t lump) const { return number_at(file_, 4 + lump * 8, 4); }
+    std::size_t lump_size(std::size_t lump) const { return number_at(file_, 8 + lump * 8, 4); }
 
     std::vector<std::uint8_t> file_;
     Level level_;
@@ -43,7 +43,7 @@ TEST_P(RealLevel, HoldsEveryRecordOfTheFile) {
     EXPECT_EQ(level_.edges.size() * 4, lump_size(12));
     EXPECT_EQ(level_.surf_edges.size() * 4, lump_size(13));
     EXPECT_EQ(level_.models.size() * 64, lump_size(14));
-    EXPECT_EQ(level_.textures.size(), test::number_at(file_, lump_offset(2), 4));
+    EXPECT_EQ(level_.textures.size(), number_at(file_, lump_offset(2), 4));
 }
 
 TEST_P(RealLevel, BeginsWithTheWorldspawn) {
@@ -95,9 +95,9 @@ TEST_P(RealLevel, LightmapsOfTheExtentsTileTheLightingLump) {
 
 // Only shapes of records differ between the formats: a level written in each must be the same level.
 TEST_P(RealLevel, IsTheSameInBsp2And2Psb) {
-    const test::Lumps lumps = test::split_lumps(file_);
-    EXPECT_EQ(level_, read_bsp(test::join_lumps(version_from_letters("BSP2"), test::widen_lumps(lumps, true))));
-    EXPECT_EQ(level_, read_bsp(test::join_lumps(version_from_letters("2PSB"), test::widen_lumps(lumps, false))));
+    const Lumps lumps = split_lumps(file_);
+    EXPECT_EQ(level_, read_bsp(join_lumps(version_from_letters("BSP2"), widen_lumps(lumps, true))));
+    EXPECT_EQ(level_, read_bsp(join_lumps(version_from_letters("2PSB"), widen_lumps(lumps, false))));
 }
 
 /// A row of the visibility lump, unpacked bit by bit.
@@ -133,18 +133,16 @@ TEST_P(RealLevel, FromOutsideEveryLeafIsVisible) {
     EXPECT_FALSE(is_in_set(visible, LeafIndex(level_.world().visible_leaf_count + 1)));
 }
 
-INSTANTIATE_TEST_SUITE_P(Shared, RealLevel, testing::ValuesIn(test::kRealLevels));
+INSTANTIATE_TEST_SUITE_P(Shared, RealLevel, testing::ValuesIn(kRealLevels));
 
-using test::along, test::Point, test::to_point, test::to_world;
-
-class RealTrace : public test::OfLevel {
+class RealTrace : public OfLevel {
   protected:
     void SetUp() override {
         OfLevel::SetUp();
-        if (!IsSkipped()) level_ = test::read_level(GetParam());
+        if (!IsSkipped()) level_ = read_level(GetParam());
     }
     const SubModel& world() const { return level_.world(); }
-    Vec3<World> random_point() { return test::random_point_in(world().box, random_); }
+    Vec3<World> random_point() { return random_point_in(world().box, random_); }
 
     /// Calls check(hull, from, to) for random ways that start outside solid, short ones and long ones.
     template <class Check>
@@ -233,4 +231,4 @@ TEST_P(RealTrace, FreeWaysAreFreeBackwards) {
 OBLONG_FOR_REAL_LEVELS(RealTrace);
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test

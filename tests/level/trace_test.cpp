@@ -11,11 +11,8 @@
 #include "tests/support/levels.h"
 #include "tests/support/point.h"
 
-namespace oblong {
-
+namespace oblong::test {
 namespace {
-
-using test::along, test::Point, test::to_point, test::to_world;
 
 struct FilePlane {
     Point normal;
@@ -26,24 +23,24 @@ struct FilePlane {
 /// A level whose Player hull is a chain of planes: in front of all of them (`inside_is_solid` false: a room) is empty
 /// and the rest solid, or behind all of them (a block) is solid and the rest empty.
 Level make_convex(const std::vector<FilePlane>& planes, bool inside_is_solid) {
-    test::Lumps lumps = test::make_tiny_lumps();
-    test::Bytes& nodes = test::lump_of(lumps, Lump::ClipNodes);
+    Lumps lumps = make_tiny_lumps();
+    Bytes& nodes = lump_of(lumps, Lump::ClipNodes);
     nodes.clear();
     for (std::size_t i = 0; i < planes.size(); ++i) {
         const Point n = planes[i].normal;
         const auto part = [](double value) { return static_cast<float>(value); };
-        test::ByteWriter(test::lump_of(lumps, Lump::Planes)).f32(part(n.x)).f32(part(n.y)).f32(part(n.z));
-        test::ByteWriter(test::lump_of(lumps, Lump::Planes)).f32(part(planes[i].distance)).i32(3);
+        ByteWriter(lump_of(lumps, Lump::Planes)).f32(part(n.x)).f32(part(n.y)).f32(part(n.z));
+        ByteWriter(lump_of(lumps, Lump::Planes)).f32(part(planes[i].distance)).i32(3);
         const bool is_last = i + 1 == planes.size();
         const auto next = static_cast<std::int64_t>(i + 1);
-        test::ByteWriter out(nodes);
+        ByteWriter out(nodes);
         out.i32(next);  // plane 0 is the tiny level's floor
         if (inside_is_solid)
             out.i16(contents::kEmpty).i16(is_last ? contents::kSolid : next);
         else
             out.i16(is_last ? contents::kEmpty : next).i16(contents::kSolid);
     }
-    return read_bsp(test::join_lumps(29, lumps));
+    return read_bsp(join_lumps(29, lumps));
 }
 
 /// Six sides of a box from -size to size, facing out (1) or in (-1).
@@ -99,14 +96,14 @@ TEST(Trace, WayThatEndsInFrontOfAPlaneIsFree) {
 // Solid from x = 1/51 down to 0, and from -1/64 down. The point 1/32 before the latter is inside the former, which a
 // line cut 1/32 before x = 0 has not seen: it must back off.
 TEST(Trace, BacksOffFromAStopInsideSolid) {
-    test::Lumps lumps = test::make_tiny_lumps();
+    Lumps lumps = make_tiny_lumps();
     for (const float distance : {0.F, 1.F / 51, -1.F / 64})
-        test::ByteWriter(test::lump_of(lumps, Lump::Planes)).f32(1).f32(0).f32(0).f32(distance).i32(0);
-    test::Bytes& nodes = test::lump_of(lumps, Lump::ClipNodes);
+        ByteWriter(lump_of(lumps, Lump::Planes)).f32(1).f32(0).f32(0).f32(distance).i32(0);
+    Bytes& nodes = lump_of(lumps, Lump::ClipNodes);
     nodes.clear();
-    test::ByteWriter(nodes).i32(1).i16(1).i16(2);
-    for (const int plane : {2, 3}) test::ByteWriter(nodes).i32(plane).i16(contents::kEmpty).i16(contents::kSolid);
-    const Level level = read_bsp(test::join_lumps(29, lumps));
+    ByteWriter(nodes).i32(1).i16(1).i16(2);
+    for (const int plane : {2, 3}) ByteWriter(nodes).i32(plane).i16(contents::kEmpty).i16(contents::kSolid);
+    const Level level = read_bsp(join_lumps(29, lumps));
 
     const TraceResult result = trace(level, {10, 0, 0}, {-10, 0, 0});
     EXPECT_TRUE(result.is_hit);
@@ -200,14 +197,6 @@ TEST(Trace, AgreesWithTheClosedFormInRandomRooms) {
     }
     EXPECT_LE(beyond_rounding, 25) << "of 10,000";
 }
-
-}  // namespace
-
-}  // namespace oblong
-
-namespace oblong::test {
-
-namespace {
 
 Vec3<World> at_height(std::int32_t z) {
     return point_at(16, 8, z);

@@ -8,11 +8,8 @@
 #include "tests/map/map_source.h"
 #include "tools/map/source/textures.h"
 
-namespace oblong {
+namespace oblong::test {
 namespace {
-
-using test::box;
-using test::entity;
 
 using Point = std::array<double, 3>;
 
@@ -41,13 +38,12 @@ FaceIndex face_at(const Level& level, const SubModel& model, const Point& place)
 
 // A beam with stripes of two texels, about its middle, (1, 5, 100).
 TEST(BrushMesh, IsClosedFacesOutwardAndShowsTheTexelsOfTheLevel) {
-    const std::string text =
-        test::level(test::room({-256, -256, 0}, {256, 256, 256}),
-                    test::entity_at("info_player_start", {-100, 0, 24}) + test::entity_at("light", {0, 0, 200}) +
-                        entity("func_rotating", {}, box({-59, -10, 83}, {61, 20, 117}, "stripes")));
+    const std::string text = level(room({-256, -256, 0}, {256, 256, 256}),
+                                   entity_at("info_player_start", {-100, 0, 24}) + entity_at("light", {0, 0, 200}) +
+                                       entity("func_rotating", {}, box({-59, -10, 83}, {61, 20, 117}, "stripes")));
     const std::vector<map::Wad> wads{
-        map::Wad(test::wad_bytes(std::vector<test::StripedTexture>{{"wall", 1, 1}, {"stripes", 5, 9}}))};
-    const Level level = test::engine_level(map::compile_map(map::parse_map(text), wads, {true}));
+        map::Wad(wad_bytes(std::vector<StripedTexture>{{"wall", 1, 1}, {"stripes", 5, 9}}))};
+    const Level level = engine_level(map::compile_map(map::parse_map(text), wads, {true}));
     const SubModel& model = level.models[ModelIndex(1)];
     EXPECT_EQ(point_of(middle_of(model)), (Point{1, 5, 100}));
     std::int64_t texels_left = 100'000;
@@ -98,4 +94,4 @@ TEST(BrushMesh, IsClosedFacesOutwardAndShowsTheTexelsOfTheLevel) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test

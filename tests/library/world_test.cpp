@@ -9,17 +9,12 @@
 #include "tests/support/palettes.h"
 #include "tests/support/refusal.h"
 
-namespace oblong {
+namespace oblong::test {
 namespace {
-
-using test::box;
-using test::entity;
-using test::entity_at;
-using test::room;
 
 // The space of -256..256 each way, 256 high, with things in it.
 std::string hall(const std::string& brushes, const std::string& entities) {
-    return test::level(
+    return level(
         room({-256, -256, 0}, {256, 256, 256}) + brushes,
         entity_at("info_player_start", {-100, 0, 24}, {{"angle", "90"}}) + entity_at("light", {0, 0, 200}) + entities);
 }
@@ -34,7 +29,7 @@ Pose beside(Pose pose, std::int32_t east, std::int32_t north, std::int32_t up) {
 
 // Greys, 64 reds, and of red the texture "other".
 Palette red_palette() {
-    Palette palette = test::grey_palette();
+    Palette palette = grey_palette();
     palette.colours[1] = {160, 160, 160};
     palette.colours[3] = {255, 0, 0};
     for (std::uint8_t i = 192; i != 0; ++i) palette.colours[i] = {static_cast<std::uint8_t>((i - 191) * 3), 0, 0};
@@ -43,7 +38,7 @@ Palette red_palette() {
 
 struct Hall {
     explicit Hall(const std::string& brushes = "", const std::string& entities = "")
-        : file(folder.write("hall.bsp", test::bytes_of(hall(brushes, entities)))), level(file, red_palette()) {}
+        : file(folder.write("hall.bsp", bytes_of(hall(brushes, entities)))), level(file, red_palette()) {}
 
     // Goes on for some steps of 8 units, and falls between them.
     Pose walk_east(Pose eye, int steps) const {
@@ -54,7 +49,7 @@ struct Hall {
         return eye;
     }
 
-    test::TemporaryFolder folder;
+    TemporaryFolder folder;
     std::string file;
     LevelScene level;
 };
@@ -114,13 +109,13 @@ TEST(LibraryLevel, OpenGatesAndWhatIsOnlySeenStopNobody) {
 }
 
 TEST(LibraryLevel, StartMayLieBetweenWholeUnits) {
-    const test::TemporaryFolder folder;
+    const TemporaryFolder folder;
     const std::string file = folder.write(
-        "start.bsp", test::bytes_of(test::level(
-                         room({-256, -256, 0}, {256, 256, 256}),
-                         entity("info_player_start", {{"origin", "-100.5 20.25 32.125"}, {"angles", "0 22.5 0"}}) +
-                             entity_at("light", {0, 0, 200}))));
-    const Pose start = LevelScene(file, test::grey_palette()).start();
+        "start.bsp",
+        bytes_of(level(room({-256, -256, 0}, {256, 256, 256}),
+                       entity("info_player_start", {{"origin", "-100.5 20.25 32.125"}, {"angles", "0 22.5 0"}}) +
+                           entity_at("light", {0, 0, 200}))));
+    const Pose start = LevelScene(file, grey_palette()).start();
     EXPECT_EQ(units(start.x_256), -100.5);
     EXPECT_EQ(units(start.y_256), 20.25);
     EXPECT_EQ(units(start.z_256), 32.125 + 1 + 22);
@@ -273,9 +268,9 @@ TEST(LibraryLevel, TurningDoorIsInTheWayWhileItIsShut) {
 }
 
 TEST(LibraryLevel, ErrorsNameTheFile) {
-    const test::TemporaryFolder folder;
+    const TemporaryFolder folder;
     const std::string file = folder.write("broken.bsp", std::string("nothing"));
-    const std::string said = test::refusal<std::runtime_error>([&] { LevelScene(file, test::grey_palette()); });
+    const std::string said = refusal<std::runtime_error>([&] { LevelScene(file, grey_palette()); });
     EXPECT_TRUE(said.starts_with(file + ": ")) << said;
 }
 
@@ -316,7 +311,7 @@ TEST(LibraryLevel, ModelIsShownOnceAlsoIfItIsGoneByThen) {
 }
 
 TEST(LibraryStage, SquareIsSquareOnTheDisplayAndNearerOnesHideIt) {
-    Stage stage(test::grey_palette());
+    Stage stage(grey_palette());
     Model far_square, near_square;
     add_square(far_square, 0, 50, 200);
     add_square(near_square, 0, 10, 100);
@@ -341,7 +336,7 @@ TEST(LibraryStage, SquareIsSquareOnTheDisplayAndNearerOnesHideIt) {
 }
 
 TEST(LibraryStage, NothingOfTheLastPictureHidesTheNext) {
-    Stage stage(test::grey_palette());
+    Stage stage(grey_palette());
     Model square;
     add_square(square, 0, 50, 200);
     Picture picture = Picture::of_size(320, 200);
@@ -354,7 +349,7 @@ TEST(LibraryStage, NothingOfTheLastPictureHidesTheNext) {
 }
 
 TEST(LibraryStage, SideLightFollowsLambert) {
-    Stage stage(test::grey_palette());
+    Stage stage(grey_palette());
     Model square;
     add_square(square, 0, 50, 200);
     const auto grey_at = [&](std::int32_t x, std::int32_t z) {
@@ -373,9 +368,9 @@ TEST(LibraryModel, WrongNumbersAreRefused) {
     Model model;
     EXPECT_EQ(model.frame_count(), 1);
     EXPECT_THROW(model.add_triangle({}, {}, {}, 0), std::runtime_error);
-    EXPECT_THROW(Model("/nowhere/a.obj", test::grey_palette()), std::runtime_error);
-    EXPECT_THROW(Model("/nowhere/a.obj", test::grey_palette(), 0), std::runtime_error);
+    EXPECT_THROW(Model("/nowhere/a.obj", grey_palette()), std::runtime_error);
+    EXPECT_THROW(Model("/nowhere/a.obj", grey_palette(), 0), std::runtime_error);
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test

@@ -12,7 +12,6 @@ namespace oblong::test {
 namespace {
 
 using map::Box;
-using map::dot;
 
 // Whether a box overlaps a convex brush, by separating axes: their planes and the cross products of their edges.
 bool overlaps(const map::Brush& brush, const Box& mover, const Point& at) {
@@ -22,11 +21,11 @@ bool overlaps(const map::Brush& brush, const Box& mover, const Point& at) {
         for (std::size_t i = 0; i < side.winding.size(); ++i) {
             corners.push_back(side.winding[i]);
             const Point edge = side.winding[(i + 1) % side.winding.size()] - side.winding[i];
-            for (int axis = 0; axis < 3; ++axis) axes.push_back(map::cross(edge, map::axis_vector(axis)));
+            for (int axis = 0; axis < 3; ++axis) axes.push_back(cross(edge, map::axis_vector(axis)));
         }
     }
     for (const Point& axis : axes) {
-        if (map::length(axis) < 1e-6) continue;
+        if (length(axis) < 1e-6) continue;
         double brush_low = 1e30, brush_high = -1e30, box_low = 1e30, box_high = -1e30;
         for (const Point& corner : corners) {
             brush_low = std::min(brush_low, dot(axis, corner));

@@ -6,9 +6,6 @@
 
 namespace oblong::test {
 
-using map::cross;
-using map::dot;
-using map::length;
 using map::Plane;
 using map::Point;
 

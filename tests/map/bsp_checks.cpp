@@ -13,11 +13,8 @@
 namespace oblong::test {
 
 using map::BspFile;
-using map::cross;
-using map::dot;
 using map::FileFace;
 using map::FilePlane;
-using map::length;
 using map::Point;
 using map::to_point;
 
@@ -29,6 +26,15 @@ const auto& at(const auto& items, int index) {
 
 double height(const FilePlane& plane, const Point& point) {
     return dot(to_point(plane.normal), point) - static_cast<double>(plane.distance);
+}
+
+// Where a tree ends at a point, below 0.
+int end_at(const BspFile& bsp, const auto& nodes, int child, const Point& point) {
+    while (child >= 0) {
+        const auto& node = at(nodes, child);
+        child = node.children[height(at(bsp.planes, node.plane), point) < 0 ? 1 : 0];
+    }
+    return child;
 }
 
 std::array<int, 2> ends_of(const BspFile& bsp, int surf_edge) {
@@ -78,22 +84,13 @@ int light_at(const BspFile& bsp, const FacingPlane& plane, const Point& place, s
 }
 
 int leaf_at(const BspFile& bsp, const Point& point) {
-    int child = bsp.models.front().head_nodes[0];
-    while (child >= 0) {
-        const auto& node = at(bsp.nodes, child);
-        child = node.children[height(at(bsp.planes, node.plane), point) < 0 ? 1 : 0];
-    }
-    return -1 - child;
+    return -1 - end_at(bsp, bsp.nodes, bsp.models.front().head_nodes[0], point);
 }
 
 int contents_at(const BspFile& bsp, int model, int hull, const Point& point) {
-    int child = at(bsp.models, model).head_nodes[static_cast<std::size_t>(hull)];
-    while (child >= 0) {
-        const int plane = hull == 0 ? at(bsp.nodes, child).plane : at(bsp.clip_nodes, child).plane;
-        const auto& children = hull == 0 ? at(bsp.nodes, child).children : at(bsp.clip_nodes, child).children;
-        child = children[height(at(bsp.planes, plane), point) < 0 ? 1 : 0];
-    }
-    return hull == 0 ? at(bsp.leaves, -1 - child).contents : child;
+    const int root = at(at(bsp.models, model).head_nodes, hull);
+    if (hull != 0) return end_at(bsp, bsp.clip_nodes, root, point);
+    return at(bsp.leaves, -1 - end_at(bsp, bsp.nodes, root, point)).contents;
 }
 
 int open_edges(const BspFile& bsp) {
@@ -157,21 +154,21 @@ class CheckedLevel {
     explicit CheckedLevel(const BspFile& bsp) : bsp_(bsp), marked_(bsp.leaves.size()) {
         const auto& world = bsp.models.front();
         for (int i = 0; i < world.face_count; ++i) {
-            const auto& face = bsp.faces[static_cast<std::size_t>(i)];
-            const auto& texinfo = bsp.texinfos[static_cast<std::size_t>(face.texinfo)];
-            const bool is_liquid = bsp.textures[static_cast<std::size_t>(texinfo.texture)][0] == '*';
+            const auto& face = at(bsp.faces, i);
+            const auto& texinfo = at(bsp.texinfos, face.texinfo);
+            const bool is_liquid = at(bsp.textures, texinfo.texture)[0] == '*';
             polygons_.push_back({facing_plane(bsp, face), corners_of(bsp, face), is_liquid});
         }
         for (std::size_t leaf = 0; leaf < bsp.leaves.size(); ++leaf) {
             for (int i = 0; i < bsp.leaves[leaf].mark_face_count; ++i)
-                marked_[leaf].push_back(bsp.mark_faces[static_cast<std::size_t>(bsp.leaves[leaf].first_mark_face + i)]);
+                marked_[leaf].push_back(at(bsp.mark_faces, bsp.leaves[leaf].first_mark_face + i));
         }
     }
 
     const BspFile& bsp() const { return bsp_; }
 
     bool is_blocking(int leaf) const {
-        const int contents = bsp_.leaves[static_cast<std::size_t>(leaf)].contents;
+        const int contents = at(bsp_.leaves, leaf).contents;
         return contents == contents::kSolid || contents == contents::kSky;
     }
 
@@ -207,7 +204,7 @@ class CheckedLevel {
             stretches.push_back({-1 - child, end});
             return is_blocking(-1 - child);
         }
-        const auto& node = bsp_.nodes[static_cast<std::size_t>(child)];
+        const auto& node = at(bsp_.nodes, child);
         const FacingPlane plane = facing_plane(bsp_, {node.plane, 0, 0, 0, 0, {}, -1});
         const double begin_height = dot(plane.normal, ray.at(begin)) - plane.distance;
         const double end_height = dot(plane.normal, ray.at(end)) - plane.distance;
@@ -249,7 +246,7 @@ Point random_direction(std::mt19937& random) {
 std::optional<Point> random_open_point(const CheckedLevel& level, std::mt19937& random) {
     const auto count = static_cast<unsigned>(level.bsp().models.front().visible_leaf_count);
     const int index = 1 + static_cast<int>(random() % count);
-    const auto& box = level.bsp().leaves[static_cast<std::size_t>(index)].box;
+    const auto& box = at(level.bsp().leaves, index).box;
     if (level.is_blocking(index)) return std::nullopt;
     for (int tries = 0; tries < 50; ++tries) {
         Point point;
@@ -270,7 +267,7 @@ std::string described(const char* fault, const Ray& ray, double distance) {
 // At a grazing angle the rounding of a corner shifts the meeting point along the ray.
 double shift_at(const CheckedLevel& level, const Ray& ray, int face) {
     if (face < 0) return 0;
-    const FacingPlane plane = facing_plane(level.bsp(), level.bsp().faces[static_cast<std::size_t>(face)]);
+    const FacingPlane plane = facing_plane(level.bsp(), at(level.bsp().faces, face));
     return 0.02 + 2 * kTooNear / std::abs(dot(ray.direction, plane.normal));
 }
 

@@ -10,9 +10,6 @@
 namespace oblong::test {
 namespace {
 
-using map::cross;
-using map::dot;
-
 map::BspFile varied_level() {
     return compile(
         level(room({-256, -256, 0}, {700, 256, 256}) + prism({0, 0, 0}, 60, 256, 9) +

@@ -264,20 +264,23 @@ std::string hall_with_panel(int size, int width) {
     return brushes + box({low, low, 128}, {high, high, 144}, "other");
 }
 
-constexpr std::array kPlaces{32, 96, 128, 208};
+// Compiled fast, with these lights.
+map::BspFile lit_by(int size, int width, const std::string& lights) {
+    return compile(level(hall_with_panel(size, width), lights), {.is_fast = true});
+}
+
+void expect_same_light(const map::BspFile& found, const map::BspFile& expected, double y) {
+    for (const double x : {32, 96, 128, 208})
+        EXPECT_EQ(light_at(found, kFloor, {x, y, 0}), light_at(expected, kFloor, {x, y, 0})) << x << ' ' << y;
+}
 
 // The lamp of a "_surface" light is at the middle of its face, 2 units before it, and shines as one put there by hand.
 TEST(SurfaceLights, ShineFromTheMiddleOfTheirFaces) {
-    const auto bsp_of = [&](const std::string& light) {
-        return compile(level(hall_with_panel(256, 64), light), {.is_fast = true});
-    };
+    const auto bsp_of = [&](const std::string& light) { return lit_by(256, 64, light); };
     const auto by_hand = bsp_of(entity_at("light", {128, 128, 126}, {{"light", "250"}}));
     const auto spread = bsp_of(entity_at("light", {16, 16, 16}, {{"light", "250"}, {"_surface", "OTHER"}}));
     EXPECT_GT(light_at(by_hand, kFloor, {128, 128, 0}), 50);
-    for (const int x : kPlaces) {
-        const Point place{static_cast<double>(x), 128, 0};
-        EXPECT_EQ(light_at(spread, kFloor, place), light_at(by_hand, kFloor, place)) << x;
-    }
+    expect_same_light(spread, by_hand, 128);
     EXPECT_LE(light_at(bsp_of(entity_at("light", {16, 16, 16}, {{"_surface", "floor"}})), kFloor, {16, 16, 0}), 0)
         << "no face has it";
 }
@@ -288,26 +291,22 @@ TEST(SurfaceLights, OfLargeFacesAreCutIntoPieces) {
     std::string lamps;
     for (const int x : {208, 304})
         for (const int y : {208, 304}) lamps += entity_at("light", {x, y, 120}, {{"light", "160"}});
-    const auto by_hand = compile(level(hall_with_panel(512, 192), lamps), {.is_fast = true});
+    const auto by_hand = lit_by(512, 192, lamps);
     const std::string spread_light = entity_at("light", {16, 16, 16},
                                                {{"light", "160"},
                                                 {"_surface", "other"},
                                                 {"_surface_offset", "8"},
                                                 {"_surface_spotlight", "1"},
                                                 {"angle", "180"}});
-    const auto spread = compile(level(hall_with_panel(512, 192), spread_light), {.is_fast = true});
+    const auto spread = lit_by(512, 192, spread_light);
     EXPECT_GT(light_at(by_hand, kFloor, {208, 208, 0}), 15);
-    for (const int x : kPlaces) {
-        const Point place{static_cast<double>(x), 192, 0};
-        EXPECT_EQ(light_at(spread, kFloor, place), light_at(by_hand, kFloor, place)) << x;
-    }
+    expect_same_light(spread, by_hand, 192);
 }
 
 TEST(SurfaceLights, AreSpotlightsOfTheUsualAngle) {
-    const auto bsp = compile(
-        level(hall_with_panel(512, 96),
-              entity_at("light", {16, 16, 16}, {{"light", "300"}, {"_surface", "other"}, {"_surface_spotlight", "1"}})),
-        {.is_fast = true});
+    const auto bsp = lit_by(
+        512, 96,
+        entity_at("light", {16, 16, 16}, {{"light", "300"}, {"_surface", "other"}, {"_surface_spotlight", "1"}}));
     EXPECT_GT(light_at(bsp, kFloor, {256, 256, 0}), 60);
     EXPECT_EQ(light_at(bsp, kFloor, {256, 336, 0}), 0) << "40 degrees: 46 units to each side on the floor";
 }
@@ -338,10 +337,7 @@ TEST(SurfaceLights, DoNotDependOnHowTheCompilerCutsTheirFaces) {
                     {.is_fast = true});
         EXPECT_GT(faces_with(spread, "other"), 1u) << size;
         EXPECT_GT(light_at(expected, kFloor, {lamps[0] + 0.0, lamps[0] + 0.0, 0}), 30);
-        for (const int x : kPlaces) {
-            const Point place{static_cast<double>(x), 160, 0};
-            EXPECT_EQ(light_at(spread, kFloor, place), light_at(expected, kFloor, place)) << size << ' ' << x;
-        }
+        expect_same_light(spread, expected, 160);
     }
 }
 

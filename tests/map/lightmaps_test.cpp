@@ -21,22 +21,30 @@ std::string hall() {
 
 constexpr Whole kLamp{64, 64, 97};  // 96 over the points of the floor, which are lifted by 1
 
-// Of a lamp of 300: light(d) times (1 + cos) / 2, halved.
-int expected(double light, int x, int y) {
-    const double distance = std::hypot(x - 64, y - 64, 96);
-    return static_cast<int>(light * (1 + 96 / distance) / 2 / 2);
+std::string lamp(const std::vector<std::array<std::string, 2>>& keys = {}) {
+    return entity_at("light", kLamp, keys);
+}
+
+// The hall, compiled fast.
+map::BspFile lit_hall(const std::string& entities, const std::string& brushes = "") {
+    return compile(level(hall() + brushes, entities), {true});
 }
 
 double distance_to(int x, int y) {
     return std::hypot(x - 64, y - 64, 96);
 }
 
+// Of a lamp of 300: light(d) times (1 + cos) / 2, halved.
+int expected(double light, int x, int y) {
+    return static_cast<int>(light * (1 + 96 / distance_to(x, y)) / 2 / 2);
+}
+
 TEST(Lightmaps, FadesAsTheFormulaSays) {
-    const auto linear = compile(level(hall(), entity_at("light", kLamp, {{"wait", "-1"}})), {true});  // as with 1
-    const auto inverse = compile(level(hall(), entity_at("light", kLamp, {{"delay", "1"}})), {true});
-    const auto square = compile(level(hall(), entity_at("light", kLamp, {{"delay", "2"}, {"wait", "2"}})), {true});
-    const auto even = compile(level(hall(), entity_at("light", kLamp, {{"delay", "3"}})), {true});
-    const auto late = compile(level(hall(), entity_at("light", kLamp, {{"delay", "5"}})), {true});
+    const auto linear = lit_hall(lamp({{"wait", "-1"}}));  // as with 1
+    const auto inverse = lit_hall(lamp({{"delay", "1"}}));
+    const auto square = lit_hall(lamp({{"delay", "2"}, {"wait", "2"}}));
+    const auto even = lit_hall(lamp({{"delay", "3"}}));
+    const auto late = lit_hall(lamp({{"delay", "5"}}));
     for (const auto& [x, y] : {std::pair{64, 64}, {96, 64}, {160, 128}, {192, 192}}) {
         const double d = distance_to(x, y);
         EXPECT_NEAR(floor_light(linear, x, y), expected(300 - d, x, y), 1) << x << ' ' << y;
@@ -49,22 +57,18 @@ TEST(Lightmaps, FadesAsTheFormulaSays) {
 }
 
 TEST(Lightmaps, NegativeLightsTakeLightAway) {
-    const auto bsp = compile(
-        level(hall(), entity_at("light", kLamp, {{"light", "400"}}) + entity_at("light", kLamp, {{"light", "-250"}})),
-        {true});
+    const auto bsp = lit_hall(lamp({{"light", "400"}}) + lamp({{"light", "-250"}}));
     for (const auto& [x, y] : {std::pair{64, 64}, {96, 64}, {160, 128}, {192, 192}}) {
         const double d = distance_to(x, y);
         EXPECT_NEAR(floor_light(bsp, x, y), expected(400 - d - std::max(250 - d, 0.0), x, y), 1) << x << ' ' << y;
     }
-    const auto dark = compile(
-        level(hall(), entity_at("light", kLamp, {{"light", "250"}}) + entity_at("light", kLamp, {{"light", "-400"}})),
-        {true});
+    const auto dark = lit_hall(lamp({{"light", "250"}}) + lamp({{"light", "-400"}}));
     EXPECT_EQ(floor_light(dark, 96, 64), 0) << "no darker than dark";
 }
 
 TEST(Lightmaps, BrightnessStandsBehindTheColour) {
     const auto light_of = [](const std::string& key, const std::string& value) {
-        return floor_light(compile(level(hall(), entity_at("light", kLamp, {{key, value}})), {true}), 96, 64);
+        return floor_light(lit_hall(lamp({{key, value}})), 96, 64);
     };
     EXPECT_EQ(light_of("_light", "255 128 64 220"), light_of("light", "220"));
     EXPECT_EQ(light_of("_light", "255 128 64"), light_of("light", "300")) << "a colour alone";
@@ -89,8 +93,8 @@ TEST(Lightmaps, LeastLightOfAModelIsItsOwn) {
 TEST(Lightmaps, OfMoreThanFourStylesTheDimmestGoes) {
     std::string lamps;
     for (const auto& [style, light] : {std::pair{"9", "280"}, {"3", "180"}, {"5", "240"}, {"0", "200"}, {"7", "260"}})
-        lamps += entity_at("light", kLamp, {{"style", style}, {"light", light}});
-    const auto bsp = compile(level(hall(), lamps), {true});
+        lamps += lamp({{"style", style}, {"light", light}});
+    const auto bsp = lit_hall(lamps);
     const std::array<std::uint8_t, 4> kept{0, 5, 7, 9};
     int full_faces = 0;
     for (const auto& face : bsp.faces) full_faces += face.styles == kept ? 1 : 0;
@@ -100,8 +104,7 @@ TEST(Lightmaps, OfMoreThanFourStylesTheDimmestGoes) {
 
 TEST(Lightmaps, APillarThrowsAShadow) {
     for (const bool is_fast : {true, false}) {
-        const auto bsp =
-            compile(level(hall() + box({104, 24, 0}, {120, 104, 128}), entity_at("light", kLamp)), {is_fast});
+        const auto bsp = compile(level(hall() + box({104, 24, 0}, {120, 104, 128}), lamp()), {is_fast});
         EXPECT_EQ(floor_light(bsp, 192, 64), 0) << "behind the pillar";
         EXPECT_GT(floor_light(bsp, 80, 192), 20) << "in the open";
     }
@@ -111,7 +114,7 @@ TEST(Lightmaps, APillarThrowsAShadow) {
 TEST(Lightmaps, WithinItsRadiusALampsBodyThrowsNoShadow) {
     const std::string body = box({104, 104, 0}, {120, 120, 16});
     const auto lit = [&](const std::vector<std::array<std::string, 2>>& keys) {
-        return compile(level(hall() + body, entity_at("light", {112, 112, 20}, keys)), {true});
+        return lit_hall(entity_at("light", {112, 112, 20}, keys), body);
     };
     const auto shaded = lit({}), open = lit({{"radius", "26"}});
     EXPECT_LT(floor_light(shaded, 128, 112), floor_light(shaded, 176, 112)) << "a dark halo";
@@ -125,20 +128,19 @@ TEST(Lightmaps, WithinItsRadiusALampsBodyThrowsNoShadow) {
 }
 
 TEST(Lightmaps, SurfacesWithinALampsRadiusAreLit) {
-    const auto bsp = compile(level(hall(), entity_at("light", kLamp, {{"radius", "200"}})), {true});
+    const auto bsp = lit_hall(lamp({{"radius", "200"}}));
     EXPECT_NEAR(floor_light(bsp, 96, 64), expected(300 - distance_to(96, 64), 96, 64), 1);
 }
 
 TEST(Lightmaps, ALampsRadiusLetsNoLightThroughWhatIsFarther) {
-    const auto bsp = compile(
-        level(hall() + box({104, 24, 0}, {120, 104, 128}), entity_at("light", kLamp, {{"radius", "26"}})), {true});
+    const auto bsp = lit_hall(lamp({{"radius", "26"}}), box({104, 24, 0}, {120, 104, 128}));
     EXPECT_EQ(floor_light(bsp, 192, 64), 0) << "behind the pillar";
 }
 
 // The wall's lower edge, 40 units from the lamp and 33 below it, ends the light where the floor is 96 below: each
 // sample is the mean of 16 points, of which those before that line are lit.
 TEST(Lightmaps, ManyRaysSoftenTheEdgeOfAShadow) {
-    const std::string source = level(hall() + box({104, 24, 64}, {120, 224, 128}), entity_at("light", kLamp));
+    const std::string source = level(hall() + box({104, 24, 64}, {120, 224, 128}), lamp());
     const auto hard = compile(source, {true}), soft = compile(source);
     const double last_lit = 64 + 40 * 96 / 33.0;
     for (int x = 128; x <= 208; x += 16) {
@@ -154,23 +156,17 @@ TEST(Lightmaps, ManyRaysSoftenTheEdgeOfAShadow) {
 }
 
 TEST(Lightmaps, StylesHaveLightmapsOfTheirOwn) {
-    const auto bsp = compile(
-        level(hall(), entity_at("light", kLamp) + entity_at("light", kLamp, {{"style", "2"}, {"light", "200"}})),
-        {true});
+    const auto bsp = lit_hall(lamp() + lamp({{"style", "2"}, {"light", "200"}}));
     EXPECT_NEAR(floor_light(bsp, 96, 64, 0), expected(300 - distance_to(96, 64), 96, 64), 1);
     EXPECT_NEAR(floor_light(bsp, 96, 64, 1), expected(200 - distance_to(96, 64), 96, 64), 1);
     for (const auto& face : bsp.faces) EXPECT_EQ(face.styles[1] == 255 || face.styles[1] == 2, true);
-    const auto dim =
-        compile(level(hall(), entity_at("light", kLamp) +
-                                  entity_at("light", kLamp, {{"style", "2"}, {"delay", "3"}, {"light", "5"}})),
-                {true});
+    const auto dim = lit_hall(lamp() + lamp({{"style", "2"}, {"delay", "3"}, {"light", "5"}}));
     EXPECT_NEAR(floor_light(dim, 64, 64, 1), expected(5, 64, 64), 1) << "a shade that can be seen";
 }
 
 TEST(Lightmaps, ASpotlightLightsItsConeOnly) {
-    const auto bsp = compile(level(hall(), entity_at("light", kLamp, {{"target", "spot"}, {"angle", "60"}}) +
-                                               entity_at("info_null", {64, 64, 0}, {{"targetname", "spot"}})),
-                             {true});
+    const auto bsp = lit_hall(lamp({{"target", "spot"}, {"angle", "60"}}) +
+                              entity_at("info_null", {64, 64, 0}, {{"targetname", "spot"}}));
     EXPECT_GT(floor_light(bsp, 112, 64), 0) << "26.6 degrees off the axis";
     EXPECT_EQ(floor_light(bsp, 128, 64), 0) << "33.7 degrees off the axis";
 }
@@ -194,19 +190,18 @@ TEST(Lightmaps, ASkyStopsNoLamp) {
             EXPECT_NEAR(floor_light(inverse, x, y), 300 * 128 / d * half, 1) << x << ' ' << y << ", lamp at " << z;
         }
     }
-    const auto wall =
-        compile(level(hall() + box({0, 0, 92}, {224, 224, 104}), entity_at("light", {64, 64, 113})), {true});
+    const auto wall = lit_hall(entity_at("light", {64, 64, 113}), box({0, 0, 92}, {224, 224, 104}));
     EXPECT_EQ(floor_light(wall, 64, 64), 0) << "a ceiling does";
 }
 
 TEST(Lightmaps, ALightOf0IsTheUsualOne) {
-    const auto bsp = compile(level(hall(), entity_at("light_globe", kLamp, {{"light", "0"}})), {true});
+    const auto bsp = lit_hall(entity_at("light_globe", kLamp, {{"light", "0"}}));
     EXPECT_NEAR(floor_light(bsp, 96, 64), expected(300 - distance_to(96, 64), 96, 64), 1);
 }
 
 TEST(Lightmaps, WhateverHasALightShines) {
     const auto light_of = [](std::string_view its_class, const std::vector<std::array<std::string, 2>>& pairs) {
-        return floor_light(compile(level(hall(), entity_at(its_class, kLamp, pairs)), {true}), 96, 64);
+        return floor_light(lit_hall(entity_at(its_class, kLamp, pairs)), 96, 64);
     };
     const int full = expected(250 - distance_to(96, 64), 96, 64);
     EXPECT_NEAR(light_of("info_teleport_destination", {{"light", "250"}, {"wait", "9"}, {"angle", "90"}}), full, 1);

@@ -10,9 +10,6 @@
 
 namespace oblong::test {
 
-using map::cross;
-using map::dot;
-using map::length;
 namespace {
 
 std::string text_of(const Whole& point) {

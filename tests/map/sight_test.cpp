@@ -104,7 +104,7 @@ class Plan {
             corner.z = z;
         }
         const Point centre = map::middle(winding);
-        const double radius = map::length(winding[0] - centre);
+        const double radius = length(winding[0] - centre);
         const int index = static_cast<int>(graph_.portals.size());
         graph_.portals_of_cluster[static_cast<std::size_t>(front)].push_back(index);
         graph_.portals.push_back({winding, plane.flipped(), back, centre, radius, map::BitSet{}});

@@ -67,10 +67,6 @@ TEST(Surfaces, AreClosedAndNoLineOfSightMeetsAHole) {
     }
 }
 
-using map::cross;
-using map::dot;
-using map::length;
-
 // How many vertices lie within `slack` of an edge between its ends, and away from both.
 int vertices_on_edges(const map::BspFile& bsp, double slack) {
     std::vector<std::vector<Point>> polygons;

@@ -132,8 +132,8 @@ TEST(Visibility, PortalsInTheFileFaceTheirFirstCluster) {
         char bracket = 0;
         for (Point& corner : winding) text >> bracket >> corner.x >> corner.y >> corner.z >> bracket;
         const Point back = map::area_vector(winding), middle = map::middle(winding);
-        EXPECT_EQ(leaf_at(bsp, middle - back * (1 / map::length(back))), first + 1);
-        EXPECT_EQ(leaf_at(bsp, middle + back * (1 / map::length(back))), second + 1);
+        EXPECT_EQ(leaf_at(bsp, middle - back * (1 / length(back))), first + 1);
+        EXPECT_EQ(leaf_at(bsp, middle + back * (1 / length(back))), second + 1);
     }
     EXPECT_TRUE(text);
 }

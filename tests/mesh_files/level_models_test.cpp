@@ -13,10 +13,8 @@
 #include "tests/support/point.h"
 #include "tests/support/refusal.h"
 
-namespace oblong {
+namespace oblong::test {
 namespace {
-
-using namespace test;
 
 /// A folder with maps/level.bsp beside progs/ and models/; the level's floor is at z = 8.
 class ModelFolder : public ::testing::Test {
@@ -289,4 +287,4 @@ TEST(RealLevelModels, ShowTheModelsThatThereAre) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test

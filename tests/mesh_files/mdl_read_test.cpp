@@ -11,10 +11,8 @@
 #include "tests/support/point.h"
 #include "tests/support/refusal.h"
 
-namespace oblong {
+namespace oblong::test {
 namespace {
-
-using namespace test;
 
 /// Six times the volume that the triangles enclose: positive if they run clockwise as seen from outside.
 double volume_6(const Mesh& mesh, const MeshFrame& frame) {
@@ -212,4 +210,4 @@ TEST(RealModels, HaveTheCountsOfTheirHeaders) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test

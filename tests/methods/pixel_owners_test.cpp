@@ -186,17 +186,13 @@ TEST(Painter, LargeFaceThatReachesFartherIsPaintedFirstThoughItIsNearer) {
     scene.add(1, {0, 6, 0, 1}, 90, 100);
     const PixelOwners wrong = painted(scene, sorted_by(SortDepth::Farthest, scene));
     EXPECT_EQ(text_of_row(wrong, 0), "1111110000000000");
-    PixelOwners right = no_owners();
-    std::vector<InverseZ> depths;
-    find_owners_by_z_buffer(scene.scanned, depths, right);
+    const PixelOwners right = owners_of(scene);
     EXPECT_EQ(text_of_row(right, 0), "0000000000000000");
 }
 
 TEST(Painter, NoOrderOfFacesThatOverlapInACycleIsRight) {
     const ScannedScene scene = cycle();
-    PixelOwners right = no_owners();
-    std::vector<InverseZ> depths;
-    find_owners_by_z_buffer(scene.scanned, depths, right);
+    const PixelOwners right = owners_of(scene);
     EXPECT_EQ(text_of_row(right, 2), "0000000011111111");
     EXPECT_EQ(text_of_row(right, 4), "2222........1111");
     EXPECT_EQ(text_of_row(right, 5), "2222222222222222");

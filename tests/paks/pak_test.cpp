@@ -38,11 +38,8 @@ Bytes write_pak(const std::vector<PakFile>& files) {
     return bytes;
 }
 
-using test::Bytes;
-using test::put_number;
-
 // "a.txt" at 12, "maps/b.bsp" at 15, the directory at 20 to 148.
-const Bytes kPak = test::write_pak({{"a.txt", {1, 2, 3}}, {"maps/b.bsp", {4, 5, 6, 7, 8}}});
+const Bytes kPak = write_pak({{"a.txt", {1, 2, 3}}, {"maps/b.bsp", {4, 5, 6, 7, 8}}});
 
 std::vector<PakEntry> read(const Bytes& bytes) {
     const PakHeader header = read_pak_header(bytes, bytes.size());
@@ -51,7 +48,7 @@ std::vector<PakEntry> read(const Bytes& bytes) {
 }
 
 std::string fault_of(const Bytes& bytes) {
-    return test::refusal([&] { read(bytes); });
+    return refusal([&] { read(bytes); });
 }
 
 // Of the pak with another number at an offset.
@@ -70,7 +67,7 @@ TEST(Pak, IsReadAsItWasWritten) {
     EXPECT_EQ(entries[1].name, "maps/b.bsp");
     EXPECT_EQ(entries[1].offset, 15u);
     EXPECT_EQ(entries[1].length, 5u);
-    EXPECT_TRUE(read(test::write_pak({})).empty());
+    EXPECT_TRUE(read(write_pak({})).empty());
 }
 
 TEST(Pak, EachCutAndEachLieOfTheHeaderIsNamed) {
@@ -103,15 +100,13 @@ TEST(Pak, EachLieOfTheDirectoryIsNamed) {
     EXPECT_EQ(fault_of(same), "") << "two names of the same data";
 }
 
-using test::Bytes;
-
 Bytes level_with(const std::string& entities) {
-    test::Lumps lumps = test::make_tiny_lumps();
-    Bytes& text = test::lump_of(lumps, Lump::Entities);
+    Lumps lumps = make_tiny_lumps();
+    Bytes& text = lump_of(lumps, Lump::Entities);
     const std::string whole = "{ \"classname\" \"worldspawn\" }" + entities;
     text.assign(whole.begin(), whole.end());
     text.push_back(0);
-    return test::join_lumps(29, lumps);
+    return join_lumps(29, lumps);
 }
 
 Bytes palette_of(std::uint8_t grey) {
@@ -123,20 +118,20 @@ class Game : public ::testing::Test {
   protected:
     Game() {
         for (const char* below : {"game", "game/maps", "game/gfx", "mine"}) make_folder(folder_.path(below));
-        folder_.write("game/pak0.pak", test::write_pak({{"gfx/palette.lmp", palette_of(40)},
-                                                        {"maps/b_shell0.bsp", level_with("")},
-                                                        {"maps/e1m1.bsp", level_with("{ \"zero\" \"\" }")},
-                                                        {"maps/e1m2.bsp", level_with("")},
-                                                        {"maps/e1m3.bsp", level_with("{ \"old\" \"\" }")},
-                                                        {"progs/w_s_key.mdl", model()}}));
-        folder_.write("game/pak1.pak", test::write_pak({{"maps/e1m3.bsp", level_with("{ \"new\" \"\" }")}}));
+        folder_.write("game/pak0.pak", write_pak({{"gfx/palette.lmp", palette_of(40)},
+                                                  {"maps/b_shell0.bsp", level_with("")},
+                                                  {"maps/e1m1.bsp", level_with("{ \"zero\" \"\" }")},
+                                                  {"maps/e1m2.bsp", level_with("")},
+                                                  {"maps/e1m3.bsp", level_with("{ \"old\" \"\" }")},
+                                                  {"progs/w_s_key.mdl", model()}}));
+        folder_.write("game/pak1.pak", write_pak({{"maps/e1m3.bsp", level_with("{ \"new\" \"\" }")}}));
         folder_.write("game/maps/e1m2.bsp", level_with("{ \"loose\" \"\" }"));
         folder_.write("mine/e1m9.bsp", level_with(""));
         places_.game_folders = {folder_.path("game")};
     }
-    static Bytes model() { return test::write_mdl(test::tetrahedron_model()); }
+    static Bytes model() { return write_mdl(tetrahedron_model()); }
 
-    test::TemporaryFolder folder_;
+    TemporaryFolder folder_;
     LevelPlaces places_;
 };
 
@@ -159,7 +154,7 @@ TEST_F(Game, ANameLeadsToNoOtherFolder) {
 
 TEST_F(Game, AMissingLevelIsNamedWithAllPlacesWhereItWasLookedFor) {
     places_.beside = folder_.path("mine/start.bsp");
-    const std::string text = test::refusal<FileError>([&] { find_named_level("e1m8", places_); });
+    const std::string text = refusal<FileError>([&] { find_named_level("e1m8", places_); });
     for (const std::string& part : {std::string("e1m8.bsp: "), folder_.path("mine"), std::string(" maps,"),
                                     folder_.path("game/maps"), "pak files in " + folder_.path("game")})
         EXPECT_NE(text.find(part), std::string::npos) << text;
@@ -192,9 +187,9 @@ TEST_F(Game, ABrokenPakFileIsNamedAndItsLevelsAreNotListed) {
 
 TEST_F(Game, ALevelOutOfAPakFileComesWithPaletteAndModels) {
     folder_.write("game/pak1.pak",
-                  test::write_pak({{"maps/e1m4.bsp", level_with("{ \"classname\" \"item_key1\" \"origin\" \"9 9 40\" }"
-                                                                "{ \"classname\" \"item_key1\" \"origin\" \"5 5 40\" "
-                                                                "\"spawnflags\" \"512\" }")}}));
+                  write_pak({{"maps/e1m4.bsp", level_with("{ \"classname\" \"item_key1\" \"origin\" \"9 9 40\" }"
+                                                          "{ \"classname\" \"item_key1\" \"origin\" \"5 5 40\" "
+                                                          "\"spawnflags\" \"512\" }")}}));
     const std::string file = find_named_level("e1m4", places_);
     const GameData data = load_game({file, "", folder_.path("mine"), ""});
     EXPECT_EQ(data.level_file, file);
@@ -213,9 +208,9 @@ TEST_F(Game, ALoosePaletteComesBeforeThoseOfPakFiles) {
 
 TEST_F(Game, AFaultInALevelOfAPakFileIsNamedByItsPath) {
     const Bytes broken(40, 7);
-    folder_.write("game/pak0.pak", test::write_pak({{"maps/bad.bsp", broken}}));
+    folder_.write("game/pak0.pak", write_pak({{"maps/bad.bsp", broken}}));
     const std::string file = find_named_level("bad", places_);
-    const std::string said = test::refusal<FileError>([&] { load_game({file, "", folder_.path("mine"), ""}); });
+    const std::string said = refusal<FileError>([&] { load_game({file, "", folder_.path("mine"), ""}); });
     EXPECT_TRUE(said.starts_with(file + ": ")) << said;
     EXPECT_THROW(read_game_file(folder_.path("game/pak0.pak/maps/none.bsp")), FileError);
 }

@@ -11,10 +11,8 @@
 #include "tests/support/folders.h"
 #include "tests/support/point.h"
 
-namespace oblong {
+namespace oblong::test {
 namespace {
-
-using test::Point, test::to_point, test::to_world;
 
 /// What a ray meets, by a look at all faces in double precision.
 struct Met {
@@ -28,8 +26,8 @@ double depth_in(const Level& level, const Face& face, Point normal, Point p) {
     double least = 1e9;
     for (const SurfEdge step : level.edges_of(face)) {
         const Edge& edge = level.edges[step.edge()];
-        const Point a = test::to_point(level.vertices[step.is_reversed() ? edge.to : edge.from]);
-        const Point b = test::to_point(level.vertices[step.is_reversed() ? edge.from : edge.to]);
+        const Point a = to_point(level.vertices[step.is_reversed() ? edge.to : edge.from]);
+        const Point b = to_point(level.vertices[step.is_reversed() ? edge.from : edge.to]);
         const Point along = b - a, inward = cross(along, normal);  // clockwise: the inside is on the right
         const double size = std::sqrt(dot(inward, inward));
         if (size > 0) least = std::min(least, dot(p - a, inward) / size);
@@ -55,10 +53,10 @@ Met look_at_all(const Level& level, std::span<const PlacedModel> models, const V
                 const Vec3<Unit>& direction) {
     Met best;
     for (const FaceIndex face : level.world().faces)
-        look_at_face(level, face, test::to_point(eye), to_point(direction), best);
+        look_at_face(level, face, to_point(eye), to_point(direction), best);
     for (const PlacedModel& placed : models)
         for (const FaceIndex face : level.models[placed.model].faces)
-            look_at_face(level, face, test::to_point(eye) - test::to_point(placed.offset), to_point(direction), best);
+            look_at_face(level, face, to_point(eye) - to_point(placed.offset), to_point(direction), best);
     return best;
 }
 
@@ -109,13 +107,13 @@ class PickInRealLevels : public testing::TestWithParam<const char*> {};
 
 TEST_P(PickInRealLevels, FindsWhatALookAtAllFacesFinds) {
     OBLONG_NEEDS_SHARED_LEVELS();
-    expect_same_as_all_faces(read_bsp(test::read_shared_file(std::string(GetParam()) + ".bsp")), 500);
+    expect_same_as_all_faces(read_bsp(read_shared_file(std::string(GetParam()) + ".bsp")), 500);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, PickInRealLevels, testing::ValuesIn(test::kRealLevels));
+INSTANTIATE_TEST_SUITE_P(All, PickInRealLevels, testing::ValuesIn(kRealLevels));
 
 TEST(Pick, OfTheTinyLevelIsItsFloorAtTheRightPlace) {
-    const Level level = read_bsp(test::join_lumps(29, test::make_tiny_lumps()));
+    const Level level = read_bsp(join_lumps(29, make_tiny_lumps()));
     const Vec3<World> eye = to_world({10, 5, 40});
     const Vec3<Unit> down{{}, {}, -Unit::from_int(1)};
     const auto found = pick_face(level, {}, eye, down);
@@ -132,7 +130,7 @@ TEST(Pick, OfTheTinyLevelIsItsFloorAtTheRightPlace) {
 }
 
 TEST(Pick, FindsAModelAtItsPlaceBeforeTheWorldBehindIt) {
-    Level level = read_bsp(test::join_lumps(29, test::make_tiny_lumps()));
+    Level level = read_bsp(join_lumps(29, make_tiny_lumps()));
     level.models.push_back(level.models.front());
     const std::array placed{PlacedModel{ModelIndex(1), to_world({0, 0, 10})}};
     const Vec3<Unit> down{{}, {}, -Unit::from_int(1)};
@@ -154,4 +152,4 @@ TEST(Pick, EntityOfAModelIsTheOneThatNamesIt) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test

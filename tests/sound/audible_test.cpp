@@ -7,12 +7,8 @@
 
 #include "tests/sound/walled_level.h"
 
-namespace oblong {
+namespace oblong::test {
 namespace {
-
-using test::floor_and;
-using test::ToyGame;
-using test::ToyLevel;
 
 SoundSource source_at(Sound sound, int x, int y, int z = 46, std::uint32_t serial = 0) {
     const Position at = world_vector(x, y, z);
@@ -56,7 +52,7 @@ TEST(Levels, OfABoxAreThoseOfItsNearestPoint) {
 }
 
 TEST(Audible, LeavesOutWhatIsOutOfRangeAndTracesNothingForIt) {
-    const ToyGame game(test::with_wall());
+    const ToyGame game(with_wall());
     const std::vector<SoundSource> sources{source_at(Sound::Hum, -170, 0), source_at(Sound::Wind, -2'000, 0)};
     const Audible audible = audible_now(game.level, game.state, kListener, sources);
     EXPECT_TRUE(audible.sounds.empty());
@@ -64,7 +60,7 @@ TEST(Audible, LeavesOutWhatIsOutOfRangeAndTracesNothingForIt) {
 }
 
 TEST(Audible, IsMuffledAndSofterBehindAWall) {
-    const ToyGame game(test::with_wall());
+    const ToyGame game(with_wall());
     const auto heard = [&](int x) {
         const std::vector<SoundSource> one{source_at(Sound::GateStart, x, 0, 46, 1)};
         return audible_now(game.level, game.state, kListener, one);
@@ -82,7 +78,7 @@ TEST(Audible, IsMuffledAndSofterBehindAWall) {
 
 /// Past a column, a step of 4 units each: what comes from all over an area goes round it.
 TEST(Audible, AnAreaIsNeitherMuffledNorMuchSofterBehindAColumn) {
-    const ToyGame game(test::with_column());
+    const ToyGame game(with_column());
     for (const Sound sound : {Sound::Rain, Sound::Wind, Sound::Water, Sound::Lava}) {
         SoundSource area = source_at(sound, 80, -100, 20);
         area.box.maxs = world_vector(280, 100, 220);
@@ -107,7 +103,7 @@ TEST(Audible, AnAreaIsNeitherMuffledNorMuchSofterBehindAColumn) {
 }
 
 TEST(Audible, AnAreaBehindAWallIsMuffled) {
-    const ToyGame game(test::with_wall());
+    const ToyGame game(with_wall());
     SoundSource area = source_at(Sound::Rain, 140, -100, 20);
     area.box.maxs = world_vector(340, 100, 220);
     const std::vector<SoundSource> sources{area};
@@ -119,7 +115,7 @@ TEST(Audible, AnAreaBehindAWallIsMuffled) {
 
 /// What is heard of an area and of a place as one passes a column: by lines of at most four ticks ago.
 TEST(Audible, OfLoopsThatAreKnownNoLinesAreTracedForFourTicks) {
-    const ToyGame game(test::with_column());
+    const ToyGame game(with_column());
     SoundSource area = source_at(Sound::Rain, 80, -100, 20);
     area.box.maxs = world_vector(280, 100, 220);
     const std::vector<SoundSource> sources{area, source_at(Sound::Fire, 120, 0)};
@@ -148,7 +144,7 @@ TEST(Audible, OfLoopsThatAreKnownNoLinesAreTracedForFourTicks) {
 }
 
 TEST(Audible, SoundsThatBeginAreTracedAtEachTick) {
-    const ToyGame game(test::with_wall());
+    const ToyGame game(with_wall());
     const std::vector<SoundSource> one{source_at(Sound::GateStart, -300, 0, 46, 1)};
     HeardFrom heard_from;
     for (int tick = 0; tick < 8; ++tick) {
@@ -158,7 +154,7 @@ TEST(Audible, SoundsThatBeginAreTracedAtEachTick) {
 }
 
 TEST(Audible, IsMuffledUnderWaterAllOfIt) {
-    const ToyGame game(test::with_wall());
+    const ToyGame game(with_wall());
     Listener diver = kListener;
     diver.is_under_water = true;
     const std::vector<SoundSource> sources{source_at(Sound::GateStart, -300, 0, 46, 1),
@@ -168,7 +164,7 @@ TEST(Audible, IsMuffledUnderWaterAllOfIt) {
 }
 
 TEST(Audible, OneVoiceForALoopHoweverManySound) {
-    const ToyGame game(test::with_wall());
+    const ToyGame game(with_wall());
     std::vector<SoundSource> sources;
     for (int i = 0; i < 50; ++i) sources.push_back(source_at(Sound::Water, -100 - i, i % 2 == 0 ? 200 : -200));
     const Audible audible = audible_now(game.level, game.state, kListener, sources);
@@ -179,7 +175,7 @@ TEST(Audible, OneVoiceForALoopHoweverManySound) {
 }
 
 TEST(Audible, HasNoMoreThanItsMostAndKeepsTheLoudest) {
-    const ToyGame game(test::with_wall());
+    const ToyGame game(with_wall());
     std::vector<SoundSource> sources;
     for (int i = 0; i < 60; ++i)
         sources.push_back(source_at(Sound::GateStop, -10 * i, 0, 46, 1 + static_cast<std::uint32_t>(i)));
@@ -206,4 +202,4 @@ TEST(Audible, AShutDoorIsInTheWayOfOthersButNotOfItself) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test

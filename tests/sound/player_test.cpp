@@ -50,10 +50,7 @@ class RecordedOutput final : public SoundOutput {
     std::int32_t music_volume_256 = 0;
 };
 
-using test::RecordedOutput;
-using test::ToyGame;
-
-const std::string kAssets = test::build_folder() + "/assets", kSounds = kAssets + "/sounds",
+const std::string kAssets = build_folder() + "/assets", kSounds = kAssets + "/sounds",
                   kTitleMusic = kAssets + "/music/title.mod";
 
 AudibleSound heard(Sound sound, std::uint32_t serial, std::int32_t level_256) {
@@ -150,13 +147,13 @@ TEST(GameSound, IsSilentWhereItsFilesAreMissing) {
 void walk(ToyGame& game, GameSound& sound, int ticks) {
     for (int i = 0; i < ticks; ++i) {
         const GameState before = game.state;
-        const TickReport report = step(game.level, game.state, test::kAhead);
+        const TickReport report = step(game.level, game.state, kAhead);
         sound.note_tick(before, game.state, report);
     }
 }
 
 TEST(GameSound, PlaysAWalkAndHoldsItInAMenu) {
-    ToyGame game(test::with_wall());
+    ToyGame game(with_wall());
     TestSound test;
     test.sound.set(kOn);
     test.sound.enter(&game.level);
@@ -174,7 +171,7 @@ TEST(GameSound, PlaysAWalkAndHoldsItInAMenu) {
 }
 
 TEST(GameSound, WritesCaptionsWithoutADevice) {
-    ToyGame game(test::with_wall());
+    ToyGame game(with_wall());
     TestSound test;
     test.sound.set({0, 80, 60, true});
     test.sound.enter(&game.level);
@@ -184,7 +181,7 @@ TEST(GameSound, WritesCaptionsWithoutADevice) {
 }
 
 TEST(GameSound, StopsWhatPlaysWhereSoundsAreTurnedOff) {
-    ToyGame game(test::with_wall());
+    ToyGame game(with_wall());
     TestSound test;
     test.sound.set(kOn);
     test.sound.enter(&game.level);
@@ -199,18 +196,18 @@ TEST(GameSound, StopsWhatPlaysWhereSoundsAreTurnedOff) {
     EXPECT_TRUE(test.last->voices.empty()) << "captions go on, sounds don't";
 }
 
-struct Played : test::Outcome {
+struct Played : Outcome {
     std::vector<std::uint8_t> played;  ///< what SDL's driver "disk" wrote instead of playing it
 };
 
 // The game for some seconds, in a window that nobody sees, until it is asked to end.
 Played run_game_for(int seconds, const std::string& driver, const std::string& arguments) {
-    const test::TemporaryFolder folder;
+    const TemporaryFolder folder;
     const std::string line = "SDL_VIDEODRIVER=dummy SDL_AUDIODRIVER=" + driver + " SDL_DISKAUDIOFILE='" +
-                             folder.path("played") + "' " + test::at_home_in(folder.path()) +
-                             "timeout --preserve-status -s TERM " + std::to_string(seconds) + " " +
-                             test::program("oblong") + " --frame-cap 20 --window 320x240 " + arguments;
-    return {test::run_line(line), test::read_file_bytes(folder.path("played"))};
+                             folder.path("played") + "' " + at_home_in(folder.path()) +
+                             "timeout --preserve-status -s TERM " + std::to_string(seconds) + " " + program("oblong") +
+                             " --frame-cap 20 --window 320x240 " + arguments;
+    return {run_line(line), read_file_bytes(folder.path("played"))};
 }
 
 // For longer and longer, where a busy machine has not played enough of it by then: up to four minutes at a time.

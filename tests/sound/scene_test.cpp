@@ -8,14 +8,8 @@
 #include "tests/game/logic_level.h"
 #include "tests/sound/walled_level.h"
 
-namespace oblong {
+namespace oblong::test {
 namespace {
-
-using test::floor_and;
-using test::kAhead;
-using test::kStand;
-using test::ToyGame;
-using test::ToyLevel;
 
 // Plays a game and notes what begins in each tick.
 struct HeardGame {
@@ -73,12 +67,12 @@ ToyLevel with_door(const char* class_name = "func_door") {
 
 // Each is held against the others, so that they are bounded.
 TEST(Starts, OfVeryManyMoversAreAFew) {
-    test::LogicLevel source;
+    LogicLevel source;
     source.add("trigger_once", {-50, -50, 0, 50, 50, 64}, {{"target", "d"}});
     for (int i = 0; i < 400; ++i)
         source.add("func_door", {i * 50 - 10'000, 500, 0, i * 50 - 9990, 510, 10},
                    {{"angle", "-1"}, {"targetname", "d"}, {"spawnflags", "4"}});
-    test::LogicGame game(source);
+    LogicGame game(source);
     SoundStarts starts(game.level);
     std::size_t most = 0;
     for (int tick = 0; tick < 5; ++tick) {
@@ -325,4 +319,4 @@ TEST(OwnSounds, OfATeleporterReplaceItsSound) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test

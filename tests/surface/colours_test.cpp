@@ -13,8 +13,7 @@
 #include "tests/support/palettes.h"
 #include "tests/surface/true_oklab.h"
 
-namespace oblong {
-
+namespace oblong::test {
 namespace {
 
 TEST(Palette, TakesTriplesInOrder) {
@@ -40,13 +39,6 @@ TEST(Palette, OtherSizesAreRefused) {
     for (const std::size_t size : {0u, 767u, 769u, 1024u})
         EXPECT_THROW(read_palette(std::vector<std::uint8_t>(size)), InputError) << size;
 }
-
-}  // namespace
-
-}  // namespace oblong
-
-namespace oblong::test {
-namespace {
 
 double luminance(Rgb8 colour) {
     return 0.299 * colour.red + 0.587 * colour.green + 0.114 * colour.blue;
