@@ -173,9 +173,8 @@ void MapWatch::compile_first(bool waits) {
         const auto news = poll(now_us);
         if (news && news->has_level) break;
         if (news) {
-            const FileError fault(map_file_, "oblong-map", news->fault);
-            if (!waits) throw fault;
-            print_fault("oblong", std::string(fault.what()) + "; tried again after a change");
+            if (!waits) throw FileError(map_file_, "oblong-map", news->fault);
+            print_fault("oblong", news->named_fault + "; tried again after a change");
         }
         std::this_thread::sleep_for(std::chrono::microseconds(kBetweenPolls_us));
     }
@@ -236,6 +235,7 @@ MapWatch::News MapWatch::finish(int status) {
     const std::string named = "oblong-map: " + map_file_ + ": ";
     if (news.fault.starts_with(named)) news.fault.erase(0, named.size());
     if (news.fault.empty()) news.fault = "oblong-map ended without a message";
+    news.named_fault = FileError(map_file_, "oblong-map", news.fault).what();
     news.leak_path = read_points(points_file_);
     return news;
 }

@@ -196,6 +196,11 @@ TEST(Checks, MissTheStart) {
               Said{"line 2: no info_player_start, expected one: the player has no place to start"});
 }
 
+TEST(Checks, NameASecondStart) {
+    EXPECT_EQ(warnings_of(entity_at("info_player_start", {9, 9, 40}) + entity_at("light", {1, 2, 3})),
+              Said{"line 12: a second info_player_start, expected one: that of line 4 counts"});
+}
+
 // The room for a player is a box of 32 x 32 x 56 units around a place a unit above the start.
 TEST(Checks, NameAStartInAWall) {
     const auto said_at = [](const Whole& start) {

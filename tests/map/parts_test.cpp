@@ -122,7 +122,8 @@ TEST_F(MapWatchTest, FollowsTheSource) {
     EXPECT_FALSE(level_bytes() == first);
     const auto broken = news_after("my.map", source(kOtherLamp) + "{");
     EXPECT_FALSE(broken.has_level);
-    EXPECT_NE(broken.fault.find("line "), std::string::npos) << broken.fault;
+    EXPECT_TRUE(broken.fault.starts_with("line ")) << broken.fault;
+    EXPECT_EQ(broken.named_fault, path("my.map") + ": oblong-map: " + broken.fault);
     EXPECT_TRUE(broken.leak_path.empty());
     EXPECT_TRUE(news_after("my.map", source(kOtherLamp)).has_level) << "as it was: the fault is gone";
     const std::string leaking = level(box({0, 0, 0}, {64, 64, 64}), entity_at("light", {0, 0, 99}));

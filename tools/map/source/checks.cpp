@@ -89,9 +89,13 @@ class Checker {
     void check() {
         for (const MapEntity& entity : entities_) check_entity(entity);
         const auto is_start = [](const MapEntity& entity) { return role_of(entity) == ClassRole::Start; };
-        if (std::none_of(entities_.begin(), entities_.end(), is_start))
-            warnings_.add(entities_.front().line,
-                          "no info_player_start, expected one: the player has no place to start");
+        const auto first = std::find_if(entities_.begin(), entities_.end(), is_start);
+        if (first == entities_.end())
+            return warnings_.add(entities_.front().line,
+                                 "no info_player_start, expected one: the player has no place to start");
+        if (const auto second = std::find_if(first + 1, entities_.end(), is_start); second != entities_.end())
+            warnings_.add(second->line, "a second info_player_start, expected one: that of line " +
+                                            std::to_string(first->line) + " counts");
     }
 
   private:
