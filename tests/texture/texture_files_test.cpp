@@ -52,6 +52,12 @@ TEST_F(TextureFiles, WhatIsPackedComesOutTheSame) {
     }
 }
 
+TEST_F(TextureFiles, WhatIsNeitherAWadNorALevelIsNotUnpacked) {
+    for (const std::string& file : {write("text.wad", {'t', 'e', 'x', 't'}), write("empty.wad", {})})
+        EXPECT_EQ(test::refusal<FileError>([&] { unpack_textures(file, path("out"), palette_); }),
+                  file + ": header: of another kind of file, expected a WAD2 or a level");
+}
+
 TEST_F(TextureFiles, AHashStandsForTheStarOfLiquids) {
     EXPECT_EQ(read_png_texture(write_png("#lava.png", 16, 16), palette_).name, "*lava");
     EXPECT_EQ(file_of_texture_name("*lava"), "#lava.png");

@@ -1,5 +1,6 @@
 #include "tools/texture/texture_files.h"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <map>
@@ -12,6 +13,7 @@
 #include "engine/files/files.h"
 #include "engine/files/picture.h"
 #include "engine/files/wad.h"
+#include "engine/level/bsp_file.h"
 #include "engine/level/bsp_read.h"
 #include "engine/surface/colormap.h"
 #include "engine/surface/palette.h"
@@ -65,8 +67,13 @@ std::map<std::string, std::string> files_by_name(const std::vector<std::string>&
     return files;
 }
 
-std::vector<MipTexture> read_textures(std::span<const std::uint8_t> file) {
-    if (file.empty() || file[0] != 'W') return read_bsp_textures(file);
+std::vector<MipTexture> textures_of_archive(std::span<const std::uint8_t> file) {
+    const auto begins_as = [&](const BspFormat& format) {
+        return file.size() >= 4 && little_endian_u32(file.data()) == format.version;
+    };
+    if (std::any_of(kBspFormats.begin(), kBspFormats.end(), begins_as)) return read_bsp_textures(file);
+    if (file.empty() || file[0] != 'W')
+        throw InputError("header", "of another kind of file, expected a WAD2 or a level");
     std::vector<MipTexture> textures;
     for (const WadTexture& texture : read_wad(file)) textures.push_back(parse_miptex(texture.miptex));
     return textures;
@@ -161,7 +168,7 @@ void pack_textures(const std::vector<std::string>& picture_paths, const std::vec
 }
 
 void unpack_textures(const std::string& archive_path, const std::string& folder, const Palette& palette) {
-    const auto textures = read_parsed(archive_path, read_textures);
+    const auto textures = read_parsed(archive_path, textures_of_archive);
     make_folder(folder);
     for (const MipTexture& texture : textures) {
         if (texture.is_missing) continue;
