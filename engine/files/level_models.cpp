@@ -254,6 +254,7 @@ class LevelModelReader {
         if (known != meshes_.end()) return *known->second;
         Mesh mesh = read_mesh(file, values);
         mesh.planes = facing_planes(mesh);
+        mesh.places = shared_places(mesh);
         models_.meshes.push_back(std::make_unique<const Mesh>(std::move(mesh)));
         return *meshes_.emplace(file, models_.meshes.back().get()).first->second;
     }

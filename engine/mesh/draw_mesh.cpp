@@ -24,7 +24,9 @@ struct MeshPlacement {
     const ViewContext& view;
     const MeshTarget& target;
     std::span<const MeshVertex> object_vertices;
+    std::span<const std::uint32_t> places;  ///< Mesh::places, or empty
     const MeshTransform& transform;
+    const MeshToView& to_view;
 };
 
 /// Constant during draw_mesh().
@@ -44,10 +46,14 @@ std::optional<MeshPlacement> place_mesh(const PlacedMesh& placed, const ViewCont
         const std::optional<MeshTransform> transform = make_mesh_transform(placed);
         if (!transform) return std::nullopt;
         scratch.transform = *transform;
+        scratch.to_view = make_mesh_to_view(placed.position, *transform, view);
     }
     const std::span<const MeshVertex> pose = pose_of(placed, scratch.object_vertices);
     if (!goes_on) scratch.begin(pose.size());
-    return MeshPlacement{placed, view, target, pose, scratch.transform};
+    const std::vector<std::uint32_t>& places = placed.mesh->places;
+    const std::span<const std::uint32_t> shared =
+        places.size() == pose.size() ? places : std::span<const std::uint32_t>();
+    return MeshPlacement{placed, view, target, pose, shared, scratch.transform, scratch.to_view};
 }
 
 bool is_whole(const Skin& skin) {
@@ -72,14 +78,14 @@ Fixed<std::int64_t, 16> flat_light(const MeshTriangle& triangle, const MeshConte
 }
 
 void see_vertex(std::uint32_t number, const MeshPlacement& mesh, MeshScratch& scratch) {
-    Vec3<World>& position = item(scratch.world_vertices, number).position;
-    position = world_position(mesh.object_vertices[number].position, mesh.transform);
-    view_vertex(position, mesh.view, item(scratch.view_vertices, number));
+    view_vertex(mesh.object_vertices[number].position, mesh.transform, mesh.to_view, mesh.view,
+                item(scratch.view_vertices, number));
     item(scratch.stages, number) = VertexStage::Seen;
 }
 
 /// A vertex in the view, computed on first use.
 inline const ViewVertex& seen_vertex(std::uint32_t number, const MeshPlacement& mesh, MeshScratch& scratch) {
+    if (!mesh.places.empty()) number = mesh.places[number];
     if (item(scratch.stages, number) == VertexStage::Unknown) see_vertex(number, mesh, scratch);
     return item(scratch.view_vertices, number);
 }
@@ -111,13 +117,15 @@ bool may_cover_centre(const std::array<const ViewVertex*, 3>& vertices) {
     return differ(a->screen.x, b->screen.x, c->screen.x) && differ(a->screen.y, b->screen.y, c->screen.y);
 }
 
-/// A vertex's values, computed on first use; requires VertexStage::Seen.
+/// A vertex's values, computed on first use. Only lights at points ask where in the world it is.
 const CornerValues& values_at(std::uint32_t number, const MeshContext& mesh, MeshScratch& scratch) {
     CornerValues& values = item(scratch.values, number);
     VertexStage& stage = item(scratch.stages, number);
     if (stage == VertexStage::Complete) return values;
     WorldVertex& vertex = item(scratch.world_vertices, number);
-    vertex.normal = world_normal(mesh.object_vertices[number].normal, mesh.transform);
+    const MeshVertex& object_vertex = mesh.object_vertices[number];
+    if (!mesh.drawing.light.points.empty()) vertex.position = world_position(object_vertex.position, mesh.transform);
+    vertex.normal = world_normal(object_vertex.normal, mesh.transform);
     values = corner_values(mesh.placed, number, vertex, mesh.drawing.light);
     stage = VertexStage::Complete;
     return values;
@@ -138,22 +146,14 @@ std::array<const CornerValues*, 3> values_of(const MeshTriangle& triangle, const
     return values;
 }
 
-std::int32_t least_column(std::span<const Span> spans) {
-    std::int32_t least = spans.front().first;
-    for (const Span& span : spans) least = std::min(least, span.first);
-    return least;
-}
-
 /// Sets the scratch's triangle and spans. False if it covers no pixel's centre, is seen from its back, or is hidden.
 bool find_triangle(const std::array<const ScreenPlace*, 3>& corners, const MeshTarget& target, MeshScratch& scratch,
                    MeshCounts& counts) {
     const std::array places{corners[0]->screen, corners[1]->screen, corners[2]->screen};
     find_triangle_spans(places, target.part, scratch.rows, scratch.spans);
     auto& [weights, inverse_z] = scratch.triangle;
-    if (scratch.spans.empty() || !make_barycentric(corners, weights)) return false;
+    if (scratch.spans.empty() || !make_barycentric(corners, scratch.spans, weights)) return false;
     ++counts.triangles;
-    weights.first_row = scratch.spans.front().y;
-    weights.first_column = least_column(scratch.spans);
     inverse_z = inverse_z_over(weights);
     return !is_covered(scratch.spans, weights, inverse_z, target.depth);
 }

@@ -27,6 +27,7 @@ struct MeshScratch {
 
     const PlacedMesh* begun = nullptr;  ///< the mesh that is_seen() began and draw_mesh() continues; or null
     MeshTransform transform;
+    MeshToView to_view;
     std::optional<std::int32_t> highlight;  ///< of `highlights`; none: not made yet
     HighlightTable highlights;
     std::vector<MeshVertex> object_vertices;  ///< interpolated between two frames

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <optional>
 
 #include "engine/base/table.h"
@@ -107,6 +108,16 @@ std::vector<FacingPlane> facing_planes(const Mesh& mesh) {
         planes.push_back(*plane);
     }
     return planes;
+}
+
+std::vector<std::uint32_t> shared_places(const Mesh& mesh) {
+    std::vector<std::uint32_t> places;
+    if (mesh.frames.size() != 1) return places;
+    std::map<std::array<std::int64_t, 3>, std::uint32_t> first;
+    for (const MeshVertex& vertex : mesh.frames.front().vertices)
+        places.push_back(
+            first.try_emplace(raw_of(vertex.position), static_cast<std::uint32_t>(places.size())).first->second);
+    return places;
 }
 
 }  // namespace oblong

@@ -70,7 +70,8 @@ struct Mesh {
     std::vector<MeshFrame> frames;
     std::vector<MeshTexel> texels;
     std::vector<MeshTriangle> triangles;
-    std::vector<FacingPlane> planes = {};  ///< of all triangles in the only frame; or empty (facing_planes)
+    std::vector<FacingPlane> planes = {};    ///< of all triangles in the only frame; or empty (facing_planes)
+    std::vector<std::uint32_t> places = {};  ///< of all vertices in the only frame; or empty (shared_places)
     std::vector<Skin> skins;
     std::vector<MeshSequence> frame_sequences, skin_sequences;  ///< the file's frames and skins
     bool turns = false;                                         ///< always rotates (Quake's EF_ROTATE)
@@ -92,6 +93,10 @@ void set_boxes(MeshFrame& frame, std::span<const MeshTriangle> triangles = {});
 /// The planes of a mesh's triangles. Empty if it has several frames, or triangles of missing vertices, or of so many
 /// units that a normal does not fit.
 std::vector<FacingPlane> facing_planes(const Mesh& mesh);
+
+/// The first vertex with the same position as each: hard edges and seams have several, and drawing places only this
+/// one. Empty if a mesh has several frames.
+std::vector<std::uint32_t> shared_places(const Mesh& mesh);
 
 /// Reads a Quake model, an MDL file ("IDPO", version 6), enlarged by `scale` (above 0, at most 4,096).
 ///

@@ -4,7 +4,7 @@
 
 #include "engine/fixed/arithmetic.h"
 #include "engine/fixed/divide.h"
-#include "engine/raster/scan.h"
+#include "engine/raster/edges.h"
 
 namespace oblong {
 
@@ -51,6 +51,27 @@ void set_along(const std::array<const ScreenPlace*, 3>& corners, std::uint8_t fr
     weights.c_per_column = weights.c_per_row = WeightStep{};
 }
 
+/// The coordinates at a pixel that is covered: edge functions there are from 0 to `area`.
+void set_at_pixel(const std::array<const ScreenPlace*, 3>& corners, std::uint32_t area, Barycentric& weights) {
+    constexpr auto kHalfPixel = Screen::from_raw(128);
+    const auto& [a, b, c] = corners;
+    const ScreenVertex centre{Screen::from_int(weights.first_column) + kHalfPixel,
+                              Screen::from_int(weights.first_row) + kHalfPixel};
+    const auto share = [&](const ScreenPlace& from, const ScreenPlace& to) {
+        const ScreenArea part = edge_function(from.screen, to.screen, centre);
+        const ShortDivision quotient = divide_to_32(part.bits() << PixelWeight::kFractionBits, area);
+        return PixelWeight::from_raw(static_cast<std::int32_t>(quotient.quotient));
+    };
+    weights.b = share(*c, *a);
+    weights.c = share(*a, *b);
+}
+
+std::int32_t least_column(std::span<const Span> spans) {
+    std::int32_t least = spans.front().first;
+    for (const Span& span : spans) least = std::min(least, span.first);
+    return least;
+}
+
 /// The part of a quantity's step that a difference of its values at two corners makes.
 template <class Value, class Difference>
 [[gnu::always_inline]] inline Value part_of(Difference way, const StoredStep& step) {
@@ -79,6 +100,13 @@ template <class Value, class Difference>
 template <class Value, class AtCorner>
 LinearQuantity<Value> quantity_of(const Barycentric& weights, AtCorner a, AtCorner b, AtCorner c) {
     if (a == b && a == c) return {convert<Value>(a), {}, {}};
+    if (weights.has_one_pixel) {
+        const auto part = [](AtCorner way, PixelWeight weight) {
+            constexpr int kBits = PixelWeight::kFractionBits;
+            return Value::from_raw(wrapping_mul_shift(weight.raw, convert<Value>(way).raw, kBits));
+        };
+        return {convert<Value>(a) + part(b - a, weights.b) + part(c - a, weights.c), {}, {}};
+    }
     LinearQuantity<Value> quantity;
     // In this order compilers ask once whether a difference has 32 bits.
     quantity.per_column = part_of<Value>(b - a, weights.b_per_column);
@@ -97,20 +125,29 @@ LinearQuantity<Value> quantity_of(const Barycentric& weights, AtCorner a, AtCorn
 
 }  // namespace
 
-bool make_barycentric(const std::array<const ScreenPlace*, 3>& corners, Barycentric& weights) {
+bool make_barycentric(const std::array<const ScreenPlace*, 3>& corners, std::span<const Span> spans,
+                      Barycentric& weights) {
     constexpr std::int64_t kThinnest_8 = 16;
     const auto& [a, b, c] = corners;
     const Way ab(*a, *b), ac(*a, *c), bc(*b, *c);
     const std::int64_t area = (widening_product(ab.x, ac.y) - widening_product(ac.x, ab.y)).raw;
     if (area <= 0) return false;
+    weights.corners = corners;
+    weights.order = {0, 1, 2};
+    weights.first_row = spans.front().y;
+    weights.first_column = least_column(spans);
+    const auto short_area = static_cast<std::uint32_t>(area);
+    weights.has_one_pixel = spans.size() == 1 && spans.front().end - spans.front().first == 1 && short_area == area;
+    if (weights.has_one_pixel) {
+        set_at_pixel(corners, short_area, weights);
+        return true;
+    }
     const Screen longest = std::max({ab.size(), ac.size(), bc.size()});
     if (area < longest.raw * kThinnest_8) {
         const bool is_ab = longest == ab.size();
         set_along(corners, is_ab || longest == ac.size() ? 0 : 1, is_ab ? 1 : 2, weights);
         return true;
     }
-    weights.corners = corners;
-    weights.order = {0, 1, 2};
     weights.b_per_column = step_of(ac.y.raw, area);
     weights.b_per_row = step_of(-ac.x.raw, area);
     weights.c_per_column = step_of(-ab.y.raw, area);

@@ -32,6 +32,9 @@ struct StoredStep {
 using StoredStep = WeightStep;
 #endif
 
+/// A barycentric coordinate at a pixel, 0 to 1.
+using PixelWeight = Fixed<std::int32_t, 30>;
+
 /// The barycentric coordinates b and c of a triangle's second and third corner over the screen; both are 0 at the
 /// first.
 struct Barycentric {
@@ -39,6 +42,8 @@ struct Barycentric {
     std::array<std::uint8_t, 3> order;  ///< the corners' numbers in the triangle
     StoredStep b_per_column, b_per_row, c_per_column, c_per_row;
     std::int32_t first_column = 0, first_row = 0;  ///< the pixel from which quantities count: most triangles have few
+    bool has_one_pixel = false;                    ///< that pixel; of all others only `b` and `c` are set then
+    PixelWeight b, c;                              ///< there
 
     const ScreenVertex& anchor() const { return corners[0]->screen; }
 };
@@ -53,8 +58,10 @@ struct GradientChoice {
 ///     b = ((x - xA) (yC - yA) - (y - yA) (xC - xA)) / area,    c = ((y - yA) (xB - xA) - (x - xA) (yB - yA)) / area,
 /// linear in x and y; each quantity is A's + b (B's - A's) + c (C's - A's). So at a pixel centre inside, it lies
 /// between its values at the corners, however thin or steep the triangle is. In a triangle thinner than 1/16 pixel it
-/// changes along the longest side only. False for a triangle without area or seen from its back.
-bool make_barycentric(const std::array<const ScreenPlace*, 3>& corners, Barycentric& weights);
+/// changes along the longest side only. `spans` are the triangle's pixels, at least one; with a single one, quantities
+/// have their value at it and no steps. False for a triangle without area or seen from its back.
+bool make_barycentric(const std::array<const ScreenPlace*, 3>& corners, std::span<const Span> spans,
+                      Barycentric& weights);
 
 /// 1/z over the screen.
 LinearQuantity<InverseZ> inverse_z_over(const Barycentric& weights);

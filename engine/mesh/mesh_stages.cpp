@@ -121,7 +121,7 @@ bool is_facing(const MeshTriangle& triangle, std::span<const MeshVertex> vertice
     return is_above_zero(object_normal(triangle, vertices), to_eye);
 }
 
-/// Whether products of the point with entries below 2^5, and their sums, fit 64 bits: within 2^13 units.
+/// Whether products of the point with entries below 2^4, and their sums, fit 64 bits: within 2^13 units.
 constexpr bool is_small(const Vec3<World>& point) {
     return is_within_bits<World::kFractionBits + 13>(point);
 }
@@ -270,8 +270,52 @@ Vec3<Unit> world_normal(const Vec3<Unit>& object_normal, const MeshTransform& tr
     return {rounded(x), rounded(y), rounded(z)};
 }
 
-void view_vertex(const Vec3<World>& world_position, const ViewContext& view, ViewVertex& seen) {
-    if (place_vertex(world_position, view, seen)) seen.inverse_z = inverse_z_at(seen.position.z);
+MeshToView make_mesh_to_view(const Vec3<World>& world_origin, const MeshTransform& transform, const ViewContext& view) {
+    using Coefficient = MeshToView::Coefficient;
+    MeshToView result;
+    if (!transform.has_small_entries || view.adjusts_positions) return result;
+    const auto from_eye = widening_difference(world_origin, view.eye);
+    std::int64_t bits = 0;
+    // Entries are below 2^4, those of sheared axes below 2: sums of three products fit, and mostly a coefficient.
+    const auto row = [&](const Vec3<Unit>& axis) {
+        const auto along = [&](std::size_t column) {
+            const auto& rows = transform.to_world.rows;
+            const auto entry = [&](std::size_t i) { return convert<Coefficient>(rows[i][column]); };
+            const auto sum =
+                convert<Fixed<std::int64_t, 26>>(dot(axis, Vec3<Coefficient>{entry(0), entry(1), entry(2)}));
+            bits |= sum.raw ^ floor_shift(sum.raw, 63);
+            return Coefficient::from_raw(static_cast<std::int32_t>(sum.raw));
+        };
+        return Vec3<Coefficient>{along(0), along(1), along(2)};
+    };
+    const auto& [right, up, forward] = view.axes;
+    result.rows = {row(right), row(up), row(forward)};
+    result.origin = convert<Fixed<std::int64_t, 38>>(
+        Vec3<PlaneDistance>{dot(from_eye, right), dot(from_eye, up), dot(from_eye, forward)});
+    result.is_usable = bits >> 31 == 0;
+    return result;
+}
+
+void view_vertex(const Vec3<World>& object_position, const MeshTransform& transform, const MeshToView& to_view,
+                 const ViewContext& view, ViewVertex& seen) {
+    bool is_inside = false;
+    if (to_view.is_usable && is_small(object_position)) [[likely]] {
+        const auto along = [&](const auto& row, auto origin) {
+            return convert<View>(dot(row, object_position) + origin);
+        };
+        const auto& [right, up, forward] = to_view.rows;
+        const auto& [x, y, z] = to_view.origin;
+        seen.position = {along(right, x), along(up, y), along(forward, z)};
+#if defined(__i386__)
+        if (const auto near = to_short(seen.position))
+            is_inside = place_vertex_at(*near, view, seen);
+        else
+#endif
+            is_inside = place_vertex_at(seen.position, view, seen);
+    } else {
+        is_inside = place_vertex(world_position(object_position, transform), view, seen);
+    }
+    if (is_inside) seen.inverse_z = inverse_z_at(seen.position.z);
 }
 
 void clip_and_project(const std::array<const ViewVertex*, 3>& triangle,

@@ -75,8 +75,18 @@ Vec3<Unit> world_normal(const Vec3<Unit>& object_normal, const MeshTransform& tr
 Vec3<Unit> world_normal(const MeshTriangle& triangle, std::span<const MeshVertex> object_vertices,
                         const MeshTransform& transform);
 
-/// Transforms from the world to viewspace and sets the outcode; if that is 0, also projects.
-void view_vertex(const Vec3<World>& world_position, const ViewContext& view, ViewVertex& seen);
+/// From object space to viewspace in one product.
+struct MeshToView {
+    using Coefficient = Fixed<std::int32_t, 26>;
+    bool is_usable = false;  ///< false for large scales and adjusted views: points go through the world
+    std::array<Vec3<Coefficient>, 3> rows;
+    Vec3<Fixed<std::int64_t, 38>> origin;  ///< of object space
+};
+MeshToView make_mesh_to_view(const Vec3<World>& world_origin, const MeshTransform& transform, const ViewContext& view);
+
+/// Transforms from object space to viewspace and sets the outcode; if that is 0, also projects.
+void view_vertex(const Vec3<World>& object_position, const MeshTransform& transform, const MeshToView& to_view,
+                 const ViewContext& view, ViewVertex& seen);
 
 /// Clips a triangle to the view and projects it: 3 to 7 corners, or none. `values` belong to its vertices.
 void clip_and_project(const std::array<const ViewVertex*, 3>& triangle,

@@ -23,7 +23,7 @@ bool has_small_entries(const Matrix4& matrix) {
     std::uint64_t entries = 0;
     for (std::size_t row = 0; row < 3; ++row)
         for (std::size_t column = 0; column < 3; ++column) entries |= magnitude(matrix.rows[row][column]);
-    return entries >> (Entry::kFractionBits + 5) == 0;
+    return entries >> (Entry::kFractionBits + 4) == 0;
 }
 
 /// The rotation of normals, if the scale is equal along all axes: they keep their length.

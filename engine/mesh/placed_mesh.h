@@ -37,7 +37,7 @@ struct MeshTransform {
     Matrix4 to_world;
     Matrix3 normals;  ///< the inverse transpose of to_world's upper left part
     Matrix4 to_object;
-    bool has_small_entries = false;                 ///< in to_world all but the last column are below 2^5
+    bool has_small_entries = false;                 ///< in to_world all but the last column are below 2^4
     std::optional<std::array<Vec3<Unit>, 3>> turn;  ///< rotation rows; used for normals if all scales are equal
 };
 

@@ -15,8 +15,8 @@ void transform_to_world(std::span<const MeshVertex> object_vertices, const MeshT
                         std::vector<WorldVertex>& world_vertices);
 
 /// view_vertex() of each vertex.
-void transform_to_view(std::span<const WorldVertex> world_vertices, const ViewContext& view,
-                       std::vector<ViewVertex>& view_vertices);
+void transform_to_view(std::span<const MeshVertex> object_vertices, const PlacedMesh& placed,
+                       const MeshTransform& transform, const ViewContext& view, std::vector<ViewVertex>& view_vertices);
 
 /// corner_values() of each vertex.
 void find_corner_values(const PlacedMesh& placed, std::span<const WorldVertex> world_vertices, const MeshLight& light,

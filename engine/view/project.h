@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 
 #include "engine/base/range_probe.h"
 #include "engine/math/vec.h"
@@ -65,15 +66,23 @@ using ShortView = Fixed<std::int32_t, View::kFractionBits>;
 }
 #endif
 
+#if defined(__i386__)
+/// None for points farther from the eye.
+[[gnu::always_inline]] inline std::optional<Vec3<ShortView>> to_short(const Vec3<View>& p) {
+    const Vec3<ShortView> near{ShortView::from_raw(static_cast<std::int32_t>(p.x.raw)),
+                               ShortView::from_raw(static_cast<std::int32_t>(p.y.raw)),
+                               ShortView::from_raw(static_cast<std::int32_t>(p.z.raw))};
+    if (convert<View>(near) != p) return std::nullopt;
+    return near;
+}
+#endif
+
 /// A clipped point in viewspace as a screen vertex.
 [[gnu::always_inline]] inline ScreenVertex to_screen_vertex(const Vec3<View>& p, const Projection& projection,
                                                             const SubpixelGrid& grid) {
 #if defined(__i386__)
-    const auto is_short = [](View v) { return static_cast<std::int32_t>(v.raw) == v.raw; };
-    const auto part = [](View v) { return ShortView::from_raw(static_cast<std::int32_t>(v.raw)); };
     ScreenVertex screen;
-    if (is_short(p.x) && is_short(p.y) && is_short(p.z) &&
-        to_near_screen_vertex({part(p.x), part(p.y), part(p.z)}, projection, grid, screen)) [[likely]]
+    if (const auto near = to_short(p); near && to_near_screen_vertex(*near, projection, grid, screen)) [[likely]]
         return screen;
 #endif
     const ScreenPosition position = project(p, projection);

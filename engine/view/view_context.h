@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <type_traits>
 
 #include "engine/math/basis.h"
 #include "engine/view/frustum.h"
@@ -84,29 +85,33 @@ inline Vec3<View> to_unadjusted_view(const Vec3<World>& point, const ViewContext
     return to_view(point, view.eye, view.axes);
 }
 
-/// Sets a vertex's position and outcode from its place in the world.
-template <bool AdjustsPositions, class Vertex>
-[[gnu::always_inline]] inline void transform_vertex(const Vec3<World>& point, const ViewContext& view, Vertex& vertex) {
-    vertex.position = to_view(point, view.eye, view.axes);
-    if constexpr (AdjustsPositions) vertex.position = adjusted(vertex.position, view);
-    vertex.outcode = outcode_of(view.frustum, vertex.position);
+/// Sets a vertex's outcode from its position in viewspace, which may be that of 32 bits, and if it is inside the view
+/// its place on the screen. Returns whether it is inside.
+template <class Position, class Vertex>
+[[gnu::always_inline]] inline bool place_vertex_at(const Vec3<Position>& position, const ViewContext& view,
+                                                   Vertex& vertex) {
+    vertex.outcode = outcode_of(view.frustum, position);
+    if (vertex.outcode != 0) return false;
+#if defined(__i386__)
+    if constexpr (std::is_same_v<Position, ShortView>)
+        if (to_near_screen_vertex(position, view.projection, view.grid, vertex.screen)) return true;
+#endif
+    vertex.screen = to_screen_vertex(vertex.position, view.projection, view.grid);
+    return true;
 }
 
-/// The same, and if it is inside the view its place on the screen. Returns whether it is inside.
+/// The same; also sets the position from its place in the world.
 template <bool AdjustsPositions, class Vertex>
 [[gnu::always_inline]] inline bool place_vertex(const Vec3<World>& point, const ViewContext& view, Vertex& vertex) {
 #if defined(__i386__)
     if (const auto near = AdjustsPositions ? std::nullopt : to_short_view(point, view)) {
-        vertex.position = {convert<View>(near->x), convert<View>(near->y), convert<View>(near->z)};
-        vertex.outcode = outcode_of(view.frustum, *near);
-        if (vertex.outcode != 0) return false;
-        if (to_near_screen_vertex(*near, view.projection, view.grid, vertex.screen)) return true;
-    } else
+        vertex.position = convert<View>(*near);
+        return place_vertex_at(*near, view, vertex);
+    }
 #endif
-        transform_vertex<AdjustsPositions>(point, view, vertex);
-    if (vertex.outcode != 0) return false;
-    vertex.screen = to_screen_vertex(vertex.position, view.projection, view.grid);
-    return true;
+    vertex.position = to_view(point, view.eye, view.axes);
+    if constexpr (AdjustsPositions) vertex.position = adjusted(vertex.position, view);
+    return place_vertex_at(vertex.position, view, vertex);
 }
 template <class Vertex>
 [[gnu::always_inline]] inline bool place_vertex(const Vec3<World>& point, const ViewContext& view, Vertex& vertex) {

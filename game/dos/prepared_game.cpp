@@ -177,6 +177,7 @@ void read_models(Reader& reader, LevelModels& models) {
         auto mesh = std::make_unique<Mesh>();
         visit(reader, *mesh);
         mesh->planes = facing_planes(*mesh);
+        mesh->places = shared_places(*mesh);
         models.meshes[i] = std::move(mesh);
     }
     reader.count(models.models);

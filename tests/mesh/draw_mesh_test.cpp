@@ -24,7 +24,7 @@ void draw_by_stages(const PlacedMesh& placed, const Colormap& colormap, const Me
     const auto object = pose_of(placed, scratch.object_vertices);
     find_facing(mesh.triangles, object, to_object(picture.view.eye, transform), scratch.facing);
     transform_to_world(object, transform, scratch.world_vertices);
-    transform_to_view(scratch.world_vertices, picture.view, scratch.view_vertices);
+    transform_to_view(object, placed, transform, picture.view, scratch.view_vertices);
     find_corner_values(placed, scratch.world_vertices, light, scratch.values);
     const HighlightTable highlight = make_highlight_table(placed.highlight);
     const Vec3<Unit> toward_eye = normalised(widening_difference(picture.view.eye, placed.position));
@@ -43,11 +43,11 @@ void draw_by_stages(const PlacedMesh& placed, const Colormap& colormap, const Me
         for (std::size_t i = 2; i < scratch.polygon.size(); ++i) {
             const std::array<const ScreenCorner*, 3> fan{&scratch.polygon[0], &scratch.polygon[i - 1],
                                                          &scratch.polygon[i]};
-            Barycentric weights;
-            if (!make_barycentric({fan[0], fan[1], fan[2]}, weights)) continue;
             scan_convex(std::array{fan[0]->screen, fan[1]->screen, fan[2]->screen}, scratch.rows);
             scratch.spans.clear();
             append_spans(scratch.rows, all, scratch.spans);
+            Barycentric weights;
+            if (scratch.spans.empty() || !make_barycentric({fan[0], fan[1], fan[2]}, scratch.spans, weights)) continue;
             const MeshGradients gradients =
                 make_mesh_gradients(weights, {&fan[0]->values, &fan[1]->values, &fan[2]->values},
                                     inverse_z_over(weights), {placed.shading == Shading::Phong, false});
@@ -69,6 +69,8 @@ TEST(DrawMesh, LeavesOutNothingThatShows) {
     std::uniform_real_distribution<double> far(-1, 1);
     Mesh ball = ball_mesh(30, 12, checked_skin());
     ball.planes = facing_planes(ball);
+    ball.places = shared_places(ball);
+    ASSERT_EQ(ball.places[25 + 24], 25u) << "the seam of the first ring";
     ASSERT_FALSE(ball.planes.empty());
     std::vector<std::uint32_t> all_parts((ball.triangles.size() + kPartTriangles - 1) / kPartTriangles);
     std::iota(all_parts.begin(), all_parts.end(), 0u);
@@ -207,7 +209,7 @@ TEST(DrawMesh, WeightsAreTheNearestQuotients) {
             corner.screen = {Screen::from_raw(static_cast<std::int32_t>(random() % reach)),
                              Screen::from_raw(static_cast<std::int32_t>(random() % reach))};
         Barycentric weights;
-        if (!make_barycentric({&corners[0], &corners[1], &corners[2]}, weights)) continue;
+        if (!make_barycentric({&corners[0], &corners[1], &corners[2]}, std::array{Span{0, 0, 2}}, weights)) continue;
         if (weights.corners[2] != &corners[2]) continue;  // thin ones go along a side
         const auto way = [&](std::size_t to) {
             return std::array<std::int64_t, 2>{corners[to].screen.x.raw - corners[0].screen.x.raw,
@@ -223,6 +225,39 @@ TEST(DrawMesh, WeightsAreTheNearestQuotients) {
         ++counted;
     }
     EXPECT_GT(counted, 15'000);
+}
+
+TEST(DrawMesh, TheOnlyPixelOfATriangleHasTheValueAtItsCentre) {
+    std::mt19937 random(12);
+    ScanlineExtents rows(12);
+    std::vector<Span> spans;
+    int counted = 0;
+    for (int i = 0; i < 50'000; ++i) {
+        std::array<ScreenPlace, 3> corners{};
+        for (ScreenPlace& corner : corners) {
+            const auto along = [&] { return Screen::from_raw(static_cast<std::int32_t>(random() % 1024)); };
+            // Differences of 32 bits and of more.
+            corner = {{along(), along()}, InverseZ::from_raw(static_cast<std::int64_t>(random()) << (i % 16))};
+        }
+        const auto& [a, b, c] = corners;
+        find_triangle_spans({a.screen, b.screen, c.screen}, {0, 4, 0, 4}, rows, spans);
+        if (spans.size() != 1 || spans[0].end - spans[0].first != 1) continue;
+        Barycentric weights;
+        ASSERT_TRUE(make_barycentric({&a, &b, &c}, spans, weights));
+        const auto area = [](double x, double y, const ScreenPlace& from, const ScreenPlace& to) {
+            const double left = from.screen.x.raw, top = from.screen.y.raw;
+            return (to.screen.x.raw - left) * (y - top) - (to.screen.y.raw - top) * (x - left);
+        };
+        const double x = spans[0].first * 256 + 128, y = spans[0].y * 256 + 128;
+        const double of_a = area(x, y, b, c), of_b = area(x, y, c, a), of_c = area(x, y, a, b);
+        const auto part = [&](double weight, const ScreenPlace& corner) {
+            return weight / (of_a + of_b + of_c) * static_cast<double>(corner.inverse_z.raw);
+        };
+        const double exact = part(of_a, a) + part(of_b, b) + part(of_c, c);
+        ASSERT_NEAR(static_cast<double>(inverse_z_over(weights).origin.raw), exact, 1 + std::ldexp(2, i % 16 + 2));
+        ++counted;
+    }
+    EXPECT_GT(counted, 5'000);
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ double turns(Angle angle) {
     return angle.bam / 65536.0 * kTurn;
 }
 
-TEST(MeshStages, PointsAndNormalsGoToTheWorld) {
+TEST(MeshStages, PointsAndNormalsGoToTheWorldAndToTheView) {
     std::mt19937 random(1);
     const Mesh mesh = ball_mesh(30, 6, plain_skin(1));
     for (int i = 0; i < 50; ++i) {
@@ -54,6 +54,9 @@ TEST(MeshStages, PointsAndNormalsGoToTheWorld) {
         ASSERT_TRUE(transform);
         std::vector<WorldVertex> world;
         transform_to_world(mesh.frames[0].vertices, *transform, world);
+        const ViewContext view = view_from(random_world(random, 12), placed.roll, placed.yaw);
+        std::vector<ViewVertex> seen;
+        transform_to_view(mesh.frames[0].vertices, placed, *transform, view, seen);
         const Axes axes = axes_of(turns(placed.yaw), turns(placed.pitch), turns(placed.roll));
         const double sx = number_of(placed.scale.x), sy = number_of(placed.scale.y), sz = number_of(placed.scale.z);
         const Point origin = to_point(placed.position);
@@ -69,6 +72,12 @@ TEST(MeshStages, PointsAndNormalsGoToTheWorld) {
             ASSERT_NEAR(found.x, origin.x + point.x, 1.3e-4);
             ASSERT_NEAR(found.y, origin.y + point.y, 1.3e-4);
             ASSERT_NEAR(found.z, origin.z + point.z, 1.3e-4);
+            // In the view places are more exact: they are not rounded to a place in the world.
+            const Point from_eye = origin + point - to_point(view.eye);
+            const auto exact = [&](const Vec3<Unit>& axis) { return dot(from_eye, to_point(axis)); };
+            ASSERT_NEAR(number_of(seen[v].position.x), exact(view.axes.right), 1.3e-5);
+            ASSERT_NEAR(number_of(seen[v].position.y), exact(view.axes.up), 1.3e-5);
+            ASSERT_NEAR(number_of(seen[v].position.z), exact(view.axes.forward), 1.3e-5);
             // The inverse transpose of R S is R S^-1.
             Point normal = turned(n.x / sx, n.y / sy, n.z / sz);
             const double length = std::sqrt(dot(normal, normal));
@@ -186,7 +195,7 @@ TEST(MeshStages, ClippedCornersHaveTheValuesOfTheirPlace) {
     int clipped = 0;
     for (int i = 0; i < 3000; ++i) {
         // u = 1000 + 2 y + z, v = 2000 - x + z: linear in space, so also on any plane.
-        std::vector<WorldVertex> world;
+        std::vector<MeshVertex> world;
         std::array<CornerValues, 3> values;
         for (CornerValues& value : values) {
             const Vec3<World> p = world_point(ahead(random), side(random), side(random));
@@ -196,7 +205,7 @@ TEST(MeshStages, ClippedCornersHaveTheValuesOfTheirPlace) {
             value.v = Texel::from_int(2000) - texel(p.x) + texel(p.z);
         }
         std::vector<ViewVertex> seen;
-        transform_to_view(world, view, seen);
+        transform_to_view(world, {}, *make_mesh_transform({}), view, seen);
         clip_and_project({&seen[0], &seen[1], &seen[2]}, {&values[0], &values[1], &values[2]}, view, scratch, polygon);
         ASSERT_LE(polygon.size(), 7u);
         if ((seen[0].outcode | seen[1].outcode | seen[2].outcode) == 0) continue;

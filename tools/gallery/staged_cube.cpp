@@ -108,7 +108,7 @@ StagedCube::StagedCube(const RowInput& input, Framebuffer part) : mesh(make_cube
     light.directional = {normalised(world_point(-2, -1, 2)), 110};
     find_facing(mesh.triangles, object, object_eye, scratch.facing);
     transform_to_world(object, transform, scratch.world_vertices);
-    transform_to_view(scratch.world_vertices, view, scratch.view_vertices);
+    transform_to_view(object, placed, transform, view, scratch.view_vertices);
     find_corner_values(placed, scratch.world_vertices, {}, scratch.values);
     for (const std::uint32_t number : scratch.facing) {
         std::array<const ViewVertex*, 3> corners{};
