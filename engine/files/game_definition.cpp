@@ -3,16 +3,52 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
 
 #include "engine/base/checksum.h"
 #include "engine/files/files.h"
-#include "engine/files/json.h"
 #include "engine/level/entity_classes.h"
 
 namespace oblong {
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// A value in the file, and its path, as "/classes/item_coin/is".
+class Value {
+  public:
+    Value(const std::string& file, const Json& json, std::string where)
+        : file_(file), json_(json), where_(std::move(where)) {}
+
+    [[noreturn]] void refuse(const std::string& what) const {
+        throw FileError(file_, where_.empty() ? "/" : where_, what);
+    }
+    std::string text() const {
+        if (!json_.is_string()) refuse("is " + std::string(json_.type_name()) + ", expected a text");
+        return json_.get<std::string>();
+    }
+    /// use(name, value) for each member.
+    template <class Use>
+    void for_members(Use use) const {
+        if (!json_.is_object()) refuse("is " + std::string(json_.type_name()) + ", expected members in { }");
+        for (const auto& [name, json] : json_.items()) use(name, Value(file_, json, where_ + "/" + name));
+    }
+    std::vector<Value> elements() const {
+        if (!json_.is_array()) refuse("is " + std::string(json_.type_name()) + ", expected a list in [ ]");
+        std::vector<Value> values;
+        for (std::size_t i = 0; i < json_.size(); ++i)
+            values.emplace_back(file_, json_[i], where_ + "/" + std::to_string(i));
+        return values;
+    }
+
+  private:
+    const std::string& file_;
+    const Json& json_;
+    std::string where_;
+};
+
 // Roles that oblong-map recognises by the class's name, so that own classes cannot have them.
 bool is_of_compiler(ClassRole role) {
     constexpr std::array kOfCompiler{ClassRole::Worldspawn,     ClassRole::Start,      ClassRole::TeleportExit,
@@ -31,8 +67,8 @@ class DefinitionReader {
   public:
     explicit DefinitionReader(const std::string& folder) { game_.folder = folder; }
 
-    GameDefinition read(const JsonValue& root) {
-        for (const auto& [name, value] : root.members()) read_member(name, value);
+    GameDefinition read(const Value& root) {
+        root.for_members([this](const std::string& name, const Value& value) { read_member(name, value); });
         if (game_.title.empty()) root.refuse("has no \"title\", expected one");
         if (game_.levels.empty()) root.refuse("has no \"levels\", expected a list of one or more names");
         game_.rules_hash = hash_of_classes();
@@ -40,33 +76,33 @@ class DefinitionReader {
     }
 
   private:
-    void read_member(const std::string& name, const JsonValue& value) {
+    void read_member(const std::string& name, const Value& value) {
         for (const Member& member : kMembers)
             if (name == member.known.name) return (this->*member.read)(value);
         std::string names;
         for (const Member& member : kMembers) names += (names.empty() ? "" : ", ") + std::string(member.known.name);
         value.refuse("is unknown, expected one of " + names);
     }
-    void read_title(const JsonValue& value) { game_.title = value.text(); }
-    void read_credits(const JsonValue& value) { game_.credits = value.text(); }
-    void read_palette(const JsonValue& value) { game_.palette = file_in_folder(value); }
-    void read_music(const JsonValue& value) { game_.music = file_in_folder(value); }
-    void read_icon(const JsonValue& value) { game_.icon = file_in_folder(value); }
-    void read_demo(const JsonValue& value) { game_.demo = path_in_folder(value); }
+    void read_title(const Value& value) { game_.title = value.text(); }
+    void read_credits(const Value& value) { game_.credits = value.text(); }
+    void read_palette(const Value& value) { game_.palette = file_in_folder(value); }
+    void read_music(const Value& value) { game_.music = file_in_folder(value); }
+    void read_icon(const Value& value) { game_.icon = file_in_folder(value); }
+    void read_demo(const Value& value) { game_.demo = path_in_folder(value); }
 
-    std::string path_in_folder(const JsonValue& value) const {
+    std::string path_in_folder(const Value& value) const {
         const std::string path = value.text();
         if (!stays_below(path)) value.refuse("\"" + path + "\", expected a path of a file below the folder");
         return (fs::path(game_.folder) / path).string();
     }
-    std::string file_in_folder(const JsonValue& value) const {
+    std::string file_in_folder(const Value& value) const {
         const std::string path = path_in_folder(value);
         if (!fs::is_regular_file(path)) value.refuse("there is no file " + path + ", expected one");
         return path;
     }
 
-    void read_levels(const JsonValue& list) {
-        for (const auto& [index, value] : list.elements()) {
+    void read_levels(const Value& list) {
+        for (const Value& value : list.elements()) {
             const std::string name = value.text();
             if (!stays_below(name) || fs::path(name).has_parent_path())
                 value.refuse("\"" + name + "\", expected the name of a level, as \"first\"");
@@ -76,31 +112,33 @@ class DefinitionReader {
         }
     }
 
-    void read_captions(const JsonValue& members) {
-        for (const auto& [sound, value] : members.members()) game_.captions[sound] = value.text();
+    void read_captions(const Value& members) {
+        members.for_members(
+            [this](const std::string& sound, const Value& value) { game_.captions[sound] = value.text(); });
     }
 
-    void read_classes(const JsonValue& members) {
-        for (const auto& [name, value] : members.members()) {
+    void read_classes(const Value& members) {
+        members.for_members([this](const std::string& name, const Value& value) {
             if (find_own_row(name)) value.refuse("is a class of the engine, expected another name");
             game_.classes[name] = class_of(value);
-        }
+        });
     }
 
-    static OwnClass class_of(const JsonValue& value) {
+    static OwnClass class_of(const Value& value) {
         OwnClass own;
         const EntityClass* base = nullptr;
-        for (const auto& [member, part] : value.members()) {
+        value.for_members([&](const std::string& member, const Value& part) {
             if (member == "is") {
                 own.is = part.text();
                 base = find_own_row(own.is);
                 if (!base) part.refuse("\"" + own.is + "\", expected a class of the engine");
             } else if (member == "keys") {
-                for (const auto& [key, text] : part.members()) own.values.emplace_back(key, text.text());
+                part.for_members(
+                    [&](const std::string& key, const Value& text) { own.values.emplace_back(key, text.text()); });
             } else if (member != "does") {
                 part.refuse("is unknown, expected is, keys or does");
             }
-        }
+        });
         if (base && is_of_compiler(base->role))
             value.refuse("stands for " + own.is + ", which the map compiler has to know by its name, expected another");
         if (!base) value.refuse("has no \"is\", expected a class of the engine that it stands for");
@@ -129,7 +167,7 @@ class DefinitionReader {
 
     struct Member {
         GameMember known;
-        void (DefinitionReader::*read)(const JsonValue&);
+        void (DefinitionReader::*read)(const Value&);
     };
     static const std::array<Member, 9> kMembers;
     friend std::vector<GameMember> oblong::game_members();
@@ -156,6 +194,19 @@ const std::array<DefinitionReader::Member, 9> DefinitionReader::kMembers{{
     {{"credits", "what the page of credits says first"}, &DefinitionReader::read_credits},
 }};
 
+// The parser alone would keep one of two members of the same name.
+Json parsed(const std::string& file, const std::string& text) {
+    using Event = Json::parse_event_t;
+    std::vector<std::set<std::string>> names;  // of the objects that are open
+    return Json::parse(text, [&](int, Event event, const Json& json) {
+        if (event == Event::object_start) names.emplace_back();
+        if (event == Event::object_end) names.pop_back();
+        if (event == Event::key && !names.back().insert(json.get<std::string>()).second)
+            throw FileError(file, "member " + json.dump(), "is there twice, expected each once");
+        return true;
+    });
+}
+
 }  // namespace
 
 std::vector<GameMember> game_members() {
@@ -165,8 +216,12 @@ std::vector<GameMember> game_members() {
 }
 
 GameDefinition read_game_definition(const std::string& folder) {
-    const std::string file = (fs::path(folder) / kGameFile).string();
-    return DefinitionReader(folder).read(parse_json(file, read_text(file)));
+    const std::string file = (fs::path(folder) / kGameFile).string(), text = read_text(file);
+    try {
+        return DefinitionReader(folder).read(Value(file, parsed(file, text), ""));
+    } catch (const Json::parse_error& error) {
+        throw FileError(file, "byte " + std::to_string(error.byte), "no JSON: " + std::string(error.what()));
+    }
 }
 
 }  // namespace oblong

@@ -1,2 +1,1 @@
-find_package(nlohmann_json REQUIRED)
-set(LINKS oblong_game nlohmann_json::nlohmann_json)
+set(LINKS oblong_game)
