@@ -43,7 +43,7 @@ STAGES = [
     ("exact spans", r"raster/exact_spans"),
     ("sky", r"effects/sky"),
     ("effects, things, models", r"effects/|mesh/|scene/|raster/depth|"
-                                r"frame/(frame_fog|frame_light|frame_things|mirror|model|see_through)"),
+                                r"frame/(frame_fog|frame_light|frame_things|mirror_pass|mesh_pass|see_through)"),
     ("other", r"frame/|raster/|accuracy/|fixed/|visibility/|^tools/"),
 ]
 SHARED_FUNCTIONS = [
