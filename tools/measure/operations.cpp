@@ -82,7 +82,7 @@ constexpr EventCost kClaimedRow{1200, 0, 0, 0, 1600, 400}, kSpan{3100, 138, 0, 0
 /// view/texture_gradients.cpp: three vectors rotated, the plane's distance, nine slopes, three anchors, those of 1/z
 /// for four of five faces, since others are on the plane of the previous face; scene/face_surface.cpp: the mip level,
 /// the size of the lit surface, its place in the cache.
-constexpr EventCost kGradients{31142, 6017, 84, 0, 16000, 7200};
+constexpr EventCost kGradients{31142, 5780, 80, 0, 16000, 7200};
 /// raster/block_rule.cpp, block_threshold(): one for each surface, and all for surfaces whose spans are not one block
 /// each.
 constexpr EventCost kThresholds{4669, 414, 0, 0, 4000, 4000};
@@ -127,7 +127,7 @@ constexpr EventCost kSkyDirection{5674, 2147}, kSkyPixel{1845, 200, 0, 200, 200,
 /// 512 texels: the shades at cells' corners, where in its texture a surface begins; how far thresholds are apart.
 constexpr EventCost kLitTexel{538, 0, 0, 200, 200, 100}, kNearestTexel{194, 0, 0, 200, 200, 100},
     kDither{270, 39, 0, 100, 100, 0};
-constexpr EventCost kLitTexels_512{0, 2385, 76}, kDither_512{0, 0, 38};
+constexpr EventCost kLitTexels_512{0, 2358, 69}, kDither_512{0, 0, 35};
 
 StageOperations vertices_of(const StageCounts& stages, const Widths& widths) {
     // A position has 20.12 bits: products with axes of up to 32 bits are of 32.
