@@ -58,10 +58,10 @@ struct MeasureEntry {
     HeatScale heat{1.0 / 256, 64, "1/256 pixel", "64 pixels"};
 };
 
-const HeatScale kFaceHeat{0.5, 1, "same face", "another face"}, kColourHeat{1, 256, "1", "256"};
+constexpr HeatScale kFaceHeat{0.5, 1, "same face", "another face"}, kColourHeat{1, 256, "1", "256"};
 
 /// In the order of Measure.
-const std::array<MeasureEntry, kMeasureCount> kMeasures{{
+constexpr std::array<MeasureEntry, kMeasureCount> kMeasures{{
     {"displacement", "pixels", "How far from its place on the screen a texel is shown, in pixels."},
     {"texels", "texels", "How far from the texel that belongs there the one shown is, in texels of mip level 0."},
     {"wrong_pixels", "wrong pixels per mille of a frame",

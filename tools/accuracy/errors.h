@@ -76,7 +76,7 @@ double rms_of(const std::vector<float>& values);
 /// The values at the ends of a heat map's colours, and their captions.
 struct HeatScale {
     double least = 0, greatest = 0;
-    std::string least_text, greatest_text;
+    std::string_view least_text, greatest_text;
 };
 const HeatScale& heat_scale(Measure measure);
 
