@@ -31,7 +31,7 @@ std::string text_of(const ScreenMode& mode) {
 
 }  // namespace
 
-int main() {
+int main() try {
     Window window("The same circle");
     window.palette.colours = {{{16, 16, 24}, {40, 70, 120}, {240, 240, 230}, {220, 80, 60}}};
     do {
@@ -46,4 +46,6 @@ int main() {
         draw_egg(canvas, right, middle, radius_px, kRed);
         draw_label(canvas, 4, 4, text_of(mode), kWhite, mode.height_px / 200);
     } while (window.show());
+} catch (const std::exception& error) {
+    return report(error);
 }

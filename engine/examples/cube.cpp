@@ -4,8 +4,6 @@
 // Muratori's multipliers.
 #include <oblong.h>
 
-#include <string>
-
 using namespace oblong;
 
 namespace {
@@ -52,7 +50,7 @@ std::string text_of(const Point& at) {
 
 }  // namespace
 
-int main() {
+int main() try {
     Window window("Cube");
     window.palette.colours = {{{10, 14, 30}, {120, 220, 200}, {255, 220, 140}}};
     Point eye{-kOne, 0, 0};
@@ -76,4 +74,6 @@ int main() {
             for (const PixelPosition next : {corners[i | 1], corners[i | 2], corners[i | 4]})
                 draw_line(canvas, corners[i].column, corners[i].row, next.column, next.row, 1);
     } while (window.show());
+} catch (const std::exception& error) {
+    return report(error);
 }

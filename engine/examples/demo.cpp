@@ -6,7 +6,6 @@
 #include <oblong.h>
 
 #include <cstdio>
-#include <exception>
 
 using namespace oblong;
 
@@ -44,6 +43,5 @@ int main(int argc, char** argv) try {
             window.close();
     } while (window.show());
 } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
+    return report(error);
 }

@@ -5,8 +5,6 @@
 #include <oblong.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <exception>
 
 using namespace oblong;
 
@@ -67,6 +65,5 @@ int main(int argc, char** argv) try {
         window.palette = level.palette_at(eye, shown_ms);
     } while (window.show());
 } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
+    return report(error);
 }

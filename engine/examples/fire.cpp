@@ -29,7 +29,7 @@ void burn(Framebuffer fire, std::uint64_t& random) {
 
 }  // namespace
 
-int main() {
+int main() try {
     Window window("Fire");
     // A colour's index is its heat.
     set_ramp(window.palette, 0, 63, {0, 0, 0}, {120, 0, 0});
@@ -45,4 +45,6 @@ int main() {
             burn(window.canvas(), random);
         }
     } while (window.show());
+} catch (const std::exception& error) {
+    return report(error);
 }

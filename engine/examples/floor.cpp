@@ -41,7 +41,7 @@ void draw_floor(Framebuffer canvas, const ScreenMode& mode, const Eye& eye) {
 
 }  // namespace
 
-int main() {
+int main() try {
     Window window("Floor");
     set_ramp(window.palette, 0, kShades - 1, {10, 10, 30}, {180, 90, 50});
     set_ramp(window.palette, kShades, 2 * kShades - 1, {10, 10, 30}, {230, 200, 150});
@@ -62,4 +62,6 @@ int main() {
             fill_rectangle(window.canvas(), 0, y, window.mode().width_px, 1, kSky + y * kShades / horizon);
         draw_floor(window.canvas(), window.mode(), eye);
     } while (window.show());
+} catch (const std::exception& error) {
+    return report(error);
 }

@@ -1,11 +1,9 @@
 // Lines and clipping, written out. Above, a line in four ways: with a multiplication for each pixel, with an addition
-// (DDA), with Bresenham's integers, and shaded by its distance from pixels, as by Gupta and Sproull. Below, a triangle
-// clipped by each side of a window and filled as a fan. In the texts: the course notes on lines and clipping; Abrash on
-// planes.
+// (DDA), with Bresenham's integers, and shaded by its distance from pixels (Gupta-Sproull). Below, a triangle clipped
+// by each side of a window and filled as a fan. In the texts: the course notes on lines and clipping; Abrash on planes.
 #include <oblong.h>
 
 #include <cstdlib>
-#include <vector>
 
 using namespace oblong;
 
@@ -58,7 +56,7 @@ std::vector<PixelPosition> cut(const std::vector<PixelPosition>& polygon, const 
 
 }  // namespace
 
-int main() {
+int main() try {
     Window window("Lines");
     set_ramp(window.palette, 0, kWhite, {12, 14, 30}, {250, 250, 240});
     set_ramp(window.palette, kGrey, kBlue, {110, 110, 120}, {60, 110, 190});
@@ -76,4 +74,6 @@ int main() {
         for (std::size_t i = 2; i < left.size(); ++i) fill_triangle(canvas, left[0], left[i - 1], left[i], kBlue);
         draw_rectangle(canvas, 109, 104, 103, 68, kWhite);
     } while (window.show());
+} catch (const std::exception& error) {
+    return report(error);
 }

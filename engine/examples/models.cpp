@@ -7,8 +7,6 @@
 #include <oblong.h>
 
 #include <array>
-#include <cstdio>
-#include <exception>
 
 using namespace oblong;
 
@@ -52,6 +50,5 @@ int main(int argc, char** argv) try {
         if (window.was_pressed("S")) save_picture("models.png", canvas, window.palette);
     } while (window.show());
 } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
+    return report(error);
 }

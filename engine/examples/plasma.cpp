@@ -17,7 +17,7 @@ int height(int x, int y) {
 
 }  // namespace
 
-int main() {
+int main() try {
     Window window("Plasma");
     // The last ramp ends where the first begins, so that the colours can go round.
     set_ramp(window.palette, 0, 63, {16, 0, 48}, {180, 20, 90});
@@ -35,4 +35,6 @@ int main() {
         window.palette = at_first;
         cycle_colours(window.palette, 0, 255, window.time_ms() / 20);
     } while (window.show());
+} catch (const std::exception& error) {
+    return report(error);
 }

@@ -36,7 +36,7 @@ void draw(Framebuffer canvas, const Picture& picture, Step column, Step row) {
 
 }  // namespace
 
-int main() {
+int main() try {
     Window window("Rotozoomer");
     set_ramp(window.palette, 0, kSide - 1, {20, 10, 60}, {255, 220, 120});
     const Picture picture = texture();
@@ -49,4 +49,6 @@ int main() {
         const auto row = [&](int across) { return static_cast<int>(across * pixel.denominator / pixel.numerator); };
         draw(window.canvas(), picture, {u, v}, {row(-v), row(u)});
     } while (window.show());
+} catch (const std::exception& error) {
+    return report(error);
 }

@@ -45,7 +45,7 @@ void draw_land(Framebuffer canvas, const ScreenMode& mode) {
 
 }  // namespace
 
-int main() {
+int main() try {
     Window window("Sprites");
     window.palette.colours = {
         {{16, 20, 48}, {200, 170, 120}, {99, 66, 44}, {24, 48, 44}, {250, 240, 200}, {9, 20, 24}}};
@@ -74,4 +74,6 @@ int main() {
         draw_circle(canvas, window.mode(), net.column, net.row, window.is_down("Mouse 1") ? 8 : kReach_px, kMoon);
         draw_label(canvas, 6, 6, "caught: " + std::to_string(caught), kMoon);
     } while (window.show());
+} catch (const std::exception& error) {
+    return report(error);
 }

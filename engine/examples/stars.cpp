@@ -32,7 +32,7 @@ PixelPosition on_screen(const Star& star, int distance, const ScreenMode& mode) 
 
 }  // namespace
 
-int main() {
+int main() try {
     Window window("Star field");
     set_ramp(window.palette, 0, kColours - 1, {20, 20, 50}, {255, 255, 255});
     const std::vector<Star> stars = scattered();
@@ -49,4 +49,6 @@ int main() {
             draw_line(window.canvas(), before.column, before.row, now.column, now.row, brightness);
         }
     } while (window.show());
+} catch (const std::exception& error) {
+    return report(error);
 }

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <exception>
 
 using namespace oblong;
 
@@ -69,6 +68,5 @@ int main(int argc, char** argv) try {
         window.palette = level.palette_at(eye, shown_ms);
     } while (window.show());
 } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
+    return report(error);
 }

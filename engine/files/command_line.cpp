@@ -149,7 +149,7 @@ std::optional<ConfigLine> parse_config_line(const std::string& line) {
     std::istringstream input(text);
     const std::vector<CLI::ConfigItem> items = line_reader().from_config(input);
     if (items.size() != 1 || items.front().inputs.size() != 1 || items.front().name.empty()) refuse(text);
-    return ConfigLine{items.front().name, items.front().inputs.front()};
+    return ConfigLine{items.front().name, items.front().inputs.front(), text.find('=') != std::string::npos};
 }
 
 }  // namespace oblong

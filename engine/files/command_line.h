@@ -72,6 +72,7 @@ class CommandLine : public CommandArguments {
 /// NAME = VALUE of an options file. A NAME alone has the value "true", as a flag on a command line.
 struct ConfigLine {
     std::string name, value;
+    bool has_value = true;
 };
 
 /// Reads one line of an options file, as CLI11 does: a comment begins with # or, at the beginning of a line, with ;

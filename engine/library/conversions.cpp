@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "engine/base/input_error.h"
+#include "engine/files/arguments.h"
+#include "engine/files/frame_log.h"
 
 namespace oblong {
 namespace {
@@ -16,6 +18,11 @@ std::int32_t as_256(std::int64_t whole) {
 
 const char* version() {
     return OBLONG_VERSION;
+}
+
+int report(const std::exception& error) {
+    standard_error_lines()(message_of(error));
+    return 1;
 }
 
 std::int32_t sine_65536(std::int64_t degrees_256) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <exception>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,8 @@ struct Settings;
 
 /// The library's version, as "0.1.0".
 const char* version();
+/// Prints an error on standard error and returns main()'s exit code, 1; the examples end so.
+int report(const std::exception& error);
 
 // Colours
 

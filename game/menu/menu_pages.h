@@ -72,7 +72,7 @@ class MenuHost {
     virtual void restart() = 0;
     virtual void play_level(const std::string& file) = 0;
     virtual void play_next() = 0;                            ///< EndFigures::next_level
-    virtual void save(std::size_t entry) = 0;                ///< of saves()
+    virtual std::string save(std::size_t entry) = 0;         ///< of saves(); the error, or ""
     virtual void load(std::size_t entry) = 0;                ///< shows the reason if it cannot be loaded
     virtual std::string remove_save(std::size_t entry) = 0;  ///< the error, or ""
     virtual void show_title() = 0;

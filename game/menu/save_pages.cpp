@@ -62,10 +62,20 @@ void MenuPages::open_save() {
         for (std::size_t i = 0; i < saves.size(); ++i) {
             const SaveEntry& save = saves[i];
             if (!save.is_saved_to_by_player) continue;
-            const auto write = closing([this, i] { host_.save(i); });
-            const auto accept = [this, write, name = save.name, is_empty = save.is_empty] {
+            const auto write = [this, i] {
+                const std::string fault = host_.save(i);
+                menu_.close();
+                if (fault.empty()) return menu_.close_all();
+                open_save();  // anew: another program may have changed the list
+                open_message("Save", fault);
+            };
+            const auto replace = [this, write] {
+                menu_.close();  // the question
+                write();
+            };
+            const auto accept = [this, write, replace, name = save.name, is_empty = save.is_empty] {
                 if (is_empty) return write();
-                ask("Save", "Replace what is in " + name + "?", "Replace it", write);
+                ask("Save", "Replace what is in " + name + "?", "Replace it", replace);
             };
             page.rows.push_back(save_row(save, accept));
         }

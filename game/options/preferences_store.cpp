@@ -66,12 +66,19 @@ std::string without_dashes(const std::string& what) {
 
 // Applies the lines of a name to the preferences.
 void parse_lines(const KeptValue& value, const std::vector<ReadLine>& lines, ReadPreferences& read) {
+    std::size_t former = 0;
     for (const ReadLine& line : lines) {
         if (line.set.name != value.name) continue;
         try {
             value.parse(read.preferences, line.set.value);
+            if (former > 0)
+                read.faults.push_back({line.number, "'" + value.name + "' is already set in line " +
+                                                        std::to_string(former) +
+                                                        ", expected each name once: this line counts"});
+            former = line.number;
         } catch (const std::runtime_error& error) {
-            read.faults.push_back({line.number, without_dashes(error.what())});
+            read.faults.push_back({line.number, line.set.has_value ? without_dashes(error.what())
+                                                                   : "'" + value.name + "', expected NAME = VALUE"});
         }
     }
 }

@@ -71,15 +71,18 @@ void Screens::quick_load() {
 }
 
 // Another program may have saved to the slot since it was listed.
-void Screens::save(std::size_t entry) {
+std::string Screens::save(std::size_t entry) {
     const ListedSlot& listed = listed_.at(entry);
-    try_with_files("Save", [&] {
+    try {
         if (saves_.slots().head_of(listed.slot).game != listed.game)
-            return pages_.open_message("Save", "Another program has saved to " + name_of(listed.slot) +
-                                                   " meanwhile. Nothing was saved: choose again.");
+            return "Another program has saved to " + name_of(listed.slot) +
+                   " meanwhile. Nothing was saved: choose again.";
         saves_.save(listed.slot);
         walk_->show("Saved: " + name_of(listed.slot));
-    });
+        return "";
+    } catch (const FileError& error) {
+        return error.what();
+    }
 }
 
 std::string Screens::remove_save(std::size_t entry) {

@@ -86,7 +86,7 @@ TEST_P(Example, LooksAsOnItsPage) {
 INSTANTIATE_TEST_SUITE_P(Pictures, Example, testing::ValuesIn(kShots),
                          [](const auto& shot) { return std::string(shot.param.name); });
 
-TEST(Examples, EachIsShortAndHasAPicture) {
+TEST(Examples, EachIsShortHasAPictureAndSaysWhyItCannotStart) {
     std::uintmax_t bytes = 0;
     int examples = 0;
     for (const auto& entry : fs::directory_iterator(source_folder() + "/engine/examples")) {
@@ -94,6 +94,9 @@ TEST(Examples, EachIsShortAndHasAPicture) {
         if (entry.path().extension() != ".cpp") continue;
         const std::string source = read_text(entry.path().string()), name = entry.path().stem().string();
         EXPECT_LT(std::count(source.begin(), source.end(), '\n'), 80) << name;
+        const Outcome refused = run_line("OBLONG_HEADLESS=none " + program("example_" + name));
+        EXPECT_EQ(refused.exit_code, 1) << name;
+        EXPECT_EQ(refused.error, "OBLONG_HEADLESS: 'none', expected FRAMES or FRAMES:FILE.png, one or more\n") << name;
         EXPECT_TRUE(std::any_of(std::begin(kShots), std::end(kShots), [&](const Shot& shot) {
             return shot.example == name;
         })) << name;

@@ -122,6 +122,11 @@ TEST(Checks, KnowTheWorldsKeys) {
         of_world({{"palette_cycle2", "240 243"}, {"palette_cycles", "1 2 3"}}),
         (Said{"line 3: 'palette_cycle2' is '240 243', expected 3 numbers",
               "line 4: nothing reads the key 'palette_cycles' of a worldspawn, perhaps 'palette_cycle' is meant"}));
+    const auto said = of_world({{"fog", "0.5 1 1 1"}, {"skyfog", "2"}, {"_wateralpha", "-1"}, {"fog", "-1 1 1 1"}});
+    ASSERT_EQ(said.size(), 4u);
+    EXPECT_EQ(said[0], "line 4: worldspawn key 'skyfog': '2', expected a share from 0 to 1");
+    EXPECT_EQ(said[1], "line 5: worldspawn key '_wateralpha': '-1', expected an alpha from 0 to 1");
+    EXPECT_TRUE(said[2].starts_with("line 6: worldspawn key 'fog': '-1 1 1 1', expected density")) << said[2];
 }
 
 TEST(Checks, NameTargetsThatNobodyHas) {
@@ -217,6 +222,27 @@ TEST(Checks, NameAStartInAWall) {
         EXPECT_TRUE(said[0].what.starts_with("the info_player_start at ")) << said[0].what;
         EXPECT_NE(said[0].what.find(" is in a wall"), std::string::npos) << said[0].what;
     }
+}
+
+// A brush in a wall may be a hidden door.
+TEST(Checks, NameBrushesOutsideOfTheLevel) {
+    const auto said_of = [](const std::string& class_name, const Whole& low) {
+        map::Warnings warnings;
+        const Whole high{low[0] + 16, low[1] + 16, low[2] + 16};
+        compile(level(room({0, 0, 0}, {128, 128, 128}, 32),
+                      entity(class_name, {}, box(low, high)) + entity_at("info_player_start", {64, 64, 24})),
+                {.is_fast = true, .warnings = &warnings});
+        return warnings.take();
+    };
+    EXPECT_TRUE(said_of("func_door", {64, 64, 64}).empty());
+    EXPECT_TRUE(said_of("func_door", {120, 64, 64}).empty()) << "half in a wall";
+    EXPECT_TRUE(said_of("func_door", {136, 64, 64}).empty()) << "in a wall";
+    EXPECT_TRUE(said_of("func_train", {400, 64, 64}).empty());
+    EXPECT_TRUE(said_of("func_group", {400, 64, 64}).empty()) << "is the world's";
+    const auto said = said_of("func_door", {400, 64, 64});
+    ASSERT_EQ(said.size(), 1u);
+    EXPECT_EQ(said[0].line, 52);
+    EXPECT_TRUE(said[0].what.starts_with("the brushes of func_door are outside of the level")) << said[0].what;
 }
 
 TEST(Checks, NameAnOriginBrush) {

@@ -50,7 +50,10 @@ class FakeHost final : public MenuHost {
     void restart() override { done.push_back("restart"); }
     void play_level(const std::string& name) override { done.push_back("level " + name); }
     void play_next() override { done.push_back("next"); }
-    void save(std::size_t entry) override { done.push_back("save " + std::to_string(entry)); }
+    std::string save(std::size_t entry) override {
+        done.push_back("save " + std::to_string(entry));
+        return save_fault;
+    }
     void load(std::size_t entry) override { done.push_back("load " + std::to_string(entry)); }
     std::string remove_save(std::size_t entry) override {
         done.push_back("remove " + std::to_string(entry));
@@ -62,7 +65,7 @@ class FakeHost final : public MenuHost {
 
     const HeadlessPlatform platform{1, 35, nullptr, nullptr};
     Preferences kept;
-    std::string end_fault;
+    std::string end_fault, save_fault;
     std::vector<std::string> done;
     bool is_walking = true, is_unsaved = true, has_autosave = false;
 };
@@ -207,6 +210,23 @@ TEST_F(Pages, SlotsAreSavedToAndLoadedFrom) {
     EXPECT_EQ(host_.done.size(), 2u) << "nothing is in it";
     choose("Walk 2");
     EXPECT_EQ(host_.done.back(), "load 0");
+}
+
+TEST_F(Pages, AfterAFailedSaveAnotherSlotCanBeChosen) {
+    host_.save_fault = "the disk is full";
+    for (const char* slot : {"Slot 1", "Slot 2"}) {  // an empty one, and one after a question
+        pages_.open_game();
+        choose("Save");
+        choose(slot);
+        if (menu_.page().rows.back().label == "Replace it") choose("Replace it");
+        EXPECT_EQ(menu_.page().text, host_.save_fault) << slot;
+        choose("OK");
+        EXPECT_EQ(menu_.page().rows[0].label, "Slot 1") << "the page Save";
+        escape();
+        EXPECT_EQ(menu_.page().title, "Paused") << slot;
+        escape();
+    }
+    EXPECT_EQ(host_.done.size(), 2u);
 }
 
 TEST_F(Pages, ADamagedWalkIsChosenToLearnWhy) {

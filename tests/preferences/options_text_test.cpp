@@ -55,9 +55,10 @@ TEST(OptionsText, NamesBrokenLinesAndKeepsAllOthers) {
         "gamma\n"
         "\t crt  =  on\r\n"
         "invert-look\n"
-        "music-volume = \"20\"\n");
+        "music-volume = \"20\"\n"
+        "volume = 40\n");
     EXPECT_EQ(read.preferences.light().brightness_100, 200);
-    EXPECT_EQ(read.preferences.volume_100, 30);
+    EXPECT_EQ(read.preferences.volume_100, 40);
     EXPECT_EQ(read.preferences.music_volume_100, 20);
     EXPECT_TRUE(read.preferences.has_crt_look);
     EXPECT_TRUE(read.preferences.inverts_look) << "a name alone is on, as on the command line";
@@ -67,7 +68,8 @@ TEST(OptionsText, NamesBrokenLinesAndKeepsAllOthers) {
         {5, "'[sounds]', expected NAME = VALUE"},
         {7, "'x', expected NAME = VALUE"},
         {8, "mouse-sensitivity: '9', expected 10 to 1000"},
-        {9, "gamma: 'true', expected a decimal number between -16,777,216 and 16,777,216"}};
+        {9, "'gamma', expected NAME = VALUE"},
+        {13, "'volume' is already set in line 6, expected each name once: this line counts"}};
     ASSERT_EQ(read.faults.size(), expected.size());
     for (std::size_t i = 0; i < expected.size(); ++i) {
         EXPECT_EQ(read.faults[i].line, expected[i].first);

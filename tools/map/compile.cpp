@@ -102,6 +102,30 @@ void check_arrivals(const Tree& player_hull, const PlaneList& planes, const std:
     }
 }
 
+// Brushes in a wall are meant, as a hidden door's are; a train goes where its path begins.
+void check_models(const Tree& world, const LevelBrushes& level, const std::vector<MapEntity>& entities,
+                  Warnings& warnings) {
+    const BrushContents walls(level.models.front(), level.planes);
+    const auto is_in_open = [&](const BrushSide& side) {
+        const auto pieces =
+            pieces_in_leaves(world, level.planes, world.root, side.winding, level.planes.facing(side.plane));
+        return std::any_of(pieces.begin(), pieces.end(),
+                           [&](const LeafPiece& piece) { return !is_opaque(world.leaf(piece.leaf).contents); });
+    };
+    const auto is_placed = [&](const Brush& brush) {
+        return is_opaque(walls.at((brush.box.mins + brush.box.maxs) * 0.5)) ||
+               std::any_of(brush.sides.begin(), brush.sides.end(), is_in_open);
+    };
+    std::size_t model = 0;
+    for (const MapEntity& entity : entities) {
+        if (entity.brushes.empty() || belongs_to_world(entity)) continue;
+        const std::vector<Brush>& brushes = level.models[++model];
+        if (role_of(entity) == ClassRole::Train || std::any_of(brushes.begin(), brushes.end(), is_placed)) continue;
+        warnings.add(entity.line, "the brushes of " + entity.value("classname", "an entity") +
+                                      " are outside of the level, which is sealed: expected them inside");
+    }
+}
+
 // Positions from which the void must not be reachable, and their entities.
 struct Inhabitants {
     std::vector<Point> starts;
@@ -236,7 +260,10 @@ BspFile compile_map(std::vector<MapEntity> entities, const std::vector<Wad>& wad
     const CompiledModel& world = models.front();
     Emitter emitter(bsp, level.planes);
     emitter.add_texinfos(level.textures.texinfos());
-    if (options.warnings != nullptr) check_arrivals(world.hulls[0], level.planes, entities, *options.warnings);
+    if (options.warnings != nullptr) {
+        check_arrivals(world.hulls[0], level.planes, entities, *options.warnings);
+        check_models(world.tree, level, entities, *options.warnings);
+    }
     const std::vector<int> leaf_indices = emitter.add_model(world);
     for (std::size_t i = 1; i < models.size(); ++i) emitter.add_model(models[i]);
     bsp.entities = entities_text(entities);

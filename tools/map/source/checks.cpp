@@ -8,6 +8,7 @@
 
 #include "engine/level/entities.h"
 #include "engine/level/entity_classes.h"
+#include "engine/scene/level_effects.h"
 #include "tools/map/source/brush.h"
 #include "tools/map/source/entities.h"
 
@@ -167,7 +168,15 @@ class Checker {
                                          nearest_key(its_class, pair.key));
         } else if (!pair.value.empty() && !row->does.empty()) {
             check_value(pair, *row);
+            if (its_class.role == ClassRole::Worldspawn && is_of_kind(*row, pair.value)) check_effect(pair);
         }
+    }
+
+    // What the engine would say at each load.
+    void check_effect(const MapPair& pair) {
+        Level level;
+        level.entities.push_back({{{"classname", "worldspawn"}, {pair.key, pair.value}}});
+        for (const std::string& warning : read_level_effects(level).warnings) warnings_.add(pair.line, warning);
     }
 
     void check_value(const MapPair& pair, const EntityKey& row) {
