@@ -78,8 +78,7 @@ void FaceCover::list_faces() {
 }
 
 bool FaceCover::hides(const LevelBox& box) {
-    const std::optional<ScreenRectangle> pixels = rectangle_of(box, frame_.view);
-    return pixels && hides(*pixels, nearest_inverse_depth_of(box, frame_.view));
+    return hides(rectangle_of(box, frame_.view), nearest_inverse_depth_of(box, frame_.view));
 }
 
 bool FaceCover::hides(const ScreenRectangle& pixels, InverseDepth nearest) {

@@ -23,8 +23,7 @@ ScreenRectangle intersection(const ScreenRectangle& a, const ScreenRectangle& b)
 
 /// The pixels that a box may cover, in the part of the screen that is drawn; null: all of it.
 ScreenRectangle pixels_of(const LevelBox& box, const ViewContext& view, const ScreenRectangle* drawn_part) {
-    const ScreenRectangle screen{0, view.projection.width_px, 0, view.projection.height_px};
-    const ScreenRectangle pixels = rectangle_of(box, view).value_or(screen);
+    const ScreenRectangle pixels = rectangle_of(box, view);
     return drawn_part ? intersection(pixels, *drawn_part) : pixels;
 }
 

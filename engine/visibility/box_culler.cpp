@@ -34,23 +34,28 @@ Extent extent_along(const Vec3<Unit>& axis, View middle, const Vec3<HalfUnits>& 
     return {middle - reach, middle + reach};
 }
 
+/// Nearer than this, rounding moves a point by more than a pixel.
+constexpr View kExactFrom = View::from_int(4);
+
 /// The pixels of an extent along one axis of the screen. An end is farthest from the centre where z is least, nearest
 /// where z is greatest.
 PixelRange project_extent(const ProjectionAxis& axis, const Extent& across, const Extent& z, std::int32_t size_px) {
+    const bool is_near = z.least < kExactFrom;
+    const View margin = is_near ? View::from_int(1) : View{};
     const auto project_end = [&](View end, bool outward) {
+        if (outward && is_near) return end < View{} ? std::int64_t{0} : std::int64_t{size_px};
         return floor_of(axis.centre + project_axis(axis, end, outward ? z.least : z.greatest));
     };
     const auto within = [&](std::int64_t pixel) {
         return static_cast<std::int32_t>(std::clamp<std::int64_t>(pixel, 0, size_px));
     };
-    return {within(project_end(across.least, across.least < View{}) - 1),
-            within(project_end(across.greatest, across.greatest > View{}) + 2)};
+    const View low = across.least - margin, high = across.greatest + margin;
+    return {within(project_end(low, low < View{}) - 1), within(project_end(high, high > View{}) + 2)};
 }
 
 }  // namespace
 
-std::optional<ScreenRectangle> rectangle_of(const LevelBox& box, const ViewContext& view) {
-    constexpr View kNearest = View::from_int(4);
+ScreenRectangle rectangle_of(const LevelBox& box, const ViewContext& view) {
     // Half of the sum and half of the difference: half a unit is 2,048 steps of World. Half the difference is one unit
     // larger, as files round boxes.
     const auto middle = [](std::int32_t low, std::int32_t high) { return World::from_raw((low + high) * 2048); };
@@ -61,12 +66,12 @@ std::optional<ScreenRectangle> rectangle_of(const LevelBox& box, const ViewConte
         {middle(box.mins[0], box.maxs[0]), middle(box.mins[1], box.maxs[1]), middle(box.mins[2], box.maxs[2])}, view);
 
     const Extent z = extent_along(view.axes.forward, centre.z + view.parallel_depth, sizes);
-    if (z.least < kNearest) return std::nullopt;
+    if (z.greatest < kExactFrom) return {0, view.projection.width_px, 0, view.projection.height_px};
     const Extent x = extent_along(view.axes.right, centre.x, sizes);
     const Extent y = extent_along(view.axes.up, -centre.y, sizes);
     const PixelRange columns = project_extent(view.projection.x, x, z, view.projection.width_px);
     const PixelRange rows = project_extent(view.projection.y, y, z, view.projection.height_px);
-    return ScreenRectangle{columns.first, columns.end, rows.first, rows.end};
+    return {columns.first, columns.end, rows.first, rows.end};
 }
 
 namespace {

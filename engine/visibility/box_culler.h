@@ -3,7 +3,6 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "engine/base/range_probe.h"
@@ -58,9 +57,9 @@ class BoxCuller {
     std::array<Side, 4> sides_;
 };
 
-/// A rectangle that holds every pixel where something in the box may be drawn, one pixel larger for rounding. None if
-/// the box reaches the eye's plane or is near it: it may then be anywhere on the screen.
-std::optional<ScreenRectangle> rectangle_of(const LevelBox& box, const ViewContext& view);
+/// A rectangle that holds every pixel where something in the box may be drawn, one pixel larger for rounding; empty if
+/// there is none. If the box reaches the eye's plane or is near it, the rectangle reaches the screen's border.
+ScreenRectangle rectangle_of(const LevelBox& box, const ViewContext& view);
 
 Vec3<World> middle_of(const LevelBox& box);
 

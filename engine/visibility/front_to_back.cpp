@@ -179,8 +179,7 @@ bool FrontToBackWalk::is_hidden(const Node& node) const {
 }
 
 bool FrontToBackWalk::may_be_free(const LevelBox& box) const {
-    const std::optional<ScreenRectangle> rectangle = rectangle_of(box, view_);
-    return !rectangle || span_buffer_.has_free(*rectangle);
+    return span_buffer_.has_free(rectangle_of(box, view_));
 }
 
 }  // namespace oblong

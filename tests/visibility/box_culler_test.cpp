@@ -107,10 +107,11 @@ ViewContext random_view(std::mt19937& random, std::int32_t reach = 2000) {
     return view_along(eye, random_axes(random), {}, 20 + random_below(random, 130));
 }
 
-/// Column and row, in doubles, of a point of the box.
+/// Column and row, in doubles, of a point of the box; behind the eye they are not on the screen.
 std::pair<double, double> seen_at(const ViewContext& view, const Point& p) {
     const Point way = p - to_point(view.eye);
     const double depth = dot(way, to_point(view.axes.forward));
+    if (depth <= 0) return {-1, -1};
     return {160 + number_of(view.projection.x.multiplier) * dot(way, to_point(view.axes.right)) / depth,
             100 - number_of(view.projection.y.multiplier) * dot(way, to_point(view.axes.up)) / depth};
 }
@@ -127,10 +128,9 @@ Seen check_boxes(std::int32_t reach, std::int32_t largest) {
     for (int trial = 0; trial < 20000; ++trial) {
         const ViewContext view = random_view(random, reach);
         const LevelBox box = random_box(random, reach, largest);
-        const std::optional<ScreenRectangle> rectangle = rectangle_of(box, view);
-        if (!rectangle) continue;
+        const ScreenRectangle rectangle = rectangle_of(box, view);
         tally.small +=
-            (rectangle->end_column - rectangle->first_column) * (rectangle->end_row - rectangle->first_row) < 6400;
+            (rectangle.end_column - rectangle.first_column) * (rectangle.end_row - rectangle.first_row) < 6400;
         for (int point = 0; point < 8; ++point) {
             const auto at = [&](std::size_t axis) {
                 const double along = trial % 2 ? std::round(part(random)) : part(random);
@@ -139,10 +139,10 @@ Seen check_boxes(std::int32_t reach, std::int32_t largest) {
             const auto [column, row] = seen_at(view, {at(0), at(1), at(2)});
             if (column < 0 || column >= 320 || row < 0 || row >= 200) continue;
             ++tally.on_screen;
-            EXPECT_GE(column, rectangle->first_column);
-            EXPECT_LE(column, rectangle->end_column);
-            EXPECT_GE(row, rectangle->first_row);
-            EXPECT_LE(row, rectangle->end_row);
+            EXPECT_GE(column, rectangle.first_column);
+            EXPECT_LE(column, rectangle.end_column);
+            EXPECT_GE(row, rectangle.first_row);
+            EXPECT_LE(row, rectangle.end_row);
         }
     }
     return tally;
@@ -245,11 +245,22 @@ TEST(BoxRectangle, HoldsBoxesAsLargeAsTheWorld) {
     EXPECT_GT(check_boxes(524'287, 2 * 524'287).on_screen, 1000);
 }
 
+/// Boxes around the eye and beside it.
+TEST(BoxRectangle, HoldsBoxesNearTheEye) {
+    const Seen tally = check_boxes(40, 60);
+    EXPECT_GT(tally.on_screen, 1000);
+    EXPECT_GT(tally.small, 1000);
+}
+
 /// As wide as BSP2 files may have it, before the eye and past it.
-TEST(BoxRectangle, OfTheWholeWorldIsAnywhere) {
+TEST(BoxRectangle, OfTheWholeWorldIsTheScreen) {
     constexpr std::int32_t kFar = 524'287;
     std::mt19937 random(11);
-    for (int trial = 0; trial < 1000; ++trial)
-        EXPECT_FALSE(rectangle_of({{-kFar, -kFar, -kFar}, {kFar, kFar, kFar}}, random_view(random, kFar)));
+    for (int trial = 0; trial < 1000; ++trial) {
+        const ScreenRectangle pixels =
+            rectangle_of({{-kFar, -kFar, -kFar}, {kFar, kFar, kFar}}, random_view(random, kFar - 2));
+        EXPECT_TRUE(pixels.first_column == 0 && pixels.end_column == 320);
+        EXPECT_TRUE(pixels.first_row == 0 && pixels.end_row == 200);
+    }
 }
 }  // namespace oblong::test::box_rectangle_test
