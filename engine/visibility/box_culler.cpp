@@ -121,9 +121,9 @@ PlacedBox place_box(const Level& level, const LevelBox& box) {
 }
 
 bool may_be_seen(const PlacedBox& placed, const LeafSet& leaves, const BoxCuller& culler) {
+    if (culler.sides_crossed(placed.box, kAllSides) == kOutside) return false;
     const auto is_visible = [&leaves](LeafIndex leaf) { return leaves.has(leaf); };
-    if (!placed.has_many_leaves && std::none_of(placed.leaves.begin(), placed.leaves.end(), is_visible)) return false;
-    return culler.sides_crossed(placed.box, kAllSides) != kOutside;
+    return placed.has_many_leaves || std::any_of(placed.leaves.begin(), placed.leaves.end(), is_visible);
 }
 
 }  // namespace oblong
