@@ -190,6 +190,8 @@ TEST(Checks, NameWhatAClassNeedsAndAnEntityLacks) {
     EXPECT_EQ(
         warnings_of(entity("func_door", {}) + entity("func_door", {})),
         Said{"line 4: a func_door without brushes, expected at least one: it has no shape (and 1 more like this)"});
+    EXPECT_EQ(warnings_of(entity("light", {}, kBrush)),
+              Said{"line 4: a light with brushes, expected an 'origin' alone: its class is a point"});
     EXPECT_EQ(warnings_of(entity("info_teleport_destination", {})),
               Said{"line 4: an info_teleport_destination without an 'origin', expected its position"});
     EXPECT_EQ(warnings_of_source(entity("worldspawn", {}) + entity("info_player_start", {})),

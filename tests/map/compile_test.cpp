@@ -126,6 +126,8 @@ TEST(Compile, ErrorsSayWhatIsWrong) {
     says(level("", lights_of_plain_room()), "the world has no brushes");
     says(level(plain_room().substr(0, plain_room().rfind('{'))), "the level encloses no space");
     says(level(box({0, 0, 0}, {64, 64, 64})), "the level encloses no space");
+    says(level(room({0, 0, 0}, {128, 128, 128}, 16, "skip"), entity_at("info_player_start", {64, 64, 24})),
+         "no face of the level is drawn");
     says(level(plain_room(), lights_of_plain_room() + entity_at("light", {500, 500, 500})),
          "light at 500 500 500 is outside of the level");
     says(level(replaced(plain_room(), "0 0 0 1 1", "0 0 0 0.0039 -1"), lights_of_plain_room()),

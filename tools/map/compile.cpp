@@ -267,6 +267,9 @@ BspFile compile_map(std::vector<MapEntity> entities, const std::vector<Wad>& wad
     const std::vector<int> leaf_indices = emitter.add_model(world);
     for (std::size_t i = 1; i < models.size(); ++i) emitter.add_model(models[i]);
     bsp.entities = entities_text(entities);
+    if (bsp.faces.empty())
+        throw InputError("line " + std::to_string(entities.front().line),
+                         "no face of the level is drawn, expected a texture other than 'skip' and 'clip'");
     check_size(bsp);  // before the long passes
     if (options.warnings != nullptr) {
         find_unused_wads(wads, level.textures.names(), *options.warnings);

@@ -156,7 +156,9 @@ class Checker {
         const bool is_layer = entity.has("_tb_type");  // TrenchBroom's: it may hold only point entities
         if (its_class.shape == ClassShape::Brush && entity.brushes.empty() && !is_layer)
             warnings_.add(entity.line, name + " without brushes, expected at least one: it has no shape");
-        if (its_class.shape == ClassShape::Point && entity.value("origin").empty())
+        if (its_class.shape == ClassShape::Point && !entity.brushes.empty())
+            warnings_.add(entity.line, name + " with brushes, expected an 'origin' alone: its class is a point");
+        else if (its_class.shape == ClassShape::Point && entity.value("origin").empty())
             warnings_.add(entity.line, name + " without an 'origin', expected its position");
     }
 
