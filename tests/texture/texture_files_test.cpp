@@ -58,6 +58,16 @@ TEST_F(TextureFiles, WhatIsNeitherAWadNorALevelIsNotUnpacked) {
                   file + ": header: of another kind of file, expected a WAD2 or a level");
 }
 
+TEST_F(TextureFiles, NoneIsUnpackedOverAnother) {
+    const auto texture = [&](const std::string& name) {
+        return make_mip_texture(name, 16, 16, test::scattered_texels(256, 256), palette_);
+    };
+    const std::string file = write("two.wad", write_wad(std::vector{texture("*a"), texture("#a")}));
+    EXPECT_EQ(test::refusal<FileError>([&] { unpack_textures(file, path("out"), palette_); }),
+              file + ": texture '#a': is the second one for the file '#a.png', expected one for each");
+    EXPECT_FALSE(std::filesystem::exists(path("out")));
+}
+
 TEST_F(TextureFiles, AHashStandsForTheStarOfLiquids) {
     EXPECT_EQ(read_png_texture(write_png("#lava.png", 16, 16), palette_).name, "*lava");
     EXPECT_EQ(file_of_texture_name("*lava"), "#lava.png");

@@ -161,6 +161,7 @@ void pack_textures(const std::vector<std::string>& picture_paths, const std::vec
     for (const std::string& name : glowing)
         if (!files.contains(lower_case(name)))
             throw UsageError("--glow: '" + name + "' is not the name of any of the textures");
+    check_writable(wad_path);
     std::error_code none;
     if (std::filesystem::is_regular_file(wad_path, none) && !read_text(wad_path).starts_with("WAD2"))
         throw UsageError("-o: '" + wad_path + "' is there and no WAD, expected a WAD to replace or another name");
@@ -169,12 +170,17 @@ void pack_textures(const std::vector<std::string>& picture_paths, const std::vec
 
 void unpack_textures(const std::string& archive_path, const std::string& folder, const Palette& palette) {
     const auto textures = read_parsed(archive_path, textures_of_archive);
-    make_folder(folder);
+    std::map<std::string, const MipTexture*> files;
     for (const MipTexture& texture : textures) {
-        if (texture.is_missing) continue;
-        const std::string path = (std::filesystem::path(folder) / file_of_texture_name(texture.name)).string();
-        write_file(path, encode_indexed_png(texture.mips[0], texture.width, texture.height, palette));
+        const std::string file = file_of_texture_name(texture.name);
+        if (!texture.is_missing && !files.emplace(file, &texture).second)
+            throw FileError(archive_path, "texture '" + printable(texture.name) + "'",
+                            "is the second one for the file '" + printable(file) + "', expected one for each");
     }
+    make_folder(folder);
+    for (const auto& [file, texture] : files)
+        write_file((std::filesystem::path(folder) / file).string(),
+                   encode_indexed_png(texture->mips[0], texture->width, texture->height, palette));
 }
 
 std::string file_of_texture_name(const std::string& name) {
