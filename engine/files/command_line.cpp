@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <sstream>
 
 #include "engine/base/input_error.h"
@@ -138,6 +139,15 @@ void CommandLine::parse(int argument_count, const char* const* arguments) {
         if (unknown.empty()) throw;
         throw CLI::ExtrasError(owned_->get_name(), unknown);
     }
+}
+
+void check_replaces_none(const std::string& option, const std::string& written, const std::vector<std::string>& read) {
+    const auto is_written = [&](const std::string& file) {
+        std::error_code none;
+        return !file.empty() && (file == written || std::filesystem::equivalent(file, written, none));
+    };
+    if (std::any_of(read.begin(), read.end(), is_written))
+        throw UsageError(option + ": '" + written + "' is read or written for another option, expected another name");
 }
 
 std::optional<ConfigLine> parse_config_line(const std::string& line) {

@@ -69,6 +69,10 @@ class CommandLine : public CommandArguments {
     std::shared_ptr<CLI::App> owned_;
 };
 
+/// Throws UsageError if the file that an option names for writing is one of those that are read. Empty names are no
+/// files.
+void check_replaces_none(const std::string& option, const std::string& written, const std::vector<std::string>& read);
+
 /// NAME = VALUE of an options file. A NAME alone has the value "true", as a flag on a command line.
 struct ConfigLine {
     std::string name, value;

@@ -117,8 +117,8 @@ void interpret(const OptionTexts& texts, Options& options) {
                            !options.shows_gallery && options.headless_frames == 0;
     if (options.shows_error_box && (options.headless_frames > 0 || !options.timedemo.empty()))
         throw UsageError("--error-box: no window to show it in, expected it without --headless and --timedemo");
-    if (!options.record.empty() && options.record == options.replay)
-        throw UsageError("--record: would replace the demo that is replayed, expected another file");
+    check_replaces_none("--record", options.record,
+                        {options.level, options.replay, options.palette, options.watch, texts.config});
     if (options.shows_gallery && !(options.record + options.replay + options.timedemo).empty())
         throw UsageError("--gallery: there is no game to record or to replay, expected it without the other");
 }

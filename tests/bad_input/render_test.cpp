@@ -31,6 +31,19 @@ TEST_F(BadRender, GoodInputIsNotRefused) {
     EXPECT_NE(render(kLevel, {"--json", "-", "--plan"}).error.find("sky"), std::string::npos) << "no plan";
 }
 
+TEST_F(BadRender, AReportOverWhatIsRead) {
+    for (const char* name : {"cameras.csv", "its.lmp", "level.bsp"}) {
+        folder_.write("its.lmp", std::vector<std::uint8_t>(768));
+        folder_.write("level.bsp", read_file_bytes(kLevel));
+        const std::string file = folder_.path(name);
+        const Outcome outcome =
+            render(folder_.path("level.bsp"), {"--palette", folder_.path("./its.lmp"), "--json", file});
+        EXPECT_EQ(outcome.exit_code, 2) << name;
+        EXPECT_NE(outcome.error.find("'" + file + "' is read or written for another option"), std::string::npos);
+        EXPECT_NE(read_file_bytes(file).front(), '{') << name;
+    }
+}
+
 TEST_F(BadRender, WhatIsNoLevel) {
     const std::string missing = folder_.path("missing.bsp"), empty = folder_.write("empty.bsp", std::string()),
                       text = folder_.write("text.bsp", std::string("a level, I said\n"));

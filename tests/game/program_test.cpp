@@ -94,6 +94,7 @@ TEST_F(Program, EndsWith2ForWrongUsageAnd1ForBadFiles) {
                               "--headless 1 --out x --record -",
                               "--replay -",
                               "--replay walk.demo --record walk.demo --headless 1 --out x",
+                              "out.txt --record ./out.txt --headless 1 --out x",
                               "--timedemo -",
                               "--headless 0 --out x",
                               "--headless 1.5 --out x",

@@ -160,9 +160,11 @@ TEST_F(Program, MakesAPartOfALevelOnlyIfThereIsOne) {
 
 TEST_F(Program, ReplacesNoSourceAndNoFileButALevel) {
     const std::string source = read_text(path("good.map"));
-    EXPECT_EQ(run(path("good.map") + " -o " + path("./good.map") + " --wad " + path("t.wad")), 2);
-    EXPECT_NE(said_.find("is the source itself"), std::string::npos) << said_;
-    EXPECT_EQ(read_text(path("good.map")), source);
+    for (const char* option : {" -o ", " -o o.bsp --prt ", " -o o.bsp --reads "}) {
+        EXPECT_EQ(run(path("good.map") + option + path("./good.map") + " --wad " + path("t.wad")), 2);
+        EXPECT_NE(said_.find("good.map' is read or written for another option"), std::string::npos) << said_;
+        EXPECT_EQ(read_text(path("good.map")), source) << option;
+    }
     const std::string other = read_text(path("odd.map")), command = path("good.map") + " --wad " + path("t.wad");
     EXPECT_EQ(run(command + " -o " + path("odd.map")), 2);
     EXPECT_NE(said_.find("is there and no level"), std::string::npos) << said_;

@@ -228,6 +228,27 @@ TEST_P(BrushModel, OneThatIsOnlySwitchedIsNotCutAgain) {
     EXPECT_NE(models.corners_of(fragment).data(), corners);
 }
 
+// At a fraction of a unit its box is rounded outward, by less than a unit.
+TEST_P(BrushModel, IsAskedForWithABoxAroundAllOfIt) {
+    Level level = read_level(GetParam());
+    for (SubModel& model : level.models) model.box = {{-1, -2, -3}, {4, 5, 6}};
+    const FaceTable table = make_face_table(level);
+    const Vec3<World> by{World::ulp(), World{} - World::ulp(), World::from_int(1)};
+    std::vector<PlacedModel> placed = models_at_rest(level);
+    for (PlacedModel& model : placed) model.offset = by;
+    BrushModels models(level);
+    models.start_frame(level, placed, table);
+    int asked = 0;
+    for (const LeafIndex leaf : level.leaves.indices())
+        models.front_to_back_in(leaf, level, {by}, [&](const LevelBox& box) {
+            ++asked;
+            EXPECT_EQ(box.mins, (std::array<LevelNumber, 3>{-1, -3, -2}));
+            EXPECT_EQ(box.maxs, (std::array<LevelNumber, 3>{5, 5, 8}));
+            return false;
+        });
+    EXPECT_GT(asked, 0);
+}
+
 OBLONG_FOR_LEVELS(BrushModel, testing::Values("demo", "e1m7", "end"));
 
 }  // namespace oblong::test::brush_models_test

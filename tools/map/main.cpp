@@ -196,8 +196,13 @@ void compile_to_file(const Arguments& arguments, const char* called_as) {
     if (arguments.input.empty()) throw UsageError("IN.map is required");
     if (arguments.output.empty()) throw UsageError("--out is required");
     std::error_code none;
-    if (std::filesystem::equivalent(arguments.input, arguments.output, none))
-        throw UsageError("--out: '" + arguments.output + "' is the source itself, expected another name");
+    std::vector<std::string> others = arguments.textures.wads;
+    others.insert(others.end(), {arguments.input, arguments.textures.palette});
+    for (const auto& [option, file] : {std::pair("--out", arguments.output), std::pair("--prt", arguments.portals),
+                                       std::pair("--reads", arguments.reads)}) {
+        check_replaces_none(option, file, others);
+        others.push_back(file);
+    }
     if (std::filesystem::is_regular_file(arguments.output, none) && !may_be_replaced(read_text(arguments.output)))
         throw UsageError("--out: '" + arguments.output +
                          "' is there and no level, expected a level to replace or another name");

@@ -173,6 +173,7 @@ Palette shown_palette(const Palette& palette, const RenderJob& job, const LevelE
 }
 
 void render(const Options& options) {
+    check_replaces_none("--json", options.json, {options.level, options.cameras, options.palette});
     if (!options.json.empty() && options.json != "-") check_writable(options.json);
     ScreenMode mode;
     parse_mode_size(options.mode, mode);

@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
     for (CommandArguments* command : {&pack, &unpack, &ramps})
         command->add("--palette", palette_file, "768 bytes: red, green, blue of 256 colours").require();
     return line.run(argc, argv, [&] {
+        check_replaces_none("-o", output, {palette_file});
         const Palette palette = read_parsed(palette_file, read_palette);
         if (pack.is_given()) pack_textures(pictures, glowing, output, palette, parse_dither(dither));
         if (unpack.is_given()) unpack_textures(archive, output, palette);
