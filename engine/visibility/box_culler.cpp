@@ -41,6 +41,7 @@ constexpr View kExactFrom = View::from_int(4);
 /// where z is greatest.
 PixelRange project_extent(const ProjectionAxis& axis, const Extent& across, const Extent& z, std::int32_t size_px) {
     const bool is_near = z.least < kExactFrom;
+    // Positions are rounded by half a unit at most (Accuracy::view_bits).
     const View margin = is_near ? View::from_int(1) : View{};
     const auto project_end = [&](View end, bool outward) {
         if (outward && is_near) return end < View{} ? std::int64_t{0} : std::int64_t{size_px};
