@@ -48,7 +48,7 @@ std::optional<LevelModel> TurningBrushes::read(const Level& level, const Entity&
     if ((flags & about_x * 2) != 0) model.turns = &PlacedMesh::pitch;
     const World speed = model.is_door ? World{} : values.number("speed", {-kFastestTurn, kFastestTurn});
     if (speed != World{})
-        model.turn_ms = static_cast<std::int32_t>(std::int64_t{360'000} * World::from_int(1).raw / speed.raw);
+        model.turn_ms = static_cast<std::int32_t>(WorldWide::from_int(360'000) / convert<WorldWide>(speed));
     meshes.push_back(std::make_unique<const Mesh>(make_brush_mesh(level, *brushes, *about, texels_left_)));
     model.placed.mesh = meshes.back().get();
     return model;

@@ -74,6 +74,12 @@ constexpr To product(Fixed<A, FracA> a, Fixed<B, FracB> b, Rounding rounding = R
     return saturated_to<To>(mul_shift(a.raw, b.raw, FracA + FracB - To::kFractionBits, rounding));
 }
 
+/// a b in the format To, rounded once; it must fit 64 bits, or wraps.
+template <class To, int FracA, int FracB>
+constexpr To wrapping_product(Fixed<std::int32_t, FracA> a, Fixed<std::int64_t, FracB> b) {
+    return To::from_raw(wrapping_mul_shift(a.raw, b.raw, FracA + FracB - To::kFractionBits));
+}
+
 /// a b / c, from 128 bits, rounded once; saturates as divide() does. `c` has room for the bits that To drops.
 template <class To, class A, int FracA, class B, int FracB, class C, int FracC>
 constexpr To product_over(Fixed<A, FracA> a, Fixed<B, FracB> b, Fixed<C, FracC> c) {

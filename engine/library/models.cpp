@@ -17,7 +17,7 @@ Mesh read_mesh(const std::string& file, const Palette& palette, std::int32_t sca
         throw FileError(file, "scale", std::to_string(scale_256) + " 256ths, expected 1 to 1048576");
     if (!file.ends_with(".mdl") && !file.ends_with(".MDL")) return read_obj(file, palette, scaled_256(scale_256)).mesh;
     return read_parsed(file, [&](std::span<const std::uint8_t> bytes) {
-        return read_mdl(bytes, World::from_raw(scale_256 * (World::from_int(1).raw / 256)));
+        return read_mdl(bytes, convert<World>(Fixed<std::int32_t, 8>::from_raw(scale_256)));
     });
 }
 

@@ -99,8 +99,7 @@ class BrushMeshBuilder {
 
 bool is_within_mesh(const SubModel& model, const Vec3<World>& about) {
     const auto is_near = [](std::int32_t side, World middle) {
-        const std::int64_t distance_raw = std::int64_t{side} * World::from_int(1).raw - middle.raw;
-        return std::abs(distance_raw) < std::int64_t{kMeshLimit} * World::from_int(1).raw;
+        return is_within(WorldWide::from_int(side) - convert<WorldWide>(middle), WorldWide::from_int(kMeshLimit));
     };
     const LevelBox& box = model.box;
     const std::array<World, 3> middle{about.x, about.y, about.z};
@@ -118,7 +117,7 @@ Mesh make_brush_mesh(const Level& level, ModelIndex model, const Vec3<World>& ab
 Vec3<World> middle_of(const SubModel& model) {
     const auto middle = [&](std::size_t axis) {
         const std::int64_t doubled = std::int64_t{model.box.mins[axis]} + model.box.maxs[axis];
-        return World::from_raw(static_cast<World::Raw>(doubled * (World::from_int(1).raw / 2)));
+        return convert<World>(WorldWide::from_int(doubled) / 2);
     };
     return {middle(0), middle(1), middle(2)};
 }

@@ -244,11 +244,11 @@ class MdlReader {
 
     World coordinate(std::size_t axis, std::uint8_t step) const {
         const std::int64_t exact = header_.scale[axis] * step + header_.origin[axis];
-        const std::int64_t raw = mul_shift(exact, scale_.raw, kMdlBits);
-        if (raw <= -World::from_int(kMeshLimit).raw || raw >= World::from_int(kMeshLimit).raw)
-            in_.fail("a vertex is " + std::to_string(raw / World::from_int(1).raw) +
+        const auto scaled = product<WorldWide>(Fixed<std::int64_t, kMdlBits>::from_raw(exact), scale_);
+        if (!is_within(scaled, WorldWide::from_int(kMeshLimit)))
+            in_.fail("a vertex is " + std::to_string(scaled / WorldWide::from_int(1)) +
                      " units from the origin, expected less than " + std::to_string(kMeshLimit));
-        return World::from_raw(static_cast<std::int32_t>(raw));
+        return convert<World>(scaled);
     }
 
     MdlBytes in_;

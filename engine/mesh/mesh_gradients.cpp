@@ -10,6 +10,8 @@ namespace oblong {
 
 namespace {
 
+constexpr Screen kHalfPixel = Screen::from_raw(128);
+
 struct Way {
     Screen x, y;
 
@@ -18,25 +20,25 @@ struct Way {
     Screen size() const { return std::max(absolute(x), absolute(y)); }
 };
 
-/// part / whole per pixel, both in the units of Way or of a product of two; |part| <= whole. A whole as small as on a
-/// screen of 32,768 pixels takes two divisions to 32 bits, for 28 bits of the quotient each.
-WeightStep step_of(std::int32_t part, std::int64_t whole) {
+/// part / whole, at most 16; whole > 0. A whole as small as on a screen of 32,768 pixels takes two divisions to 32
+/// bits, for 28 bits of the quotient each.
+WeightStep step_of(Screen part, ScreenArea whole) {
     constexpr int kBits = 28;
-    static_assert(WeightStep::from_int(256).raw == std::int64_t{1} << (2 * kBits));
-    const auto divisor = static_cast<std::uint32_t>(whole);
-    if (divisor != whole) return WeightStep::from_raw(mul_div(part, WeightStep::from_int(256).raw, whole));
-    const std::uint32_t size = part < 0 ? 0 - static_cast<std::uint32_t>(part) : static_cast<std::uint32_t>(part);
+    static_assert(WeightStep::kFractionBits + ScreenArea::kFractionBits - Screen::kFractionBits == 2 * kBits);
+    const auto divisor = static_cast<std::uint32_t>(whole.bits());
+    if (divisor != whole.bits()) return divide<WeightStep>(part, whole);
+    const auto size = static_cast<std::uint32_t>(magnitude(part));
     const ShortDivision high = divide_to_32(std::uint64_t{size} << kBits, divisor);
     const ShortDivision low = divide_to_32(std::uint64_t{high.remainder} << kBits, divisor);
     // To nearest, ties up.
-    const bool is_more = low.remainder + (part >= 0) > divisor - low.remainder;
+    const bool is_more = low.remainder + (part >= Screen{}) > divisor - low.remainder;
     const auto quotient = static_cast<std::int64_t>((std::uint64_t{high.quotient} << kBits) + low.quotient + is_more);
-    return WeightStep::from_raw(part < 0 ? -quotient : quotient);
+    return WeightStep::from_raw(part < Screen{} ? -quotient : quotient);
 }
 
 /// 1 / way.
 WeightStep step_along(Screen way) {
-    return step_of(way < Screen{} ? -1 : 1, absolute(way).raw);
+    return step_of(Screen::from_int(way < Screen{} ? -1 : 1), convert<ScreenArea>(absolute(way)));
 }
 
 /// Makes it change along the side from corner `from` to `to` only.
@@ -53,7 +55,6 @@ void set_along(const std::array<const ScreenPlace*, 3>& corners, std::uint8_t fr
 
 /// The coordinates at a pixel that is covered: edge functions there are from 0 to `area`.
 void set_at_pixel(const std::array<const ScreenPlace*, 3>& corners, std::uint32_t area, Barycentric& weights) {
-    constexpr auto kHalfPixel = Screen::from_raw(128);
     const auto& [a, b, c] = corners;
     const ScreenVertex centre{Screen::from_int(weights.first_column) + kHalfPixel,
                               Screen::from_int(weights.first_row) + kHalfPixel};
@@ -102,8 +103,7 @@ LinearQuantity<Value> quantity_of(const Barycentric& weights, AtCorner a, AtCorn
     if (a == b && a == c) return {convert<Value>(a), {}, {}};
     if (weights.has_one_pixel) {
         const auto part = [](AtCorner way, PixelWeight weight) {
-            constexpr int kBits = PixelWeight::kFractionBits;
-            return Value::from_raw(wrapping_mul_shift(weight.raw, convert<Value>(way).raw, kBits));
+            return wrapping_product<Value>(weight, convert<Value>(way));
         };
         return {convert<Value>(a) + part(b - a, weights.b) + part(c - a, weights.c), {}, {}};
     }
@@ -114,8 +114,7 @@ LinearQuantity<Value> quantity_of(const Barycentric& weights, AtCorner a, AtCorn
     quantity.per_column += part_of<Value>(c - a, weights.c_per_column);
     quantity.per_row += part_of<Value>(c - a, weights.c_per_row);
     const auto moved = [](Value from, Value step, Screen by, std::int32_t pixel) {
-        const std::int32_t from_centre_8 = pixel * 256 + 128 - by.raw;
-        return stepped(from, Value::from_raw(wrapping_mul_shift(from_centre_8, step.raw, 8)), 1);
+        return stepped(from, wrapping_product<Value>(Screen::from_int(pixel) + kHalfPixel - by, step), 1);
     };
     const auto& [x, y] = weights.anchor();
     quantity.origin = moved(moved(convert<Value>(a), quantity.per_column, x, weights.first_column), quantity.per_row, y,
@@ -127,31 +126,32 @@ LinearQuantity<Value> quantity_of(const Barycentric& weights, AtCorner a, AtCorn
 
 bool make_barycentric(const std::array<const ScreenPlace*, 3>& corners, std::span<const Span> spans,
                       Barycentric& weights) {
-    constexpr std::int64_t kThinnest_8 = 16;
+    constexpr Screen kThinnest = Screen::from_raw(16);
     const auto& [a, b, c] = corners;
     const Way ab(*a, *b), ac(*a, *c), bc(*b, *c);
-    const std::int64_t area = (widening_product(ab.x, ac.y) - widening_product(ac.x, ab.y)).raw;
-    if (area <= 0) return false;
+    const ScreenArea area = widening_product(ab.x, ac.y) - widening_product(ac.x, ab.y);
+    if (area <= ScreenArea{}) return false;
     weights.corners = corners;
     weights.order = {0, 1, 2};
     weights.first_row = spans.front().y;
     weights.first_column = least_column(spans);
-    const auto short_area = static_cast<std::uint32_t>(area);
-    weights.has_one_pixel = spans.size() == 1 && spans.front().end - spans.front().first == 1 && short_area == area;
+    const auto short_area = static_cast<std::uint32_t>(area.bits());
+    weights.has_one_pixel =
+        spans.size() == 1 && spans.front().end - spans.front().first == 1 && short_area == area.bits();
     if (weights.has_one_pixel) {
         set_at_pixel(corners, short_area, weights);
         return true;
     }
     const Screen longest = std::max({ab.size(), ac.size(), bc.size()});
-    if (area < longest.raw * kThinnest_8) {
+    if (area < widening_product(longest, kThinnest)) {
         const bool is_ab = longest == ab.size();
         set_along(corners, is_ab || longest == ac.size() ? 0 : 1, is_ab ? 1 : 2, weights);
         return true;
     }
-    weights.b_per_column = step_of(ac.y.raw, area);
-    weights.b_per_row = step_of(-ac.x.raw, area);
-    weights.c_per_column = step_of(-ab.y.raw, area);
-    weights.c_per_row = step_of(ab.x.raw, area);
+    weights.b_per_column = step_of(ac.y, area);
+    weights.b_per_row = step_of(-ac.x, area);
+    weights.c_per_column = step_of(-ab.y, area);
+    weights.c_per_row = step_of(ab.x, area);
     return true;
 }
 
@@ -171,9 +171,8 @@ MeshGradients make_mesh_gradients(const Barycentric& weights, const std::array<c
         if (choice.is_affine) return quantity(TexelOverZ{}, [=](Corner corner, const auto&) { return corner.*texel; });
         // Texels are at most kMostTexel, 1/z kGreatestMeshInverseZ.
         return quantity(TexelOverZ{}, [=](Corner corner, const ScreenPlace& place) {
-            constexpr int kDropped = Texel::kFractionBits + InverseZ::kFractionBits - TexelOverZ::kFractionBits;
-            const auto texel_16 = static_cast<std::int32_t>((corner.*texel).raw);
-            return TexelOverZ::from_raw(wrapping_mul_shift(texel_16, place.inverse_z.raw, kDropped));
+            const auto short_texel = convert<Fixed<std::int32_t, 16>>(corner.*texel);
+            return wrapping_product<TexelOverZ>(short_texel, place.inverse_z);
         });
     };
     using Light = Fixed<std::int64_t, 32>;

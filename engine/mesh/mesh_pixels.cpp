@@ -88,10 +88,10 @@ std::int64_t cosine_8(const Vec3<Fixed<std::int32_t, 14>>& normal, const Recipro
 std::int32_t phong_shade_16(const MeshPixel& pixel, const MeshPaint& paint) {
     const auto part = [](Fixed<std::int64_t, 30> value) { return convert<Fixed<std::int32_t, 14>>(value); };
     const Vec3<Fixed<std::int32_t, 14>> normal{part(pixel.normal.x), part(pixel.normal.y), part(pixel.normal.z)};
-    const std::int64_t square = dot(normal, normal).raw;
-    auto light = static_cast<Light8>(floor_shift(pixel.light.raw, 24));
+    const std::uint64_t square = dot(normal, normal).bits();
+    auto light = static_cast<Light8>(floor_of<8>(pixel.light));
     if (square > 0) {
-        const ReciprocalRoot over_length = reciprocal_root(static_cast<std::uint64_t>(square));
+        const ReciprocalRoot over_length = reciprocal_root(square);
         const DirectionalLight& source = paint.light.directional;
         light += static_cast<Light8>(cosine_8(normal, over_length, source.toward) * source.strength);
         light += item(*paint.highlight, cosine_8(normal, over_length, paint.halfway));

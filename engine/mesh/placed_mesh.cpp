@@ -47,13 +47,13 @@ struct Interval {
     Entry middle, half;
 
     Interval(World low, World high)
-        : middle(Entry::from_raw((std::int64_t{low.raw} + high.raw) * (1 << 19))),
-          half(Entry::from_raw(std::max(std::int64_t{high.raw} - low.raw, std::int64_t{0}) * (1 << 19))) {}
+        : middle((convert<Entry>(low) + convert<Entry>(high)) / 2),
+          half(std::max(convert<Entry>(high) - convert<Entry>(low), Entry{}) / 2) {}
 };
 
 /// The floor in whole units within a box's limits.
-std::int32_t whole_units(std::int64_t entry_raw) {
-    return static_cast<std::int32_t>(std::clamp(floor_shift(entry_raw, Entry::kFractionBits), -kMostUnits, kMostUnits));
+std::int32_t whole_units(Entry entry) {
+    return static_cast<std::int32_t>(std::clamp(floor_of(entry), -kMostUnits, kMostUnits));
 }
 
 /// The box in the world that holds both boxes.
@@ -64,11 +64,11 @@ LevelBox world_box(const Matrix4& to_world, const MeshBox& from, const MeshBox& 
     LevelBox box;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto& row = to_world.rows[axis];
-        std::int64_t middle = row[3].raw, half = 0;
+        Entry middle = row[3], half;
         for (std::size_t side = 0; side < 3; ++side) {
-            middle = saturating_sum(middle, multiply(row[side], sides[side].middle).raw);
-            const std::int64_t reach = multiply(row[side], sides[side].half).raw;
-            half = saturating_sum(half, reach < 0 ? -std::max(reach, -Entry::highest().raw) : reach);
+            middle = saturating_sum(middle, multiply(row[side], sides[side].middle));
+            const Entry reach = multiply(row[side], sides[side].half);
+            half = saturating_sum(half, reach < Entry{} ? -std::max(reach, -Entry::highest()) : reach);
         }
         box.mins[axis] = box_coordinate(whole_units(saturating_sum(middle, -half)) - 1);
         box.maxs[axis] = box_coordinate(whole_units(saturating_sum(middle, half)) + 2);
@@ -127,7 +127,7 @@ LevelBox turning_box(const TurningShape& shape) {
                           farthest(from.mins.y, from.maxs.y, to.mins.y, to.maxs.y) +
                           farthest(from.mins.z, from.maxs.z, to.mins.z, to.maxs.z);
     const Entry scale = std::max({shape.scale.x, shape.scale.y, shape.scale.z});
-    const std::int64_t reach = whole_units(multiply(scale, convert<Entry>(sum)).raw) + 3;
+    const std::int64_t reach = whole_units(multiply(scale, convert<Entry>(sum))) + 3;
     const std::array position{shape.position.x, shape.position.y, shape.position.z};
     LevelBox box;
     for (std::size_t axis = 0; axis < 3; ++axis) {

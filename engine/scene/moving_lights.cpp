@@ -17,6 +17,7 @@ namespace {
 
 /// World's steps in 64 bits.
 using Distance = WorldWide;
+using DistanceSquare = Fixed<std::int64_t, 24>;
 /// Vectors on a face, world units.
 using OnFace = Fixed<std::int64_t, 24>;
 
@@ -109,26 +110,26 @@ std::optional<SampleGrid> sample_grid(const TexelWays& ways, const LightAtFace& 
 
 /// What a light adds to a sample at `way` from the point nearest to it; 8 fraction bits. `square` is its distance from
 /// the plane, squared. With a radius below 2^23 steps, squares stay below 2^48.
-std::int32_t light_at(const Vec3<OnFace>& way, std::int64_t square, Distance radius, std::int32_t brightness_256) {
+std::int32_t light_at(const Vec3<OnFace>& way, DistanceSquare square, Distance radius, std::int32_t brightness_256) {
     for (const OnFace part : {way.x, way.y, way.z}) {
         const auto distance = convert<Distance>(part);
         if (absolute(distance) >= radius) return 0;
-        square += distance.raw * distance.raw;
+        square += bounded_product(distance, distance);
     }
-    const auto distance = Distance::from_raw(integer_root(static_cast<std::uint64_t>(square)));
+    const auto distance = Distance::from_raw(integer_root(square.bits()));
     if (distance >= radius) return 0;
     return static_cast<std::int32_t>(floor_of((radius - distance) * brightness_256));
 }
 
 void add_samples(const SampleGrid& grid, PlaneDistance distance, const MovingLight& light, std::int32_t columns,
                  std::span<std::int32_t> samples_8) {
-    const std::int64_t height = convert<Distance>(distance).raw;
+    const auto height = convert<Distance>(distance);
     const auto radius = convert<Distance>(light.radius);
     Vec3<OnFace> row_start = grid.first;
     for (; !samples_8.empty(); samples_8 = samples_8.subspan(as_size(columns))) {
         Vec3<OnFace> way = row_start;
         for (std::int32_t column = 0; column < columns; ++column) {
-            item(samples_8, column) += light_at(way, height * height, radius, light.brightness_256);
+            item(samples_8, column) += light_at(way, bounded_product(height, height), radius, light.brightness_256);
             way = way + grid.column;
         }
         row_start = row_start + grid.row;

@@ -62,7 +62,7 @@ void Sketch::line(const Vec3<World>& from, const Vec3<World>& to, std::uint8_t c
     // Clipping returns crossings twice, once for each direction of the edge.
     const auto farthest = [&](const ScreenVertex& a, const ScreenVertex& b) {
         const auto way = [&](const ScreenVertex& v) {
-            return std::abs(v.x.raw - ends.front().x.raw) + std::abs(v.y.raw - ends.front().y.raw);
+            return absolute(v.x - ends.front().x) + absolute(v.y - ends.front().y);
         };
         return way(a) < way(b);
     };

@@ -27,9 +27,9 @@ struct EightTexels {
         : inverse_z(cutting.gradients.inverse_z),
           u_over_z(cutting.gradients.u_over_z),
           v_over_z(cutting.gradients.v_over_z),
-          least(eight_of(cutting.limits.least.raw)),
-          greatest_u(eight_of(cutting.limits.greatest_u.raw)),
-          greatest_v(eight_of(cutting.limits.greatest_v.raw)) {}
+          least(eight_of(cutting.limits.least)),
+          greatest_u(eight_of(cutting.limits.greatest_u)),
+          greatest_v(eight_of(cutting.limits.greatest_v)) {}
 
     [[OBLONG_INLINE_AVX512]] EightDepths depths_at(Eight columns, Eight rows) const {
         return EightDepths(inverse_z.at(columns, rows));
@@ -163,7 +163,7 @@ class RowPart {
         parts[part_count++].set(blocks.subspan(first), above, pitch, texels);
     for (const Span& span : spans) {
         const Eight pixels = eight_of(std::int64_t{span.y - above.y} * pitch);
-        const Eight v_over_z = eight_of(cutting.gradients.v_over_z.per_row.raw * span.y);
+        const Eight v_over_z = eight_of(cutting.gradients.v_over_z.per_row * span.y);
         for (std::size_t i = 0; i < part_count; ++i) out = parts[i].append(pixels, v_over_z, texels, out);
     }
     return out;

@@ -33,6 +33,11 @@ using Eight = std::uint64_t __attribute__((vector_size(64)));
 [[OBLONG_INLINE_AVX512]] inline Eight eight_of(std::int64_t value) {
     return as_eight(_mm512_set1_epi64(value));
 }
+/// Of its steps.
+template <int Frac>
+[[OBLONG_INLINE_AVX512]] inline Eight eight_of(Fixed<std::int64_t, Frac> value) {
+    return eight_of(value.raw);
+}
 [[OBLONG_INLINE_AVX512]] inline Eight load_eight(const std::uint64_t* from) {
     return as_eight(_mm512_loadu_si512(from));
 }
@@ -122,9 +127,9 @@ struct EightValues {
 
     template <class Value>
     [[OBLONG_INLINE_AVX512]] explicit EightValues(const LinearQuantity<Value>& quantity)
-        : origin(eight_of(quantity.origin.raw)),
-          per_column(eight_of(quantity.per_column.raw)),
-          per_row(eight_of(quantity.per_row.raw)) {}
+        : origin(eight_of(quantity.origin)),
+          per_column(eight_of(quantity.per_column)),
+          per_row(eight_of(quantity.per_row)) {}
     [[OBLONG_INLINE_AVX512]] Eight at(Eight columns, Eight rows) const {
         return origin + columns * per_column + rows * per_row;
     }

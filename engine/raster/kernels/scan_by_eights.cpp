@@ -14,9 +14,9 @@ namespace {
 
 [[OBLONG_INLINE_AVX512]] inline void write_by_eights(const ScreenWalker& walker, std::int32_t count,
                                                      std::int32_t* columns) {
-    const std::int64_t slope = walker.slope().raw;
-    Eight at = eight_of(walker.exact_column().raw) + eight_of(slope) * Eight{0, 1, 2, 3, 4, 5, 6, 7};
-    for (const Eight step = eight_of(8 * slope); count > 8; count -= 8, columns += 8, at += step)
+    const auto slope = walker.slope();
+    Eight at = eight_of(walker.exact_column()) + eight_of(slope) * Eight{0, 1, 2, 3, 4, 5, 6, 7};
+    for (const Eight step = eight_of(slope * 8); count > 8; count -= 8, columns += 8, at += step)
         _mm256_storeu_si256(reinterpret_cast<__m256i*>(columns), floors(at));
     const auto rest = static_cast<__mmask16>((1u << count) - 1);
     _mm512_mask_storeu_epi32(columns, rest, _mm512_castsi256_si512(floors(at)));

@@ -47,8 +47,7 @@ ScreenArea screen_area(const BallFace& face, const ViewContext& view) {
     std::array<ScreenVertex, 4> screen;
     for (std::size_t i = 0; i < 4; ++i) {
         const ScreenPosition p = project(to_view(face.corners[i], view), view.projection);
-        screen[i] = {Screen::from_raw(static_cast<std::int32_t>(p.x.raw)),
-                     Screen::from_raw(static_cast<std::int32_t>(p.y.raw))};
+        screen[i] = {convert<Screen>(p.x), convert<Screen>(p.y)};
     }
     return doubled_area(screen);
 }

@@ -145,8 +145,7 @@ Figures draw_overdraw(const RowInput& input, Framebuffer canvas) {
 
 /// A grey for a depth: equal steps in log z, near is bright.
 std::uint8_t depth_colour(InverseZ inverse_z, std::span<const std::uint8_t> greys) {
-    const double z =
-        std::ldexp(1.0, InverseZ::kFractionBits) / static_cast<double>(std::max<std::int64_t>(inverse_z.raw, 1));
+    const double z = 1 / number_of(std::max(inverse_z, InverseZ::ulp()));
     const double share = std::clamp((std::log2(1200.0) - std::log2(std::max(z, 1.0))) / 4.5, 0.0, 1.0);
     return item(greys, share * static_cast<double>(greys.size() - 1));
 }
@@ -169,7 +168,7 @@ double depth_by_tree(const Level& level, const Camera& camera, const ScreenMode&
     const auto is_open = [&](double z) {
         const auto moved = [&](World from, const LinearQuantity<DirectionPart>& direction) {
             const double step = number_of(direction.at(pixel.column, pixel.row));
-            return World::from_raw(from.raw + static_cast<std::int32_t>(std::lround(step * z * 4096)));
+            return from + fixed_of<World>(step * z);
         };
         const Vec3<World> place{moved(camera.eye.x, directions.x), moved(camera.eye.y, directions.y),
                                 moved(camera.eye.z, directions.z)};
@@ -197,7 +196,7 @@ Figures draw_depth(const RowInput& input, Framebuffer canvas) {
     });
     const Pixel checked{canvas.width_px / 8, canvas.height_px / 4};
     const InverseZ inverse_z = item(frame.by.depths(), checked.row * canvas.width_px + checked.column);
-    const double z = std::ldexp(1.0, InverseZ::kFractionBits) / static_cast<double>(inverse_z.raw);
+    const double z = 1 / number_of(inverse_z);
     const double by_tree = depth_by_tree(input.assets.demo_level, camera_in_hall(), input.mode, checked);
     const bool is_whole = input.values[0] == InverseZ::kFractionBits;
     return {wrong_pixels("pixels that go to another face than by the tree", wrong,

@@ -163,7 +163,7 @@ constexpr std::array<NamedPlace, 4> kPlaces{{{"(1, 1)", {1, 1}, {0.5, 0.25, 0.25
                                              {"(0, 4), a corner", {0, 4}, {0, 0, 1}}}};
 
 double share_of(ScreenArea part, ScreenArea whole) {
-    return static_cast<double>(part.raw) / static_cast<double>(whole.raw);
+    return number_of(part) / number_of(whole);
 }
 
 constexpr std::array<std::array<int, 4>, 4> kBayer{{{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}}};
@@ -248,7 +248,7 @@ class TileTexture {
         inverse_z_ = quantity_over(triangle, inverse_z);
     }
     PlanePoint at_pixel(std::int32_t x, std::int32_t y) const {
-        const auto over_z = [&](const auto& linear) { return static_cast<double>(linear.at(x, y).raw); };
+        const auto over_z = [&](const auto& linear) { return number_of(linear.at(x, y)); };
         return {over_z(u_) / over_z(inverse_z_), over_z(v_) / over_z(inverse_z_)};
     }
 

@@ -71,12 +71,12 @@ Figures draw_dot_product(const RowInput& input, Framebuffer canvas) {
     diagram.text({-1.95, 0.84}, "U . V = " + decimal_text(product), colours.result);
 
     const auto a = whole(1, 2, 3), b = whole(4, -5, 6);
-    const std::int64_t by_cosines = (dot(a, a).raw + dot(b, b).raw - dot(a - b, a - b).raw) / 2;
+    const std::int64_t by_cosines = floor_of(dot(a, a) + dot(b, b) - dot(a - b, a - b)) / 2;
     const Angle between = arctangent2(cross(u, v).z.raw, dot(u, v).raw);
     return {number_figure("U . V of unit vectors: cos", std::cos(input.radians(0)), product, 1e-4),
             number_figure("the angle, from both products, degrees", static_cast<double>(degrees),
                           between.bam * 360.0 / 65536, 0.006, 2),
-            count_figure("(1 2 3) . (4 -5 6) by the law of cosines", by_cosines, dot(a, b).raw),
+            count_figure("(1 2 3) . (4 -5 6) by the law of cosines", by_cosines, floor_of(dot(a, b))),
             number_figure("length of (5 0 5)", 5 * std::numbers::sqrt2, number_of(length(world_point(5, 0, 5))),
                           1.0 / 4096)};
 }
@@ -114,7 +114,7 @@ Figures draw_orthonormal(const RowInput& input, Framebuffer canvas) {
             number_figure("|a| |a| is 2 + 2 i . j; its components say 2", 2 + 2 * (i.x * j.x + i.y * j.y), true_square,
                           1e-6),
             count_figure("axes are orthonormal", input.values[0] == 90 || input.values[1] == 1, is_orthonormal(axes)),
-            count_figure("|i + j|^2 with i = (1 0), j = (1 1): not 2", 5, dot(r + s, r + s).raw)};
+            count_figure("|i + j|^2 with i = (1 0), j = (1 1): not 2", 5, floor_of(dot(r + s, r + s)))};
 }
 
 /// A ball lit from the side: each pixel's normal times the light's direction.
