@@ -139,23 +139,23 @@ std::array<const CornerValues*, 3> values_of(const MeshTriangle& triangle, const
     if (mesh.placed.shading != Shading::Flat) return values;
     const auto light = flat_light(triangle, mesh, scratch);
     for (std::size_t i = 0; i < 3; ++i) {
-        scratch.flat[i] = *values[i];
-        scratch.flat[i].light = light;
-        values[i] = &scratch.flat[i];
+        scratch.triangle.flat[i] = *values[i];
+        scratch.triangle.flat[i].light = light;
+        values[i] = &scratch.triangle.flat[i];
     }
     return values;
 }
 
-/// Sets the scratch's triangle and spans. False if it covers no pixel's centre, is seen from its back, or is hidden.
-bool find_triangle(const std::array<const ScreenPlace*, 3>& corners, const MeshTarget& target, MeshScratch& scratch,
+/// Sets the scratch's spans, weights and 1/z. False if the triangle covers no pixel's centre, is seen from its back, or
+/// is hidden.
+bool find_triangle(const std::array<const ScreenPlace*, 3>& corners, const MeshTarget& target, TriangleScratch& scratch,
                    MeshCounts& counts) {
     const std::array places{corners[0]->screen, corners[1]->screen, corners[2]->screen};
     find_triangle_spans(places, target.part, scratch.rows, scratch.spans);
-    auto& [weights, inverse_z] = scratch.triangle;
-    if (scratch.spans.empty() || !make_barycentric(corners, scratch.spans, weights)) return false;
+    if (scratch.spans.empty() || !make_barycentric(corners, scratch.spans, scratch.weights)) return false;
     ++counts.triangles;
-    inverse_z = inverse_z_over(weights);
-    return !is_covered(scratch.spans, weights, inverse_z, target.depth);
+    scratch.inverse_z = inverse_z_over(scratch.weights);
+    return !is_covered(scratch.spans, scratch.weights, scratch.inverse_z, target.depth);
 }
 
 MeshPaint paint_of(const MeshTriangle& triangle, const MeshContext& mesh) {
@@ -164,31 +164,32 @@ MeshPaint paint_of(const MeshTriangle& triangle, const MeshContext& mesh) {
             drawing.is_affine,       mesh.halfway,     &mesh.highlights, drawing.after};
 }
 
+/// Draws the triangle of find_triangle().
 void draw_triangle(const std::array<const CornerValues*, 3>& values, const MeshPaint& paint, const MeshTarget& target,
-                   MeshScratch& scratch, MeshCounts& counts) {
+                   const TriangleScratch& found, MeshCounts& counts) {
     const GradientChoice choice{paint.shading == Shading::Phong, paint.is_affine};
-    const auto& [weights, inverse_z] = scratch.triangle;
-    const MeshGradients gradients = make_mesh_gradients(weights, values, inverse_z, choice);
-    counts.pixels += draw_mesh_spans(scratch.spans, gradients, paint, target);
+    const MeshGradients gradients = make_mesh_gradients(found.weights, values, found.inverse_z, choice);
+    counts.pixels += draw_mesh_spans(found.spans, gradients, paint, target);
 }
 
 /// Draws a triangle that is inside the view. Normals, light and texels of a vertex are computed only when a triangle
 /// shows that uses it: most triangles of a small mesh do not.
 void draw_whole(const MeshTriangle& triangle, const std::array<const ViewVertex*, 3>& vertices, const MeshContext& mesh,
                 MeshScratch& scratch, MeshCounts& counts) {
-    if (!find_triangle({vertices[0], vertices[1], vertices[2]}, mesh.target, scratch, counts)) return;
-    draw_triangle(values_of(triangle, mesh, scratch), paint_of(triangle, mesh), mesh.target, scratch, counts);
+    if (!find_triangle({vertices[0], vertices[1], vertices[2]}, mesh.target, scratch.triangle, counts)) return;
+    draw_triangle(values_of(triangle, mesh, scratch), paint_of(triangle, mesh), mesh.target, scratch.triangle, counts);
 }
 
 /// Clips a triangle and draws the rest as a fan.
 void draw_clipped(const MeshTriangle& triangle, const std::array<const ViewVertex*, 3>& vertices,
                   const MeshContext& mesh, MeshScratch& scratch, MeshCounts& counts) {
-    clip_and_project(vertices, values_of(triangle, mesh, scratch), mesh.view, scratch.clip, scratch.polygon);
+    TriangleScratch& part = scratch.triangle;
+    clip_and_project(vertices, values_of(triangle, mesh, scratch), mesh.view, part.clip, part.polygon);
     const MeshPaint paint = paint_of(triangle, mesh);
-    for (std::size_t i = 2; i < scratch.polygon.size(); ++i) {
-        const ScreenCorner &a = scratch.polygon[0], &b = scratch.polygon[i - 1], &c = scratch.polygon[i];
-        if (find_triangle({&a, &b, &c}, mesh.target, scratch, counts))
-            draw_triangle({&a.values, &b.values, &c.values}, paint, mesh.target, scratch, counts);
+    for (std::size_t i = 2; i < part.polygon.size(); ++i) {
+        const ScreenCorner &a = part.polygon[0], &b = part.polygon[i - 1], &c = part.polygon[i];
+        if (find_triangle({&a, &b, &c}, mesh.target, part, counts))
+            draw_triangle({&a.values, &b.values, &c.values}, paint, mesh.target, part, counts);
     }
 }
 
@@ -202,16 +203,17 @@ void draw_polygon(const MeshTriangle& triangle, const MeshContext& mesh, MeshScr
 /// Whether a triangle has a pixel at which nothing is nearer.
 bool is_seen(const MeshTriangle& triangle, const MeshPlacement& mesh, MeshScratch& scratch, MeshCounts& counts) {
     const auto vertices = seen_vertices(triangle, mesh, scratch);
+    TriangleScratch& part = scratch.triangle;
     if (is_outside(vertices)) return false;
     if (is_inside(vertices)) {
         return may_cover_centre(vertices) &&
-               find_triangle({vertices[0], vertices[1], vertices[2]}, mesh.target, scratch, counts);
+               find_triangle({vertices[0], vertices[1], vertices[2]}, mesh.target, part, counts);
     }
     const CornerValues none;
-    clip_and_project(vertices, {&none, &none, &none}, mesh.view, scratch.clip, scratch.polygon);
-    const std::vector<ScreenCorner>& polygon = scratch.polygon;
-    for (std::size_t i = 2; i < polygon.size(); ++i)
-        if (find_triangle({&polygon[0], &polygon[i - 1], &polygon[i]}, mesh.target, scratch, counts)) return true;
+    clip_and_project(vertices, {&none, &none, &none}, mesh.view, part.clip, part.polygon);
+    for (std::size_t i = 2; i < part.polygon.size(); ++i)
+        if (find_triangle({&part.polygon[0], &part.polygon[i - 1], &part.polygon[i]}, mesh.target, part, counts))
+            return true;
     return false;
 }
 

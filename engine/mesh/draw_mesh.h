@@ -12,15 +12,22 @@ namespace oblong {
 /// Which stages a vertex has passed.
 enum class VertexStage : std::uint8_t { Unknown, Seen, Complete };
 
-/// A triangle on the screen.
-struct TriangleInView {
+/// The results of one triangle's stages.
+struct TriangleScratch {
+    explicit TriangleScratch(std::int32_t height_px) : rows(height_px) {}
+
+    std::array<CornerValues, 3> flat;  ///< with Shading::Flat
+    ClipScratch clip;
+    std::vector<ScreenCorner> polygon;  ///< the clipped triangle
+    ScanlineExtents rows;
+    std::vector<Span> spans;
     Barycentric weights;
     LinearQuantity<InverseZ> inverse_z;
 };
 
 /// The results of a mesh's stages; kept from mesh to mesh to save allocations.
 struct MeshScratch {
-    explicit MeshScratch(std::int32_t height_px) : rows(height_px) {}
+    explicit MeshScratch(std::int32_t height_px) : triangle(height_px) {}
 
     /// Resets the stages of `vertex_count` vertices.
     void begin(std::size_t vertex_count);
@@ -35,13 +42,8 @@ struct MeshScratch {
     std::vector<WorldVertex> world_vertices;
     std::vector<ViewVertex> view_vertices;
     std::vector<CornerValues> values;  ///< of vertices
-    std::array<CornerValues, 3> flat;  ///< of one triangle with Shading::Flat
     std::vector<VertexStage> stages;   ///< of vertices: which of the three above are set
-    ClipScratch clip;
-    std::vector<ScreenCorner> polygon;  ///< one clipped triangle
-    ScanlineExtents rows;
-    std::vector<Span> spans;  ///< of `triangle`
-    TriangleInView triangle;
+    TriangleScratch triangle;
 };
 
 /// The parts of a mesh to draw, in ascending order; empty: all.
