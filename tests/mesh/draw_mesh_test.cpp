@@ -32,6 +32,7 @@ void draw_by_stages(const PlacedMesh& placed, const Colormap& colormap, const Me
                           placed.shading, false,    halfway(light.directional.toward, toward_eye),
                           &highlight,     nullptr};
     const ScreenRectangle all{0, picture.width, 0, picture.height};
+    TriangleScratch& part = scratch.triangle;
     for (const std::uint32_t number : scratch.facing) {
         std::array<const ViewVertex*, 3> vertices{};
         std::array<const CornerValues*, 3> values{};
@@ -39,20 +40,19 @@ void draw_by_stages(const PlacedMesh& placed, const Colormap& colormap, const Me
             vertices[i] = &scratch.view_vertices[mesh.triangles[number].vertices[i]];
             values[i] = &scratch.values[mesh.triangles[number].vertices[i]];
         }
-        clip_and_project(vertices, values, picture.view, scratch.clip, scratch.polygon);
-        for (std::size_t i = 2; i < scratch.polygon.size(); ++i) {
-            const std::array<const ScreenCorner*, 3> fan{&scratch.polygon[0], &scratch.polygon[i - 1],
-                                                         &scratch.polygon[i]};
-            scan_convex(std::array{fan[0]->screen, fan[1]->screen, fan[2]->screen}, scratch.rows);
-            scratch.spans.clear();
-            append_spans(scratch.rows, all, scratch.spans);
+        clip_and_project(vertices, values, picture.view, part.clip, part.polygon);
+        for (std::size_t i = 2; i < part.polygon.size(); ++i) {
+            const std::array<const ScreenCorner*, 3> fan{&part.polygon[0], &part.polygon[i - 1], &part.polygon[i]};
+            scan_convex(std::array{fan[0]->screen, fan[1]->screen, fan[2]->screen}, part.rows);
+            part.spans.clear();
+            append_spans(part.rows, all, part.spans);
             Barycentric weights;
-            if (scratch.spans.empty() || !make_barycentric({fan[0], fan[1], fan[2]}, scratch.spans, weights)) continue;
+            if (part.spans.empty() || !make_barycentric({fan[0], fan[1], fan[2]}, part.spans, weights)) continue;
             const MeshGradients gradients =
                 make_mesh_gradients(weights, {&fan[0]->values, &fan[1]->values, &fan[2]->values},
                                     inverse_z_over(weights), {placed.shading == Shading::Phong, false});
             draw_mesh_spans(
-                scratch.spans, gradients, paint,
+                part.spans, gradients, paint,
                 {picture.depth, {picture.pixels.data(), picture.width, picture.height, picture.width}, all});
         }
     }

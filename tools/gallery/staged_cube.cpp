@@ -125,12 +125,12 @@ StagedCube::StagedCube(const RowInput& input, Framebuffer part) : mesh(make_cube
         }
         for (const Vec4& corner : clip_to_volume(polygon_4)) shown.divided.push_back(*point_of(corner));
         const CornerValues none;
-        clip_and_project(corners, {&none, &none, &none}, view, scratch.clip, shown.corners);
+        clip_and_project(corners, {&none, &none, &none}, view, scratch.triangle.clip, shown.corners);
         std::vector<ScreenVertex> polygon;
         for (const ScreenCorner& corner : shown.corners) polygon.push_back(corner.screen);
         if (polygon.size() >= 3) {
-            scan_convex(polygon, scratch.rows);
-            append_spans(scratch.rows, {0, part.width_px, 0, part.height_px}, shown.spans);
+            scan_convex(polygon, scratch.triangle.rows);
+            append_spans(scratch.triangle.rows, {0, part.width_px, 0, part.height_px}, shown.spans);
         }
         triangles.push_back(std::move(shown));
     }
