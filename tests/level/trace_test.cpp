@@ -93,22 +93,24 @@ TEST(Trace, WayThatEndsInFrontOfAPlaneIsFree) {
     EXPECT_TRUE(trace(room, {0, 0, 0}, {100 + 1. / 4096, 0, 0}).is_hit);
 }
 
-// Solid from x = 1/51 down to 0, and from -1/64 down. The point 1/32 before the latter is inside the former, which a
-// line cut 1/32 before x = 0 has not seen: it must back off.
+// Solid from x = 1/51 or 1/33 down to 0, and from -1/64 down. The point 1/32 before the latter is inside the former,
+// which a line cut 1/32 before x = 0 has not seen: it must back off, by 3 or all 10 steps.
 TEST(Trace, BacksOffFromAStopInsideSolid) {
-    Lumps lumps = make_tiny_lumps();
-    for (const float distance : {0.F, 1.F / 51, -1.F / 64})
-        ByteWriter(lump_of(lumps, Lump::Planes)).f32(1).f32(0).f32(0).f32(distance).i32(0);
-    Bytes& nodes = lump_of(lumps, Lump::ClipNodes);
-    nodes.clear();
-    ByteWriter(nodes).i32(1).i16(1).i16(2);
-    for (const int plane : {2, 3}) ByteWriter(nodes).i32(plane).i16(contents::kEmpty).i16(contents::kSolid);
-    const Level level = read_bsp(join_lumps(29, lumps));
+    for (const float front : {1.F / 51, 1.F / 33}) {
+        Lumps lumps = make_tiny_lumps();
+        for (const float distance : {0.F, front, -1.F / 64})
+            ByteWriter(lump_of(lumps, Lump::Planes)).f32(1).f32(0).f32(0).f32(distance).i32(0);
+        Bytes& nodes = lump_of(lumps, Lump::ClipNodes);
+        nodes.clear();
+        ByteWriter(nodes).i32(1).i16(1).i16(2);
+        for (const int plane : {2, 3}) ByteWriter(nodes).i32(plane).i16(contents::kEmpty).i16(contents::kSolid);
+        const Level level = read_bsp(join_lumps(29, lumps));
 
-    const TraceResult result = trace(level, {10, 0, 0}, {-10, 0, 0});
-    EXPECT_TRUE(result.is_hit);
-    EXPECT_EQ(hull_contents(level, level.world(), Hull::Player, result.end), contents::kEmpty);
-    EXPECT_LE(to_point(result.end).x, 1. / 32 + 1. / 4096);
+        const TraceResult result = trace(level, {10, 0, 0}, {-10, 0, 0});
+        EXPECT_TRUE(result.is_hit);
+        EXPECT_EQ(hull_contents(level, level.world(), Hull::Player, result.end), contents::kEmpty);
+        EXPECT_LE(to_point(result.end).x, 1. / 32 + 1. / 4096);
+    }
 }
 
 TEST(Trace, MeetsABlockFromEverySide) {

@@ -75,6 +75,26 @@ TEST(DepthBuffer, ClampsWhatIsNearerThanAUnitOrBehindTheEye) {
     EXPECT_EQ(depth.row(0)[50], 0u) << "1/z = -0.5";
     EXPECT_NEAR(depth.row(0)[150], std::ldexp(0.5, 32), 2);
     EXPECT_EQ(depth.row(0)[250], 0xffffffffu) << "1/z = 1.5";
+    depth.fill(std::vector<Span>{{0, 0, kWidth}}, Slope{1, 0, 0}.quantity());
+    EXPECT_EQ(depth.row(0)[50], 0xffffffffu) << "1/z = 1";
+}
+
+TEST(DepthBuffer, WhatIsAsNearAsAFaceIsSeen) {
+    DepthBuffer depth(kWidth, kHeight);
+    depth.start_frame();
+    depth.want({100, 110, 0, 1});
+    depth.clear();
+    depth.fill(std::vector<Span>{{0, 0, kWidth}}, Slope{0.01, 0, 0}.quantity());
+    const auto pixels_seen = [&](double inverse_z) {
+        std::vector<Span> seen;
+        depth.append_seen(std::vector<Span>{{0, 90, 120}}, Slope{inverse_z, 0, 0}.quantity(), seen);
+        std::int32_t count = 0;
+        for (const Span& span : seen) count += span.end - span.first;
+        return count;
+    };
+    EXPECT_EQ(pixels_seen(0.02), 30);
+    EXPECT_EQ(pixels_seen(0.01), 30);
+    EXPECT_EQ(pixels_seen(0.005), 20) << "all outside of the rectangle";
 }
 
 TEST(DepthBuffer, IsNotWantedWithoutARectangle) {
