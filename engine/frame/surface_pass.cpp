@@ -239,6 +239,7 @@ void set_cutting(TexturedFace& face, std::span<const Span> spans, const SpanText
     cutting.limits = face.surface.limits;
     const ScreenRectangle rectangle = cutting_rectangle(face.face, spans, cutting);
     if (texturing.texturing == Texturing::Bounded) limit_blocks(texturing.rule, rectangle, face);
+    if (texturing.texturing == Texturing::Affine) cutting.takes_whole_spans = cutting.fits_range;
     cutting.texel_bound_256 = texturing.rule.texel_bound_256;
 }
 

@@ -147,8 +147,9 @@ template <Texturing Way, PerspectiveRange Range, class Reciprocal>
 [[gnu::always_inline]] inline std::span<const Span> cut_fitting(std::span<const Span> spans, std::int32_t pitch,
                                                                 const BlockCutting& cutting, Reciprocal reciprocal,
                                                                 BlockList& blocks) {
-    const bool repeats_rows = Way == Texturing::Bounded && RowRepeater<Reciprocal>::serves(cutting.gradients);
-    if (Way == Texturing::Bounded && cutting.takes_whole_spans) {
+    constexpr bool kIsBounded = Way == Texturing::Bounded, kIsAffine = Way == Texturing::Affine;
+    const bool repeats_rows = (kIsBounded || kIsAffine) && RowRepeater<Reciprocal>::serves(cutting.gradients);
+    if (kIsAffine || (kIsBounded && cutting.takes_whole_spans)) {
         if (repeats_rows)
             return cut_whole_spans(spans, pitch, RepeatedSpanEnds<Reciprocal, Range>(cutting, reciprocal), blocks);
         return cut_whole_spans(spans, pitch, SpanEnds<Reciprocal, Range>(cutting, reciprocal), blocks);

@@ -29,6 +29,9 @@ struct ProjectionAxis {
 struct Projection {
     ProjectionAxis x, y;  ///< y's multiplier is positive; project() negates y, as rows grow downward
     std::int32_t width_px = 0, height_px = 0;
+#if defined(__i386__)
+    std::uint32_t short_z_end = 0;  ///< where projections in 32 bits end; 0 if multipliers are too large for them
+#endif
 };
 
 /// The part of the view plane that the screen shows, in any unit: half its width and its distance from the eye, whose

@@ -90,12 +90,18 @@ inline Vec3<View> to_unadjusted_view(const Vec3<World>& point, const ViewContext
 template <class Position, class Vertex>
 [[gnu::always_inline]] inline bool place_vertex_at(const Vec3<Position>& position, const ViewContext& view,
                                                    Vertex& vertex) {
+#if defined(__i386__)
+    if constexpr (std::is_same_v<Position, ShortView>) {
+        ScreenVertex screen;
+        if (project_near(position, view.projection, screen) && is_well_inside(screen, view.projection)) [[likely]] {
+            vertex.outcode = 0;
+            vertex.screen = {view.grid.snap(screen.x), view.grid.snap(screen.y)};
+            return true;
+        }
+    }
+#endif
     vertex.outcode = outcode_of(view.frustum, position);
     if (vertex.outcode != 0) return false;
-#if defined(__i386__)
-    if constexpr (std::is_same_v<Position, ShortView>)
-        if (to_near_screen_vertex(position, view.projection, view.grid, vertex.screen)) return true;
-#endif
     vertex.screen = to_screen_vertex(vertex.position, view.projection, view.grid);
     return true;
 }

@@ -148,13 +148,19 @@ void start_kernel(const BootInfo* boot) {
 
 }  // namespace oblong::dos
 
+// By words of 4 bytes, then by the bytes that are left.
 void* memcpy(void* to, const void* from, std::size_t count) {
     void* const result = to;
-    asm volatile("rep movsb" : "+D"(to), "+S"(from), "+c"(count)::"memory");
+    std::size_t words = count / 4, rest = count % 4;
+    asm volatile("rep movsl" : "+D"(to), "+S"(from), "+c"(words)::"memory");
+    asm volatile("rep movsb" : "+D"(to), "+S"(from), "+c"(rest)::"memory");
     return result;
 }
 void* memset(void* to, int value, std::size_t count) {
     void* const result = to;
-    asm volatile("rep stosb" : "+D"(to), "+c"(count) : "a"(value) : "memory");
+    std::size_t words = count / 4, rest = count % 4;
+    const std::uint32_t word = static_cast<std::uint8_t>(value) * 0x01010101u;
+    asm volatile("rep stosl" : "+D"(to), "+c"(words) : "a"(word) : "memory");
+    asm volatile("rep stosb" : "+D"(to), "+c"(rest) : "a"(word) : "memory");
     return result;
 }
