@@ -7,8 +7,22 @@
 
 #include "engine/effects/entity_values.h"
 #include "engine/files/level_models.h"
+#include "engine/level/level.h"
+#include "engine/mesh/mesh.h"
 
 namespace oblong {
+
+/// Whether all of a brush model is nearer than kMeshLimit to a point along each axis.
+bool is_within_mesh(const SubModel& model, const Vec3<World>& about);
+
+/// The faces of a brush model as a mesh about the point `about` (is_within_mesh), so that it can turn. Each face has a
+/// skin of its unlit texels, and shares no vertices, so that it is lit on its own. Texels beyond kMostTexel in a
+/// direction repeat the last one. Animated textures show their first frame. Skins are counted off `texels_left`; a face
+/// for which too few are left gets one colour.
+Mesh make_brush_mesh(const Level& level, ModelIndex model, const Vec3<World>& about, std::int64_t& texels_left);
+
+/// The middle of a brush model's box.
+Vec3<World> middle_of(const SubModel& model);
 
 /// Reads entities with turning brushes, func_rotating and func_door_rotating, as models. It warns of entities that are
 /// left out or turn about their middle.

@@ -8,7 +8,7 @@
 #include "engine/frame/shared_drawing.h"
 #include "engine/frame/workspace.h"
 #include "engine/raster/scan.h"
-#include "engine/visibility/model_cutter.h"
+#include "engine/visibility/fragments.h"
 
 namespace oblong {
 

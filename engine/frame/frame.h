@@ -3,11 +3,12 @@
 #include <cstdint>
 #include <span>
 
-#include "engine/frame/settings.h"
+#include "engine/accuracy/accuracy.h"
 #include "engine/level/level.h"
 #include "engine/mesh/placed_mesh.h"
 #include "engine/scene/face_surface.h"
 #include "engine/scene/level_effects.h"
+#include "engine/scene/light_styles.h"
 #include "engine/scene/placed_models.h"
 #include "engine/surface/colormap.h"
 #include "engine/view/projection.h"
@@ -17,6 +18,16 @@
 namespace oblong {
 
 struct FrameWorkspace;  // engine/frame/workspace.h: the caller's scratch and caches; they never change the picture
+
+/// What the player or the developer sets; with level, camera and time it determines a frame.
+struct Settings {
+    Accuracy accuracy;
+    EffectSet allowed_effects = EffectSet::all();
+    Flashes flashes = Flashes::Full;
+    std::int32_t brightness_100 = 100;  ///< percent, of the light on lit surfaces; clamped to the brightest shade
+    bool correct_aspect = true;         ///< false: the projection assumes square pixels (F2 in the game)
+    bool operator==(const Settings&) const = default;
+};
 
 /// Everything that a frame shows. Level and colormap are the same for all frames of a workspace, and must outlive it.
 struct Scene {

@@ -273,7 +273,7 @@ class LevelScene {
 
     /// The accuracy of pictures: "1991", "1994", "1996", "bounded" or "exact".
     void set_accuracy(const std::string& preset);
-    /// All settings (engine/frame/settings.h).
+    /// All settings (engine/frame/frame.h).
     Settings& settings();
     /// The contents of the file (engine/level/level.h).
     const Level& level() const;

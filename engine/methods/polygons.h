@@ -12,11 +12,20 @@ namespace oblong {
 
 /// The triangles of a convex polygon that all share its first corner (course notes): (0, i + 1, i + 2), two fewer than
 /// its corners.
-std::vector<CornerTriple> triangulate_as_fan(std::size_t corner_count);
+inline std::vector<CornerTriple> triangulate_as_fan(std::size_t corner_count) {
+    std::vector<CornerTriple> triangles;
+    for (std::uint32_t i = 0; i + 2 < corner_count; ++i) triangles.push_back({0, i + 1, i + 2});
+    return triangles;
+}
 
 /// The triangles of a convex polygon around a point in its middle (middle_of), which becomes corner number
 /// `corner_count`: as many as its corners, and better shaped than a fan's.
-std::vector<CornerTriple> triangulate_around_middle(std::size_t corner_count);
+inline std::vector<CornerTriple> triangulate_around_middle(std::size_t corner_count) {
+    const auto middle = static_cast<std::uint32_t>(corner_count);
+    std::vector<CornerTriple> triangles;
+    for (std::uint32_t i = 0; i < middle; ++i) triangles.push_back({i, (i + 1) % middle, middle});
+    return triangles;
+}
 
 /// Whether a face faces away from the eye, in any space common to all three (Abrash: before any transform, by one dot
 /// product). `normal` is of length 1 and points to the face's front; `point` is any point of it. A face seen edge-on
@@ -33,7 +42,15 @@ constexpr bool normal_points_away(const Vec3<Unit>& normal, const Vec3<Unit>& fo
 }
 
 /// PolygonClipper::clip_to_plane() from `in` to `out`.
-void clip_to_plane(const ClipPlane& plane, std::uint8_t border, const std::vector<ClipVertex>& in,
-                   std::vector<ClipVertex>& out);
+inline void clip_to_plane(const ClipPlane& plane, std::uint8_t border, const std::vector<ClipVertex>& in,
+                          std::vector<ClipVertex>& out) {
+    std::vector<ClipVertex> polygon = in;
+    PolygonClipper clipper;
+    ClipVertex** corner = clipper.start(polygon.size()).data();
+    for (ClipVertex& vertex : polygon) *corner++ = &vertex;
+    clipper.clip_to_plane(plane, border);
+    out.clear();
+    for (const ClipVertex* const vertex : clipper.corners()) out.push_back(*vertex);
+}
 
 }  // namespace oblong

@@ -4,7 +4,6 @@
 #include <span>
 #include <utility>
 
-#include "engine/base/scratch.h"
 #include "engine/base/table.h"
 #include "engine/view/clip.h"
 #include "engine/view/view_context.h"

@@ -8,7 +8,7 @@
 #include "engine/level/level.h"
 #include "engine/scene/face_table.h"
 #include "engine/view/view_context.h"
-#include "engine/visibility/fragment_tree.h"
+#include "engine/visibility/fragments.h"
 
 namespace oblong {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "engine/frame/settings.h"
+#include "engine/frame/frame.h"
 #include "game/level/load.h"
 #include "game/simulation/demo.h"
 #include "game/view/game_renderer.h"

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "engine/files/frame_log.h"
-#include "engine/frame/settings.h"
+#include "engine/frame/frame.h"
 #include "engine/platform/platform.h"
 #include "engine/view/present_rect.h"
 #include "game/input/controls.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/effects/palette_effects.h"
-#include "engine/frame/settings.h"
+#include "engine/frame/frame.h"
 #include "engine/scene/placed_models.h"
 #include "engine/view/views.h"
 #include "game/input/tick_input_source.h"

@@ -219,16 +219,18 @@ TEST(Arctangent, RisesOverTheWholeQuarter) {
 }
 
 TEST(Sine, EveryMethodAtEveryAngleStaysWithinItsStatedError) {
-    // In the order of kSineMethods: powers of two that the worst errors stay below.
-    constexpr std::array kErrorBits = {6.3, 13.6, 15.0, 21.6, 26.0, 30.999};
-    for (std::size_t i = 0; i < kSineMethods.size(); ++i) {
+    // With powers of two that the worst errors stay below.
+    constexpr std::pair<SineMethod, double> kMethods[] = {
+        {SineMethod::Nearest256, 6.3},       {SineMethod::Lerp256, 13.6},  {SineMethod::Cordic16, 15},
+        {SineMethod::Quarter1024Lerp, 21.6}, {SineMethod::Cordic30, 26.0}, {SineMethod::NearestStep, 30.999}};
+    for (const auto& [method, error_bits] : kMethods) {
         long double worst = 0;
         for (int bam = 0; bam < 65536; ++bam) {
-            const Unit got = sine(Angle::from_bam(bam), kSineMethods[i]);
+            const Unit got = sine(Angle::from_bam(bam), method);
             worst =
                 std::max(worst, std::abs(std::ldexp(static_cast<long double>(got.raw), -30) - std::sin(bam * kBam)));
         }
-        EXPECT_LE(static_cast<double>(std::log2(worst)), -kErrorBits[i]) << "method " << i;
+        EXPECT_LE(static_cast<double>(std::log2(worst)), -error_bits) << "method " << static_cast<int>(method);
     }
 }
 

@@ -8,7 +8,6 @@
 #include <random>
 
 #include "engine/fixed/reciprocal.h"
-#include "engine/fixed/share.h"
 
 namespace oblong::test {
 

@@ -1,10 +1,9 @@
-#include "engine/mesh/brush_mesh.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 
+#include "engine/files/turning_brushes.h"
 #include "tests/map/map_source.h"
 #include "tools/map/source/textures.h"
 

@@ -51,7 +51,7 @@ PARTS = [
      [without_brush("*water"), without_brush("*lava"), without_entity("func_wall")]),
     (["translucency", "fog"], "effects/colour_tables effects/fog", "sky_fog",
      [without_brush("*water"), without_key("fog")]),
-    (["brush_models", "fence"], "visibility/fragment_tree visibility/model_cutter", "polygon_side|append_part",
+    (["brush_models", "fence"], "visibility/fragments", "polygon_side|append_part",
      [without_entity("func_wall")]),
     (["animated_textures"], "scene/texture_animation", "TextureAnimations::TextureAnimations|TextureAnimations::add",
      [retextured("+0volt", "brick")]),

@@ -31,7 +31,7 @@ import runs
 
 # The stage of a source file of engine/, by the first matching pattern; and of functions that several files share.
 STAGES = [
-    ("walk and boxes", r"visibility/(front_to_back|visible_set|brush_models|fragment_tree|model_cutter|eye|box_culler)|"
+    ("walk and boxes", r"visibility/(front_to_back|visible_set|brush_models|fragments|eye|box_culler)|"
                        r"level/(side|pvs|bsp_tree|level)|frame/claims"),
     ("transform, clip, project", r"view/(screen_polygon|clip|project|frustum|view|gradients)|math/"),
     ("edge scan", r"raster/(scan|edge)"),

@@ -10,7 +10,7 @@
 
 #include "engine/draw/drawing.h"
 #include "engine/fixed/trig.h"
-#include "engine/frame/settings.h"
+#include "engine/frame/frame.h"
 #include "engine/level/level.h"
 #include "engine/math/matrix.h"
 #include "engine/surface/colormap.h"

@@ -146,7 +146,7 @@ exit:
 #endif
 
 #ifndef FROM_DISK
-// Makes a DOS call for the kernel (DosCall of kernel/boot_info.h), which continues at dos_resume.
+// Makes a DOS call for the kernel (DosCall of kernel/kernel.h), which continues at dos_resume.
 ask_dos:
     movb $0, dos_is_asked
     movw dos_bx, %bx
@@ -386,7 +386,7 @@ bios_gdt:                           // descriptors for the BIOS's copy: from (at
     .quad 0xffff, 0xffff, 0, 0
 
     .balign 4
-boot_info:                          // BootInfo of kernel/boot_info.h
+boot_info:                          // BootInfo of kernel/kernel.h
 info_gdtr: .long gdtr
     .long leave
 info_words:

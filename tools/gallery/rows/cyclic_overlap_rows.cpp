@@ -15,7 +15,7 @@
 #include "engine/view/screen_polygon.h"
 #include "engine/view/texture_gradients.h"
 #include "engine/view/views.h"
-#include "engine/visibility/model_cutter.h"
+#include "engine/visibility/fragments.h"
 #include "tools/gallery/row.h"
 
 namespace oblong {
