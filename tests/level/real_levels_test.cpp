@@ -51,8 +51,6 @@ TEST_P(RealLevel, BeginsWithTheWorldspawn) {
     EXPECT_EQ(level_.entities[0].value("classname"), "worldspawn");
 }
 
-// The light compiler wrote the samples of each face behind those of the face before, from a multiple of 4 bytes on:
-// with extents too small or too large by one cell, there would be larger gaps or overlaps.
 // By the corners of their faces; a model may have brushes without faces (of the texture "skip", say) beyond them.
 TEST_P(RealLevel, BoxesOfModelsJustHoldTheirFaces) {
     int exact = 0, all = 0;
@@ -76,6 +74,8 @@ TEST_P(RealLevel, BoxesOfModelsJustHoldTheirFaces) {
     EXPECT_EQ(exact, all);
 }
 
+// The light compiler wrote the samples of each face behind those of the face before, from a multiple of 4 bytes on:
+// with extents too small or too large by one cell, there would be larger gaps or overlaps.
 TEST_P(RealLevel, LightmapsOfTheExtentsTileTheLightingLump) {
     std::vector<std::pair<std::int64_t, std::int64_t>> ranges;
     for (const Face& face : level_.faces) {
