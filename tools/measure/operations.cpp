@@ -96,6 +96,8 @@ constexpr EventCost kInverseZAdvance{500}, kOverZAdvance{1740, 187, 0, 0, 0, 240
 /// cut_rest(): three products with its length, and steps from a table of reciprocals, also for a block of 2^k pixels,
 /// which does not count as a last one.
 constexpr EventCost kLastBlock{850, 710, 0, 142, 1136, 0};
+/// cut_whole_spans(), of affine spans: the same, with fewer products where a row's ends repeat those of another row.
+constexpr EventCost kAffineSpan{850, 440, 0, 142, 1136, 0};
 /// cut_bounded(): comparisons with thresholds, for each block; products with its length, for each block that does not
 /// end its span. Rows that repeat another row's blocks need few of these. If blocks have one length, the products are
 /// the same for a span that has room for one.
@@ -181,7 +183,8 @@ StageOperations blocks_of(const FrameCounts& counts, const Accuracy& accuracy, c
     StageOperations stage{"blocks", blocks, {}};
     add(blocks, kInverseZAdvance, widths.inverse_z, stage);
     add(blocks, kOverZAdvance, widths.over_z, stage);
-    add(stages.last_blocks, kLastBlock, Width::Bits32, stage);
+    const bool is_affine = accuracy.texturing == Texturing::Affine;
+    add(stages.last_blocks, is_affine ? kAffineSpan : kLastBlock, Width::Bits32, stage);
     if (has_one_length(accuracy.texturing)) add(counts.spans, kOneLengthProducts, widths.over_z, stage);
     if (accuracy.texturing == Texturing::Bounded) {
         add(stages.surfaces, kSurfaceBound, widths.inverse_z, stage);
