@@ -2,7 +2,6 @@
 
 #include <cassert>
 #include <compare>
-#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <span>
@@ -110,20 +109,6 @@ class Table : private std::vector<Value> {
     IndexRange<Record> indices() const { return {Index<Record>(0), static_cast<LevelNumber>(count())}; }
 
     bool operator==(const Table&) const = default;
-};
-
-/// A buffer that grows on demand and keeps its contents.
-template <class Item>
-class Scratch {
-  public:
-    /// The first `count` items, with old contents. Valid until a larger count is taken.
-    std::span<Item> take(std::size_t count) {
-        if (count > items_.size()) items_.resize(count);
-        return std::span(items_).first(count);
-    }
-
-  private:
-    std::vector<Item> items_;
 };
 
 }  // namespace oblong

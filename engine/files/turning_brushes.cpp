@@ -1,4 +1,3 @@
-
 #include "engine/files/turning_brushes.h"
 
 #include <algorithm>

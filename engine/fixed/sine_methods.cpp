@@ -1,9 +1,9 @@
 #include "engine/fixed/sine_methods.h"
 
 #include <algorithm>
-#include <array>
 
 #include "engine/base/table.h"
+#include "engine/fixed/sine_series.h"
 #include "engine/fixed/trig.h"
 
 namespace oblong {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "engine/base/table.h"
-#include "engine/fixed/sine_methods.h"
+#include "engine/fixed/sine_series.h"
 #include "engine/fixed/wide.h"
 
 namespace oblong {

@@ -183,13 +183,13 @@ void draw_whole(const MeshTriangle& triangle, const std::array<const ViewVertex*
 /// Clips a triangle and draws the rest as a fan.
 void draw_clipped(const MeshTriangle& triangle, const std::array<const ViewVertex*, 3>& vertices,
                   const MeshContext& mesh, MeshScratch& scratch, MeshCounts& counts) {
-    TriangleScratch& part = scratch.triangle;
-    clip_and_project(vertices, values_of(triangle, mesh, scratch), mesh.view, part.clip, part.polygon);
+    TriangleScratch& work = scratch.triangle;
+    clip_and_project(vertices, values_of(triangle, mesh, scratch), mesh.view, work.clip, work.polygon);
     const MeshPaint paint = paint_of(triangle, mesh);
-    for (std::size_t i = 2; i < part.polygon.size(); ++i) {
-        const ScreenCorner &a = part.polygon[0], &b = part.polygon[i - 1], &c = part.polygon[i];
-        if (find_triangle({&a, &b, &c}, mesh.target, part, counts))
-            draw_triangle({&a.values, &b.values, &c.values}, paint, mesh.target, part, counts);
+    for (std::size_t i = 2; i < work.polygon.size(); ++i) {
+        const ScreenCorner &a = work.polygon[0], &b = work.polygon[i - 1], &c = work.polygon[i];
+        if (find_triangle({&a, &b, &c}, mesh.target, work, counts))
+            draw_triangle({&a.values, &b.values, &c.values}, paint, mesh.target, work, counts);
     }
 }
 
@@ -203,16 +203,16 @@ void draw_polygon(const MeshTriangle& triangle, const MeshContext& mesh, MeshScr
 /// Whether a triangle has a pixel at which nothing is nearer.
 bool is_seen(const MeshTriangle& triangle, const MeshPlacement& mesh, MeshScratch& scratch, MeshCounts& counts) {
     const auto vertices = seen_vertices(triangle, mesh, scratch);
-    TriangleScratch& part = scratch.triangle;
+    TriangleScratch& work = scratch.triangle;
     if (is_outside(vertices)) return false;
     if (is_inside(vertices)) {
         return may_cover_centre(vertices) &&
-               find_triangle({vertices[0], vertices[1], vertices[2]}, mesh.target, part, counts);
+               find_triangle({vertices[0], vertices[1], vertices[2]}, mesh.target, work, counts);
     }
     const CornerValues none;
-    clip_and_project(vertices, {&none, &none, &none}, mesh.view, part.clip, part.polygon);
-    for (std::size_t i = 2; i < part.polygon.size(); ++i)
-        if (find_triangle({&part.polygon[0], &part.polygon[i - 1], &part.polygon[i]}, mesh.target, part, counts))
+    clip_and_project(vertices, {&none, &none, &none}, mesh.view, work.clip, work.polygon);
+    for (std::size_t i = 2; i < work.polygon.size(); ++i)
+        if (find_triangle({&work.polygon[0], &work.polygon[i - 1], &work.polygon[i]}, mesh.target, work, counts))
             return true;
     return false;
 }

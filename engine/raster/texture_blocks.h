@@ -60,7 +60,7 @@ struct BlockCutting {
     BlockThresholds thresholds{};      ///< for Bounded
     std::int32_t texel_bound_256 = 0;  ///< for BoundedTexels: BlockRule's
     bool fits_range = false;           ///< fits_range() of the spans: nothing is clamped before multiplication
-    bool takes_whole_spans = false;    ///< Bounded, and every span is one block; `thresholds` are not set
+    bool takes_whole_spans = false;    ///< every span is one block: affine, or within the bound
 };
 
 /// Appends the blocks of spans, left to right, while there is room for a span's worst case. Returns the remaining

@@ -4,7 +4,7 @@
 
 #include "engine/base/range_probe.h"
 #include "engine/base/table.h"
-#include "engine/fixed/arithmetic.h"
+#include "engine/fixed/share.h"
 #include "engine/view/project.h"
 
 namespace oblong {

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/base/table.h"
+#include "engine/base/scratch.h"
 #include "engine/view/frustum.h"
 #include "engine/view/projection.h"
 #include "engine/view/screen.h"

@@ -4,6 +4,7 @@
 #include <span>
 #include <utility>
 
+#include "engine/base/scratch.h"
 #include "engine/base/table.h"
 #include "engine/view/clip.h"
 #include "engine/view/view_context.h"

@@ -1,4 +1,3 @@
-
 #include "engine/visibility/fragments.h"
 
 #include <algorithm>

@@ -70,7 +70,7 @@ class SpanBuffer {
     std::size_t bytes() const { return rows_.size() * sizeof(Row) + intervals_.size() * sizeof(Interval); }
     /// Whether no pixel is free.
     bool is_full() const { return free_spans_ == 0; }
-    /// Whether a pixel of a rectangle is free; the rectangle has at least one column.
+    /// Whether a pixel of a rectangle is free; one without columns lies at a border of the screen.
     bool has_free(const ScreenRectangle& rectangle) const {
         for (std::int32_t y = rectangle.first_row; y < rectangle.end_row; ++y)
             if (has_free_in_row(y, rectangle)) return true;

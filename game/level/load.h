@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "engine/files/files.h"
 #include "engine/files/game_definition.h"
 #include "engine/files/level_models.h"
 #include "engine/files/sound_file.h"
@@ -60,13 +59,5 @@ struct LoadedLevel {
     const GameData data;
     const GameLevel level;
 };
-
-// Not in load.cpp, for which the game under DOS has a substitute.
-inline LoadedLevel::LoadedLevel(const LevelFiles& named)
-    : files(named), data(load_game(files)), level(naming_file(data.level_file, [&] {
-          GameLevel made = make_game_level(data.level);
-          if (files.game) made.lens_names = {own_words(*files.game, kOneLens), own_words(*files.game, kLenses)};
-          return made;
-      })) {}
 
 }  // namespace oblong

@@ -16,7 +16,7 @@
 namespace oblong {
 namespace {
 
-constexpr std::size_t kLensCount = 12;
+constexpr std::size_t kLenses = 12;
 
 /// The walk that the build records, and the states that it leads to.
 class RecordedWalk : public testing::Test {
@@ -45,7 +45,7 @@ TEST_F(RecordedWalk, FindsAllLensesAndEndsTheLevelInTwoToFourMinutes) {
     GameState last;
     replay([&](const GameState& state) { last = state; });
     const ItemCount lenses = count_items(game_level_, last, ItemClass::Lens);
-    EXPECT_EQ(lenses.all, static_cast<std::int32_t>(kLensCount));
+    EXPECT_EQ(lenses.all, static_cast<std::int32_t>(kLenses));
     EXPECT_EQ(lenses.taken, lenses.all);
     EXPECT_TRUE(last.has_ended);
     EXPECT_GE(last.tick, 120 * kTicksPerSecond);
@@ -62,9 +62,9 @@ TEST_F(RecordedWalk, ShowsEveryMessageOfTheLevelButThoseOfWaysThatItDoesNotTake)
         const std::string message = entity.value("message");
         if (entity.value("classname") == "item_lens") lenses += shown.contains(message);
     }
-    EXPECT_EQ(lenses, kLensCount - 1) << "that of the last one gives way to what the tower says";
+    EXPECT_EQ(lenses, kLenses - 1) << "that of the last one gives way to what the tower says";
     EXPECT_TRUE(shown.contains("All twelve lenses: the tower is open"));
-    EXPECT_GE(shown.size(), 2 * kLensCount + 3) << "a caption on entering each room";
+    EXPECT_GE(shown.size(), 2 * kLenses + 3) << "a caption on entering each room";
 }
 
 TEST_F(RecordedWalk, TurnsAtAPacePleasantToWatch) {
@@ -87,14 +87,14 @@ TEST_F(RecordedWalk, LightsAWindowOfTheTowerWithEachLens) {
         lenses = static_cast<std::size_t>(count_items(game_level_, state, ItemClass::Lens).taken);
         ASSERT_EQ(lit(state), lenses) << "tick " << state.tick;
     });
-    EXPECT_EQ(lenses, kLensCount);
+    EXPECT_EQ(lenses, kLenses);
     std::set<std::string> names, colours;
     for (const Item& item : game_level_.items) {
         names.insert(level_.entities[item.entity].value("netname"));
         colours.insert(level_.entities[item.entity].value("glass"));
     }
-    EXPECT_EQ(names.size(), kLensCount);
-    EXPECT_EQ(colours.size(), kLensCount) << "each has its own";
+    EXPECT_EQ(names.size(), kLenses);
+    EXPECT_EQ(colours.size(), kLenses) << "each has its own";
 }
 
 TEST_F(RecordedWalk, HearsTheRainUnmuffledInAllOfItsCourt) {
@@ -137,7 +137,7 @@ TEST(DemoCaptions, AreOfOneOrTwoLinesThatFitThePicture) {
         EXPECT_LE(message.size(), 50u) << message;
         EXPECT_LE(lines, 2u) << message;
     }
-    EXPECT_GT(count, 2 * kLensCount);
+    EXPECT_GT(count, 2 * kLenses);
 }
 
 std::vector<Waypoint> route_of(const std::string& text) {

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "engine/fixed/reciprocal.h"
+#include "engine/fixed/share.h"
 
 namespace oblong::test {
 

@@ -39,7 +39,7 @@ TEST(KeyNames, StandInNoTextOfTheGame) {
         const std::string name = entry.path().filename().string();
         // The names themselves; a window of its own, whose keys are the same for all.
         if (entry.path().extension() != ".cpp" || name == "bindings.cpp" || name == "actions.cpp" ||
-            name == "start.cpp")
+            name == "error_window.cpp")
             continue;
         std::ifstream file(entry.path());
         for (std::string line; std::getline(file, line);) {

@@ -32,7 +32,7 @@ void draw_by_stages(const PlacedMesh& placed, const Colormap& colormap, const Me
                           placed.shading, false,    halfway(light.directional.toward, toward_eye),
                           &highlight,     nullptr};
     const ScreenRectangle all{0, picture.width, 0, picture.height};
-    TriangleScratch& part = scratch.triangle;
+    TriangleScratch& work = scratch.triangle;
     for (const std::uint32_t number : scratch.facing) {
         std::array<const ViewVertex*, 3> vertices{};
         std::array<const CornerValues*, 3> values{};
@@ -40,19 +40,19 @@ void draw_by_stages(const PlacedMesh& placed, const Colormap& colormap, const Me
             vertices[i] = &scratch.view_vertices[mesh.triangles[number].vertices[i]];
             values[i] = &scratch.values[mesh.triangles[number].vertices[i]];
         }
-        clip_and_project(vertices, values, picture.view, part.clip, part.polygon);
-        for (std::size_t i = 2; i < part.polygon.size(); ++i) {
-            const std::array<const ScreenCorner*, 3> fan{&part.polygon[0], &part.polygon[i - 1], &part.polygon[i]};
-            scan_convex(std::array{fan[0]->screen, fan[1]->screen, fan[2]->screen}, part.rows);
-            part.spans.clear();
-            append_spans(part.rows, all, part.spans);
+        clip_and_project(vertices, values, picture.view, work.clip, work.polygon);
+        for (std::size_t i = 2; i < work.polygon.size(); ++i) {
+            const std::array<const ScreenCorner*, 3> fan{&work.polygon[0], &work.polygon[i - 1], &work.polygon[i]};
+            scan_convex(std::array{fan[0]->screen, fan[1]->screen, fan[2]->screen}, work.rows);
+            work.spans.clear();
+            append_spans(work.rows, all, work.spans);
             Barycentric weights;
-            if (part.spans.empty() || !make_barycentric({fan[0], fan[1], fan[2]}, part.spans, weights)) continue;
+            if (work.spans.empty() || !make_barycentric({fan[0], fan[1], fan[2]}, work.spans, weights)) continue;
             const MeshGradients gradients =
                 make_mesh_gradients(weights, {&fan[0]->values, &fan[1]->values, &fan[2]->values},
                                     inverse_z_over(weights), {placed.shading == Shading::Phong, false});
             draw_mesh_spans(
-                part.spans, gradients, paint,
+                work.spans, gradients, paint,
                 {picture.depth, {picture.pixels.data(), picture.width, picture.height, picture.width}, all});
         }
     }

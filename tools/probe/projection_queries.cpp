@@ -4,6 +4,7 @@
 #include "engine/fixed/arithmetic.h"
 #include "engine/fixed/root.h"
 #include "engine/fixed/sine_methods.h"
+#include "engine/fixed/sine_series.h"
 #include "engine/methods/square_root.h"
 #include "engine/methods/transforms.h"
 #include "engine/view/frustum.h"

@@ -1,0 +1,14 @@
+// Apart from load.cpp, for which the game under DOS has a substitute.
+#include "engine/files/files.h"
+#include "game/level/load.h"
+
+namespace oblong {
+
+LoadedLevel::LoadedLevel(const LevelFiles& named)
+    : files(named), data(load_game(files)), level(naming_file(data.level_file, [&] {
+          GameLevel made = make_game_level(data.level);
+          if (files.game) made.lens_names = {own_words(*files.game, kOneLens), own_words(*files.game, kLenses)};
+          return made;
+      })) {}
+
+}  // namespace oblong
