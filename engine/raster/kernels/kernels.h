@@ -25,12 +25,13 @@ void draw_blocks_packed(std::span<const TexelBlock> blocks, const SurfaceView& s
 /// Four pixels at a time, in the vectors that all processors of the target have: SSE2 on x86-64, NEON on AArch64;
 /// otherwise draw_blocks_packed.
 void draw_blocks_by_fours(std::span<const TexelBlock> blocks, const SurfaceView& surface, std::uint8_t* pixels);
-/// As draw_blocks_packed, but extracts the texel's offset with one `pext`. Only if has_bmi2().
+/// As draw_blocks_packed, but extracts the texel's offset with one `pext` and stores eight pixels at once. Only if
+/// has_bmi2().
 void draw_blocks_bmi2(std::span<const TexelBlock> blocks, const SurfaceView& surface, std::uint8_t* pixels);
 /// Wraps by division, for tiles whose sizes are not powers of two; uses width, height and a stride of width.
 void draw_blocks_any_size(std::span<const TexelBlock> blocks, const SurfaceView& surface, std::uint8_t* pixels);
 
-/// Whether this processor has BMI2 with a fast `pext`.
+/// Whether this processor has BMI2 with a fast `pext`, and SSE4.1, as all others with BMI2.
 bool has_bmi2();
 
 /// Instruction sets of x86-64 processors; each includes those before it.

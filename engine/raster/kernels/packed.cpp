@@ -27,12 +27,14 @@ struct UpperShifts {
 
 /// Fetches texels of a warping surface; each half of the word of v and u is moved by an addition.
 struct WarpedFetch {
+    using Pixels = PixelVector;
+
     const std::uint32_t* u_shifts;
     const std::uint64_t* v_shifts;
     Bmi2Fetch fetch;
 
     /// Two `pext` a texel are faster than one or three.
-    [[gnu::always_inline]] std::uint8_t operator()(std::uint64_t vu) const {
+    [[gnu::always_inline]] const std::uint8_t& operator()(std::uint64_t vu) const {
         constexpr std::uint64_t kEntryOfU = std::uint64_t{WarpTable::kEntries - 1} << 16;
         return fetch(vu + u_shifts[(vu >> 48) % WarpTable::kEntries] + v_shifts[extracted(vu, kEntryOfU)]);
     }
@@ -50,7 +52,8 @@ bool stays_in_half(const TexelBlock& block) {
 
 bool has_bmi2() {
     // On AMD's Zen 1 and 2 `pext` is microcoded and slower than shifts and masks.
-    return __builtin_cpu_supports("bmi2") && !__builtin_cpu_is("znver1") && !__builtin_cpu_is("znver2");
+    return __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("sse4.1") && !__builtin_cpu_is("znver1") &&
+           !__builtin_cpu_is("znver2");
 }
 
 void draw_blocks_bmi2(std::span<const TexelBlock> blocks, const SurfaceView& surface, std::uint8_t* pixels) {

@@ -1,23 +1,73 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 
 #include "engine/raster/kernels/kernels.h"
 
 namespace oblong {
 
-template <class Fetch>
-[[gnu::always_inline]] inline void draw_four(std::uint64_t vu, std::uint64_t step, std::uint8_t* out, Fetch fetch) {
-    out[0] = fetch(vu);
-    out[1] = fetch(vu + step);
-    out[2] = fetch(vu + 2 * step);
-    out[3] = fetch(vu + 3 * step);
+/// Consecutive pixels, each stored as it is fetched.
+struct PixelStores {
+    std::uint8_t* out;
+
+    template <int kPlace>
+    [[gnu::always_inline]] void put(const std::uint8_t& texel) {
+        out[kPlace] = texel;
+    }
+    template <int kCount>
+    [[gnu::always_inline]] void finish() const {}
+};
+
+#if defined(__x86_64__) && defined(__SSE2__)
+
+/// Up to eight consecutive pixels, collected in a vector and stored at once, which takes less time. `pinsrb` is of
+/// SSE4.1, which is not enabled for the compiler elsewhere.
+struct PixelVector {
+    std::uint8_t* out;
+    std::uint8_t __attribute__((vector_size(16))) pixels = {};
+
+    template <int kPlace>
+    [[gnu::always_inline]] void put(const std::uint8_t& texel) {
+        asm("pinsrb %2, %1, %0" : "+x"(pixels) : "m"(texel), "i"(kPlace));
+    }
+    template <int kCount>
+    [[gnu::always_inline]] void finish() const {
+        using Words = std::uint64_t __attribute__((vector_size(16)));
+        const std::uint64_t word = reinterpret_cast<Words>(pixels)[0];  // `pixels` itself stays in its register
+        std::memcpy(out, &word, kCount);
+    }
+};
+
+#else
+
+using PixelVector = PixelStores;
+
+#endif
+
+template <int kFirst, class Pixels, class Fetch>
+[[gnu::always_inline]] inline void put_four(Pixels& pixels, std::uint64_t vu, std::uint64_t step, const Fetch& fetch) {
+    pixels.template put<kFirst>(fetch(vu));
+    pixels.template put<kFirst + 1>(fetch(vu + step));
+    pixels.template put<kFirst + 2>(fetch(vu + 2 * step));
+    pixels.template put<kFirst + 3>(fetch(vu + 3 * step));
 }
 
 template <class Fetch>
-[[gnu::always_inline]] inline void draw_eight(std::uint64_t vu, std::uint64_t step, std::uint8_t* out, Fetch fetch) {
-    draw_four(vu, step, out, fetch);
-    draw_four(vu + 4 * step, step, out + 4, fetch);
+[[gnu::always_inline]] inline void draw_four(std::uint64_t vu, std::uint64_t step, std::uint8_t* out,
+                                             const Fetch& fetch) {
+    typename Fetch::Pixels pixels{out};
+    put_four<0>(pixels, vu, step, fetch);
+    pixels.template finish<4>();
+}
+
+template <class Fetch>
+[[gnu::always_inline]] inline void draw_eight(std::uint64_t vu, std::uint64_t step, std::uint8_t* out,
+                                              const Fetch& fetch) {
+    typename Fetch::Pixels pixels{out};
+    put_four<0>(pixels, vu, step, fetch);
+    put_four<4>(pixels, vu + 4 * step, step, fetch);
+    pixels.template finish<8>();
 }
 
 /// The loop of the packed kernels. v is in the upper and u in the lower half of one word; since both stay in [0,
@@ -49,6 +99,8 @@ template <class Fetch>
 
 /// Computes the texel's offset with shifts and masks.
 struct PackedFetch {
+    using Pixels = PixelStores;
+
     std::uint64_t u_mask, row_mask;
     int row_shift;
     const std::uint8_t* texels;
@@ -59,7 +111,7 @@ struct PackedFetch {
           row_shift(48 - surface.stride_log2),
           texels(surface.texels) {}
 
-    std::uint8_t operator()(std::uint64_t vu) const {
+    const std::uint8_t& operator()(std::uint64_t vu) const {
         return texels[((vu >> row_shift) & row_mask) | ((vu >> 16) & u_mask)];
     }
 };
@@ -75,6 +127,8 @@ struct PackedFetch {
 
 /// Extracts the texel's offset from the word with `pext`.
 struct Bmi2Fetch {
+    using Pixels = PixelVector;
+
     std::uint64_t offset_mask;
     const std::uint8_t* texels;
 
@@ -82,7 +136,7 @@ struct Bmi2Fetch {
         : offset_mask(std::uint64_t{surface.v_mask} << 48 | std::uint64_t{surface.u_mask} << 16),
           texels(surface.texels) {}
 
-    [[gnu::always_inline]] std::uint8_t operator()(std::uint64_t vu) const {
+    [[gnu::always_inline]] const std::uint8_t& operator()(std::uint64_t vu) const {
         return texels[extracted(vu, offset_mask)];
     }
 };

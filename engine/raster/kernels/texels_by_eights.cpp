@@ -41,16 +41,20 @@ class EightCoordinates {
     EightUpperHalves u_over_z_, v_over_z_;
 };
 
-[[OBLONG_INLINE_AVX512]] inline void fetch_two(std::int64_t offsets, const std::uint8_t* texels, std::uint8_t* out) {
-    out[0] = texels[static_cast<std::uint32_t>(offsets)];
-    out[1] = texels[static_cast<std::uint64_t>(offsets) >> 32];
+/// Two texels more in `eight`, collected there as one store takes less time than eight.
+template <int kFirst>
+[[OBLONG_INLINE_AVX512]] inline void fetch_two(std::int64_t offsets, const std::uint8_t* texels, __m128i& eight) {
+    eight = _mm_insert_epi8(eight, texels[static_cast<std::uint32_t>(offsets)], kFirst);
+    eight = _mm_insert_epi8(eight, texels[static_cast<std::uint64_t>(offsets) >> 32], kFirst + 1);
 }
 
 [[OBLONG_INLINE_AVX512]] inline void fetch_eight(__m256i offsets, const std::uint8_t* texels, std::uint8_t* out) {
-    fetch_two(_mm256_extract_epi64(offsets, 0), texels, out);
-    fetch_two(_mm256_extract_epi64(offsets, 1), texels, out + 2);
-    fetch_two(_mm256_extract_epi64(offsets, 2), texels, out + 4);
-    fetch_two(_mm256_extract_epi64(offsets, 3), texels, out + 6);
+    __m128i eight = _mm_setzero_si128();
+    fetch_two<0>(_mm256_extract_epi64(offsets, 0), texels, eight);
+    fetch_two<2>(_mm256_extract_epi64(offsets, 1), texels, eight);
+    fetch_two<4>(_mm256_extract_epi64(offsets, 2), texels, eight);
+    fetch_two<6>(_mm256_extract_epi64(offsets, 3), texels, eight);
+    _mm_storel_epi64(reinterpret_cast<__m128i*>(out), eight);
 }
 
 /// Fetches the texels of eight pixels.
