@@ -78,12 +78,6 @@ TEST(Everything, IsTheSameByAnyNumberOfThreads) {
     }
 }
 
-TEST(Everything, LaterThan32BitsOfMillisecondsIsTheSameInAUsedWorkspace) {
-    EffectStage stage = everything(in_tank());
-    for (const std::int64_t time_ms : {std::int64_t{1} << 32, (std::int64_t{1} << 32) + 50, std::int64_t{1} << 53})
-        ASSERT_EQ(stage.draw(time_ms), stage.draw_afresh(time_ms)) << time_ms;
-}
-
 /// What is left out changes no more pixels than it owned: those that it needs it for, or that it covers. Mirrors show
 /// the other effects, and waves move them, so that these two stand apart.
 TEST(Everything, LeftOutChangesNoPixelElsewhere) {

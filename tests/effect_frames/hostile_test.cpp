@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "engine/base/input_error.h"
 #include "tests/effect_frames/effect_stage.h"
 
 namespace oblong::test {
@@ -113,48 +112,6 @@ TEST(Hostile, FourThousandBrushModels) {
     for (int i = 0; i < 4'096; ++i)  // all into each other
         stage.models[static_cast<std::size_t>(i)].offset = point_at(i % 7 - i % 16 * 24, i % 5 - i / 16 % 16 * 30, 0);
     EXPECT_EQ(stage.draw(), stage.draw_afresh());
-}
-
-TEST(Hostile, LightPatternsOfAKilobyteAndOfTooMuch) {
-    const auto lit = [](const std::string& pattern) {
-        MapText text = plain_box();
-        text.entities += entity_at("light", {0, 0, 100}, {{"style", "40"}});
-        Level level = compile_effects(text);
-        for (Entity& entity : level.entities)
-            if (entity.value("style") == "40") entity.pairs.emplace_back("pattern", pattern);
-        return level;
-    };
-    std::string letters;
-    for (int i = 0; i < 1'024; ++i) letters += static_cast<char>('a' + i * i % 26);
-    EffectStage kilobyte(lit(letters), in_room(), shades_as_colours());
-    EXPECT_TRUE(kilobyte.work.cache.effects.warnings.empty());
-    EXPECT_EQ(kilobyte.draw(1'500), kilobyte.draw(1'500 + 102'400));
-    EXPECT_TRUE(kilobyte.has(Effect::Styles));
-    expect_same_afresh(kilobyte);
-    for (const std::string& bad : {std::string(65'537, 'a'), std::string("abcABC"), std::string("a b")}) {
-        EffectStage stage(lit(bad), in_room(), shades_as_colours());
-        EXPECT_EQ(warnings_with(stage.work.cache.effects.warnings, "65536"), 1);
-        stage.draw(1'500);
-        EXPECT_FALSE(stage.has(Effect::Styles));
-    }
-}
-
-TEST(Hostile, FogThatIsNone) {
-    EffectStage clear(plain_box(), in_room());
-    const Picture expected = clear.draw();
-    for (const char* fog :
-         {"-0.1 1 1 1", "0.1 1 1 1 1 500 100", "0.1 1 1 1 1 -500 -100", "nan nan nan nan", "inf 1 1 1", "1e9 1 1 1",
-          "99999999999999999999 1 1 1", "0.1 2 1 1", "0.1 -1 1 1", "0.1", "", "0.1 1 1 1 1 0 4096 50 0",
-          "0.1 1 1 1 1 0 4096 50 -30", "0.1 1 1 1 1 0 4096 50 30 7", "0.1 1 1 1 x"}) {
-        SCOPED_TRACE(fog);
-        MapText text = plain_box();
-        Level level = compile_effects(text);
-        level.entities[0].pairs.emplace_back("fog", fog);
-        EffectStage stage(std::move(level), in_room());
-        EXPECT_EQ(warnings_with(stage.work.cache.effects.warnings, "worldspawn key 'fog'"), 1);
-        EXPECT_EQ(stage.draw(), expected);
-        EXPECT_FALSE(stage.has(Effect::Fog));
-    }
 }
 
 TEST(Hostile, FogAtTheEndsOfItsRange) {

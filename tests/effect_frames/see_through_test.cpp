@@ -97,15 +97,6 @@ TEST(Particles, HideBehindWallsAndAppearBefore) {
     EXPECT_GT(count_of(before.draw(), 211), 300);
 }
 
-TEST(Particles, ReturnAfterTheirPeriod) {
-    EffectStage stage(room_with("", entity_at("misc_sparks", {0, 0, 64}, {{"period", "1.5"}, {"count", "200"}})),
-                      before_fence());
-    const Picture some = stage.draw(700);
-    EXPECT_NE(stage.draw(900), some);
-    EXPECT_EQ(stage.draw(700 + 1'500), some);
-    EXPECT_EQ(stage.draw(700 + 1'500 * (std::int64_t{1} << 40)), some);
-}
-
 TEST(Shadows, FallOnTheirFloorAndOnNothingElse) {
     const MapText text = room_with(box({10, -100, 0}, {60, 100, 40}, "other"),
                                    entity_at("misc_sprite", {0, 0, 40}, {{"texture", "{lamp"}, {"shadow", "40"}}) +

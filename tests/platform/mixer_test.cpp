@@ -58,6 +58,9 @@ TEST(Mixing, StopsByFading) {
     }
     EXPECT_EQ(before, 0);
     EXPECT_FALSE(mixer.is_playing(voice));
+    EXPECT_NE(mixer.start(0, true, {0, 0, false}), voice);
+    mixer.adjust(voice, {256, 256, false});
+    EXPECT_EQ(mixed(mixer, 1'000).back(), 0) << "what has ended cannot be adjusted";
 }
 
 TEST(Mixing, HeldVoicesGoOnWhereTheyWere) {

@@ -20,17 +20,6 @@ std::string with(const std::string& text, const std::string& name, const Prefere
     return with_values(text, {&test::preference_named(name)}, now);
 }
 
-TEST(OptionsText, ReadsEachNameThatItWrites) {
-    const Preferences changed = test::all_changed();
-    const ReadPreferences read = read_preferences(write_preferences(changed));
-    EXPECT_TRUE(read.faults.empty());
-    for (const Preference& row : all_preferences()) {
-        EXPECT_NE(row.shown(changed), row.shown(Preferences{})) << row.name;
-        EXPECT_EQ(row.text(read.preferences), row.text(changed)) << row.name;
-    }
-    EXPECT_EQ(read.preferences, changed);
-}
-
 TEST(OptionsText, HasHelpAndValuesAboveEachName) {
     const std::vector<std::string> lines = lines_of(write_preferences({}));
     for (const Preference& row : all_preferences()) {

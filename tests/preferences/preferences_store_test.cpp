@@ -40,8 +40,11 @@ TEST_F(OptionsFile, IsMadeWhenSomethingHasChanged) {
 }
 
 TEST_F(OptionsFile, KeepsEverythingThatAMenuChanges) {
-    PreferencesStore(file_).save(test::all_changed());
-    EXPECT_EQ(PreferencesStore(file_).kept(), test::all_changed());
+    const Preferences changed = test::all_changed();
+    for (const Preference& row : all_preferences()) EXPECT_NE(row.shown(changed), row.shown(Preferences{})) << row.name;
+    PreferencesStore(file_).save(changed);
+    EXPECT_EQ(PreferencesStore(file_).kept(), changed);
+    EXPECT_TRUE(PreferencesStore(file_).faults().empty());
     PreferencesStore again(file_);
     again.save(Preferences{});
     EXPECT_EQ(PreferencesStore(file_).kept(), Preferences{});

@@ -204,17 +204,10 @@ TEST_F(SlotFiles, ADamagedGameIsNamedAndTheOneBeforeItIsOffered) {
     slots_.save(kQuick, third_);
     EXPECT_EQ(slots_.load(kQuick).game, third_);
     fs::remove(file("quick1.save"));
-    EXPECT_EQ(slots_.load(kQuick).game, first_);
-}
-
-TEST_F(SlotFiles, AMissingGameLeavesTheOneBeforeIt) {
-    slots_.save(kThird, first_);
-    slots_.save(kThird, second_);
-    fs::remove(file("slot3.save"));
-    const SlotContent content = slots_.load(kThird);
-    EXPECT_EQ(content.game, first_);
-    EXPECT_TRUE(content.is_former);
-    EXPECT_EQ(content.refusal, "");
+    const SlotContent without = slots_.load(kQuick);
+    EXPECT_EQ(without.game, first_);
+    EXPECT_TRUE(without.is_former);
+    EXPECT_EQ(without.refusal, "");
 }
 
 TEST_F(SlotFiles, AFolderIsNoSave) {

@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <thread>
 
-#include "engine/base/input_error.h"
 #include "engine/files/files.h"
 #include "engine/platform/sdl/sdl.h"
 #include "tests/support/folders.h"
@@ -99,29 +98,6 @@ TEST(Mixer, MufflesHighToneMoreThanLowOnes) {
     EXPECT_LT(high, 0.06);
 }
 
-TEST(Mixer, LoopsUntilItIsStopped) {
-    DiskAudio disk;
-    const auto output = open_mixer();
-    const auto sound = output->add_sound(sine(440, 0.02), kSineRate_hz);
-    const auto voice = output->start(sound, true, {100, 100, false});
-    std::this_thread::sleep_for(std::chrono::milliseconds(60));
-    EXPECT_TRUE(output->is_playing(voice));
-    output->stop(voice);
-    wait_until_silent(*output, voice);
-    const auto other = output->start(sound, false, {100, 100, false});
-    EXPECT_NE(other, voice);
-    output->adjust(voice, {0, 0, false});  // the one that has ended: nothing happens
-    EXPECT_FALSE(output->is_playing(voice));
-}
-
-TEST(Mixer, HasAnEndOfVoices) {
-    DiskAudio disk;
-    const auto output = open_mixer();
-    const auto sound = output->add_sound(sine(440, 1), kSineRate_hz);
-    for (int i = 0; i < 32; ++i) EXPECT_NE(output->start(sound, true, {1, 1, false}), SoundOutput::kNoVoice);
-    EXPECT_EQ(output->start(sound, true, {1, 1, false}), SoundOutput::kNoVoice);
-}
-
 TEST(Mixer, PlaysTheTitlesMusic) {
     DiskAudio disk;
     {
@@ -133,13 +109,6 @@ TEST(Mixer, PlaysTheTitlesMusic) {
     const DiskAudio::Sides sides = disk.loudness();
     EXPECT_GT(sides.left, 200);
     EXPECT_GT(sides.right, 200);
-}
-
-TEST(Mixer, RefusesWhatIsNoMusic) {
-    DiskAudio disk;
-    const auto output = open_mixer();
-    const std::vector<std::uint8_t> text{'t', 'e', 'x', 't'};
-    EXPECT_THROW(output->play_music(text, 256), InputError);
 }
 
 TEST(Mixer, SaysWhereThereIsNoDevice) {
