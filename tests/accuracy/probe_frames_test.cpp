@@ -1,21 +1,44 @@
-// The probe says what frames draw: its texels are those of a frame's face, and keep the bound that frames keep, also
-// where a texel is many pixels wide and rounding alone limits the length of blocks.
+// The probe says what frames draw: its texels are those of a frame's face.
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <random>
+#include <sstream>
+#include <tuple>
 
-#include "tests/accuracy/probed_texels.h"
 #include "tests/accuracy/scenes_fixture.h"
 #include "tests/support/random.h"
+#include "tests/support/reference_polygons.h"
 #include "tools/accuracy/scene_map.h"
 #include "tools/map/compile.h"
+#include "tools/probe/probe.h"
 
 namespace oblong::test {
 namespace {
 
 using map::Point;
+
+/// In viewspace.
+using Triangle = std::array<reference::TexturedCorner, 3>;
+
+/// The texels that the probe answers for columns `first` to `end` - 1 of a row of a triangle's plane.
+std::vector<reference::ScreenPoint> ask_for_texels(const std::string& mode, const Accuracy& accuracy,
+                                                   const Triangle& triangle, int row, int first, int end) {
+    std::ostringstream query;
+    query.precision(15);
+    query << "texspanq " << mode << " 320 200 4 3 90";
+    for (const reference::TexturedCorner& corner : triangle)
+        query << ' ' << corner.position.x << ' ' << corner.position.y << ' ' << corner.position.z << ' ' << corner.u
+              << ' ' << corner.v;
+    query << ' ' << row << ' ' << first << ' ' << end;
+    std::istringstream answer(Probe(accuracy).answer(query.str()));
+    std::vector<reference::ScreenPoint> texels;
+    for (double u, v; answer >> u >> v;) texels.push_back({u, v});
+    EXPECT_EQ(texels.size(), static_cast<std::size_t>(end - first)) << query.str();
+    return texels;
+}
 
 /// The rounding of a texture coordinate alone (engine/fixed/README.md): closer no texel can be to its place.
 constexpr double kRounding_texels = 1.0 / 4096;
@@ -27,64 +50,6 @@ reference::ScreenPoint place_of(const Triangle& triangle, const reference::Scree
     const double area = ub * vc - uc * vb, to_b = (u * vc - uc * v) / area, to_c = (ub * v - u * vb) / area;
     return project(a.position + (b.position - a.position) * to_b + (c.position - a.position) * to_c,
                    reference::Projection{});
-}
-
-/// The columns of a row whose centres lie within a triangle on the screen; none: first is not below end.
-std::pair<int, int> columns_of(const Triangle& triangle, int row) {
-    double least = 320, greatest = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const auto from = project(triangle[i].position, {}), to = project(triangle[(i + 1) % 3].position, {});
-        const double y = row + 0.5;
-        if ((from.y < y) == (to.y < y)) continue;
-        const double x = from.x + (to.x - from.x) * (y - from.y) / (to.y - from.y);
-        least = std::min(least, x);
-        greatest = std::max(greatest, x);
-    }
-    return {std::max(static_cast<int>(std::ceil(least + 0.01 - 0.5)), 0),
-            std::min(static_cast<int>(std::floor(greatest - 0.01 - 0.5)) + 1, 320)};
-}
-
-/// Corners in view, 4 to 400 units away, of texels that are 1/64 to 512 pixels wide.
-Triangle random_triangle(std::mt19937& random) {
-    const double near = std::exp2(random_between(random, 2, 8)),
-                 texels_a_unit = 160 / near / std::exp2(random_between(random, -6, 9));
-    Triangle triangle;
-    for (reference::TexturedCorner& corner : triangle) {
-        const double z = snapped(near * std::exp2(random_between(random, 0, 1.5)));
-        corner.position = {snapped(z * random_between(random, -1, 1)), snapped(z * random_between(random, -0.75, 0.75)),
-                           z};
-    }
-    const double turn = random_between(random, 0, 6.28);
-    for (reference::TexturedCorner& corner : triangle) {
-        const auto& [x, y, z] = corner.position;
-        corner.u = snapped((x * std::cos(turn) + y * std::sin(turn) + z / 4) * texels_a_unit);
-        corner.v = snapped((y * std::cos(turn) - x * std::sin(turn) + z / 8) * texels_a_unit);
-    }
-    return triangle;
-}
-
-TEST(ProbeBound, NoTexelIsFartherFromItsPlaceThanTheBoundOnAnyTriangle) {
-    std::mt19937 random(18);
-    double largest_part = 0;
-    for (int i = 0; i < 4000; ++i) {
-        const Triangle triangle = random_triangle(random);
-        Accuracy accuracy;
-        accuracy.pixel_bound_256 = 24 << random() % 5;
-        const int row = static_cast<int>(random() % 200);
-        const auto [first, end] = columns_of(triangle, row);
-        if (end - first < 2) continue;
-        reference::ScreenPoint centre{first + 0.5, row + 0.5};
-        for (const reference::ScreenPoint& texel : ask_for_texels("bounded", accuracy, triangle, row, first, end)) {
-            const reference::Texel exact = texel_at(triangle, {}, centre);
-            const auto place = place_of(triangle, texel);
-            const double error = std::hypot(place.x - centre.x, place.y - centre.y) * 256 / accuracy.pixel_bound_256;
-            centre.x += 1;
-            if (std::hypot(texel.x - exact.u, texel.y - exact.v) <= kRounding_texels) continue;
-            ASSERT_LE(error, 1.004) << i << " row " << row << " column " << centre.x - 1.5;
-            largest_part = std::max(largest_part, error);
-        }
-    }
-    EXPECT_GT(largest_part, 0.9) << "the bound is never nearly reached: the triangles are too tame";
 }
 
 /// A room with a wedge that shows the eye one triangle, whose texels are `scale` units wide.
@@ -160,13 +125,14 @@ struct WedgeFrame {
 };
 
 /// How far apart, in pixels, a row of the wedge shows texels in the frame and by the probe, and of how many pixels.
-std::pair<double, int> compare_row(const WedgeFrame& frame, int row, const Accuracy& accuracy) {
+std::pair<double, int> compare_row(const WedgeFrame& frame, int row, const std::string& mode,
+                                   const Accuracy& accuracy) {
     const auto [first, end] = frame.columns_of_wedge(row);
     if (end - first < 2) return {};
     const Triangle triangle = frame.triangle_at(first, row);
     double most_apart = 0;
     int column = first;
-    for (const reference::ScreenPoint& probed : ask_for_texels("bounded", accuracy, triangle, row, first, end)) {
+    for (const reference::ScreenPoint& probed : ask_for_texels(mode, accuracy, triangle, row, first, end)) {
         const PixelRecord& pixel = frame.pixel(column++, row);
         const reference::ScreenPoint drawn{number_of(pixel.u), number_of(pixel.v)};
         if (std::hypot(probed.x - drawn.x, probed.y - drawn.y) <= kRounding_texels) continue;
@@ -183,19 +149,25 @@ TEST(ProbeFrames, TheProbesTexelsAreThoseThatFramesDraw) {
     for (int i = 0; i < 40; ++i) {
         const Wedge wedge(random);
         const MeasuredLevel level = wedge.level(scenes.palette);
-        Accuracy accuracy;
-        accuracy.mip = MipSelection::None;
-        accuracy.pixel_bound_256 = 24 << random() % 4;
         LevelFrames frames(level, scenes.colormap);
-        const FrameRecord& record = frames.record(level.cameras[0], accuracy);
-        for (int row = 0; row < 200; row += 7) {
-            const auto [apart, pixels] = compare_row({wedge, level, record}, row, accuracy);
-            // What blocks of the same lengths may differ by: the part of the bound that is left for rounding.
-            ASSERT_LE(apart, accuracy.pixel_bound_256 / 256.0 / 16) << i << " row " << row;
-            compared += pixels;
+        for (const auto& [mode, texturing, rounding_px] : {std::tuple{"affine", Texturing::Affine, 0.1},
+                                                           {"every16", Texturing::Every16, 0.02},
+                                                           {"bounded", Texturing::Bounded, 0.0}}) {
+            Accuracy accuracy = textured_by(texturing);
+            accuracy.mip = MipSelection::None;
+            accuracy.pixel_bound_256 = 24 << random() % 4;
+            const FrameRecord& record = frames.record(level.cameras[0], accuracy);
+            for (int row = 0; row < 200; row += 7) {
+                const auto [apart, pixels] = compare_row({wedge, level, record}, row, mode, accuracy);
+                // Bounded blocks of the same lengths may differ by the part of the bound that is left for rounding.
+                const bool is_bounded = texturing == Texturing::Bounded;
+                ASSERT_LE(apart, is_bounded ? accuracy.pixel_bound_256 / 256.0 / 16 : rounding_px)
+                    << mode << ", " << i << " row " << row;
+                compared += pixels;
+            }
         }
     }
-    EXPECT_GT(compared, 40000);
+    EXPECT_GT(compared, 120000);
 }
 
 }  // namespace

@@ -256,36 +256,6 @@ TEST_P(ViewFramesOfLevels, CutOnesShowWhatIsBetweenTheirPlanes) {
     EXPECT_GT(tally.voids, 100);
 }
 
-// A quarter of a picture is an off-centre window of half its size: but for edges, whose corners are rounded anew, to
-// 1/256 pixel.
-TEST_P(ViewFramesOfLevels, OffCentreOnesArePartsOfLargerPictures) {
-    Stage whole = real_stage(GetParam(), {640, 400, {4, 3}}), part = real_stage(GetParam());
-    ObservedWorkspace whole_work(whole.level, whole.mode), part_work(part.level, part.mode);
-    whole_work.keep_record();
-    part_work.keep_record();
-    std::mt19937 random(11);
-    std::size_t other = 0;
-    constexpr int kViews = 40;
-    for (int i = 0; i < kViews; ++i) {
-        Camera camera;
-        camera.eye = random_open_point(whole.level, random);
-        camera.yaw = random_angle(random);
-        whole.draw(camera, whole_work);
-        ViewSpec view = first_person_view(camera);
-        view.window.half_width = floor_shift(view.window.half_width, 1);
-        view.shear_x = Unit::from_raw(i % 2 ? 1 << 29 : -(1 << 29));
-        view.shear_y = Unit::from_raw(3 * (i % 4 < 2 ? 1 << 27 : -(1 << 27)));
-        draw_frame(part.scene(), view, part.mode, part.settings, part_work, {part.pixels.data(), 320, 200, 320});
-        for (int row = 0; row < 200; ++row)
-            for (int column = 0; column < 320; ++column) {
-                const int whole_row = row + (i % 4 < 2 ? 0 : 200), whole_column = column + (i % 2 ? 320 : 0);
-                other += whole_work.record.pixels[static_cast<std::size_t>(whole_row * 640 + whole_column)].face !=
-                         part_work.record.pixels[static_cast<std::size_t>(row * 320 + column)].face;
-            }
-    }
-    EXPECT_LT(other, std::size_t{kViews} * 64000 / 1000);
-}
-
 OBLONG_FOR_REAL_LEVELS(ViewFramesOfLevels);
 
 }  // namespace oblong::test::view_frames_test

@@ -44,11 +44,7 @@ TEST_P(RealLevel, HoldsEveryRecordOfTheFile) {
     EXPECT_EQ(level_.surf_edges.size() * 4, lump_size(13));
     EXPECT_EQ(level_.models.size() * 64, lump_size(14));
     EXPECT_EQ(level_.textures.size(), number_at(file_, lump_offset(2), 4));
-}
-
-TEST_P(RealLevel, BeginsWithTheWorldspawn) {
-    ASSERT_FALSE(level_.entities.empty());
-    EXPECT_EQ(level_.entities[0].value("classname"), "worldspawn");
+    EXPECT_EQ(level_.entities.at(0).value("classname"), "worldspawn");
 }
 
 // By the corners of their faces; a model may have brushes without faces (of the texture "skip", say) beyond them.

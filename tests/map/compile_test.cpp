@@ -71,15 +71,6 @@ TEST(Compile, PicturesFromInsideHaveNoHoles) {
     }
 }
 
-TEST(Compile, PicturesFromTurnedRoomsHaveNoHoles) {
-    std::mt19937 random(22);
-    for (int i = 0; i < 6; ++i) {
-        const TurnedBox inside{{10.3, -7.7, 31.1}, {128, 100, 64}, random_frame(random)};
-        const map::Box around{{-40, -50, -10}, {60, 40, 70}};
-        expect_whole_pictures(level(turned_room(inside)), around, random);
-    }
-}
-
 TEST(Compile, ADraftStopsPlayersWhereTheLevelDoes) {
     const std::string hall = level(room({-256, -256, 0}, {256, 256, 256}) + prism({-100, 0, 0}, 60, 256, 6) +
                                    box({40, -256, 0}, {72, 100, 256}));

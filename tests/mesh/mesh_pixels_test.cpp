@@ -1,4 +1,4 @@
-// The pixels of meshes: coverage against the scan of the whole, texels and depth against rays in doubles.
+// The pixels of meshes: texels and depth against rays in doubles. Coverage is that of the scan (draw_mesh_test.cpp).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,65 +11,6 @@
 
 namespace oblong::test {
 namespace {
-
-/// Triangles that share edges, all on the plane x = 100: a grid of crooked cells, so little that they stay convex. Each
-/// is there from both sides.
-Mesh crooked_grid(std::mt19937& random, int cells, double reach) {
-    std::uniform_real_distribution<double> off(-0.2, 0.2);
-    MeshBuilder builder;
-    const double cell = 2 * reach / cells;
-    for (int row = 0; row <= cells; ++row)
-        for (int column = 0; column <= cells; ++column) {
-            const bool is_inner = row % cells != 0 && column % cells != 0;
-            const double y = -reach + cell * (column + (is_inner ? off(random) : 0)),
-                         z = -reach + cell * (row + (is_inner ? off(random) : 0));
-            builder.add(world_point(100, y, z));
-        }
-    for (int row = 0; row < cells; ++row)
-        for (int column = 0; column < cells; ++column) {
-            const auto at = [&](int r, int c) {
-                return static_cast<std::uint32_t>((row + r) * (cells + 1) + column + c);
-            };
-            // Seen from the eye, y grows to the left and z up.
-            builder.triangle(at(0, 0), at(1, 1), at(0, 1));
-            builder.triangle(at(0, 0), at(1, 0), at(1, 1));
-            builder.triangle(at(0, 0), at(0, 1), at(1, 1));
-            builder.triangle(at(0, 0), at(1, 1), at(1, 0));
-        }
-    return builder.done();
-}
-
-TEST(MeshPixels, TrianglesThatShareEdgesShareNoPixelAndLeaveNoGap) {
-    std::mt19937 random(1);
-    for (const double reach : {3.0, 20.0, 55.5}) {
-        MeshBuilder builder;
-        builder.mesh = crooked_grid(random, 12, reach);
-        PlacedMesh placed = placed_at(builder.mesh);
-        placed.colour = 7;
-        MeshPicture picture(view_from({}));
-        const MeshCounts counts = picture.draw(placed, unshaded());
-        // All are at one depth, and a pixel that two drew would be counted twice.
-        const auto corner = [](double y, double z) {
-            const auto screen = [](double px) {
-                return Screen::from_raw(static_cast<std::int32_t>(std::lround(px * 256)));
-            };
-            return ScreenVertex{screen(160 - y / 100 * 160), screen(100 - z / 100 * 160 / 1.2)};
-        };
-        const std::array square{corner(reach, reach), corner(-reach, reach), corner(-reach, -reach),
-                                corner(reach, -reach)};
-        ScanlineExtents rows(200);
-        scan_convex(square, rows);
-        std::int64_t expected = 0;
-        for (std::int32_t y = rows.first; y < rows.end; ++y)
-            for (std::int32_t x = rows.left[static_cast<std::size_t>(y)]; x < rows.right[static_cast<std::size_t>(y)];
-                 ++x) {
-                ASSERT_EQ(picture.at(x, y), 7) << x << ", " << y;
-                ++expected;
-            }
-        EXPECT_EQ(picture.painted(), expected);
-        EXPECT_EQ(counts.pixels, expected);
-    }
-}
 
 struct Hit {
     double u, v, distance;  ///< along the view

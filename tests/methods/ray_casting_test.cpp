@@ -41,11 +41,6 @@ class Scene {
     ScannedFaces scanned_;
 };
 
-/// The true ray through the centre of a pixel.
-Point ray_of(int column, int row) {
-    return {1, -(column + 0.5 - 32) / 32, (20 - row - 0.5) / (32 * (4 / 3.) * 40 / 64)};
-}
-
 std::array<Point, 4> square(double x, double half, double left = 0) {
     return {{{x, left + half, half}, {x, left - half, half}, {x, left - half, -half}, {x, left + half, -half}}};
 }
@@ -84,47 +79,6 @@ TEST(RayCasting, LeavesNoPixelBetweenTrianglesThatShareAnEdge) {
         for (std::size_t k = 0; k < 4; ++k) scene.add(std::array{corners[k], corners[(k + 1) % 4], middle});
         for (const std::int32_t owner : scene.cast().faces) ASSERT_NE(owner, PixelOwners::kNone) << i;
     }
-}
-
-TEST(RayCasting, AgreesWithDoublesOnRandomTriangles) {
-    std::mt19937 random(9);
-    const auto between = [&](double low, double high) { return random_between(random, low, high); };
-    int checked = 0;
-    for (int i = 0; i < 60; ++i) {
-        std::vector<std::array<Point, 3>> triangles;
-        Scene scene;
-        for (int k = 0; k < 6; ++k) {
-            std::array<Point, 3> corners;
-            for (Point& corner : corners) corner = {between(20, 200), between(-120, 120), between(-80, 80)};
-            const Point normal = cross(corners[2] - corners[0], corners[1] - corners[0]);
-            if (dot(normal, corners[0]) > 0) std::swap(corners[1], corners[2]);
-            for (Point& corner : corners) corner = to_point(to_world(corner));
-            triangles.push_back(corners);
-            scene.add(corners);
-        }
-        const PixelOwners owners = scene.cast();
-        for (int pixel = 0; pixel < 64 * 40; ++pixel) {
-            const Point ray = ray_of(pixel % 64, pixel / 64);
-            double nearest = 1e9;
-            int owner = PixelOwners::kNone;
-            bool is_doubtful = false;
-            for (std::size_t k = 0; k < triangles.size(); ++k) {
-                const auto& [a, b, c] = triangles[k];
-                const double inside = std::min({dot(cross(a, b), ray), dot(cross(b, c), ray), dot(cross(c, a), ray)});
-                is_doubtful |= std::abs(inside) < 1e-3;
-                const Point normal = cross(c - a, b - a);
-                const double along = dot(normal, a) / dot(normal, ray);
-                is_doubtful |= inside > 0 && std::abs(along - nearest) < 1e-3;
-                if (inside <= 0 || along >= nearest) continue;
-                nearest = along;
-                owner = static_cast<int>(k);
-            }
-            if (is_doubtful) continue;
-            ++checked;
-            ASSERT_EQ(owners.faces[static_cast<std::size_t>(pixel)], owner) << i << " " << pixel;
-        }
-    }
-    EXPECT_GT(checked, 60 * 64 * 40 * 9 / 10);
 }
 
 }  // namespace

@@ -53,9 +53,9 @@ TEST_F(OptionsFile, KeepsEverythingThatAMenuChanges) {
 TEST_F(OptionsFile, IsNotWrittenAgainWhereNothingHasChanged) {
     PreferencesStore store(file_);
     store.save(with_volume(40));
-    write_file(file_, "volume = 40\nby = hand\n");
+    write_file(file_, "volume = 45\nby = hand\n");
     EXPECT_EQ(store.save(with_volume(40)), "");
-    EXPECT_EQ(text(), "volume = 40\nby = hand\n");
+    EXPECT_EQ(text(), "volume = 45\nby = hand\n");
     store.save(with_volume(50));
     EXPECT_EQ(text(), "volume = 50\nby = hand\n") << "what was edited during the game stays";
 }

@@ -93,23 +93,6 @@ TEST(FaceSurfaces, AStyleRelightsOnlyTheFacesThatHaveIt) {
     EXPECT_EQ(scene.built_by(look_at_both), 0) << "no face has it";
 }
 
-TEST(FaceSurfaces, AnAnimatedTextureIsNeverStale) {
-    Level level = two_floors();
-    const TextureIndex first = add_texture(level, "+0x", 50), second = add_texture(level, "+1x", 60);
-    level.texinfos[TexInfoIndex(0)].texture = first;
-    level.lighting.assign(level.lighting.size(), 255);
-    Surfaces scene(level);
-    const LightStyles styles = plain_light_styles();
-    for (const int mip : {0, 2})
-        for (const TextureIndex shown : {first, second, first, TextureIndex::none()}) {
-            const Texels texels = scene.look(kNear, {styles, shown}, mip);
-            EXPECT_EQ(texels, Texels(texels.size(), shown == second ? 60 : 50));
-        }
-    scene.look(kNear, {styles, first});
-    EXPECT_EQ(scene.built_by([&] { scene.look(kNear, {styles, first}); }), 0);
-    EXPECT_EQ(scene.built_by([&] { scene.look(kNear, {styles, second}); }), kTexels);
-}
-
 TEST(FaceSurfaces, ALiquidShowsItsFrame) {
     Level level = two_floors();
     const TextureIndex first = add_texture(level, "+0x", 50), second = add_texture(level, "+1x", 60);
@@ -145,20 +128,6 @@ TEST(FaceSurfaces, AMovingLightRelightsOnlyWhatItTouches) {
     EXPECT_EQ(texels_built_with({light_at(1010)}), kTexels) << "the first is gone";
     EXPECT_EQ(texels_built_with({}), kTexels);
     EXPECT_EQ(texels_built_with({}), 0);
-}
-
-TEST(FaceSurfaces, AMovingLightBrightensAndIsGoneAgain) {
-    Surfaces scene(two_floors());
-    const LightStyles styles = plain_light_styles();
-    const Texels before = scene.look(kNear, {styles});
-    const MovingLight light{point_at(12, 16, 20), World::from_int(30)};  // adds 18 to sample 1 of row 0
-    scene.surfaces.set_moving_lights(std::span(&light, 1), {});
-    const Texels with = scene.look(kNear, {styles});
-    EXPECT_EQ(before[16], 32 + (128 - 100) * 31 / 128);
-    EXPECT_EQ(with[16], 32 + (128 - 118) * 31 / 128);
-    for (std::size_t i = 0; i < with.size(); ++i) EXPECT_LE(with[i], before[i]);
-    scene.surfaces.set_moving_lights({}, {});
-    EXPECT_EQ(scene.look(kNear, {styles}), before);
 }
 
 TEST(FaceSurfaces, ALevelWithoutLightStaysFullbright) {
