@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "engine/base/table.h"
+#include "engine/fixed/multiply.h"
 
 namespace oblong {
 
@@ -38,10 +39,12 @@ constexpr auto kReciprocalRootsOfMiddles = [] {
     return table;
 }();
 
-/// A Newton step r (3 - m r^2) / 2; m has 32 fraction bits, r 30.
-std::uint64_t newton_step(std::uint64_t m_32, std::uint64_t r_30) {
-    const std::uint64_t square_30 = r_30 * r_30 >> 30;
-    return r_30 * ((std::uint64_t{3} << 30) - (m_32 * square_30 >> 32)) >> 31;
+/// A Newton step r (3 - m r^2) / 2; m has 32 fraction bits, r 30. It is never above the root, and r below 2 keeps all
+/// within 32 bits.
+std::uint32_t newton_step(std::uint32_t m_32, std::uint32_t r_30) {
+    const auto square_30 = static_cast<std::uint32_t>(product_to_64(r_30, r_30) >> 30);
+    const auto share_30 = static_cast<std::uint32_t>(product_to_64(m_32, square_30) >> 32);
+    return static_cast<std::uint32_t>(product_to_64(r_30, (3u << 30) - share_30) >> 31);
 }
 
 /// The root of a number from 2^14 to 2^16 - 1.
@@ -90,10 +93,9 @@ std::uint32_t integer_root(std::uint64_t value) {
 
 ReciprocalRoot reciprocal_root(std::uint64_t value) {
     const int even_shift = std::countl_zero(value) & ~1;
-    const std::uint64_t m_32 = (value << even_shift) >> 32;  // at least 1/4
-    const std::uint64_t seed = item(kReciprocalRootsOfMiddles, (m_32 >> 24) - 64);
-    const std::uint64_t root = newton_step(m_32, newton_step(m_32, seed));
-    return {static_cast<std::uint32_t>(root), 32 - even_shift / 2};
+    const auto m_32 = static_cast<std::uint32_t>((value << even_shift) >> 32);  // at least 1/4
+    const std::uint32_t seed = item(kReciprocalRootsOfMiddles, (m_32 >> 24) - 64);
+    return {newton_step(m_32, newton_step(m_32, seed)), 32 - even_shift / 2};
 }
 
 std::uint64_t integer_root(portable::Uint128 value) {

@@ -15,7 +15,7 @@ Texel within_skins(Texel texel) {
 
 /// A row of Colormap plus 1/2, so that its floor is the nearest row.
 Fixed<std::int64_t, 16> rounded_shade(Light8 light, const MeshLight& lights) {
-    return Fixed<std::int64_t, 16>::from_raw(shade_16_of(light, lights.brightness_100) + (1 << 15));
+    return Fixed<std::int64_t, 16>::from_raw(shade_of(brightened(light, lights.brightness_100)) + (1 << 15));
 }
 
 /// Constant during is_seen().

@@ -47,11 +47,6 @@ Light8 light_at(const Vec3<World>& position, const Vec3<Unit>& normal, const Mes
     return even_light(position, normal, light) + diffuse_light(normal, light.directional);
 }
 
-std::int32_t shade_16_of(Light8 light, std::int32_t brightness_100) {
-    const std::int64_t bright = std::int64_t{light} * brightness_100 / 100;
-    return shade_of(static_cast<std::int32_t>(std::clamp<std::int64_t>(bright, 0, 2 * kFullLight * 256)));
-}
-
 HighlightTable make_highlight_table(std::int32_t brightest) {
     HighlightTable table{};
     for (std::int64_t cosine_8 = 0; cosine_8 <= 256; ++cosine_8) {

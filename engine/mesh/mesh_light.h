@@ -38,9 +38,6 @@ Light8 even_light(const Vec3<World>& position, const Vec3<Unit>& normal, const M
 /// All light on a vertex.
 Light8 light_at(const Vec3<World>& position, const Vec3<Unit>& normal, const MeshLight& light);
 
-/// The row of Colormap for a light, with 16 fraction bits.
-std::int32_t shade_16_of(Light8 light, std::int32_t brightness_100);
-
 /// Blinn's highlight: brightest (N . H)^kShininess, indexed by 256 N . H from 0 to 256. H is halfway between the
 /// directions to the light and to the eye.
 using HighlightTable = std::array<Light8, 257>;

@@ -5,6 +5,7 @@
 #include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"
 #include "engine/fixed/divide.h"
+#include "engine/fixed/multiply.h"
 #include "engine/fixed/root.h"
 #include "engine/raster/edges.h"
 
@@ -55,33 +56,31 @@ std::int64_t depth_28(InverseZ inverse_z) {
 }
 
 /// The texel's number along one axis. As texels are below 2^13 (kMostTexel), u/z times z has at most 62 bits.
-std::int64_t texel_number(TexelOverZ over_z, std::int64_t z_28) {
-    return floor_shift(floor_of<21>(over_z) * z_28, 49);
+std::int32_t texel_number(TexelOverZ over_z, std::int64_t z_28) {
+    return static_cast<std::int32_t>(floor_shift(floor_of<21>(over_z) * z_28, 49));
 }
 
 template <bool IsAffine>
 std::uint8_t texel_at(const MeshPixel& pixel, const Skin& skin) {
-    std::int64_t u = 0, v = 0;
-    if constexpr (IsAffine) {
-        u = floor_of(pixel.u_over_z);
-        v = floor_of(pixel.v_over_z);
-    } else {
-        const std::int64_t z_28 = depth_28(pixel.inverse_z);
-        u = texel_number(pixel.u_over_z, z_28);
-        v = texel_number(pixel.v_over_z, z_28);
-    }
-    u = std::clamp<std::int64_t>(u, 0, skin.width - 1);
-    v = std::clamp<std::int64_t>(v, 0, skin.height - 1);
-    return item(skin.texels, v * skin.width + u);
+    const auto texel = [&](auto u, auto v) {
+        const auto within = [](auto number, std::int32_t size) {
+            return static_cast<std::ptrdiff_t>(std::clamp<decltype(number)>(number, 0, size - 1));
+        };
+        return item(skin.texels, within(v, skin.height) * skin.width + within(u, skin.width));
+    };
+    if constexpr (IsAffine) return texel(floor_of(pixel.u_over_z), floor_of(pixel.v_over_z));
+    const std::int64_t z_28 = depth_28(pixel.inverse_z);
+    return texel(texel_number(pixel.u_over_z, z_28), texel_number(pixel.v_over_z, z_28));
 }
 
 /// N . to / |N| with 8 fraction bits: interpolated normals are shorter than 1. `over_length` is 1 / |N|.
-std::int64_t cosine_8(const Vec3<Fixed<std::int32_t, 14>>& normal, const ReciprocalRoot& over_length,
+std::int32_t cosine_8(const Vec3<Fixed<std::int32_t, 14>>& normal, const ReciprocalRoot& over_length,
                       const Vec3<Unit>& to) {
-    const std::int64_t along = floor_of<14>(dot(normal, to));
+    const auto along = static_cast<std::int32_t>(floor_of<14>(dot(normal, to)));
     if (along <= 0) return 0;
     // The length has 14 fraction bits too.
-    return std::min<std::int64_t>(floor_shift(along * over_length.mantissa, 22 + over_length.shift), 256);
+    const std::uint64_t cosine = product_to_64(static_cast<std::uint32_t>(along), over_length.mantissa);
+    return static_cast<std::int32_t>(std::min<std::uint64_t>(cosine >> (22 + over_length.shift), 256));
 }
 
 /// The shade at a pixel from its interpolated normal.
@@ -93,10 +92,10 @@ std::int32_t phong_shade_16(const MeshPixel& pixel, const MeshPaint& paint) {
     if (square > 0) {
         const ReciprocalRoot over_length = reciprocal_root(square);
         const DirectionalLight& source = paint.light.directional;
-        light += static_cast<Light8>(cosine_8(normal, over_length, source.toward) * source.strength);
+        light += cosine_8(normal, over_length, source.toward) * source.strength;
         light += item(*paint.highlight, cosine_8(normal, over_length, paint.halfway));
     }
-    return shade_16_of(light, paint.light.brightness_100);
+    return shade_of(brightened(light, paint.light.brightness_100));
 }
 
 template <MeshTraits kTraits>

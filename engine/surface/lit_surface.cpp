@@ -31,7 +31,7 @@ void compute_corner_shades(const LightmapView& light, std::int32_t brightness_10
     const std::span<std::int32_t> corners(corner_shades, as_size(light.columns * light.rows));
     if (light.is_fullbright) return std::fill(corners.begin(), corners.end(), shade_of(kFull_8));
     add_light(light, corners);
-    if (brightness_100 == 100) {  // avoids the division
+    if (brightness_100 == 100) {  // without a test at each corner
         for (std::int32_t& corner : corners) corner = shade_of(std::clamp(corner, 0, kBrightest_8));
         return;
     }
@@ -168,6 +168,7 @@ Build build_of(const LightQuality& quality, int mip) {
 }  // namespace
 
 std::int32_t brightened(std::int32_t light_8, std::int32_t brightness_100) {
+    if (brightness_100 == 100) return std::clamp(light_8, 0, kBrightest_8);  // avoids the division
     return static_cast<std::int32_t>(
         std::clamp<std::int64_t>(std::int64_t{light_8} * brightness_100 / 100, 0, kBrightest_8));
 }

@@ -54,10 +54,10 @@ TEST(MeshLight, AddsUpAndBecomesAShade) {
     const MovingLight point{world_point(0, 0, 100), World::from_int(150), 256};
     MeshLight light{40, {unit_vector(0, 0, 1), 30}, {&point, 1}, 100};
     EXPECT_EQ(light_at({}, unit_vector(0, 0, 1), light), (40 + 30 + 50) * 256);
-    EXPECT_EQ(shade_16_of(kFullLight * 256, 100), 32 << 16);
-    EXPECT_EQ(shade_16_of(0, 100), 63 << 16);
-    EXPECT_EQ(shade_16_of(kFullLight * 256 * 10, 100), 0);
-    EXPECT_EQ(shade_16_of(kFullLight * 128, 200), 32 << 16);
+    EXPECT_EQ(shade_of(brightened(kFullLight * 256, 100)), 32 << 16);
+    EXPECT_EQ(shade_of(brightened(0, 100)), 63 << 16);
+    EXPECT_EQ(shade_of(brightened(kFullLight * 256 * 10, 100)), 0);
+    EXPECT_EQ(shade_of(brightened(kFullLight * 128, 200)), 32 << 16);
 }
 
 TEST(MeshLight, AHighlightIsAPowerOfTheCosine) {
