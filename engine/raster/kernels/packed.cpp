@@ -52,7 +52,7 @@ bool stays_in_half(const TexelBlock& block) {
 
 bool has_bmi2() {
     // On AMD's Zen 1 and 2 `pext` is microcoded and slower than shifts and masks.
-    return __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("sse4.1") && !__builtin_cpu_is("znver1") &&
+    return __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("avx") && !__builtin_cpu_is("znver1") &&
            !__builtin_cpu_is("znver2");
 }
 

@@ -21,15 +21,15 @@ struct PixelStores {
 
 #if defined(__x86_64__) && defined(__SSE2__)
 
-/// Up to eight consecutive pixels, collected in a vector and stored at once, which takes less time. `pinsrb` is of
-/// SSE4.1, which is not enabled for the compiler elsewhere.
+/// Up to eight consecutive pixels, collected in a vector and stored at once, which takes less time. `vpinsrb` is
+/// of AVX, which is not enabled for the compiler elsewhere.
 struct PixelVector {
     std::uint8_t* out;
     std::uint8_t __attribute__((vector_size(16))) pixels = {};
 
     template <int kPlace>
     [[gnu::always_inline]] void put(const std::uint8_t& texel) {
-        asm("pinsrb %2, %1, %0" : "+x"(pixels) : "m"(texel), "i"(kPlace));
+        asm("vpinsrb %3, %2, %1, %0" : "=x"(pixels) : "x"(pixels), "m"(texel), "i"(kPlace));
     }
     template <int kCount>
     [[gnu::always_inline]] void finish() const {
@@ -80,21 +80,19 @@ template <class Fetch>
                                static_cast<std::uint64_t>(std::int64_t{block.u_step_16});
     const auto count = static_cast<std::uint32_t>(block.count);
     std::uint8_t* const begin = pixels + block.pixel;
-    if (count < 4) {
+    if (count >= 8) {
+        draw_eight(first + (count - 8) * step, step, begin + (count - 8), fetch);
+        std::uint64_t vu = first;
+        for (std::uint8_t *out = begin, *const end = begin + (count - 8); out < end; out += 8, vu += 8 * step)
+            draw_eight(vu, step, out, fetch);
+    } else if (count >= 4) {
+        draw_four(first, step, begin, fetch);
+        draw_four(first + (count - 4) * step, step, begin + (count - 4), fetch);
+    } else {
         begin[0] = fetch(first);
         begin[count / 2] = fetch(first + count / 2 * step);
         begin[count - 1] = fetch(first + (count - 1) * step);
-        return;
     }
-    if (count < 8) {
-        draw_four(first, step, begin, fetch);
-        draw_four(first + (count - 4) * step, step, begin + (count - 4), fetch);
-        return;
-    }
-    std::uint8_t* const last = begin + (count - 8);
-    std::uint64_t vu = first;
-    for (std::uint8_t* out = begin; out < last; out += 8, vu += 8 * step) draw_eight(vu, step, out, fetch);
-    draw_eight(first + (count - 8) * step, step, last, fetch);
 }
 
 /// Computes the texel's offset with shifts and masks.
