@@ -300,7 +300,7 @@ ObjOptions scaled_256(std::int32_t scale_256) {
 }
 
 ObjModel read_obj(const std::string& path, const Palette& palette, const ObjOptions& options) {
-    const std::string text = read_text(path);
+    const std::string text = simple_obj(read_text(path));
     return naming_file(path,
                        [&] { return parse_obj(text, std::filesystem::path(path).parent_path(), palette, options); });
 }

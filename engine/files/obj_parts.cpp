@@ -8,6 +8,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "engine/base/input_error.h"
 #include "engine/base/table.h"
@@ -52,13 +53,9 @@ class ObjChecker {
     explicit ObjChecker(double scale) : coordinate_limit_(kMeshLimit / scale) {}
 
     ObjSummary check(std::string_view text) {
-        while (!text.empty()) {
-            const auto line_end = std::find_if(text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; });
-            const auto end = as_size(line_end - text.begin());
+        for (; !text.empty(); text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1)) {
             ++line_;
-            check_line(text.substr(0, end));
-            const bool is_two = text.substr(end, 2) == "\r\n";
-            text.remove_prefix(std::min(end + (is_two ? 2 : 1), text.size()));
+            check_line(text.substr(0, text.find('\n')));
         }
         for (const ObjRecords* records : {&vertices_, &texcoords_, &normals_}) check_greatest(*records);
         if (summary_.faces == 0) throw InputError("file", "has no faces, expected lines of f");
@@ -147,7 +144,33 @@ class ObjChecker {
     ObjSummary summary_;
 };
 
+/// Whether a line has a name of the user's, in which # and a backslash mean themselves.
+bool has_name(std::string_view line) {
+    const std::string_view kind = take_word(line);
+    return kind == "o" || kind == "g" || kind == "usemtl" || kind == "mtllib";
+}
+
 }  // namespace
+
+std::string simple_obj(std::string_view text) {
+    std::string simple;
+    simple.reserve(text.size());
+    std::size_t lines = 1;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+        std::string_view line = text.substr(0, end);
+        text.remove_prefix(std::min(end + (text.substr(end, 2) == "\r\n" ? 2 : 1), text.size()));
+        const bool is_named = has_name(line);
+        if (!is_named) line = line.substr(0, line.find('#'));
+        if (!is_named && line.ends_with('\\')) {
+            simple.append(line.substr(0, line.size() - 1)) += ' ';
+            ++lines;
+        } else {
+            simple.append(line).append(std::exchange(lines, 1), '\n');
+        }
+    }
+    return simple;
+}
 
 ObjSummary check_obj(std::string_view text, double scale) {
     return ObjChecker(scale).check(text);

@@ -19,6 +19,10 @@ struct ObjSummary {
     bool has_smoothing_groups = false;
 };
 
+/// An OBJ file's text for check_obj() and tinyobjloader: with LF line ends, without comments, and with lines that a
+/// backslash continues joined; then empty lines follow, so that the others keep their numbers.
+std::string simple_obj(std::string_view text);
+
 /// Checks what tinyobjloader does not: that the words of v, vt, vn and f lines are numbers in range, and that the
 /// corners of faces exist. Throws InputError with the line.
 ObjSummary check_obj(std::string_view text, double scale);

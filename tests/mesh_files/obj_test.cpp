@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/files/doubles.h"
@@ -197,6 +198,13 @@ TEST_F(ObjFiles, FilesWithOtherLineEndsAndNotesAreRead) {
             .mesh;
     EXPECT_EQ(mesh.triangles.size(), 1u);
     EXPECT_EQ(number_of(mesh.frames[0].maxs.x), 2);
+    const std::string noted =
+        "# from C:\\models\\\nv 0 0 0 # one\nv 1 \\\n 0 0#two\nv 0 1 0\ng a\\\nf 1 2 \\\n 3# all\n";
+    for (const char end : {'\n', '\r'}) {
+        std::string text = noted;
+        std::replace(text.begin(), text.end(), '\n', end);
+        EXPECT_EQ(read(text).mesh.triangles.size(), 1u) << text;
+    }
 }
 
 TEST_F(ObjFiles, BrokenOnesAreRefusedWithTheLine) {
@@ -210,6 +218,7 @@ TEST_F(ObjFiles, BrokenOnesAreRefusedWithTheLine) {
         {kSquare + "f 1/1 2/1 3/1\n", "line 5: texture coordinate 1"},
         {kSquare + "f 1//1 2//1 3//1\n", "line 5: normal 1"},
         {kSquare + "f 1 2 x\n", "line 5: corner 'x'"},
+        {kSquare + "f 1 2 \\\n 3 # one\nf 1 \\\n2 x\n", "line 7: corner 'x'"},
         {kSquare + "f 1 2 3/\n", "line 5: corner '3/'"},
         {kSquare + "f 1 2 3/1/1/1\n", "line 5: corner '3/1/1/1'"},
         {kSquare + "f 1 2 99999999999\n", "line 5: corner '99999999999'"},
