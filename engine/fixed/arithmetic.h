@@ -1,7 +1,7 @@
 #pragma once
 
-// Saturating arithmetic, defined for every input: the exact result is rounded once by the named rule, and clamped to
-// the format's range, unless a function says otherwise.
+// Arithmetic between formats: the exact result is rounded once, by the named rule. Functions that say "saturates" clamp
+// it to the format's range, and are defined for every input.
 #include <algorithm>
 #include <bit>
 #include <cstdint>

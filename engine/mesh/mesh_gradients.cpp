@@ -10,8 +10,6 @@ namespace oblong {
 
 namespace {
 
-constexpr Screen kHalfPixel = Screen::from_raw(128);
-
 struct Way {
     Screen x, y;
 

@@ -11,8 +11,6 @@
 namespace oblong {
 namespace {
 
-constexpr auto kHalfPixel = Screen::from_raw(128);
-
 ScreenTriangle clamped_vertices(const ScreenTriangle& triangle) {
     return {clamped_vertex(triangle[0]), clamped_vertex(triangle[1]), clamped_vertex(triangle[2])};
 }

@@ -19,10 +19,9 @@ namespace oblong {
 class ExactWalker {
   public:
     ExactWalker(ScreenVertex top, ScreenVertex bottom, std::int32_t row) {
-        constexpr auto kHalf = Screen::from_raw(128);
         const ScreenWide dx = widening_difference(bottom.x, top.x), dy = widening_difference(bottom.y, top.y);
-        const ScreenWide across = widening_difference(top.x, kHalf),
-                         down = widening_difference(Screen::from_int(row), top.y - kHalf);
+        const ScreenWide across = widening_difference(top.x, kHalfPixel),
+                         down = widening_difference(Screen::from_int(row), top.y - kHalfPixel);
         // dy times one pixel, in the format of the numerator.
         const ScreenArea divisor = bounded_product(ScreenWide::from_int(1), dy);
         const ScreenArea numerator =
@@ -58,10 +57,9 @@ class ExactWalker {
 class ScreenWalker {
   public:
     ScreenWalker(ScreenVertex top, ScreenVertex bottom, std::int32_t row) {
-        constexpr auto kHalf = Screen::from_raw(128);
         const ScreenWide dx = widening_difference(bottom.x, top.x), dy = widening_difference(bottom.y, top.y);
-        const ScreenWide across = widening_difference(top.x, kHalf),
-                         down = widening_difference(Screen::from_int(row), top.y - kHalf);
+        const ScreenWide across = widening_difference(top.x, kHalfPixel),
+                         down = widening_difference(Screen::from_int(row), top.y - kHalfPixel);
         const auto dividend = convert<Fixed<std::int64_t, 49>>(dx);
         slope_ = Column::from_raw(floored_division(dividend.raw, dy.raw).quotient);
         const auto way = bounded_product(slope_, down);  // within dx, as the edge crosses the row
@@ -113,7 +111,6 @@ inline ScreenArea edge_function(ScreenVertex from, ScreenVertex to, ScreenVertex
 inline LinearQuantity<ScreenWide> edge_over_pixels(ScreenVertex from, ScreenVertex to, const ScreenRectangle& box) {
     const Screen dx = to.x - from.x, dy = to.y - from.y;
     const bool is_left = dy < Screen{}, is_top = dy == Screen{} && dx > Screen{};
-    constexpr auto kHalfPixel = Screen::from_raw(128);
     const ScreenVertex centre{Screen::from_int(box.first_column) + kHalfPixel,
                               Screen::from_int(box.first_row) + kHalfPixel};
     const ScreenArea first = edge_function(from, to, centre) - (is_left || is_top ? ScreenArea{} : ScreenArea::ulp());

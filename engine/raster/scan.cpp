@@ -19,7 +19,7 @@ class AccumulatingWalker {
   public:
     AccumulatingWalker(ScreenVertex top, ScreenVertex bottom, std::int32_t row) {
         const ScreenWide dx = widening_difference(bottom.x, top.x), dy = widening_difference(bottom.y, top.y);
-        const ScreenWide down = widening_difference(Screen::from_int(row) + Screen::from_raw(128), top.y);
+        const ScreenWide down = widening_difference(Screen::from_int(row) + kHalfPixel, top.y);
         slope_ = bounded_quotient<Column>(convert<Fixed<std::int64_t, 25>>(dx), dy);
         column_ = convert<Column>(top.x) + convert<Column>(bounded_product(slope_, down), Rounding::Floor);
     }

@@ -24,6 +24,8 @@ struct ScreenMode {
 /// The largest width and height that the engine's formats allow (engine/fixed/README.md).
 inline constexpr std::int32_t kLargestMode_px = 4096;
 
+inline constexpr Screen kHalfPixel = Screen::from_raw(128);  ///< from a pixel's edge to its centre
+
 /// A vertex on the screen, pixels. Pixel centres are at +0.5.
 struct ScreenVertex {
     Screen x, y;

@@ -1,9 +1,5 @@
 #include <algorithm>
-#include <filesystem>
 
-#include "engine/files/files.h"
-#include "engine/level/bsp_read.h"
-#include "engine/level/side.h"
 #include "engine/math/soft_float.h"
 #include "engine/math/vec.h"
 #include "engine/methods/polygons.h"
@@ -114,19 +110,6 @@ ScreenArea visible_doubled_area(const ClipJob& job, const Projection& projection
     return absolute(doubled_area(to_screen(scratch.polygon, projection)));
 }
 
-/// Regular files only: reading from a pipe could block.
-bool read_level(const std::string& path, Level& level) {
-    constexpr std::size_t kLargestLevel = std::size_t{1} << 28;
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error)) return false;
-    try {
-        level = read_bsp(read_file(path, kLargestLevel));
-        return true;
-    } catch (const std::runtime_error&) {
-        return false;
-    }
-}
-
 }  // namespace
 
 std::string answer_clip(Fields& fields, const Accuracy&) {
@@ -141,21 +124,6 @@ std::string answer_clip(Fields& fields, const Accuracy&) {
     const int doublings = refinement_of(view);
     const ScreenArea area = visible_doubled_area(make_job(corners, near, far), make_refined_lens(view, doublings));
     return format_fixed(area.raw, ScreenArea::kFractionBits + 2 * doublings + 1);
-}
-
-std::string answer_leaf(Fields& fields, LastLevel& cache) {
-    const std::string path(fields.text());
-    const auto point = convert<World>(fields.point());
-    fields.expect_end();
-
-    if (cache.path != path) {
-        cache.is_readable = read_level(path, cache.level);
-        cache.path = path;
-    }
-    if (!cache.is_readable) throw Unsupported{};
-    const LeafIndex index = find_leaf(cache.level, cache.level.world(), point);
-    const Leaf& leaf = cache.level.leaves[index];
-    return std::to_string(index.number()) + ' ' + std::to_string(leaf.contents);
 }
 
 }  // namespace oblong

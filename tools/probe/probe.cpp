@@ -1,8 +1,13 @@
 #include "tools/probe/probe.h"
 
 #include <array>
+#include <filesystem>
 #include <istream>
 #include <ostream>
+
+#include "engine/files/files.h"
+#include "engine/level/bsp_read.h"
+#include "engine/level/side.h"
 
 namespace oblong {
 
@@ -19,6 +24,34 @@ constexpr std::array kQueries = {NamedQuery{"project", answer_project},   NamedQ
                                  NamedQuery{"modes", answer_modes},       NamedQuery{"clip", answer_clip},
                                  NamedQuery{"sin", answer_sine},          NamedQuery{"cos", answer_cosine},
                                  NamedQuery{"sqrt", answer_root},         NamedQuery{"recip", answer_reciprocal}};
+
+/// Regular files only: reading from a pipe could block.
+bool read_level(const std::string& path, Level& level) {
+    constexpr std::size_t kLargestLevel = std::size_t{1} << 28;
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error)) return false;
+    try {
+        level = read_bsp(read_file(path, kLargestLevel));
+        return true;
+    } catch (const std::runtime_error&) {
+        return false;
+    }
+}
+
+std::string answer_leaf(Fields& fields, LastLevel& cache) {
+    const std::string path(fields.text());
+    const auto point = convert<World>(fields.point());
+    fields.expect_end();
+
+    if (cache.path != path) {
+        cache.is_readable = read_level(path, cache.level);
+        cache.path = path;
+    }
+    if (!cache.is_readable) throw Unsupported{};
+    const LeafIndex index = find_leaf(cache.level, cache.level.world(), point);
+    const Leaf& leaf = cache.level.leaves[index];
+    return std::to_string(index.number()) + ' ' + std::to_string(leaf.contents);
+}
 
 std::string answer_fields(Fields& fields, const Accuracy& accuracy, LastLevel& levels) {
     const std::string_view name = fields.text();

@@ -33,8 +33,6 @@ struct LastLevel {
     bool is_readable = false;
 };
 
-std::string answer_leaf(Fields& fields, LastLevel& cache);
-
 /// Answers queries about the engine's arithmetic, a line each: README.md.
 class Probe {
   public:
