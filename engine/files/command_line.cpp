@@ -8,6 +8,7 @@
 #include "engine/base/input_error.h"
 #include "engine/base/text.h"
 #include "engine/files/arguments.h"
+#include "engine/files/files.h"
 
 namespace oblong {
 
@@ -148,6 +149,16 @@ void check_replaces_none(const std::string& option, const std::string& written, 
     };
     if (std::any_of(read.begin(), read.end(), is_written))
         throw UsageError(option + ": '" + written + "' is read or written for another option, expected another name");
+}
+
+void check_replaces_only(const std::string& option, const std::string& written, const std::string& kind,
+                         const std::vector<std::string_view>& beginnings) {
+    std::error_code none;
+    const std::string text = std::filesystem::is_regular_file(written, none) ? read_text(written) : "";
+    if (!text.empty() && std::none_of(beginnings.begin(), beginnings.end(),
+                                      [&](std::string_view beginning) { return text.starts_with(beginning); }))
+        throw UsageError(option + ": '" + written + "' is there and no " + kind +
+                         ", expected one to replace or another name");
 }
 
 std::optional<ConfigLine> parse_config_line(const std::string& line) {

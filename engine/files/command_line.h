@@ -5,6 +5,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 // CLI11 takes long to compile, so only this file's source includes it.
 namespace CLI {
@@ -72,6 +74,11 @@ class CommandLine : public CommandArguments {
 /// Throws UsageError if the file that an option names for writing is one of those that are read. Empty names are no
 /// files.
 void check_replaces_none(const std::string& option, const std::string& written, const std::vector<std::string>& read);
+
+/// Throws UsageError if the file that an option names for writing is there, is not empty and has none of these
+/// beginnings: it is no file of that kind.
+void check_replaces_only(const std::string& option, const std::string& written, const std::string& kind,
+                         const std::vector<std::string_view>& beginnings);
 
 /// NAME = VALUE of an options file. A NAME alone has the value "true", as a flag on a command line.
 struct ConfigLine {

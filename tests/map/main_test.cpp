@@ -165,6 +165,16 @@ TEST_F(Program, ReplacesNoSourceAndNoFileButALevel) {
         EXPECT_NE(said_.find("good.map' is read or written for another option"), std::string::npos) << said_;
         EXPECT_EQ(read_text(path("good.map")), source) << option;
     }
+    const std::string wad = read_text(path("t.wad"));
+    write_file(path("named.map"), replaced(source, "\"worldspawn\"", "\"worldspawn\"\n\"wad\" \"t.wad\""));
+    for (const char* option : {" --prt ", " --reads "}) {
+        EXPECT_EQ(run(path("named.map") + " -o " + path("o.bsp") + option + path("./t.wad")), 2);
+        EXPECT_NE(said_.find("t.wad' is read or written for another option"), std::string::npos) << said_;
+        EXPECT_EQ(read_text(path("t.wad")), wad) << option;
+    }
+    EXPECT_EQ(run("--fgd " + path("good.map")), 2);
+    EXPECT_EQ(read_text(path("good.map")), source);
+    for (int i = 0; i < 2; ++i) EXPECT_EQ(run("--fgd " + path("own.fgd")), 0) << said_;
     const std::string other = read_text(path("odd.map")), command = path("good.map") + " --wad " + path("t.wad");
     EXPECT_EQ(run(command + " -o " + path("odd.map")), 2);
     EXPECT_NE(said_.find("is there and no level"), std::string::npos) << said_;
@@ -194,6 +204,7 @@ TEST_F(Program, SaysWhatIsWrongAndWhere) {
     EXPECT_EQ(said_.find("oblong-map: " + path("bad.map") + ": line 1: "), 0u) << said_;
     EXPECT_EQ(run(path("none.map") + " -o " + path("bad.bsp")), 1);
     EXPECT_EQ(said_.find("oblong-map: " + path("none.map") + ": "), 0u) << said_;
+    EXPECT_EQ(run(path("good.map") + " -o " + path("bad.bsp") + " --wad " + path("t.wad") + " --dither x"), 2);
     EXPECT_EQ(run(path("good.map") + " -o " + path("bad.bsp") + " --wad " + path("none.wad")), 1);
     EXPECT_EQ(said_.find("oblong-map: " + path("none.wad") + ": "), 0u) << said_;
     EXPECT_EQ(files_beginning_with("bad.bsp"), 0);

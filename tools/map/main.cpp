@@ -16,6 +16,7 @@
 #include "tools/map/tree/bsp_file.h"
 #include "tools/map/trenchbroom.h"
 #include "tools/map/work_sharing.h"
+#include "tools/texture/texture_files.h"
 
 namespace {
 
@@ -151,6 +152,7 @@ void compile(const Arguments& arguments, const std::string& text, const char* ca
                                });
     const std::vector<map::Wad> wads =
         map::read_texture_sources(arguments.textures, entities.front(), arguments.input, called_as, files);
+    check_replaces_none("--prt", arguments.portals, files);
     Reporter reporter(arguments);
     map::find_warnings(arguments.game.empty() ? entities : with_known_classes(entities, arguments.game),
                        reporter.warnings);
@@ -187,15 +189,10 @@ void compile(const Arguments& arguments, const std::string& text, const char* ca
     }
 }
 
-// An empty file, or one that begins as a level does.
-bool may_be_replaced(std::string_view file) {
-    return file.empty() || file.starts_with(std::string_view("\x1d\0\0\0", 4)) || file.starts_with("BSP2");
-}
-
 void compile_to_file(const Arguments& arguments, const char* called_as) {
     if (arguments.input.empty()) throw UsageError("IN.map is required");
     if (arguments.output.empty()) throw UsageError("--out is required");
-    std::error_code none;
+    parse_dither(arguments.textures.dither);
     std::vector<std::string> others = arguments.textures.wads;
     others.insert(others.end(), {arguments.input, arguments.textures.palette});
     for (const auto& [option, file] : {std::pair("--out", arguments.output), std::pair("--prt", arguments.portals),
@@ -203,9 +200,7 @@ void compile_to_file(const Arguments& arguments, const char* called_as) {
         check_replaces_none(option, file, others);
         others.push_back(file);
     }
-    if (std::filesystem::is_regular_file(arguments.output, none) && !may_be_replaced(read_text(arguments.output)))
-        throw UsageError("--out: '" + arguments.output +
-                         "' is there and no level, expected a level to replace or another name");
+    check_replaces_only("--out", arguments.output, "level", {std::string_view("\x1d\0\0\0", 4), "BSP2"});
     if (!arguments.portals.empty() && !makes_portals(arguments))
         throw UsageError("--prt: --only " + arguments.only + " makes no portals, expected --only vis, or none");
     for (const std::string& file : {arguments.output, arguments.portals, arguments.reads})
@@ -213,6 +208,7 @@ void compile_to_file(const Arguments& arguments, const char* called_as) {
     const std::string text = read_text(arguments.input);
     std::vector<std::string> files;
     const auto tell_files = [&] {
+        check_replaces_none("--reads", arguments.reads, files);
         std::string names;
         for (const std::string& file : files) names += file + "\n";
         if (!arguments.reads.empty()) write_file(arguments.reads, names);
@@ -237,6 +233,7 @@ int main(int argc, char** argv) {
     return line.run(argc, argv, [&] {
         if (!arguments.trenchbroom.empty()) return map::install_trenchbroom(arguments.trenchbroom, argv[0]);
         if (arguments.fgd.empty()) return compile_to_file(arguments, argv[0]);
+        check_replaces_only("--fgd", arguments.fgd, "FGD of Oblong", {map::kFgdBeginning});
         write_file(arguments.fgd, map::fgd_text());
     });
 }

@@ -154,7 +154,7 @@ void write_kept(const fs::path& path, const std::string& text) {
 }  // namespace
 
 std::string fgd_text() {
-    std::string text = "// Oblong's classes and keys, written by `oblong-map --fgd`.\n";
+    std::string text = std::string(kFgdBeginning) + ", written by `oblong-map --fgd`.\n";
     for (const EntityClass& row : entity_classes())
         if (!row.is_family()) text += "\n" + class_text(row);
     return text;

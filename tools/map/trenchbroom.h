@@ -1,8 +1,11 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace oblong::map {
+
+inline constexpr std::string_view kFgdBeginning = "// Oblong's classes and keys";
 
 /// entity_classes() as an FGD file for TrenchBroom and Valve's editors. Leaves out families, which editors cannot
 /// place, and the keys `classname` and `origin`, which editors define.

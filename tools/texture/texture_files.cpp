@@ -10,6 +10,7 @@
 #include "engine/base/table.h"
 #include "engine/base/text.h"
 #include "engine/files/arguments.h"
+#include "engine/files/command_line.h"
 #include "engine/files/files.h"
 #include "engine/files/picture.h"
 #include "engine/files/wad.h"
@@ -162,9 +163,7 @@ void pack_textures(const std::vector<std::string>& picture_paths, const std::vec
         if (!files.contains(lower_case(name)))
             throw UsageError("--glow: '" + name + "' is not the name of any of the textures");
     check_writable(wad_path);
-    std::error_code none;
-    if (std::filesystem::is_regular_file(wad_path, none) && !read_text(wad_path).starts_with("WAD2"))
-        throw UsageError("-o: '" + wad_path + "' is there and no WAD, expected a WAD to replace or another name");
+    check_replaces_only("-o", wad_path, "WAD", {"WAD2"});
     write_file(wad_path, packed_textures(picture_paths, glowing, palette, dither));
 }
 
