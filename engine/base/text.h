@@ -7,10 +7,13 @@
 
 namespace oblong {
 
-/// Removes the byte order mark that spreadsheets and some editors put before UTF-8.
-constexpr std::string_view without_byte_order_mark(std::string_view text) {
+/// A file's text without the byte order mark that spreadsheets and some editors put before UTF-8, and with LF for CR if
+/// lines end with CR alone, as on old Macs.
+inline std::string plain_text(std::string text) {
     constexpr std::string_view kMark = "\xef\xbb\xbf";
-    return text.starts_with(kMark) ? text.substr(kMark.size()) : text;
+    if (text.starts_with(kMark)) text.erase(0, kMark.size());
+    if (text.find('\n') == std::string::npos) std::replace(text.begin(), text.end(), '\r', '\n');
+    return text;
 }
 
 inline std::string lower_case(std::string_view text) {

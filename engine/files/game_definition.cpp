@@ -221,6 +221,8 @@ GameDefinition read_game_definition(const std::string& folder) {
         return DefinitionReader(folder).read(Value(file, parsed(file, text), ""));
     } catch (const Json::parse_error& error) {
         throw FileError(file, "byte " + std::to_string(error.byte), "no JSON: " + std::string(error.what()));
+    } catch (const Json::out_of_range& error) {
+        throw FileError(file, "JSON", std::string(error.what()) + ", expected a smaller number");
     }
 }
 

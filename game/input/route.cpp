@@ -107,10 +107,9 @@ std::string words(const Position& p) {
 }  // namespace
 
 std::vector<Waypoint> parse_route(std::span<const std::uint8_t> bytes) {
-    std::string text(bytes.begin(), bytes.end());
+    std::string text = plain_text({bytes.begin(), bytes.end()});
     std::erase(text, '\r');
-    std::vector<std::string> lines = split(text, "\n");
-    lines[0] = without_byte_order_mark(lines[0]);
+    const std::vector<std::string> lines = split(text, "\n");
     if (lines[0] != kHeader) throw InputError(place_of(1), "'" + lines[0] + "', expected " + std::string(kHeader));
     std::vector<Waypoint> route;
     for (std::size_t i = 1; i < lines.size(); ++i)

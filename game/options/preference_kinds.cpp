@@ -8,6 +8,7 @@
 
 #include "engine/base/table.h"
 #include "engine/files/arguments.h"
+#include "engine/level/entities.h"
 
 namespace oblong {
 
@@ -86,12 +87,12 @@ Preference light_in_hundredths(PreferenceNames names, std::int32_t Light::*field
     preference.shown = [field](const Preferences& of) { return std::to_string(of.light().*field) + " %"; };
     preference.parse = [=, name = preference.name, values = preference.values](Preferences& of,
                                                                                const std::string& text) {
-        const std::int64_t value_16 = parse_number("--" + name, text, 16);
-        const std::int64_t value_100 = (value_16 * 100 + (1 << 15)) >> 16;
-        if (value_16 * 100 < std::int64_t{least_100} << 16 || value_16 * 100 > std::int64_t{greatest_100} << 16)
+        const std::optional<std::int64_t> value_16 = parse_decimal(text, 16);
+        if (!value_16 || *value_16 * 100 < std::int64_t{least_100} << 16 ||
+            *value_16 * 100 > std::int64_t{greatest_100} << 16)
             refuse(name, text, values);
         Light light = of.light();
-        light.*field = static_cast<std::int32_t>(value_100);
+        light.*field = static_cast<std::int32_t>((*value_16 * 100 + (1 << 15)) >> 16);
         of.set_light(light);
     };
     preference.change = [field, stops_100](Preferences& of, int steps) {

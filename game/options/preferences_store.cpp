@@ -22,7 +22,7 @@ struct ReadLine {
 };
 
 std::vector<std::string> lines_of_text(const std::string& text) {
-    std::vector<std::string> lines = split(text, "\n");
+    std::vector<std::string> lines = split(plain_text(text), "\n");
     if (lines.back().empty()) lines.pop_back();
     return lines;
 }
@@ -44,8 +44,7 @@ std::vector<ReadLine> read_lines(const std::string& text, std::vector<LineFault>
     for (const std::string& line : lines_of_text(text)) {
         ++number;
         try {
-            const std::optional<ConfigLine> set =
-                parse_config_line(number == 1 ? std::string(without_byte_order_mark(line)) : line);
+            const std::optional<ConfigLine> set = parse_config_line(line);
             if (set && !is_known(set->name, values))
                 faults.push_back({number, printable("'" + set->name +
                                                     "' is unknown, expected a name that this "

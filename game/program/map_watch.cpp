@@ -10,6 +10,7 @@
 #include <sstream>
 #include <thread>
 
+#include "engine/base/text.h"
 #include "engine/files/arguments.h"
 #include "engine/files/files.h"
 #include "engine/level/entities.h"
@@ -43,7 +44,7 @@ MapParts parts_of(const std::string& text) {
     MapParts parts;
     std::string pairs, brushes, line;
     int depth = 0;
-    std::istringstream lines(text);
+    std::istringstream lines(plain_text(text));
     while (std::getline(lines, line)) {
         line.erase(0, line.find_first_not_of(" \t\r"));
         if (line.starts_with("//")) continue;
@@ -173,8 +174,9 @@ void MapWatch::compile_first(bool waits) {
         const auto news = poll(now_us);
         if (news && news->has_level) break;
         if (news) {
-            if (!waits) throw FileError(map_file_, "oblong-map", news->fault);
-            print_fault("oblong", news->named_fault + "; tried again after a change");
+            const FileError fault(map_file_, "oblong-map", news->fault);
+            if (!waits) throw fault;
+            print_fault("oblong", std::string(fault.what()) + "; tried again after a change");
         }
         std::this_thread::sleep_for(std::chrono::microseconds(kBetweenPolls_us));
     }
@@ -235,7 +237,6 @@ MapWatch::News MapWatch::finish(int status) {
     const std::string named = "oblong-map: " + map_file_ + ": ";
     if (news.fault.starts_with(named)) news.fault.erase(0, named.size());
     if (news.fault.empty()) news.fault = "oblong-map ended without a message";
-    news.named_fault = FileError(map_file_, "oblong-map", news.fault).what();
     news.leak_path = read_points(points_file_);
     return news;
 }

@@ -33,7 +33,6 @@ class MapWatch {
     struct News {
         bool has_level = false;              ///< level_file() is new
         std::string fault;                   ///< the compiler's message, if it failed
-        std::string named_fault;             ///< the same with the source's name
         std::vector<Vec3<World>> leak_path;  ///< from an entity to the void, if the level leaks
     };
 

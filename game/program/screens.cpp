@@ -73,7 +73,7 @@ void Screens::follow_map() {
     const std::uint64_t now_us = platform_.now_us();
     try {
         if (const auto news = watch_->poll(now_us)) {
-            print_fault("oblong", news->named_fault);
+            if (!news->has_level) print_fault("oblong", FileError(options_.watch, "oblong-map", news->fault).what());
             if (news->has_level) show_changed_level();
             walk_->show_path(news->leak_path);
         }

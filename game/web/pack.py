@@ -97,4 +97,6 @@ def main(build, assets, site, game=None):
     print('packed: program %d, data %d, all %d bytes' % (*map(len, packed.values()), total))
 
 
+if not 4 <= len(sys.argv) <= 5:
+    sys.exit(__doc__)
 main(*sys.argv[1:])

@@ -102,7 +102,7 @@ TEST_F(BadRender, CameraLists) {
         {"", "line 1: is empty"},
         {"\n0,0,0,0,0\n", "line 1: is empty"},
         {"x;y;z;yaw;pitch\n0;0;0;0;0\n", "column 'x;y;z;yaw;pitch'"},
-        {"x,y,z,yaw,pitch\r0,0,0,0,0\r", "column 'pitch?0'"},
+        {"x,y,z,yaw,pitch\r0,0,0,0,zero\r", "line 2: 'zero'"},
         {"\x1b[31mx,y,z,yaw,pitch\n0,0,0,0,0\n", "column '?[31mx'"},
         {"x,y,z,yaw\n0,0,0,0\n", "no column 'pitch'"},
         {"x,y,z,yaw,pitch,x\n0,0,0,0,0,0\n", "column 'x'"},
@@ -137,8 +137,8 @@ TEST_F(BadRender, CameraListsOfOtherProgramsAreTaken) {
     };
     const auto expected = picture_of("x,y,z,yaw,pitch\n0.0625,-368,54,90,0\n");
     for (const std::string cameras :
-         {"\xef\xbb\xbfx,y,z,yaw,pitch\r\n0.0625,-368,54,90,0\r\n", "x, y, z, yaw, pitch\n 0.0625, -368, 54, 90, 0",
-          "roll,pitch,yaw,z,y,x\n360,-0,-270,54,-368.0,.0625\n"})
+         {"\xef\xbb\xbfx,y,z,yaw,pitch\r\n0.0625,-368,54,90,0\r\n", "x,y,z,yaw,pitch\r0.0625,-368,54,90,0\r",
+          "x, y, z, yaw, pitch\n 0.0625, -368, 54, 90, 0", "roll,pitch,yaw,z,y,x\n360,-0,-270,54,-368.0,.0625\n"})
         EXPECT_EQ(picture_of(cameras), expected) << cameras;
 }
 
@@ -192,6 +192,7 @@ TEST_F(BadRender, WrongUsageExitsWith2) {
             EXPECT_TRUE(outcome.error.starts_with(kProgram + ": ")) << outcome.error;
             EXPECT_NE(outcome.error.find(option), std::string::npos) << outcome.error;
         }
+    EXPECT_NE(render(kLevel, {"--time", "-1"}).error.find("expected 0 to 16777216 seconds"), std::string::npos);
     EXPECT_EQ(render(kLevel, {"more.bsp"}).exit_code, 2);
     EXPECT_EQ(run_program({kProgram}).exit_code, 2);
     EXPECT_EQ(run_program({kProgram, kLevel}).exit_code, 2);
@@ -273,8 +274,9 @@ TEST_F(BadRoute, AWalkIntoAWallIsStuckAndLeavesNoDemo) {
     EXPECT_FALSE(std::filesystem::exists(folder_.path("walk.demo")));
 }
 
-TEST_F(BadRoute, AByteOrderMarkIsNoPartOfTheHeader) {
+TEST_F(BadRoute, AByteOrderMarkIsNoPartOfTheHeaderAndOldMacsEndsOfLinesAreTaken) {
     EXPECT_TRUE(names_fault(walk("\xef\xbb\xbf" + kHeader + "here\n"), "oblong", file_, "line 2: "));
+    EXPECT_TRUE(names_fault(walk("x,y,z,speed,wait,yaw,pitch,jump\rhere\r"), "oblong", file_, "line 2: "));
 }
 
 TEST_F(BadRoute, ThousandsOfUnknownArgumentsAreAShortMessage) {
@@ -284,6 +286,14 @@ TEST_F(BadRoute, ThousandsOfUnknownArgumentsAreAShortMessage) {
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_LT(outcome.error.size(), 1200u) << outcome.error.size();
     EXPECT_NE(outcome.error.find("--n"), std::string::npos) << outcome.error;
+}
+
+TEST_F(BadRoute, RecordingReplacesOnlyADemo) {
+    EXPECT_EQ(walk(kHeader).exit_code, 1);
+    const Outcome outcome = run_program({"oblong", "--route", file_, "--record", file_});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.error.find("is there and no demo"), std::string::npos) << outcome.error;
+    EXPECT_EQ(read_file_bytes(file_).size(), kHeader.size());
 }
 
 TEST_F(BadRoute, WhatIsNoRoute) {

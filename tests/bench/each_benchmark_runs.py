@@ -28,7 +28,7 @@ def main():
     check({w[0] for w in words} == FAMILIES, "families %s, expected %s" % ({w[0] for w in words}, FAMILIES))
     stages = {w[1] for w in words if w[0] == "stage"}
     check(stages == STAGES, "stages %s, expected %s" % (stages, STAGES))
-    for wrong in (["--benchmark_nonsense=1"], ["--level", "no.bsp"], ["--mode", "1x1"]):
+    for wrong in (["--benchmark_nonsense=1"], ["--benchmark_filter=^none$"], ["--level", "no.bsp"], ["--mode", "1x1"]):
         refused = subprocess.run([program, *wrong], capture_output=True, text=True)
         check(refused.returncode == 2 and refused.stderr, "%s: exit code %d, expected 2" % (wrong, refused.returncode))
 

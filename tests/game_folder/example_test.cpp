@@ -242,6 +242,7 @@ TEST(GameDefinition, FaultsAreNamedWithTheirPlace) {
              Fault{"", "byte 1: no JSON"},
              Fault{"{\"title\": \"x\",", "byte 15: no JSON"},
              Fault{"{\"classes\": {\"x\": {}, \"x\": {}}}", "member \"x\": is there twice"},
+             Fault{"{\"title\": 1e999}", "JSON: "},
              Fault{"[]", "/: is array, expected members"},
              Fault{"{\"levels\": [\"a\"]}", "/: has no \"title\""},
              Fault{"{\"title\": \"x\"}", "/: has no \"levels\""},

@@ -162,7 +162,7 @@ TEST(ExternalMaps, SayWhatIsWrongAndWhere) {
     };
     for (const char* scale : {"0", "-1", "1e300", "1 1 0", "nan"})
         EXPECT_NE(of_key("_external_map_scale", scale).find("\"_external_map_scale\" is "), std::string::npos) << scale;
-    EXPECT_NE(of_key("_external_map_angles", "1 2").find("expected 3 numbers"), std::string::npos);
+    EXPECT_NE(of_key("_external_map_angles", "1 2").find("expected 3 decimal numbers"), std::string::npos);
     EXPECT_NE(of_key("origin", "1e9 0 0").find("\"origin\""), std::string::npos);
     EXPECT_EQ(of_key("origin", "65530 0 0").find("part.map: line "), 0u) << "its brush is beyond all levels";
     EXPECT_NE(complaint(level(kRoom, entity("misc_external_map", {})), {}).find("without '_external_map'"),

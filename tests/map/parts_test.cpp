@@ -73,7 +73,10 @@ TEST(MapChanges, SayWhatHasToBeMadeAnew) {
     EXPECT_EQ(change_between(before, before), MapChange::Nothing);
     EXPECT_EQ(change_between(before, "// a comment\n" + before), MapChange::Nothing);
     EXPECT_EQ(change_between(before, two_rooms(kLamp + kOtherLens)), MapChange::Entities);
-    EXPECT_EQ(change_between(before, two_rooms(kOtherLamp + kLens)), MapChange::Light);
+    for (const std::string end : {"\n", "\r\n", "\r"})
+        EXPECT_EQ(change_between("// a comment\n" + replaced(before, "\n", end),
+                                 "// a comment\n" + replaced(two_rooms(kOtherLamp + kLens), "\n", end)),
+                  MapChange::Light);
     EXPECT_EQ(change_between(before, two_rooms(kLens)), MapChange::Light);
     EXPECT_EQ(change_between(before, replaced(before, "( 300 64 0 )", "( 308 64 0 )")), MapChange::All);
     EXPECT_EQ(change_between(before, replaced(before, "func_wall", "func_door")), MapChange::All);
@@ -123,7 +126,6 @@ TEST_F(MapWatchTest, FollowsTheSource) {
     const auto broken = news_after("my.map", source(kOtherLamp) + "{");
     EXPECT_FALSE(broken.has_level);
     EXPECT_TRUE(broken.fault.starts_with("line ")) << broken.fault;
-    EXPECT_EQ(broken.named_fault, path("my.map") + ": oblong-map: " + broken.fault);
     EXPECT_TRUE(broken.leak_path.empty());
     EXPECT_TRUE(news_after("my.map", source(kOtherLamp)).has_level) << "as it was: the fault is gone";
     const std::string leaking = level(box({0, 0, 0}, {64, 64, 64}), entity_at("light", {0, 0, 99}));

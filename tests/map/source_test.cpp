@@ -30,7 +30,9 @@ TEST(MapFile, BadInputIsNamedWithItsLine) {
                      "line 4: found '65537', expected a number for z, at most 65536");
     expect_complaint(std::string(kHead) + "}\n" + kHead + "}\n",
                      "line 4: a second worldspawn, expected one, that of line 1");
-    expect_complaint(std::string(kHead) + "// a remark\n;", "line 4: found ';', expected a key in quotes");
+    for (const std::string end : {"\n", "\r\n", "\r"})
+        expect_complaint(replaced(std::string(kHead) + "// a remark\n;", "\n", end),
+                         "line 4: found ';', expected a key in quotes");
     expect_complaint(std::string(kHead) + "{\n( 0 0 0 ) ( 1 0 nan ) ( 0 1 0 ) wall 0 0 0 1 1", "expected a number");
     expect_complaint(std::string(kHead) + "{\n( 0 0 0 ) ( 1 0 1e9 ) ( 0 1 0 ) wall 0 0 0 1 1", "expected a number");
 }
@@ -53,6 +55,7 @@ TEST(MapFile, CutShortAnywhere) {
 TEST(MapFile, WhatEditorsAddChangesNothing) {
     const std::string plain = level(plain_room(), lights_of_plain_room()), bytes = bytes_of(plain);
     EXPECT_EQ(bytes_of(replaced(plain, "\n", "\r\n")), bytes) << "line ends of DOS";
+    EXPECT_EQ(bytes_of(replaced("// Format: Standard\n" + plain, "\n", "\r")), bytes) << "line ends of old Macs";
     EXPECT_EQ(bytes_of("\xef\xbb\xbf" + plain), bytes) << "a byte order mark";
     EXPECT_EQ(bytes_of("// Game: Quake\n// Format: Standard\n// entity 0\n" + plain), bytes);
     EXPECT_EQ(bytes_of(replaced(plain, "( 0 ", "(\t0.000 ")), bytes) << "tabs and decimals";
@@ -62,9 +65,13 @@ TEST(MapFile, WhatEditorsAddChangesNothing) {
 
 TEST(Entities, MalformedNumbersAreRefused) {
     expect_complaint(level(room({0, 0, 0}, {64, 64, 64}), entity("light", {{"origin", "1 2"}})),
-                     "\"origin\" is \"1 2\", expected 3 numbers");
-    expect_complaint(level(room({0, 0, 0}, {64, 64, 64}), entity_at("light", {32, 32, 32}, {{"light", "bright"}})),
-                     "\"light\" is \"bright\", expected 1 number");
+                     "\"origin\" is \"1 2\", expected 3 decimal numbers");
+    const std::string plain = level(room({0, 0, 0}, {64, 64, 64}));
+    const auto line = 4 + std::count(plain.begin(), plain.end(), '\n');  // after "{", classname and origin
+    for (const std::string value : {"bright", "1e9", "300units", "99999999999", "0x10", "inf", ""})
+        expect_complaint(
+            plain + entity_at("light", {32, 32, 32}, {{"light", value}}),
+            "line " + std::to_string(line) + ": \"light\" is \"" + value + "\", expected 1 decimal number");
 }
 
 TEST(Entities, DetailsToPassStopNobody) {

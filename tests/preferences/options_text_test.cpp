@@ -45,7 +45,9 @@ TEST(OptionsText, NamesBrokenLinesAndKeepsAllOthers) {
         "\t crt  =  on\r\n"
         "invert-look\n"
         "music-volume = \"20\"\n"
-        "volume = 40\n");
+        "volume = 40\n"
+        "gamma = -1\n"
+        "gamma = 1e1\n");
     EXPECT_EQ(read.preferences.light().brightness_100, 200);
     EXPECT_EQ(read.preferences.volume_100, 40);
     EXPECT_EQ(read.preferences.music_volume_100, 20);
@@ -58,7 +60,9 @@ TEST(OptionsText, NamesBrokenLinesAndKeepsAllOthers) {
         {7, "'x', expected NAME = VALUE"},
         {8, "mouse-sensitivity: '9', expected 10 to 1000"},
         {9, "'gamma', expected NAME = VALUE"},
-        {13, "'volume' is already set in line 6, expected each name once: this line counts"}};
+        {13, "'volume' is already set in line 6, expected each name once: this line counts"},
+        {14, "gamma: '-1', expected 0.5 to 2"},
+        {15, "gamma: '1e1', expected 0.5 to 2"}};
     ASSERT_EQ(read.faults.size(), expected.size());
     for (std::size_t i = 0; i < expected.size(); ++i) {
         EXPECT_EQ(read.faults[i].line, expected[i].first);
@@ -66,13 +70,15 @@ TEST(OptionsText, NamesBrokenLinesAndKeepsAllOthers) {
     }
 }
 
-TEST(OptionsText, AByteOrderMarkIsNoPartOfAName) {
-    const ReadPreferences read = read_preferences(
-        "\xef\xbb\xbf"
-        "fov = 100\n");
-    EXPECT_TRUE(read.faults.empty());
-    EXPECT_EQ(read.preferences.field_of_view, read_preferences("fov = 100\n").preferences.field_of_view);
-    EXPECT_NE(read.preferences.field_of_view, Preferences{}.field_of_view);
+TEST(OptionsText, TakesAByteOrderMarkAndLineEndsOfOldMacs) {
+    for (const std::string text : {"\xef\xbb\xbf"
+                                   "fov = 100\n",
+                                   "# wide\rfov = 100\r"}) {
+        const ReadPreferences read = read_preferences(text);
+        EXPECT_TRUE(read.faults.empty());
+        EXPECT_EQ(read.preferences.field_of_view, read_preferences("fov = 100\n").preferences.field_of_view);
+        EXPECT_NE(read.preferences.field_of_view, Preferences{}.field_of_view);
+    }
 }
 
 TEST(OptionsText, OfManyFaultsTheFirstAreNamed) {

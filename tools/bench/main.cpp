@@ -56,7 +56,8 @@ void run_benchmarks(const Options& options) {
     register_frame_benchmarks(level, mode);
     benchmark::AddCustomContext("level", level.name);
     benchmark::AddCustomContext("mode", options.mode);
-    benchmark::RunSpecifiedBenchmarks();
+    if (benchmark::RunSpecifiedBenchmarks() == 0)
+        throw UsageError("--benchmark_filter: no benchmark has such a name, expected one of --benchmark_list_tests");
 }
 
 }  // namespace

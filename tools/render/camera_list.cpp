@@ -83,8 +83,7 @@ Camera parse_camera(const std::string& text, const std::vector<std::size_t>& col
 }  // namespace
 
 std::vector<Camera> parse_cameras(std::span<const std::uint8_t> bytes, Degrees field_of_view) {
-    std::vector<std::string> lines = split(std::string(bytes.begin(), bytes.end()), "\n");
-    lines[0] = without_byte_order_mark(lines[0]);
+    const std::vector<std::string> lines = split(plain_text({bytes.begin(), bytes.end()}), "\n");
     const std::vector<std::size_t> columns = parse_header(lines[0]);
     std::vector<Camera> cameras;
     for (std::size_t i = 1; i < lines.size(); ++i) {

@@ -1,5 +1,6 @@
 #include <chrono>
 #include <cstdio>
+#include <optional>
 
 #include "engine/base/text.h"
 #include "engine/effects/palette_effects.h"
@@ -10,6 +11,7 @@
 #include "engine/files/level_models.h"
 #include "engine/files/picture.h"
 #include "engine/level/bsp_read.h"
+#include "engine/level/entities.h"
 #include "engine/platform/worker_threads.h"
 #include "engine/raster/kernels/kernels.h"
 #include "engine/scene/level_effects.h"
@@ -105,23 +107,18 @@ Settings make_settings(const Options& options, Preset preset) {
     if (options.texel_error.empty()) return settings;
     if (settings.accuracy.texturing != Texturing::Bounded)
         throw UsageError("--texel-error: is the bound of --accuracy bounded, expected no --accuracy " + options.preset);
-    const std::int64_t error_px_256 = parse_number("--texel-error", options.texel_error, 8);
-    if (error_px_256 < 1 || error_px_256 > 4096)
+    const std::optional<std::int64_t> error_px_256 = parse_decimal(options.texel_error, 8);
+    if (!error_px_256 || *error_px_256 < 1 || *error_px_256 > 4096)
         throw UsageError("--texel-error: '" + options.texel_error + "', expected 1/256 to 16 pixels");
-    settings.accuracy.pixel_bound_256 = static_cast<std::int32_t>(error_px_256);
+    settings.accuracy.pixel_bound_256 = static_cast<std::int32_t>(*error_px_256);
     return settings;
 }
 
-std::int64_t parse_time_ms(const std::string& option, const std::string& seconds) {
-    const std::int64_t time_20 = parse_number(option, seconds, 20);
-    if (time_20 < 0) throw UsageError(option + ": '" + seconds + "', expected seconds from 0");
-    return time_20 * 1000 / (1 << 20);
-}
-
-std::int64_t parse_time_step_ms(const std::string& seconds) {
-    const std::int64_t step_ms = parse_time_ms("--time-step", seconds);
-    if (step_ms > 60'000) throw UsageError("--time-step: '" + seconds + "', expected 0 to 60 seconds");
-    return step_ms;
+std::int64_t parse_time_ms(const std::string& option, const std::string& seconds, std::int64_t most_s) {
+    const std::optional<std::int64_t> time_20 = parse_decimal(seconds, 20);
+    if (!time_20 || *time_20 < 0 || *time_20 > most_s << 20)
+        throw UsageError(option + ": '" + seconds + "', expected 0 to " + std::to_string(most_s) + " seconds");
+    return *time_20 * 1000 / (1 << 20);
 }
 
 std::string picture_path(const std::string& folder, std::size_t index) {
@@ -186,8 +183,9 @@ void render(const Options& options) {
         static_cast<HiddenSurfaces>(parse_choice("--hidden-surfaces", options.hidden_surfaces, kHiddenSurfaceNames)));
     const BlockKernel kernel = parse_kernel(options.kernel);
     const LogChannels channels = options.log.empty() ? LogChannels{} : parse_log_channels(options.log);
-    const std::int64_t time_ms = parse_time_ms("--time", options.seconds),
-                       step_ms = parse_time_step_ms(options.step_seconds);
+    constexpr std::int64_t kMostTime_s = 1 << 24, kMostStep_s = 60;
+    const std::int64_t time_ms = parse_time_ms("--time", options.seconds, kMostTime_s),
+                       step_ms = parse_time_ms("--time-step", options.step_seconds, kMostStep_s);
 
     const Palette palette = read_parsed(options.palette, read_palette);
     const Colormap colormap = make_colormap(palette);

@@ -1,12 +1,13 @@
 #include "tools/map/source/entities.h"
 
 #include <algorithm>
-#include <charconv>
+#include <cmath>
 #include <iterator>
 #include <sstream>
 
 #include "engine/base/input_error.h"
 #include "engine/base/text.h"
+#include "engine/level/entities.h"
 #include "engine/level/entity_classes.h"
 #include "tools/map/source/brush.h"
 
@@ -44,20 +45,20 @@ std::string written_value(const MapEntity& entity, const MapPair& pair) {
 }  // namespace
 
 std::vector<double> numbers_of(const MapEntity& entity, std::string_view key, std::size_t count) {
-    const std::string text = entity.value(key);
+    const MapPair none{"", "", entity.line};
+    const auto found =
+        std::find_if(entity.pairs.begin(), entity.pairs.end(), [&](const MapPair& pair) { return pair.key == key; });
+    const MapPair& pair = found == entity.pairs.end() ? none : *found;
     std::vector<double> numbers;
-    const char* at = text.data();
-    const char* const end = at + text.size();
+    std::string_view rest = pair.value;
     while (numbers.size() < count) {
-        while (at != end && (*at == ' ' || *at == '\t' || *at == '+')) ++at;
-        double number = 0;
-        const auto [stop, error] = std::from_chars(at, end, number);
-        if (error != std::errc() || !std::isfinite(number))
-            throw InputError("line " + std::to_string(entity.line), "\"" + std::string(key) + "\" is \"" + text +
-                                                                        "\", expected " + std::to_string(count) +
-                                                                        (count == 1 ? " number" : " numbers"));
-        numbers.push_back(number);
-        at = stop;
+        constexpr int kFractionBits = 32;
+        const std::optional<std::int64_t> raw = parse_decimal(take_word(rest), kFractionBits);
+        if (!raw)
+            throw InputError("line " + std::to_string(pair.line), "\"" + std::string(key) + "\" is \"" + pair.value +
+                                                                      "\", expected " + std::to_string(count) +
+                                                                      " decimal number" + (count == 1 ? "" : "s"));
+        numbers.push_back(std::ldexp(*raw, -kFractionBits));
     }
     return numbers;
 }

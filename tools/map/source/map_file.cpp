@@ -235,9 +235,10 @@ bool MapEntity::has(std::string_view key) const {
     return std::any_of(pairs.begin(), pairs.end(), [&](const MapPair& pair) { return pair.key == key; });
 }
 
-std::vector<MapEntity> parse_map(std::string_view text) {
+std::vector<MapEntity> parse_map(std::string_view file) {
+    const std::string text = plain_text(std::string(file));
     check_no_zero_byte(text);
-    MapTokens tokens(without_byte_order_mark(text));
+    MapTokens tokens(text);
     std::vector<MapEntity> entities;
     while (!tokens.peek().is_end) {
         entities.push_back(take_entity(tokens));
