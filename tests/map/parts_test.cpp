@@ -74,8 +74,8 @@ TEST(MapChanges, SayWhatHasToBeMadeAnew) {
     EXPECT_EQ(change_between(before, "// a comment\n" + before), MapChange::Nothing);
     EXPECT_EQ(change_between(before, two_rooms(kLamp + kOtherLens)), MapChange::Entities);
     for (const std::string end : {"\n", "\r\n", "\r"})
-        EXPECT_EQ(change_between("// a comment\n" + replaced(before, "\n", end),
-                                 "// a comment\n" + replaced(two_rooms(kOtherLamp + kLens), "\n", end)),
+        EXPECT_EQ(change_between(replaced("// a comment\n" + before, "\n", end),
+                                 replaced("// a comment\n" + two_rooms(kOtherLamp + kLens), "\n", end)),
                   MapChange::Light);
     EXPECT_EQ(change_between(before, two_rooms(kLens)), MapChange::Light);
     EXPECT_EQ(change_between(before, replaced(before, "( 300 64 0 )", "( 308 64 0 )")), MapChange::All);

@@ -67,7 +67,7 @@ TEST(Entities, MalformedNumbersAreRefused) {
     expect_complaint(level(room({0, 0, 0}, {64, 64, 64}), entity("light", {{"origin", "1 2"}})),
                      "\"origin\" is \"1 2\", expected 3 decimal numbers");
     const std::string plain = level(room({0, 0, 0}, {64, 64, 64}));
-    const auto line = 4 + std::count(plain.begin(), plain.end(), '\n');  // after "{", classname and origin
+    const auto line = 3 + std::count(plain.begin(), plain.end(), '\n');  // after "{" and classname
     for (const std::string value : {"bright", "1e9", "300units", "99999999999", "0x10", "inf", ""})
         expect_complaint(
             plain + entity_at("light", {32, 32, 32}, {{"light", value}}),
