@@ -117,7 +117,8 @@ void interpret(const OptionTexts& texts, Options& options) {
                            !options.shows_gallery && options.headless_frames == 0;
     if (options.shows_error_box && (options.headless_frames > 0 || !options.timedemo.empty()))
         throw UsageError("--error-box: no window to show it in, expected it without --headless and --timedemo");
-    check_replaces_none("--record", options.record, {options.replay});
+    check_replaces_none("--record", options.record,
+                        {options.level, options.replay, options.palette, options.watch, texts.config});
     check_replaces_only("--record", options.record, "demo", {"OBLGDEMO"});
     if (options.shows_gallery && !(options.record + options.replay + options.timedemo).empty())
         throw UsageError("--gallery: there is no game to record or to replay, expected it without the other");
