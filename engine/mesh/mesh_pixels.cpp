@@ -60,17 +60,19 @@ std::int32_t texel_number(TexelOverZ over_z, std::int64_t z_28) {
     return static_cast<std::int32_t>(floor_shift(floor_of<21>(over_z) * z_28, 49));
 }
 
+/// The texel of these numbers, or the one nearest to them in the skin.
+template <class Number>
+std::uint8_t nearest_texel(const Skin& skin, Number u, Number v) {
+    const auto column = static_cast<std::ptrdiff_t>(std::clamp<Number>(u, 0, skin.width - 1));
+    const auto row = static_cast<std::ptrdiff_t>(std::clamp<Number>(v, 0, skin.height - 1));
+    return item(skin.texels, row * skin.width + column);
+}
+
 template <bool IsAffine>
 std::uint8_t texel_at(const MeshPixel& pixel, const Skin& skin) {
-    const auto texel = [&](auto u, auto v) {
-        const auto within = [](auto number, std::int32_t size) {
-            return static_cast<std::ptrdiff_t>(std::clamp<decltype(number)>(number, 0, size - 1));
-        };
-        return item(skin.texels, within(v, skin.height) * skin.width + within(u, skin.width));
-    };
-    if constexpr (IsAffine) return texel(floor_of(pixel.u_over_z), floor_of(pixel.v_over_z));
+    if constexpr (IsAffine) return nearest_texel(skin, floor_of(pixel.u_over_z), floor_of(pixel.v_over_z));
     const std::int64_t z_28 = depth_28(pixel.inverse_z);
-    return texel(texel_number(pixel.u_over_z, z_28), texel_number(pixel.v_over_z, z_28));
+    return nearest_texel(skin, texel_number(pixel.u_over_z, z_28), texel_number(pixel.v_over_z, z_28));
 }
 
 /// N . to / |N| with 8 fraction bits: interpolated normals are shorter than 1. `over_length` is 1 / |N|.

@@ -32,11 +32,12 @@ Hit hit(const std::array<Point, 3>& corners, const std::array<std::array<double,
             std::abs(least) < 1e-3};
 }
 
-/// A skin whose texels are the low bits of their column, or of their row.
+/// A skin whose texels are the numbers of their column, or of their row; wider than high.
 Skin numbered_skin(bool by_column) {
-    Skin skin{"numbered", 256, 256, std::vector<std::uint8_t>(65536)};
-    for (std::size_t i = 0; i < 65536; ++i)
-        skin.texels[i] = static_cast<std::uint8_t>((by_column ? i % 256 : i / 256) % 250);
+    constexpr std::size_t kWidth = 255, kHeight = 250;
+    Skin skin{"numbered", kWidth, kHeight, std::vector<std::uint8_t>(kWidth * kHeight)};
+    for (std::size_t i = 0; i < skin.texels.size(); ++i)
+        skin.texels[i] = static_cast<std::uint8_t>(by_column ? i % kWidth : i / kWidth);
     return skin;
 }
 
