@@ -24,16 +24,21 @@ Report small_report() {
     return measure_all(make_configurations(all_dials()), places, {1, 1, true});
 }
 
+/// Comparing them as numbers takes less of the compiler than as JSON.
+double number(const Json& json) {
+    return json.get<double>();
+}
+
 void expect_setting(const Json& setting) {
     SCOPED_TRACE(setting["name"]);
     for (const char* key : {"unit", "rms", "p99", "max"}) EXPECT_TRUE(setting["error"].contains(key)) << key;
-    EXPECT_LE(setting["error"]["rms"], setting["error"]["max"]);
-    EXPECT_LE(setting["error"]["p99"], setting["error"]["max"]);
+    EXPECT_LE(number(setting["error"]["rms"]), number(setting["error"]["max"]));
+    EXPECT_LE(number(setting["error"]["p99"]), number(setting["error"]["max"]));
     const Json& cost = setting["cost"];
-    EXPECT_GT(cost["operations"]["adds"]["64"], 0);
-    EXPECT_GT(cost["stages"]["pixels"], 10000);
-    EXPECT_GT(cost["cycles_486"], cost["cycles_pentium"]);
-    EXPECT_GT(cost["cycles_386"], cost["cycles_486"]);
+    EXPECT_GT(number(cost["operations"]["adds"]["64"]), 0);
+    EXPECT_GT(number(cost["stages"]["pixels"]), 10000);
+    EXPECT_GT(number(cost["cycles_486"]), number(cost["cycles_pentium"]));
+    EXPECT_GT(number(cost["cycles_386"]), number(cost["cycles_486"]));
     const bool is_measured = setting["time"] == "measured";
     EXPECT_TRUE(is_measured || setting["time"] == "modelled");
     EXPECT_EQ(cost["nanoseconds"].is_number(), is_measured) << "a time of code that does not run is made up";
@@ -190,35 +195,20 @@ TEST(AccuracyProgram, RefusesALevelWithoutCamerasAndCamerasWithoutALevel) {
     }
 }
 
-TEST(AccuracyProgram, NamesTheFileThatItCannotRead) {
-    const TemporaryFolder folder;
-    const std::string no_level = folder.write("no_level.bsp", std::string("text")),
-                      cameras = folder.write("cameras.csv", std::string("x,y,z,yaw,pitch\n0,0,0,0,0\n"));
-    for (const std::string& level : {no_level, folder.path("missing.bsp")}) {
-        const Outcome outcome =
-            run_program({"oblong-accuracy", "--quick", "--out", folder.path("out"), level, "--cameras", cameras});
-        EXPECT_EQ(outcome.exit_code, 1);
-        EXPECT_EQ(outcome.error.find("oblong-accuracy: " + level + ": "), 0u) << outcome.error;
-    }
-}
-
 /// The tiny level's floor is at z = 8, solid below.
-TEST(AccuracyProgram, NamesTheCameraThatIsInAWall) {
+TEST(AccuracyProgram, NamesTheFileTheCameraAndTheFolderThatItCannotUse) {
     const TemporaryFolder folder;
-    const std::string level = folder.write("tiny.bsp", join_lumps(29, make_tiny_lumps())),
+    const std::string text = folder.write("no_level.bsp", std::string("text")), missing = folder.path("missing.bsp"),
+                      tiny = folder.write("tiny.bsp", join_lumps(29, make_tiny_lumps())), out = folder.path("out"),
                       cameras = folder.write("cameras.csv", std::string("x,y,z,yaw,pitch\n9,9,50,0,0\n9,9,0,0,0\n"));
-    const Outcome outcome =
-        run_program({"oblong-accuracy", "--quick", "--out", folder.path("out"), level, "--cameras", cameras});
-    EXPECT_EQ(outcome.exit_code, 1);
-    EXPECT_EQ(outcome.error.find("oblong-accuracy: " + level + ": camera 2: in a wall"), 0u) << outcome.error;
-}
-
-TEST(AccuracyProgram, NamesTheFolderThatItCannotMake) {
-    const TemporaryFolder folder;
-    const std::string file = folder.write("file", std::string("text"));
-    const Outcome outcome = run_program({"oblong-accuracy", "--quick", "--out", file + "/out"});
-    EXPECT_EQ(outcome.exit_code, 1);
-    EXPECT_EQ(outcome.error.find("oblong-accuracy: " + file), 0u) << outcome.error;
+    for (const auto& [level, to, named] : {std::array{text, out, text + ": "},
+                                           {missing, out, missing + ": "},
+                                           {tiny, out, tiny + ": camera 2: in a wall"},
+                                           {tiny, text + "/out", text}}) {
+        const Outcome outcome = run_program({"oblong-accuracy", "--quick", "--out", to, level, "--cameras", cameras});
+        EXPECT_EQ(outcome.exit_code, 1);
+        EXPECT_EQ(outcome.error.find("oblong-accuracy: " + named), 0u) << outcome.error;
+    }
 }
 
 /// Beside a palette that cannot be read, as the first thing that is measured would need it.

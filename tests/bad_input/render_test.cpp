@@ -76,13 +76,6 @@ TEST_F(BadRender, Models) {
     EXPECT_NE(warned.error.find("none.mtl"), std::string::npos) << warned.error;
 }
 
-TEST_F(BadRender, PictureNamedLevel) {
-    ASSERT_EQ(render(kLevel, {"--out", folder_.path("")}).exit_code, 0);
-    const std::string picture = folder_.path("picture.bsp");
-    std::filesystem::rename(folder_.path("00000.png"), picture);
-    EXPECT_TRUE(names_fault(render(picture), kProgram, picture, "version"));
-}
-
 TEST_F(BadRender, Palettes) {
     const std::string missing = folder_.path("missing.lmp");
     EXPECT_TRUE(names_fault(render(kLevel, {"--palette", missing}), kProgram, missing, "expected a readable file"));

@@ -124,6 +124,7 @@ TEST(Tint, MixesAsQuakeDoes) {
 
 TEST(Tint, OnlyLiquidsTint) {
     EXPECT_EQ(liquid_tint(contents::kWater, {}, {}), (Tint{{130, 80, 50}, 128}));
+    EXPECT_EQ(liquid_tint(contents::kLava, {}, {}), (Tint{{255, 80, 0}, 150}));
     for (const std::int32_t other : {contents::kEmpty, contents::kSolid, contents::kSky, 0, -7})
         EXPECT_EQ(liquid_tint(other, {}, {}), Tint{}) << other;
 }

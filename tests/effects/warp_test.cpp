@@ -32,11 +32,6 @@ struct Picture {
     }
 };
 
-std::vector<std::uint8_t> waved(Picture picture, std::int64_t time_ms) {
-    picture.draw(time_ms);
-    return picture.pixels;
-}
-
 /// How far a place modulo 256 is from another one.
 double distance_256(double a, double b) {
     const double off = std::fmod(std::abs(a - b), 256);
@@ -124,16 +119,6 @@ TEST(Underwater, EveryModeStaysWithinItsPicture) {
                 for (std::int32_t x = 0; x < picture.pitch; ++x)
                     ASSERT_EQ(picture.at(x, y), x < width ? 1 : 2) << width << "x" << height << ": " << x << ", " << y;
         }
-}
-
-TEST(Underwater, ReachesTheEdgesOfThePicture) {
-    Picture picture(320, 200);
-    std::fill(picture.pixels.begin(), picture.pixels.end(), std::uint8_t{1});
-    for (std::int32_t x = 0; x < 320; ++x) picture.at(x, 0) = picture.at(x, 199) = 2;
-    const std::vector<std::uint8_t> drawn = waved(picture, 0);
-    EXPECT_EQ(*std::min_element(drawn.begin(), drawn.begin() + 320), 1) << "waves leave the first row";
-    EXPECT_EQ(*std::max_element(drawn.begin(), drawn.begin() + 320), 2) << "and come back to it";
-    EXPECT_EQ(*std::max_element(drawn.end() - 320, drawn.end()), 2);
 }
 
 }  // namespace oblong::test::warp_test

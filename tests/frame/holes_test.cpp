@@ -29,15 +29,6 @@ Vec3<World> box_point(const LevelBox& box, const std::array<std::int32_t, 3>& pa
     return {at(0), at(1), at(2)};
 }
 
-std::vector<Vec3<World>> leaf_centres(const Level& level) {
-    std::vector<Vec3<World>> points;
-    for (const LeafIndex leaf : level.visible_leaves()) {
-        const Vec3<World> p = box_point(level.leaves[leaf].box, {8, 8, 8});
-        if (is_open(level, p)) points.push_back(p);
-    }
-    return points;
-}
-
 /// From each point `yaws` directions and 3 pitches: 8, or 4, which see all around, too, and are other ones at every
 /// second point.
 void expect_no_holes_around(Stage& stage, const std::vector<Vec3<World>>& points, std::size_t every, int yaws = 8) {
@@ -77,13 +68,6 @@ TEST_P(Holes, NoneFromEntities) {
     const auto points = open_origins(stage.level);
     ASSERT_GT(points.size(), 20u);
     expect_no_holes_around(stage, points, 1);
-}
-
-TEST_P(Holes, NoneFromLeafCentres) {
-    Stage stage = stage_named(GetParam());
-    const auto points = leaf_centres(stage.level);
-    ASSERT_GT(points.size(), 100u);
-    expect_no_holes_around(stage, points, is_demo() ? 5 : 3, 4);
 }
 
 OBLONG_FOR_ALL_LEVELS(Holes);

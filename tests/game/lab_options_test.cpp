@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <vector>
+
+#include "game/lab/lab.h"
 #include "game/program/view_options.h"
+#include "tests/support/palettes.h"
 
 namespace oblong::test::lab_options_test {
 namespace {
@@ -119,6 +124,51 @@ TEST(Split, MovesWithTheMouseWhileAButtonIsHeld) {
     controls.mouse_x = -2'000'000'000;
     drag_split({}, options, controls);
     EXPECT_EQ(options.split_16, 0);
+}
+
+TEST(Split, ShowsTheOtherPictureRightOfTheLine) {
+    const TextColours colours = text_colours_of(grey_palette());
+    std::vector<std::uint8_t> ours(40, 1), other(40, 2);
+    LabOptions options;
+    options.split_16 = 65'536 * 3 / 10;
+    draw_split(options, {other.data(), 10, 4, 10}, colours, {ours.data(), 10, 4, 10});
+    const std::uint8_t b = colours.bright, d = colours.dark;
+    for (int y = 0; y < 4; ++y)
+        EXPECT_EQ(std::vector<std::uint8_t>(ours.begin() + 10 * y, ours.begin() + 10 * y + 10),
+                  (std::vector<std::uint8_t>{1, d, b, 2, 2, 2, 2, 2, 2, 2}));
+}
+
+TEST(ErrorMap, HasABandForEachDoubling) {
+    EXPECT_EQ(ErrorMap::band_of(-1), 0u);
+    EXPECT_EQ(ErrorMap::band_of(0.124F), 0u);
+    EXPECT_EQ(ErrorMap::band_of(0.125F), 1u);
+    EXPECT_EQ(ErrorMap::band_of(0.999F), 3u);
+    EXPECT_EQ(ErrorMap::band_of(1), 4u);
+    EXPECT_EQ(ErrorMap::band_of(4), ErrorMap::kBands - 1);
+    EXPECT_EQ(ErrorMap::band_of(std::numeric_limits<float>::infinity()), ErrorMap::kBands - 1);
+}
+
+// A palette of the map's own hues, so that each band has another colour; dark and bright pixels stay apart.
+TEST(ErrorMap, ColoursByBandAndBrightness) {
+    Palette palette;
+    for (int i = 0; i < 256; ++i) {
+        const auto channel = [](int bits) { return static_cast<std::uint8_t>(bits * 255 / 7); };
+        palette.colours[static_cast<std::size_t>(i)] = {channel(i >> 5), channel(i >> 2 & 7), channel((i & 3) * 7 / 3)};
+    }
+    const std::uint8_t dark = 0, bright = 255;
+    std::vector<std::uint8_t> pixels;
+    std::vector<TexelError> errors;
+    for (const float pixels_off : {0.F, 0.2F, 0.3F, 0.6F, 1.5F, 3.F, 9.F})
+        for (const std::uint8_t colour : {dark, bright}) {
+            pixels.push_back(colour);
+            errors.push_back({pixels_off, 0});
+        }
+    ErrorMap(palette, ColourScheme::Standard).draw(errors, {pixels.data(), 14, 1, 14});
+    for (std::size_t band = 0; band < ErrorMap::kBands; ++band) {
+        EXPECT_LE(luminance_1000(palette.colours[pixels[2 * band]]),
+                  luminance_1000(palette.colours[pixels[2 * band + 1]]));
+        for (std::size_t other = 0; other < band; ++other) EXPECT_NE(pixels[2 * band + 1], pixels[2 * other + 1]);
+    }
 }
 
 }  // namespace

@@ -97,13 +97,6 @@ TEST_F(TrenchBroom, TheGameIsStartedWithTheMapsLevel) {
     }
 }
 
-TEST_F(TrenchBroom, AChangedWayToCompileIsKept) {
-    write_file(installed("CompilationProfiles.cfg"), "{ mine }");
-    ASSERT_EQ(install("games/Oblong").exit_code, 0);
-    EXPECT_EQ(text("CompilationProfiles.cfg.old"), "{ mine }");
-    EXPECT_NO_THROW(read_compilation_config(text("CompilationProfiles.cfg")));
-}
-
 TEST_F(TrenchBroom, AWayToCompileThatWasKeptBeforeIsNotLost) {
     for (const char* const text : {"{ mine }", "{ newer }"}) {
         write_file(installed("CompilationProfiles.cfg"), text);

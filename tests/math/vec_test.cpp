@@ -114,18 +114,6 @@ TEST(IntersectLine, GoesOnBeyondItsEnds) {
     EXPECT_FALSE(intersect_segment(point_at(0, 0, 7), point_at(0, 4, 6), kFloorAt5)) << "ends before it";
 }
 
-TEST(IntersectSegment, EndsInThePlaneCountAsMet) {
-    const auto met = [](const Vec3<World>& start, const Vec3<World>& end) {
-        const auto hit = intersect_segment(start, end, kFloorAt5);
-        return hit && hit->world_point == point_at(3, 3, 5);
-    };
-    for (const Vec3<World>& other : {point_at(0, 0, 9), point_at(0, 0, 1)}) {
-        EXPECT_TRUE(met(other, point_at(3, 3, 5)));
-        EXPECT_TRUE(met(point_at(3, 3, 5), other));
-    }
-    EXPECT_TRUE(met(point_at(3, 3, 5), point_at(0, 0, 5))) << "lies in it";
-}
-
 /// n . p = d at the answer, as exactly as a point of half a step can satisfy it.
 TEST(IntersectSegment, PointLiesInThePlane) {
     std::mt19937 random(1);

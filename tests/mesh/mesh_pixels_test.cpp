@@ -96,12 +96,17 @@ TEST(MeshPixels, AffineTexelsGoEvenlyOverTheScreen) {
     // Projected to columns 80 and 240; twice as far on the right.
     builder.add(world_point(100, 50, 40), 0, 0);
     builder.add(world_point(200, -100, 80), 160, 0);
-    builder.add(world_point(100, 50, -40), 0, 160);
+    builder.add(world_point(100, 50, -40), 0, 80);
     builder.triangle(0, 1, 2);
-    builder.mesh.skins = {numbered_skin(true)};
-    MeshPicture affine(view_from({})), perspective(view_from({}));
-    affine.draw(placed_at(builder.done()), unshaded(), {}, true);
+    builder.mesh.skins = {numbered_skin(true), numbered_skin(false)};
+    MeshPicture affine(view_from({})), rows(view_from({})), perspective(view_from({}));
+    PlacedMesh by_row = placed_at(builder.done());
+    by_row.skin = 1;
+    affine.draw(placed_at(builder.mesh), unshaded(), {}, true);
+    rows.draw(by_row, unshaded(), {}, true);
     perspective.draw(placed_at(builder.mesh), unshaded());
+    // 80 texels on 320 / 3 rows from 140 / 3 on.
+    for (std::int32_t y = 47; y < 150; ++y) EXPECT_EQ(rows.at(80, y), std::floor((y + 0.5 - 140 / 3.0) * 0.75)) << y;
     for (std::int32_t x = 80; x < 160; ++x) EXPECT_EQ(affine.at(x, 60), x - 80) << x;
     // u = 160 s / (2 - s) of the way s over the screen.
     for (std::int32_t x = 82; x < 160; ++x) {

@@ -143,6 +143,8 @@ TEST(SeedA12, EndsOnTheSameSideMeetNothingAndAnEndInThePlaneDoes) {
     EXPECT_FALSE(intersect_segment(at(0, 0, 4), at(9, 9, 2), kFloorAt5)) << "both behind: rejected";
     EXPECT_TRUE(intersect_segment(at(0, 0, 5), at(9, 9, 8), kFloorAt5));
     EXPECT_TRUE(intersect_segment(at(0, 0, 4), at(9, 9, 6), kFloorAt5));
+    EXPECT_EQ(intersect_segment(at(0, 0, 1), at(3, 3, 5), kFloorAt5)->world_point, at(3, 3, 5));
+    EXPECT_EQ(intersect_segment(at(3, 3, 5), at(0, 0, 5), kFloorAt5)->world_point, at(3, 3, 5)) << "lies in it";
 }
 
 TEST(SeedN7, FractionAlongTheLineIsD1OverD1MinusD2) {
