@@ -81,9 +81,10 @@ def defining_files(plain, texts):
     outer = re.sub(r"\(anonymous namespace\)::|\[abi:\w+\]", "", plain).split("::{lambda")[0]
     while re.search(r"<[^<>]*>", outer):
         outer = re.sub(r"<[^<>]*>", "", outer)
-    name = re.escape(outer.split("(")[0].split("::")[-1].split(" ")[-1])
-    defines = re.compile(r"^[ \t]*(?!return\b|else\b)[\w:<>,&*\[\] \t]*\b%s\((?:[^;{}]|\{\})*\{" % name, re.MULTILINE)
-    return {file for file, text in texts.items() if defines.search(text)}
+    name = outer.split("(")[0].split("::")[-1].split(" ")[-1]
+    defines = re.compile(r"^[ \t]*(?!return\b|else\b)[\w:<>,&*\[\] \t]*\b%s\((?:[^;{}]|\{\})*\{" % re.escape(name),
+                         re.MULTILINE)
+    return {file for file, text in texts.items() if name + "(" in text and defines.search(text)}
 
 
 def symbol_sources(build):
