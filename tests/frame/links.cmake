@@ -1,3 +1,3 @@
 set(LINKS oblong_frame oblong_platform)
 # Looks at every pixel of thousands of pictures.
-set(OPTIMISATION -O2)
+set(OPTIMISATION -O1)

@@ -1,3 +1,3 @@
 set(LINKS oblong_gallery)
 # Looks at every pixel of pictures.
-set(OPTIMISATION -O2)
+set(OPTIMISATION -O1)
