@@ -1,10 +1,10 @@
 #include "engine/fixed/arithmetic.h"
 
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "engine/fixed/reciprocal.h"
@@ -26,6 +26,16 @@ Fixed16 quotient(std::int32_t a, std::int32_t b) {
 
 Fixed16 product(std::int32_t a, std::int32_t b, Rounding rounding = Rounding::NearestHalfUp) {
     return multiply(Fixed16::from_raw(a), Fixed16::from_raw(b), rounding);
+}
+
+/// A number of any length, at the ends of its type now and then.
+template <class Number>
+Number any_number(std::mt19937_64& random) {
+    const auto number = static_cast<Number>(random());
+    const int shift = static_cast<int>(random() % (8 * sizeof(Number) + 2));
+    if (shift >= static_cast<int>(8 * sizeof(Number)))
+        return number < 0 ? std::numeric_limits<Number>::min() : std::numeric_limits<Number>::max();
+    return floor_shift(number, shift);
 }
 
 /// The floor of a 2^16 / b in 64 bits, cut to 32.
@@ -56,9 +66,13 @@ TEST(HardCaseA2, SaturationBeginsExactlyWhereTheQuotientNoLongerFits) {
             }
 }
 
-RC_GTEST_PROP(HardCaseA1, QuotientIsTheFloorOrSaturates, (std::int32_t a, std::int32_t b)) {
-    RC_PRE(b != 0);
-    RC_ASSERT(quotient(a, b).raw == expected_quotient(a, b));
+TEST(HardCaseA1, QuotientIsTheFloorOrSaturates) {
+    std::mt19937_64 random(1);
+    for (int i = 0; i < 20'000; ++i) {
+        const auto a = any_number<std::int32_t>(random), b = any_number<std::int32_t>(random);
+        if (b == 0) continue;
+        ASSERT_TRUE(quotient(a, b).raw == expected_quotient(a, b)) << i;
+    }
 }
 
 TEST(HardCaseA3, ProductsRoundByOneRuleAndSaturate) {
@@ -71,20 +85,28 @@ TEST(HardCaseA3, ProductsRoundByOneRuleAndSaturate) {
     EXPECT_EQ(product(1, 32768, Rounding::Floor).raw, 0);
 }
 
-RC_GTEST_PROP(HardCaseA3, ProductOfTheNegativeIsWithinAStepOfTheNegativeProduct, (std::int32_t a, std::int32_t b)) {
-    RC_PRE(a != kLowest);
-    for (const Rounding rounding : {Rounding::Floor, Rounding::NearestHalfUp}) {
-        const std::int64_t sum = std::int64_t{product(a, b, rounding).raw} + product(-a, b, rounding).raw;
-        RC_ASSERT(-1 <= sum && sum <= 1);
+TEST(HardCaseA3, ProductOfTheNegativeIsWithinAStepOfTheNegativeProduct) {
+    std::mt19937_64 random(2);
+    for (int i = 0; i < 20'000; ++i) {
+        const auto a = any_number<std::int32_t>(random), b = any_number<std::int32_t>(random);
+        if (a == kLowest) continue;
+        for (const Rounding rounding : {Rounding::Floor, Rounding::NearestHalfUp}) {
+            const std::int64_t sum = std::int64_t{product(a, b, rounding).raw} + product(-a, b, rounding).raw;
+            ASSERT_TRUE(-1 <= sum && sum <= 1) << i;
+        }
     }
 }
 
-RC_GTEST_PROP(Multiply, WideProductsEqualThoseOf128Bits, (std::int64_t a, std::int64_t b)) {
-    const Int128 exact = (Int128{a} * b) >> 42;
-    const Int128 expected =
-        std::clamp<Int128>(exact, std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max());
-    const auto got = multiply(PlaneDistance::from_raw(a), PlaneDistance::from_raw(b), Rounding::Floor);
-    RC_ASSERT(Int128{got.raw} == expected);
+TEST(Multiply, WideProductsEqualThoseOf128Bits) {
+    std::mt19937_64 random(3);
+    for (int i = 0; i < 20'000; ++i) {
+        const auto a = any_number<std::int64_t>(random), b = any_number<std::int64_t>(random);
+        const Int128 exact = (Int128{a} * b) >> 42;
+        const Int128 expected = std::clamp<Int128>(exact, std::numeric_limits<std::int64_t>::min(),
+                                                   std::numeric_limits<std::int64_t>::max());
+        const auto got = multiply(PlaneDistance::from_raw(a), PlaneDistance::from_raw(b), Rounding::Floor);
+        ASSERT_TRUE(Int128{got.raw} == expected) << i;
+    }
 }
 
 TEST(HardCaseA9, ShiftsOfNegativesFloorAtEveryWidth) {
@@ -111,21 +133,25 @@ TEST(Conversion, SaturatesInBothDirections) {
 }
 
 /// Against doubles, which hold all of these numbers exactly.
-RC_GTEST_PROP(Parts, AreThoseOfDoubles, (std::int32_t raw, std::int32_t other)) {
-    const auto is = [](auto found, double expected) { return static_cast<double>(found) == expected; };
-    const auto a = WorldWide::from_raw(raw), b = WorldWide::from_raw(other);
-    const double steps = raw, value = steps / 4096;
-    RC_ASSERT(is(floor_of<4>(a), std::floor(value * 16)));
-    RC_ASSERT(is(floor_of<12>(a), steps));
-    RC_ASSERT(is(floor_of<20>(a), value * (1 << 20)));
-    RC_ASSERT(is((a / 10).raw, std::trunc(steps / 10)));
-    RC_ASSERT(is_within(a, WorldWide::from_int(256)) == (std::abs(value) < 256));
-    RC_ASSERT(is(magnitude(World::from_raw(raw)), std::abs(steps)));
-    RC_ASSERT(is(World::from_raw(raw).bits(), raw < 0 ? steps + 0x1p32 : steps));
-    RC_PRE(other != 0);
-    RC_ASSERT(is(a / b, std::trunc(steps / other)));
-    const auto wide = Fixed<std::int64_t, 24>::from_raw(std::int64_t{raw} * 1000);
-    RC_ASSERT(is(truncated_quotient<WorldWide>(wide, b).raw, std::trunc(steps * 1000 / other)));
+TEST(Parts, AreThoseOfDoubles) {
+    std::mt19937_64 random(4);
+    for (int i = 0; i < 20'000; ++i) {
+        const auto raw = any_number<std::int32_t>(random), other = any_number<std::int32_t>(random);
+        const auto is = [](auto found, double expected) { return static_cast<double>(found) == expected; };
+        const auto a = WorldWide::from_raw(raw), b = WorldWide::from_raw(other);
+        const double steps = raw, value = steps / 4096;
+        ASSERT_TRUE(is(floor_of<4>(a), std::floor(value * 16))) << i;
+        ASSERT_TRUE(is(floor_of<12>(a), steps)) << i;
+        ASSERT_TRUE(is(floor_of<20>(a), value * (1 << 20))) << i;
+        ASSERT_TRUE(is((a / 10).raw, std::trunc(steps / 10))) << i;
+        ASSERT_TRUE(is_within(a, WorldWide::from_int(256)) == (std::abs(value) < 256)) << i;
+        ASSERT_TRUE(is(magnitude(World::from_raw(raw)), std::abs(steps))) << i;
+        ASSERT_TRUE(is(World::from_raw(raw).bits(), raw < 0 ? steps + 0x1p32 : steps)) << i;
+        if (other == 0) continue;
+        ASSERT_TRUE(is(a / b, std::trunc(steps / other))) << i;
+        const auto wide = Fixed<std::int64_t, 24>::from_raw(std::int64_t{raw} * 1000);
+        ASSERT_TRUE(is(truncated_quotient<WorldWide>(wide, b).raw, std::trunc(steps * 1000 / other))) << i;
+    }
 }
 
 TEST(Sum, SaturatesInBothDirections) {
@@ -144,11 +170,15 @@ TEST(Reciprocal, OfTheLeastAndGreatest16Dot16Number) {
     EXPECT_EQ(reciprocal<Fixed46>(Fixed16{}), Fixed46::highest());
 }
 
-RC_GTEST_PROP(Reciprocal, IsTheNearest, (std::int32_t n)) {
-    RC_PRE(n != 0);
-    const Int128 r = reciprocal<Fixed<std::int64_t, 46>>(Fixed16::from_raw(n)).raw;
-    const Int128 off = 2 * (r * n - (Int128{1} << 62));
-    RC_ASSERT(off <= std::abs(std::int64_t{n}) && -off <= std::abs(std::int64_t{n}));
+TEST(Reciprocal, IsTheNearest) {
+    std::mt19937_64 random(5);
+    for (int i = 0; i < 20'000; ++i) {
+        const auto n = any_number<std::int32_t>(random);
+        if (n == 0) continue;
+        const Int128 r = reciprocal<Fixed<std::int64_t, 46>>(Fixed16::from_raw(n)).raw;
+        const Int128 off = 2 * (r * n - (Int128{1} << 62));
+        ASSERT_TRUE(off <= std::abs(std::int64_t{n}) && -off <= std::abs(std::int64_t{n})) << i;
+    }
 }
 
 TEST(Log2Floor, AroundEveryPowerOfTwo) {

@@ -3,13 +3,14 @@
 #include "engine/raster/lines.h"
 
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <random>
 #include <vector>
 
 #include "engine/raster/line_walks.h"
+#include "tests/support/random.h"
 
 namespace oblong::test {
 namespace {
@@ -96,17 +97,25 @@ Picture exact_line(PixelPosition a, PixelPosition b, std::int32_t width, std::in
 }
 
 /// Near the canvas, far from it, and at the ends of 32 bits.
-PixelPosition any_position() {
-    const auto coordinate = [] {
-        return *rc::gen::oneOf(
-            rc::gen::inRange<std::int32_t>(-20, 60), rc::gen::inRange<std::int32_t>(-2'000'000'000, 2'000'000'000),
-            rc::gen::element(std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::max()));
+PixelPosition any_position(std::mt19937& random) {
+    const auto coordinate = [&random]() -> std::int32_t {
+        const auto any = static_cast<std::int32_t>(random());
+        switch (random() % 3) {
+            case 0:
+                return random_below(random, 80) - 20;
+            case 1:
+                return any;
+            default:
+                return any < 0 ? std::numeric_limits<std::int32_t>::min() : std::numeric_limits<std::int32_t>::max();
+        }
     };
-    return {coordinate(), coordinate()};
+    const std::int32_t column = coordinate();
+    return {column, coordinate()};
 }
 
-PixelPosition position_within(std::int32_t least, std::int32_t end) {
-    return {*rc::gen::inRange(least, end), *rc::gen::inRange(least, end)};
+PixelPosition position_within(std::int32_t least, std::int32_t end, std::mt19937& random) {
+    const std::int32_t column = least + random_below(random, end - least);
+    return {column, least + random_below(random, end - least)};
 }
 
 TEST(Bresenham, SetsTheNearestPixelsOfEveryShortLine) {
@@ -119,75 +128,101 @@ TEST(Bresenham, SetsTheNearestPixelsOfEveryShortLine) {
     }
 }
 
-RC_GTEST_PROP(Bresenham, IsExactFromAnyPositionToAny, ()) {
-    const PixelPosition from = any_position(), to = any_position();
-    RC_ASSERT(drawn(from, to, LineMethod::Bresenham, 41, 23) == exact_line(from, to, 41, 23));
-}
-
-RC_GTEST_PROP(Lines, AreTheSameFromEitherEnd, ()) {
-    const PixelPosition from = any_position(), to = any_position();
-    for (const LineMethod method : kMethods)
-        RC_ASSERT(drawn(from, to, method, 41, 23) == drawn(to, from, method, 41, 23));
-}
-
-RC_GTEST_PROP(Lines, StayInTheCanvas, ()) {
-    const PixelPosition from = any_position(), to = any_position();
-    for (const LineMethod method : kMethods) RC_ASSERT(drawn(from, to, method, 41, 23).margin_is_whole());
-}
-
-RC_GTEST_PROP(Lines, ClippedAreTheirWholesInTheCanvas, ()) {
-    constexpr std::int32_t kReach = 90, kSize = 31;
-    const PixelPosition from = position_within(-kReach, kReach), to = position_within(-kReach, kReach);
-    const auto moved = [](PixelPosition p) { return PixelPosition{p.column + kReach, p.row + kReach}; };
-    for (const LineMethod method : kMethods) {
-        Picture part = drawn(from, to, method, kSize, kSize);
-        Picture whole = drawn(moved(from), moved(to), method, 2 * kReach, 2 * kReach);
-        for (std::int32_t y = 0; y < kSize; ++y)
-            for (std::int32_t x = 0; x < kSize; ++x) RC_ASSERT(part.at(x, y) == whole.at(x + kReach, y + kReach));
+TEST(Bresenham, IsExactFromAnyPositionToAny) {
+    std::mt19937 random(1);
+    for (int i = 0; i < 1'000; ++i) {
+        const PixelPosition from = any_position(random), to = any_position(random);
+        ASSERT_TRUE(drawn(from, to, LineMethod::Bresenham, 41, 23) == exact_line(from, to, 41, 23)) << i;
     }
 }
 
-RC_GTEST_PROP(Lines, HaveAPixelAStep, ()) {
-    constexpr std::int32_t kSize = 200;
-    const PixelPosition from = position_within(0, kSize), to = position_within(0, kSize);
-    const std::int32_t across = std::abs(to.column - from.column), down = std::abs(to.row - from.row);
-    RC_ASSERT(drawn(from, to, LineMethod::Dda, kSize, kSize).set_pixels() == std::max(across, down) + 1);
-    RC_ASSERT(drawn(from, to, LineMethod::Bresenham, kSize, kSize).set_pixels() == std::max(across, down) + 1);
-    RC_ASSERT(drawn(from, to, LineMethod::Naive, kSize, kSize).set_pixels() == across + 1);  // gaps where it is steep
+TEST(Lines, AreTheSameFromEitherEnd) {
+    std::mt19937 random(2);
+    for (int i = 0; i < 1'000; ++i) {
+        const PixelPosition from = any_position(random), to = any_position(random);
+        for (const LineMethod method : kMethods)
+            ASSERT_TRUE(drawn(from, to, method, 41, 23) == drawn(to, from, method, 41, 23)) << i;
+    }
 }
 
-RC_GTEST_PROP(Dda, IsOffByItsRoundedSlopeAtMost, ()) {
-    const auto size = [] { return *rc::gen::inRange<std::int64_t>(1, std::int64_t{1} << 31); };
-    LinePath path;
-    path.steps = size();
-    path.minor_rise = size() % (path.steps + 1);
-    const DdaWalk<std::int64_t> walk(path);
-    const std::int64_t step = *rc::gen::inRange<std::int64_t>(0, path.steps + 1);
-    const double exact =
-        static_cast<double>(step) * static_cast<double>(path.minor_rise) / static_cast<double>(path.steps);
-    RC_ASSERT(std::abs(static_cast<double>(walk.minor_at(step)) - exact) <=
-              0.5 + std::ldexp(static_cast<double>(step), -17) + 1e-5);
+TEST(Lines, StayInTheCanvas) {
+    std::mt19937 random(3);
+    for (int i = 0; i < 1'000; ++i) {
+        const PixelPosition from = any_position(random), to = any_position(random);
+        for (const LineMethod method : kMethods) ASSERT_TRUE(drawn(from, to, method, 41, 23).margin_is_whole()) << i;
+    }
+}
+
+TEST(Lines, ClippedAreTheirWholesInTheCanvas) {
+    std::mt19937 random(4);
+    for (int i = 0; i < 200; ++i) {
+        constexpr std::int32_t kReach = 90, kSize = 31;
+        const PixelPosition from = position_within(-kReach, kReach, random),
+                            to = position_within(-kReach, kReach, random);
+        const auto moved = [](PixelPosition p) { return PixelPosition{p.column + kReach, p.row + kReach}; };
+        for (const LineMethod method : kMethods) {
+            Picture part = drawn(from, to, method, kSize, kSize);
+            Picture whole = drawn(moved(from), moved(to), method, 2 * kReach, 2 * kReach);
+            for (std::int32_t y = 0; y < kSize; ++y)
+                for (std::int32_t x = 0; x < kSize; ++x)
+                    ASSERT_TRUE(part.at(x, y) == whole.at(x + kReach, y + kReach)) << i;
+        }
+    }
+}
+
+TEST(Lines, HaveAPixelAStep) {
+    std::mt19937 random(5);
+    for (int i = 0; i < 200; ++i) {
+        constexpr std::int32_t kSize = 200;
+        const PixelPosition from = position_within(0, kSize, random), to = position_within(0, kSize, random);
+        const std::int32_t across = std::abs(to.column - from.column), down = std::abs(to.row - from.row);
+        ASSERT_TRUE(drawn(from, to, LineMethod::Dda, kSize, kSize).set_pixels() == std::max(across, down) + 1) << i;
+        ASSERT_TRUE(drawn(from, to, LineMethod::Bresenham, kSize, kSize).set_pixels() == std::max(across, down) + 1)
+            << i;
+        ASSERT_TRUE(drawn(from, to, LineMethod::Naive, kSize, kSize).set_pixels() == across + 1)
+            << i;  // gaps where it is steep
+    }
+}
+
+TEST(Dda, IsOffByItsRoundedSlopeAtMost) {
+    std::mt19937 random(6);
+    for (int i = 0; i < 1'000; ++i) {
+        const auto size = [&random] { return std::max<std::int64_t>(1, random() >> (1 + random() % 31)); };
+        LinePath path;
+        path.steps = size();
+        path.minor_rise = size() % (path.steps + 1);
+        const DdaWalk<std::int64_t> walk(path);
+        const std::int64_t step = static_cast<std::int64_t>(random()) % (path.steps + 1);
+        const double exact =
+            static_cast<double>(step) * static_cast<double>(path.minor_rise) / static_cast<double>(path.steps);
+        ASSERT_TRUE(std::abs(static_cast<double>(walk.minor_at(step)) - exact) <=
+                    0.5 + std::ldexp(static_cast<double>(step), -17) + 1e-5)
+            << i;
+    }
 }
 
 template <class Walk>
 void expect_steps_alike(const LinePath& path) {
     Walk stepped(path);
     for (std::int64_t step = 0; step <= path.steps; ++step, stepped.next()) {
-        RC_ASSERT(stepped.minor() == stepped.minor_at(step));
+        ASSERT_TRUE(stepped.minor() == stepped.minor_at(step)) << step;
         Walk moved(path);
         moved.move_to(step);
-        RC_ASSERT(moved.minor() == stepped.minor());
+        ASSERT_TRUE(moved.minor() == stepped.minor()) << step;
     }
 }
 
-RC_GTEST_PROP(LineWalks, AreAtTheSamePlaceWhereverTheyStarted, ()) {
-    const LinePath path =
-        make_line_path(position_within(-50, 50), position_within(-50, 50), *rc::gen::arbitrary<bool>());
-    expect_steps_alike<NaiveWalk<std::int64_t>>(path);
-    expect_steps_alike<DdaWalk<std::int64_t>>(path);
-    if (std::abs(path.minor_rise) > path.steps) return;
-    expect_steps_alike<BresenhamWalk<std::int64_t>>(path);
-    expect_steps_alike<GuptaSproullWalk<std::int64_t>>(path);
+TEST(LineWalks, AreAtTheSamePlaceWhereverTheyStarted) {
+    std::mt19937 random(7);
+    for (int i = 0; i < 200; ++i) {
+        const LinePath path =
+            make_line_path(position_within(-50, 50, random), position_within(-50, 50, random), random() % 2 == 0);
+        expect_steps_alike<NaiveWalk<std::int64_t>>(path);
+        expect_steps_alike<DdaWalk<std::int64_t>>(path);
+        if (std::abs(path.minor_rise) > path.steps) continue;
+        expect_steps_alike<BresenhamWalk<std::int64_t>>(path);
+        expect_steps_alike<GuptaSproullWalk<std::int64_t>>(path);
+    }
 }
 
 double distance_from_line(PixelPosition from, PixelPosition to, std::int32_t x, std::int32_t y) {
@@ -197,25 +232,28 @@ double distance_from_line(PixelPosition from, PixelPosition to, std::int32_t x, 
 }
 
 /// Bresenham's pixels and their neighbours along the minor axis have the level of their distance, others none.
-RC_GTEST_PROP(GuptaSproull, CoversThreePixelsAStepByTheirDistance, ()) {
-    constexpr std::int32_t kSize = 60;
-    const PixelPosition from = position_within(1, kSize - 1), to = position_within(1, kSize - 1);
-    Picture picture = drawn(from, to, LineMethod::GuptaSproull, kSize, kSize),
-            nearest = exact_line(from, to, kSize, kSize);
-    const bool is_steep = std::abs(to.row - from.row) > std::abs(to.column - from.column);
-    for (std::int32_t y = 1; y < kSize - 1; ++y)
-        for (std::int32_t x = 1; x < kSize - 1; ++x) {
-            const bool is_beside =
-                is_steep ? nearest.at(x - 1, y) || nearest.at(x + 1, y) : nearest.at(x, y - 1) || nearest.at(x, y + 1);
-            const double distance = distance_from_line(from, to, x, y), sixteenths = 16 * distance;
-            if (!nearest.at(x, y) && !is_beside) {
-                RC_ASSERT(picture.at(x, y) == 0);
-                continue;
+TEST(GuptaSproull, CoversThreePixelsAStepByTheirDistance) {
+    std::mt19937 random(8);
+    for (int i = 0; i < 200; ++i) {
+        constexpr std::int32_t kSize = 60;
+        const PixelPosition from = position_within(1, kSize - 1, random), to = position_within(1, kSize - 1, random);
+        Picture picture = drawn(from, to, LineMethod::GuptaSproull, kSize, kSize),
+                nearest = exact_line(from, to, kSize, kSize);
+        const bool is_steep = std::abs(to.row - from.row) > std::abs(to.column - from.column);
+        for (std::int32_t y = 1; y < kSize - 1; ++y)
+            for (std::int32_t x = 1; x < kSize - 1; ++x) {
+                const bool is_beside = is_steep ? nearest.at(x - 1, y) || nearest.at(x + 1, y)
+                                                : nearest.at(x, y - 1) || nearest.at(x, y + 1);
+                const double distance = distance_from_line(from, to, x, y), sixteenths = 16 * distance;
+                if (!nearest.at(x, y) && !is_beside) {
+                    ASSERT_TRUE(picture.at(x, y) == 0) << i;
+                    continue;
+                }
+                if (std::abs(sixteenths - std::floor(sixteenths) - 0.5) < 1e-4) continue;  // rounded either way
+                const auto entry = static_cast<std::size_t>(std::min(std::lround(sixteenths), 24l));
+                ASSERT_TRUE(picture.at(x, y) == 100 + kLineCoverage_256.at(entry) / 4) << i;
             }
-            if (std::abs(sixteenths - std::floor(sixteenths) - 0.5) < 1e-4) continue;  // rounded either way
-            const auto entry = static_cast<std::size_t>(std::min(std::lround(sixteenths), 24l));
-            RC_ASSERT(picture.at(x, y) == 100 + kLineCoverage_256.at(entry) / 4);
-        }
+    }
 }
 
 /// The volume of a cone of radius and volume 1 over a strip one pixel wide, whose middle is `distance` from its axis.

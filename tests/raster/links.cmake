@@ -1,2 +1,1 @@
-find_package(rapidcheck REQUIRED)
-set(LINKS oblong_raster rapidcheck)
+set(LINKS oblong_raster)

@@ -1,2 +1,1 @@
-find_package(rapidcheck REQUIRED)
-set(LINKS oblong_view oblong_methods rapidcheck)
+set(LINKS oblong_view oblong_methods)
