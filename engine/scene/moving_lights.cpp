@@ -155,6 +155,18 @@ std::optional<MovingLight> limited(MovingLight light) {
     return light;
 }
 
+/// Whether a light reaches the front of a face, its model moved by `offset`: most are too far from its plane.
+bool touches(const MovingLight& light, const Level& level, const Face& face, TexelDensity density,
+             const Vec3<World>& offset) {
+    const Vec3<World> position = in_model(light.position, offset);
+    const PlaneDistance distance = distance_before(level, face, position);
+    if (distance <= PlaneDistance{} || convert<Distance>(distance) >= convert<Distance>(light.radius)) return false;
+    const LightAtFace seen = light_at_face(level, face, position);
+    const Texel reach = product<Texel>(light.radius, density + TexelDensity::ulp());
+    return seen.u > -reach && seen.u < Texel::from_int(face.texel_extent_u) + reach && seen.v > -reach &&
+           seen.v < Texel::from_int(face.texel_extent_v) + reach;
+}
+
 template <class Visit>
 void for_each_bit(std::uint32_t bits, Visit visit) {
     for (; bits != 0; bits &= bits - 1) visit(std::countr_zero(bits));
@@ -210,17 +222,6 @@ void MovingLights::set(std::span<const MovingLight> lights, const Vec3<World>& e
     add_new();
 }
 
-bool MovingLights::touches(const MovingLight& light, const Face& face, TexelDensity density,
-                           const Vec3<World>& offset) const {
-    const Vec3<World> position = in_model(light.position, offset);
-    const PlaneDistance distance = distance_before(level_, face, position);
-    if (distance <= PlaneDistance{} || convert<Distance>(distance) >= convert<Distance>(light.radius)) return false;
-    const LightAtFace seen = light_at_face(level_, face, position);
-    const Texel reach = product<Texel>(light.radius, density);
-    return seen.u > -reach && seen.u < Texel::from_int(face.texel_extent_u) + reach && seen.v > -reach &&
-           seen.v < Texel::from_int(face.texel_extent_v) + reach;
-}
-
 MovingLights::FaceTouch& MovingLights::last_touch(FaceIndex face) {
     if (touch_of_.empty()) touch_of_.resize(level_.faces.size(), Index<FaceTouch>::none());
     Index<FaceTouch>& known = touch_of_[face];
@@ -233,11 +234,10 @@ MovingLights::FaceTouch& MovingLights::last_touch(FaceIndex face) {
 
 LightTouch MovingLights::touch(FaceIndex index, const Vec3<World>& offset) {
     const Face& face = level_.faces[index];
-    const TexelDensity density = convert<TexelDensity>(faces_[index].density) + TexelDensity::ulp();
     FaceTouch now;
     for_each_bit(active_, [&](int light) {
         const Known& known = item(known_, light);
-        if (!touches(known.light, face, density, offset)) return;
+        if (!touches(known.light, level_, face, convert<TexelDensity>(faces_[index].density), offset)) return;
         now.lights |= std::uint32_t{1} << light;
         now.newest = std::max(now.newest, known.version);
     });

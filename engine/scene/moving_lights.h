@@ -68,7 +68,6 @@ class MovingLights {
     void keep_known();
     void add_new();
     FaceTouch& last_touch(FaceIndex face);
-    bool touches(const MovingLight& light, const Face& face, TexelDensity density, const Vec3<World>& offset) const;
 
     const Level& level_;
     const FaceTable& faces_;

@@ -14,42 +14,51 @@ namespace {
 /// the eye than this, half a step of World, counts as edge-on and is not drawn.
 constexpr auto kEdgeOn = PlaneDistance::from_raw(std::int64_t{1} << 29);
 
-/// Ranks the model's faces that face the eye front to back by the model's tree; the others get -1.
-void rank_faces(const Level& level, const SubModel& model, const Viewpoint& local, std::vector<ModelStep>& steps,
-                Table<std::int32_t, Face>& ranks) {
-    for (const FaceIndex face : model.faces) ranks[face] = -1;
-    std::int32_t rank = 0;
-    steps.clear();
-    const auto descend = [&](NodeChild at) {
-        while (!at.is_leaf()) {
-            const Node& node = level.nodes[at.node()];
-            const PlaneDistance distance = plane_distance(level.planes[node.plane], local);
-            const bool in_front = distance > PlaneDistance{};
-            steps.push_back({at.node(), in_front, absolute(distance) >= kEdgeOn});
-            at = node.children[!in_front];
-        }
-    };
-    descend(model.root);
-    while (!steps.empty()) {
-        const ModelStep step = steps.back();
-        steps.pop_back();
-        const Node& node = level.nodes[step.node];
-        if (step.shows_faces)
-            for (const FaceIndex face : node.faces)
-                if (level.faces[face].is_back != step.in_front) ranks[face] = rank++;
-        descend(node.children[step.in_front]);
-    }
-}
-
-/// The box of a model at its place, rounded outward.
-LevelBox box_of(const SubModel& model, const Vec3<World>& offset) {
-    LevelBox box = model.box;
+/// A box of a model, at the model's place, rounded outward.
+LevelBox moved(LevelBox box, const Vec3<World>& offset) {
     const std::array offsets{offset.x, offset.y, offset.z};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         box.mins[axis] = box_coordinate(box.mins[axis] + floor_of(offsets[axis]));
         box.maxs[axis] = box_coordinate(box.maxs[axis] + floor_of(offsets[axis]) + 1);
     }
     return box;
+}
+
+/// Whether a node parts a model in two. With a leaf on one side it only bounds it, as those of a convex brush do.
+bool parts_model(const Node& node) {
+    return !node.children[0].is_leaf() && !node.children[1].is_leaf();
+}
+
+/// Ranks the faces of a model at `offset` that face the eye front to back by the model's tree; those that face away,
+/// and those of parts outside the view, get -1. `model_sides` are those that the model's box crosses.
+void rank_faces(const ModelView& view, const SubModel& model, const Vec3<World>& offset, std::uint8_t model_sides,
+                std::vector<ModelStep>& steps, Table<std::int32_t, Face>& ranks) {
+    for (const FaceIndex face : model.faces) ranks[face] = -1;
+    std::int32_t rank = 0;
+    steps.clear();
+    const Viewpoint local = view.viewpoint.relative_to(offset);
+    const auto descend = [&](NodeChild at, std::uint8_t sides, bool is_part) {
+        while (!at.is_leaf()) {
+            const Node& node = view.level.nodes[at.node()];
+            if (is_part) sides = view.culler.sides_crossed(moved(node.box, offset), sides);
+            if (sides == kOutside) return;
+            const PlaneDistance distance = plane_distance(view.level.planes[node.plane], local);
+            const bool in_front = distance > PlaneDistance{};
+            steps.push_back({at.node(), in_front, absolute(distance) >= kEdgeOn, sides});
+            is_part = sides != 0 && parts_model(node);
+            at = node.children[!in_front];
+        }
+    };
+    descend(model.root, model_sides, false);
+    while (!steps.empty()) {
+        const ModelStep step = steps.back();
+        steps.pop_back();
+        const Node& node = view.level.nodes[step.node];
+        if (step.shows_faces)
+            for (const FaceIndex face : node.faces)
+                if (view.level.faces[face].is_back != step.in_front) ranks[face] = rank++;
+        descend(node.children[step.in_front], step.sides, step.sides != 0 && parts_model(node));
+    }
 }
 
 /// The distance of a model's middle, for comparing: squared from an eye, or along the rays of a parallel view.
@@ -129,9 +138,12 @@ const FragmentTree& BrushModels::tree_of(LeafModels& leaf, const Level& level) {
 void BrushModels::order_model(PlacedIndex placed, const ModelView& view) {
     const PlacedModel& at = placed_[placed];
     const SubModel& model = view.level.models[at.model];
-    const bool is_outside = !view.may_show(box_of(model, at.offset));
-    orders_[placed] = {frame_, distance_order(model, at, view.viewpoint), is_outside};
-    if (!is_outside) rank_faces(view.level, model, view.viewpoint.relative_to(at.offset), steps_, face_ranks_);
+    const LevelBox box = moved(model.box, at.offset);
+    const std::uint8_t sides = view.culler.sides_crossed(box, kAllSides);
+    orders_[placed] = {frame_, 0, sides == kOutside || !view.may_be_free(box)};
+    if (orders_[placed].is_outside) return;
+    orders_[placed].distance = distance_order(model, at, view.viewpoint);
+    rank_faces(view, model, at.offset, sides, steps_, face_ranks_);
 }
 
 bool BrushModels::is_before(const Fragment& a, const Fragment& b) const {
@@ -171,9 +183,7 @@ void BrushModels::walk_tree(const FragmentTree& tree, Index<FragmentTree::Node> 
     walk_tree(tree, in_front ? node.back : node.front, view);
 }
 
-std::span<const Fragment* const> BrushModels::front_to_back_in(LeafIndex leaf, const Level& level,
-                                                               const Viewpoint& viewpoint, const MayShow& may_show) {
-    const ModelView view{level, viewpoint, may_show};
+std::span<const Fragment* const> BrushModels::front_to_back_in(LeafIndex leaf, const ModelView& view) {
     found_.clear();
     LeafModels& in_leaf = leaves_[leaf];
     bool any_shows = false;
@@ -181,7 +191,7 @@ std::span<const Fragment* const> BrushModels::front_to_back_in(LeafIndex leaf, c
         any_shows |= shows_model(links_[link].fragment->placed, view);
     if (!any_shows) return {};
     if (!links_[in_leaf.first_link].next_model.is_none()) {
-        const FragmentTree& tree = tree_of(in_leaf, level);
+        const FragmentTree& tree = tree_of(in_leaf, view.level);
         walk_tree(tree, tree.root, view);
         if (!tree.root.is_none()) return found_;
     }

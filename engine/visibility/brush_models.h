@@ -8,6 +8,7 @@
 #include "engine/level/level.h"
 #include "engine/scene/face_table.h"
 #include "engine/view/view_context.h"
+#include "engine/visibility/box_culler.h"
 #include "engine/visibility/fragments.h"
 
 namespace oblong {
@@ -15,8 +16,18 @@ namespace oblong {
 /// What remains to do at a node of a model's tree after its near side.
 struct ModelStep {
     NodeIndex node;
-    bool in_front;     ///< which side the viewpoint is on
-    bool shows_faces;  ///< faces on its plane are not edge-on
+    bool in_front;       ///< which side the viewpoint is on
+    bool shows_faces;    ///< faces on its plane are not edge-on
+    std::uint8_t sides;  ///< of the frustum, that the node's box crosses
+};
+
+/// How the brush models of a level are seen: the same in all calls of a frame.
+struct ModelView {
+    const Level& level;
+    const Viewpoint& viewpoint;
+    const BoxCuller& culler;
+    /// Whether a pixel of a box may be free. Asked once a model and frame.
+    const std::function<bool(const LevelBox&)>& may_be_free;
 };
 
 /// The brush models of a scene (doors, lifts), split by the world's tree so that each part is drawn with its leaf in
@@ -31,13 +42,9 @@ class BrushModels {
     void start_frame(const Level& level, std::span<const PlacedModel> models, const FaceTable& table);
 
     bool has_any_in(LeafIndex leaf) const { return !leaves_[leaf].first_link.is_none(); }
-    /// Whether something in a box may own pixels. Once false for a box, it is false for the rest of the frame.
-    using MayShow = std::function<bool(const LevelBox&)>;
-    /// The parts in a leaf that face the viewpoint, nearest first. Models whose box does not show are left out;
-    /// `may_show` is called once a model and frame. The result is valid until the next call. All calls of a frame have
-    /// the same viewpoint.
-    std::span<const Fragment* const> front_to_back_in(LeafIndex leaf, const Level& level, const Viewpoint& viewpoint,
-                                                      const MayShow& may_show);
+    /// The parts in a leaf that face the viewpoint, nearest first. Models without free pixels in their box, and what is
+    /// outside the view, are left out. The result is valid until the next call.
+    std::span<const Fragment* const> front_to_back_in(LeafIndex leaf, const ModelView& view);
     std::span<const Vec3<World>> corners_of(const Fragment& fragment) const {
         const auto& corners = fragment.tree.is_none() ? cuts_[fragment.placed].corners : trees_[fragment.tree].corners;
         return std::span(corners).subspan(fragment.first_corner, fragment.corner_count);
@@ -52,11 +59,6 @@ class BrushModels {
         const Fragment* fragment;
         Index<Link> next;        ///< in the same leaf
         Index<Link> next_model;  ///< the first one of the leaf's next model
-    };
-    struct ModelView {
-        const Level& level;
-        const Viewpoint& viewpoint;
-        const MayShow& may_show;
     };
     /// The parts of models in one leaf.
     struct LeafModels {
@@ -87,7 +89,7 @@ class BrushModels {
     Table<PlacedModel> placed_;
     Table<ModelCut, PlacedModel> cuts_;
     Table<Order, PlacedModel> orders_;
-    Table<std::int32_t, Face> face_ranks_;  ///< the face's rank within its model; -1: faces away
+    Table<std::int32_t, Face> face_ranks_;  ///< the face's rank within its model; -1: not shown
     Table<LeafModels, Leaf> leaves_;
     Table<FragmentTree> trees_;
     Table<Link> links_;

@@ -154,10 +154,8 @@ void FrontToBackWalk::enter_leaf(LeafIndex index, std::uint8_t sides) {
     if (culler_.sides_crossed(leaf.box, sides) == kOutside) return;
     for (const FaceIndex face : level_.faces_at(leaf)) scratch_.face_marks[face] = scratch_.mark;
     if (!models_ || !models_->has_any_in(index)) return;
-    const auto may_show = [this](const LevelBox& box) {
-        return culler_.sides_crossed(box, kAllSides) != kOutside && may_be_free(box);
-    };
-    fragments_ = models_->front_to_back_in(index, level_, view_.viewpoint, may_show);
+    const std::function<bool(const LevelBox&)> is_free = [this](const LevelBox& box) { return may_be_free(box); };
+    fragments_ = models_->front_to_back_in(index, {level_, view_.viewpoint, culler_, is_free});
 }
 
 bool FrontToBackWalk::is_beyond_limits(const LevelBox& box) const {

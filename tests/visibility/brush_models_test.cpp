@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 #include <set>
 
+#include "engine/view/screen_polygon.h"
 #include "tests/visibility/visibility_fixture.h"
 
 namespace oblong::test::brush_models_test {
@@ -101,14 +103,20 @@ std::vector<LeafIndex> leaves_of_one_model(const Level& level, const FaceTable& 
     return leaves;
 }
 
+/// The parts in a leaf that face the eye, as a view in all directions shows them.
+std::span<const Fragment* const> all_facing(BrushModels& models, LeafIndex leaf, const Level& level, Vec3<World> eye) {
+    const BoxCuller nothing(Frustum{}, {});
+    const std::function<bool(const LevelBox&)> is_free = [](const LevelBox&) { return true; };
+    return models.front_to_back_in(leaf, {level, {eye}, nothing, is_free});
+}
+
 /// Of each fragment in some leaves its model, and where its corners are kept.
 std::vector<std::pair<PlacedIndex, const Vec3<World>*>> kept_corners(BrushModels& models,
                                                                      std::span<const LeafIndex> leaves,
                                                                      const Level& level, Vec3<World> eye) {
     std::vector<std::pair<PlacedIndex, const Vec3<World>*>> kept;
     for (const LeafIndex leaf : leaves)
-        for (const Fragment* fragment :
-             models.front_to_back_in(leaf, level, {eye}, [](const LevelBox&) { return true; }))
+        for (const Fragment* fragment : all_facing(models, leaf, level, eye))
             kept.emplace_back(fragment->placed, models.corners_of(*fragment).data());
     return kept;
 }
@@ -175,8 +183,7 @@ TEST_P(BrushModel, FragmentsOfALeafFaceTheEyeAndOneModelsComeFrontToBack) {
         models.start_frame(level, models_at_rest(level), table);
         const Vec3<World> eye = random_open_point(level, random);
         for (const LeafIndex leaf : level.leaves.indices())
-            check_order(models, models.front_to_back_in(leaf, level, {eye}, [](const LevelBox&) { return true; }),
-                        to_point(eye), tally);
+            check_order(models, all_facing(models, leaf, level, eye), to_point(eye), tally);
     }
     EXPECT_GT(tally.fragments, 300);
     // The demo level's models are convex: no two parts of one that face the eye are on a ray.
@@ -239,14 +246,52 @@ TEST_P(BrushModel, IsAskedForWithABoxAroundAllOfIt) {
     BrushModels models(level);
     models.start_frame(level, placed, table);
     int asked = 0;
+    const std::function<bool(const LevelBox&)> is_free = [&](const LevelBox& box) {
+        ++asked;
+        EXPECT_EQ(box.mins, (std::array<LevelNumber, 3>{-1, -3, -2}));
+        EXPECT_EQ(box.maxs, (std::array<LevelNumber, 3>{5, 5, 8}));
+        return false;
+    };
     for (const LeafIndex leaf : level.leaves.indices())
-        models.front_to_back_in(leaf, level, {by}, [&](const LevelBox& box) {
-            ++asked;
-            EXPECT_EQ(box.mins, (std::array<LevelNumber, 3>{-1, -3, -2}));
-            EXPECT_EQ(box.maxs, (std::array<LevelNumber, 3>{5, 5, 8}));
-            return false;
-        });
+        models.front_to_back_in(leaf, {level, {by}, BoxCuller(Frustum{}, {}), is_free});
     EXPECT_GT(asked, 0);
+}
+
+TEST_P(BrushModel, OnlyPartsOutsideTheViewAreLeftOut) {
+    const Level level = read_level(GetParam());
+    const FaceTable table = make_face_table(level);
+    BrushModels models(level);
+    ScreenPolygon polygon;
+    std::mt19937 random(4);
+    int kept = 0, left_out = 0, left_out_of_models_in_view = 0;
+    const std::function<bool(const LevelBox&)> is_free = [](const LevelBox&) { return true; };
+    for (int trial = 0; trial < 120; ++trial) {
+        const ViewContext view = view_from(random_open_point(level, random), Angle::from_bam(random()));
+        const BoxCuller culler(view.frustum, view.eye);
+        std::vector<PlacedModel> placed = models_at_rest(level);
+        for (PlacedModel& model : placed) model.offset.z = World::from_raw(random_below(random, 1 << 20));
+        std::set<const Fragment*> in_view;
+        std::set<PlacedIndex> models_in_view;
+        models.start_frame(level, placed, table);
+        for (const LeafIndex leaf : level.leaves.indices())
+            for (const Fragment* part : models.front_to_back_in(leaf, {level, view.viewpoint, culler, is_free})) {
+                in_view.insert(part);
+                models_in_view.insert(part->placed);
+            }
+        kept += static_cast<int>(in_view.size());
+        models.start_frame(level, placed, table);
+        for (const LeafIndex leaf : level.leaves.indices())
+            for (const Fragment* part : all_facing(models, leaf, level, view.eye)) {
+                if (in_view.contains(part)) continue;
+                EXPECT_FALSE(project_polygon(models.corners_of(*part), view, polygon));
+                ++left_out;
+                left_out_of_models_in_view += models_in_view.contains(part->placed);
+            }
+    }
+    EXPECT_GT(kept, 100);
+    EXPECT_GT(left_out, 100);
+    // The demo level's models are convex.
+    EXPECT_GT(left_out_of_models_in_view, is_demo() ? -1 : 10);
 }
 
 OBLONG_FOR_LEVELS(BrushModel, testing::Values("demo", "e1m7", "end"));
