@@ -32,13 +32,11 @@ bool is_nearer(const LinearQuantity<InverseZ>& plane, const ScreenRectangle& pix
     return to_inverse_depth(plane.at(column, row)) > nearest;
 }
 
-/// Whether a pixel of the face in a rectangle shows sky, or is not nearer than `nearest`.
-bool shows_farther(const CoveringFace& covering, const ScreenRectangle& pixels, InverseDepth nearest,
-                   const FrameContext& frame) {
-    const LinearQuantity<InverseZ> inverse_z =
-        covering.face ? inverse_z_of(*covering.face, frame) : LinearQuantity<InverseZ>{};
+/// Whether a pixel of a face in a rectangle is not nearer than `nearest`.
+bool shows_farther(std::span<const Span> spans, const LinearQuantity<InverseZ>& inverse_z,
+                   const ScreenRectangle& pixels, InverseDepth nearest) {
     if (is_nearer(inverse_z, pixels, nearest)) return false;
-    for (const Span& span : spans_in_rows(covering.spans, pixels.first_row, pixels.end_row)) {
+    for (const Span& span : spans_in_rows(spans, pixels.first_row, pixels.end_row)) {
         const std::int32_t first = std::max(span.first, pixels.first_column);
         const std::int32_t end = std::min(span.end, pixels.end_column);
         if (first >= end) continue;
@@ -57,37 +55,24 @@ InverseDepth farthest_inverse_depth_of(const VisibleFace& face) {
 
 }  // namespace
 
-void FaceCover::list_faces() {
-    constexpr std::array kLists{FaceList::Sky, FaceList::Walls, FaceList::Flat, FaceList::Liquid, FaceList::Mirror};
-    std::size_t count = 0;
-    for (const FaceList list : kLists) count += claims_.list(list).size();
-    faces_.clear();
-    faces_.reserve(count);
-    const auto add = [&](FaceList list, const VisibleFace& face) {
-        const std::span<const Span> spans = claims_.spans_of(face);
-        const ScreenRectangle& bounds = face.bounds;
-        const ScreenRectangle around = bounds.first_column < bounds.end_column ? bounds : rectangle_around(spans);
-        const bool is_sky = list == FaceList::Sky;
-        faces_.push_back({is_sky ? 0 : farthest_inverse_depth_of(face), around, is_sky ? nullptr : &face, spans});
-    };
-    for (const FaceList list : kLists)
-        for (const VisibleFace& face : claims_.list(list)) add(list, face);
-    farthest_ = InverseDepth(-1);
-    for (const CoveringFace& face : faces_) farthest_ = std::min(farthest_, face.farthest);
-    is_listed_ = true;
-}
-
 bool FaceCover::hides(const LevelBox& box) {
     return hides(rectangle_of(box, frame_.view), nearest_inverse_depth_of(box, frame_.view));
 }
 
 bool FaceCover::hides(const ScreenRectangle& pixels, InverseDepth nearest) {
-    if (!is_listed_) list_faces();
-    const auto shows = [&](const CoveringFace& face) {
-        return face.farthest <= nearest && overlap(face.bounds, pixels) && shows_farther(face, pixels, nearest, frame_);
+    const auto any_shows = [&](FaceList list) {
+        const std::vector<VisibleFace>& faces = claims_.list(list);
+        return std::any_of(faces.begin(), faces.end(), [&](const VisibleFace& face) {
+            if (!overlap(face.bounds, pixels)) return false;
+            const bool is_sky = list == FaceList::Sky;
+            if (!is_sky && farthest_inverse_depth_of(face) > nearest) return false;
+            return shows_farther(claims_.spans_of(face),
+                                 is_sky ? LinearQuantity<InverseZ>{} : inverse_z_of(face, frame_), pixels, nearest);
+        });
     };
+    constexpr std::array kLists{FaceList::Sky, FaceList::Walls, FaceList::Flat, FaceList::Liquid, FaceList::Mirror};
     const auto is_free = [&](const Span& span) { return overlap(span, pixels); };
-    return (farthest_ > nearest || std::none_of(faces_.begin(), faces_.end(), shows)) &&
+    return std::none_of(kLists.begin(), kLists.end(), any_shows) &&
            std::none_of(claims_.void_spans.begin(), claims_.void_spans.end(), is_free) &&
            std::none_of(claims_.torn.begin(), claims_.torn.end(),
                         [&](const TornSpan& torn) { return overlap(torn.span, pixels); });

@@ -113,13 +113,21 @@ std::int64_t pixels_within(std::span<const Span> spans, const ScanlineExtents& r
     return pixels;
 }
 
+/// Whether a face is of a shadow's floor.
+bool is_on_floor(const VisibleFace& claimed, const Shadow& shadow, const Level& level) {
+    return level.faces[claimed.face].plane == shadow.floor.plane && !claimed.fragment;
+}
+
 /// Whether a shadow covers a pixel of its floor.
 bool is_seen(const Shadow& shadow, const FrameContext& frame, ViewScratch& scratch) {
-    if (!scan_shadow(shadow, kWholeRadius_8, frame.scene.level, frame.view, scratch.effects->shadows)) return false;
+    const Level& level = frame.scene.level;
+    const std::vector<VisibleFace>& walls = scratch.claims.list(FaceList::Walls);
+    const auto is_floor = [&](const VisibleFace& claimed) { return is_on_floor(claimed, shadow, level); };
+    if (std::none_of(walls.begin(), walls.end(), is_floor)) return false;
+    if (!scan_shadow(shadow, kWholeRadius_8, level, frame.view, scratch.effects->shadows)) return false;
     std::int64_t pixels = 0;
-    for (const VisibleFace& claimed : scratch.claims.list(FaceList::Walls))
-        if (frame.scene.level.faces[claimed.face].plane == shadow.floor.plane && !claimed.fragment)
-            pixels += pixels_within(scratch.claims.spans_of(claimed), scratch.effects->shadows.rows);
+    for (const VisibleFace& claimed : walls)
+        if (is_floor(claimed)) pixels += pixels_within(scratch.claims.spans_of(claimed), scratch.effects->shadows.rows);
     if (frame.observers.counts) frame.observers.counts->of(Effect::Shadows) += pixels;
     return pixels > 0;
 }
@@ -154,7 +162,7 @@ void find_things(const FrameContext& frame, ViewScratch& scratch) {
     scratch.depth.start_frame();
     if (frame.cache.things.is_empty() && frame.scene.meshes.empty()) return;
     ThingsInView& in_view = scratch.claims.things.in_view;
-    FaceCover cover(frame, scratch.claims, scratch.effects->covering);
+    FaceCover cover(frame, scratch.claims);
     const Sight sight{leaves_in_sight(frame, scratch), frame.view, frame.mirror ? &frame.mirror->pixels : nullptr,
                       &cover};
     const std::int64_t time_ms = frame.scene.time_ms;
@@ -189,7 +197,7 @@ void draw_shadows(const FrameContext& frame, ViewScratch& scratch) {
         for (const std::int32_t share_8 : {kWholeRadius_8, kCoreRadius_8}) {
             if (!scan_shadow(shadow, share_8, level, frame.view, scratch.effects->shadows)) continue;
             for (const VisibleFace& claimed : scratch.claims.list(FaceList::Walls))
-                if (level.faces[claimed.face].plane == shadow.floor.plane && !claimed.fragment)
+                if (is_on_floor(claimed, shadow, level))
                     darken_spans(scratch.claims.spans_of(claimed), scratch.effects->shadows.rows, shade, frame.out);
         }
 }

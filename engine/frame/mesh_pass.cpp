@@ -37,13 +37,16 @@ ScreenRectangle joined(const ScreenRectangle& a, const ScreenRectangle& b) {
             std::min(a.first_row, b.first_row), std::max(a.end_row, b.end_row)};
 }
 
-/// Finds the parts of a mesh that may be visible, and sets its pixels to theirs; empty if there are none.
-void find_parts(const WorldBoxes& boxes, const Sight& sight, MeshInView& mesh, std::vector<std::uint32_t>& parts) {
+/// Finds the parts of a mesh that may be visible, and sets its pixels to theirs; empty if there are none. `sides` are
+/// those of the frustum that its box crosses.
+void find_parts(const WorldBoxes& boxes, std::uint8_t sides, const Sight& sight, MeshInView& mesh,
+                std::vector<std::uint32_t>& parts) {
     if (boxes.part_count() == 0) return;
     mesh.pixels = {};
     mesh.first_part = parts.size();
     for (std::uint32_t part = 0; part < boxes.part_count(); ++part) {
         const LevelBox box = boxes.of_part(part);
+        if (sight.culler.sides_crossed(box, sides) == kOutside) continue;
         const ScreenRectangle pixels = pixels_of(box, sight.view, sight.drawn_part);
         if (is_empty(pixels) || !sight.may_show(pixels, nearest_inverse_depth_of(box, sight.view))) continue;
         mesh.pixels = joined(mesh.pixels, pixels);
@@ -103,14 +106,15 @@ MeshLight light_on(const MeshInView& mesh, const FrameContext& frame, const View
     return light;
 }
 
-/// The colours of fog at a mesh's middle, used for all of it; null: none.
+/// The colours of fog at a mesh's middle, used for all of it; null: no fog there.
 const std::uint8_t* fog_over(const MeshInView& mesh, const FrameContext& frame, ViewScratch& scratch) {
     if (!frame.fog.tables) return nullptr;
     const View z = to_view(middle_of(mesh.box), frame.view.eye, frame.view.axes).z;
     const ScreenRectangle& pixels = mesh.box_pixels;
-    return fog_colours((pixels.first_column + pixels.end_column) / 2, (pixels.first_row + pixels.end_row) / 2,
-                       reciprocal<InverseZ>(std::max(z, View::from_int(1))), frame.fog, scratch.effects->thing_runs)
-        .data();
+    const ColourRow& colours =
+        fog_colours((pixels.first_column + pixels.end_column) / 2, (pixels.first_row + pixels.end_row) / 2,
+                    reciprocal<InverseZ>(std::max(z, View::from_int(1))), frame.fog, scratch.effects->thing_runs);
+    return &colours == &frame.fog.tables->colours(0) ? nullptr : colours.data();
 }
 
 }  // namespace
@@ -125,11 +129,12 @@ void find_meshes(const FrameContext& frame, const Sight& sight, ViewScratch& scr
         if (!sight.may_show(place_of(i, frame))) continue;
         const WorldBoxes boxes(placed);
         const LevelBox box = boxes.whole();
-        if (sight.culler.sides_crossed(box, kAllSides) == kOutside) continue;
+        const std::uint8_t sides = sight.culler.sides_crossed(box, kAllSides);
+        if (sides == kOutside) continue;
         const ScreenRectangle pixels = pixels_of(box, sight.view, sight.drawn_part);
         MeshInView mesh{&placed, box, pixels, nearest_inverse_depth_of(box, sight.view), pixels};
         if (is_empty(pixels) || !sight.may_show(pixels, mesh.nearest_inverse_depth)) continue;
-        find_parts(boxes, sight, mesh, things.mesh_parts);
+        find_parts(boxes, sides, sight, mesh, things.mesh_parts);
         if (is_empty(mesh.pixels)) continue;
         scratch.depth.want(mesh.pixels);
         things.meshes.push_back(mesh);

@@ -43,7 +43,7 @@ void draw_in_fog(const VisibleFace& claimed, SurfaceOptions drawing, const Frame
     drawing.colours = &frame.scene.colormap.shades[Colormap::kOwnShade];
     std::vector<Span> in_front;
     std::span<const Span> spans = scratch.claims.spans_of(claimed);
-    if (!scratch.claims.things.meshes.empty() && scratch.depth.touches(spans)) {
+    if (!scratch.claims.things.meshes.empty() && scratch.depth.touches(spans, claimed.bounds)) {
         scratch.depth.append_seen(spans, inverse_z_of(claimed, frame), in_front);
         spans = in_front;
     }

@@ -184,7 +184,7 @@ void limit_blocks(const BlockRule& rule, const ScreenRectangle& rectangle, Textu
 /// which saves a pass over the spans.
 ScreenRectangle cutting_rectangle(const VisibleFace& face, std::span<const Span> spans, BlockCutting& cutting) {
     const ScreenRectangle& bounds = face.bounds;
-    cutting.fits_range = bounds.first_column < bounds.end_column && fits_range(cutting.gradients, bounds);
+    cutting.fits_range = fits_range(cutting.gradients, bounds);
     if (cutting.fits_range) return bounds;
     const ScreenRectangle around = rectangle_around(spans);
     cutting.fits_range = fits_range(cutting.gradients, around);

@@ -89,7 +89,7 @@ void claim(const Span& span, const WallHit& hit, const FrameContext& frame, View
     if (face == FaceIndex::none()) return claims.void_spans.push_back(span);
     if (!hit.is_sky) return claims.torn.push_back({span, plane, is_back, face, hit.place});
     claims.spans.push_back(span);
-    VisibleFace sky{.face = face};
+    VisibleFace sky{.face = face, .bounds = {span.first, span.end, span.y, span.y + 1}};
     add_claimed(sky, claims.spans.size() - 1, frame, claims);
 }
 

@@ -6,7 +6,6 @@
 #include "engine/effects/shadows.h"
 #include "engine/effects/warp.h"
 #include "engine/frame/claims.h"
-#include "engine/frame/face_cover.h"
 #include "engine/frame/frame_counts.h"
 #include "engine/frame/frame_light.h"
 #include "engine/frame/frame_record.h"
@@ -40,7 +39,6 @@ struct EffectScratch {
     std::unique_ptr<MeshScratch> meshes;   ///< null until a frame shows a mesh
     std::vector<MovingLight> mesh_lights;  ///< that reach the current mesh
     std::vector<FogRun> thing_runs;        ///< of fog on a thing
-    std::vector<CoveringFace> covering;    ///< FaceCover's
     std::vector<Span> sky_spans;
     UnderwaterScratch underwater;
 };

@@ -209,8 +209,7 @@ bool is_seen(const MeshTriangle& triangle, const MeshPlacement& mesh, MeshScratc
         return may_cover_centre(vertices) &&
                find_triangle({vertices[0], vertices[1], vertices[2]}, mesh.target, work, counts);
     }
-    const CornerValues none;
-    clip_and_project(vertices, {&none, &none, &none}, mesh.view, work.clip, work.polygon);
+    clip_and_project(vertices, {}, mesh.view, work.clip, work.polygon);
     for (std::size_t i = 2; i < work.polygon.size(); ++i)
         if (find_triangle({&work.polygon[0], &work.polygon[i - 1], &work.polygon[i]}, mesh.target, work, counts))
             return true;

@@ -326,16 +326,19 @@ void clip_and_project(const std::array<const ViewVertex*, 3>& triangle,
     if ((a->outcode & b->outcode & c->outcode) != 0) return;
     const unsigned outcodes = a->outcode | b->outcode | c->outcode;
     if (outcodes == 0) {
-        for (std::size_t i = 0; i < 3; ++i) polygon.push_back({*triangle[i], *values[i]});
+        for (std::size_t i = 0; i < 3; ++i) polygon.push_back({*triangle[i], values[i] ? *values[i] : CornerValues{}});
         return;
     }
+    const auto values_at = [&](const Vec3<View>& p) {
+        return values[0] ? mixed(values, weights_at(p, a->position, b->position, c->position)) : CornerValues{};
+    };
     scratch.polygon.clear();
     for (const ViewVertex* vertex : triangle) scratch.polygon.push_back({vertex->position, 0, vertex->outcode, 0});
     clip_polygon(view.frustum, outcodes, scratch);
     for (const ClipVertex& corner : scratch.polygon) {
         const ScreenVertex inside = to_screen_vertex(corner.position, view.projection, view.grid);
         polygon.push_back({{to_screen_border(inside, corner.borders, view.projection), inverse_z_at(corner.position.z)},
-                           mixed(values, weights_at(corner.position, a->position, b->position, c->position))});
+                           values_at(corner.position)});
     }
 }
 

@@ -88,7 +88,8 @@ MeshToView make_mesh_to_view(const Vec3<World>& world_origin, const MeshTransfor
 void view_vertex(const Vec3<World>& object_position, const MeshTransform& transform, const MeshToView& to_view,
                  const ViewContext& view, ViewVertex& seen);
 
-/// Clips a triangle to the view and projects it: 3 to 7 corners, or none. `values` belong to its vertices.
+/// Clips a triangle to the view and projects it: 3 to 7 corners, or none. `values` belong to its vertices; null:
+/// the corners' are not needed.
 void clip_and_project(const std::array<const ViewVertex*, 3>& triangle,
                       const std::array<const CornerValues*, 3>& values, const ViewContext& view, ClipScratch& scratch,
                       std::vector<ScreenCorner>& polygon);

@@ -97,6 +97,7 @@ void HiddenSurfaceMethod::claim_runs(const ScannedFace& face, std::span<const Ow
             scratch.claiming->span_buffer.claim(span.y, span.first, span.end, claims.spans);
     }
     VisibleFace claimed = face;
+    claimed.bounds = rectangle_around(std::span<const Span>(claims.spans).subspan(first));
     add_claimed(claimed, first, frame, claims);
 }
 

@@ -82,13 +82,9 @@ void DepthBuffer::clear() {
 }
 
 bool DepthBuffer::touches(std::span<const Span> spans, const ScreenRectangle& around) const {
-    const auto overlaps = [&around](const ScreenRectangle& rectangle) {
-        return around.first_column < rectangle.end_column && around.end_column > rectangle.first_column &&
-               around.first_row < rectangle.end_row && around.end_row > rectangle.first_row;
-    };
-    if (around.first_column < around.end_column && std::none_of(rectangles_.begin(), rectangles_.end(), overlaps))
-        return false;
-    return std::any_of(spans.begin(), spans.end(), [this](const Span& span) { return touches(span); });
+    const auto overlaps = [&around](const ScreenRectangle& rectangle) { return overlap(around, rectangle); };
+    return std::any_of(rectangles_.begin(), rectangles_.end(), overlaps) &&
+           std::any_of(spans.begin(), spans.end(), [this](const Span& span) { return touches(span); });
 }
 
 void DepthBuffer::fill(std::span<const Span> spans, const LinearQuantity<InverseZ>& inverse_z) {

@@ -39,8 +39,8 @@ class DepthBuffer {
     bool is_wanted() const { return !rectangles_.empty(); }
     /// Sets all depths in the rectangles to infinitely far.
     void clear();
-    /// False only if no pixel of the spans is in the rectangles. `around` holds the spans; empty: unknown.
-    bool touches(std::span<const Span> spans, const ScreenRectangle& around = {}) const;
+    /// False only if no pixel of the spans, which `around` holds, is in the rectangles.
+    bool touches(std::span<const Span> spans, const ScreenRectangle& around) const;
     /// Sets the depth of those pixels of spans on a plane that are in the rectangles.
     void fill(std::span<const Span> spans, const LinearQuantity<InverseZ>& inverse_z);
     /// Appends the parts of spans on a plane where nothing is nearer, including all pixels outside the rectangles.

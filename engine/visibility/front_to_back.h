@@ -43,7 +43,7 @@ struct VisibleFace {
     const Fragment* fragment = nullptr;            ///< the part of a brush model's face; null: a face of the world
     std::uint32_t first_span = 0, span_count = 0;  ///< in Claims
     View nearest_z{}, farthest_z{};                ///< of the part in view
-    ScreenRectangle bounds{};                      ///< holds its spans; empty: unknown
+    ScreenRectangle bounds{};                      ///< holds its spans
     PlaneInverseZ inverse_z{};
 };
 

@@ -140,7 +140,10 @@ TEST(DepthBuffer, SpansTouchItOnlyWhereTheyReachIntoItsRows) {
     DepthBuffer depth(kWidth, kHeight);
     depth.want({100, 110, 50, 60});
     depth.clear();
-    const auto touches = [&depth](Span span) { return depth.touches(std::vector<Span>{{0, 0, 320}, span}); };
+    const auto touches = [&depth](Span span) {
+        const std::vector<Span> spans{{0, 0, 320}, span};
+        return depth.touches(spans, rectangle_around(spans));
+    };
     for (const Span& span : {Span{50, 0, 101}, {59, 109, 320}}) EXPECT_TRUE(touches(span)) << span.y;
     for (const Span& span : {Span{50, 0, 100}, {59, 110, 320}, {49, 0, 320}, {60, 0, 320}})
         EXPECT_FALSE(touches(span)) << span.y << ", " << span.first;
