@@ -1,6 +1,7 @@
 #include "engine/effects/entity_values.h"
 
 #include "engine/base/input_error.h"
+#include "engine/base/text.h"
 #include "engine/level/entities.h"
 #include "engine/level/entity_classes.h"
 

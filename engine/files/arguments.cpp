@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "engine/accuracy/accuracy.h"
+#include "engine/base/text.h"
 #include "engine/files/files.h"
-#include "engine/level/entities.h"
 #include "engine/view/projection.h"
 
 namespace oblong {

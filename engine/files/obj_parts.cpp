@@ -12,10 +12,10 @@
 
 #include "engine/base/input_error.h"
 #include "engine/base/table.h"
+#include "engine/base/text.h"
 #include "engine/files/doubles.h"
 #include "engine/files/files.h"
 #include "engine/files/picture.h"
-#include "engine/level/entities.h"
 #include "engine/mesh/mesh.h"
 
 namespace oblong {

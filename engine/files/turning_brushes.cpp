@@ -4,6 +4,7 @@
 #include <array>
 
 #include "engine/base/table.h"
+#include "engine/base/text.h"
 #include "engine/level/entities.h"
 #include "engine/level/entity_classes.h"
 #include "engine/mesh/mesh_stages.h"

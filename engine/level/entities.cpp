@@ -1,21 +1,14 @@
 #include "engine/level/entities.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "engine/base/input_error.h"
+#include "engine/base/text.h"
 
 namespace oblong {
 
 namespace {
-
-bool is_space(char letter) {
-    return letter == ' ' || (letter >= '\t' && letter <= '\r');
-}
-bool is_digit(char letter) {
-    return letter >= '0' && letter <= '9';
-}
 
 class EntityParser {
   public:
@@ -88,18 +81,6 @@ class EntityParser {
     std::size_t position_ = 0;
 };
 
-/// Consumes all digits at the start of `text`; the number uses at most `most` of them.
-std::int64_t take_digits(std::string_view& text, int most, int& taken) {
-    std::int64_t number = 0;
-    taken = 0;
-    for (; !text.empty() && is_digit(text.front()); text.remove_prefix(1)) {
-        if (taken == most) continue;
-        number = number * 10 + (text.front() - '0');
-        ++taken;
-    }
-    return number;
-}
-
 }  // namespace
 
 std::size_t find_closing_quote(std::string_view text, std::size_t start) {
@@ -114,47 +95,6 @@ std::size_t find_closing_quote(std::string_view text, std::size_t start) {
 
 std::vector<Entity> parse_entities(std::string_view text, std::string_view source, std::int64_t first_offset) {
     return EntityParser(text, source, first_offset).parse_all();
-}
-
-std::optional<std::int64_t> parse_decimal(std::string_view text, int fraction_bits) {
-    const bool is_negative = !text.empty() && text.front() == '-';
-    if (is_negative || (!text.empty() && text.front() == '+')) text.remove_prefix(1);
-
-    constexpr int kMostDigits = 12;  // enough to detect numbers that are too large, too few to overflow
-    int whole_digits = 0, fraction_digits = 0;
-    const std::int64_t whole = take_digits(text, kMostDigits, whole_digits);
-    std::int64_t fraction = 0;
-    if (!text.empty() && text.front() == '.') {
-        text.remove_prefix(1);
-        fraction = take_digits(text, 9, fraction_digits);
-    }
-    if (!text.empty() || whole_digits + fraction_digits == 0 || whole > std::numeric_limits<std::int32_t>::max())
-        return std::nullopt;
-
-    std::int64_t denominator = 1;
-    for (int i = 0; i < fraction_digits; ++i) denominator *= 10;
-    const std::int64_t one = std::int64_t{1} << fraction_bits;
-    const std::int64_t magnitude = whole * one + (fraction * one * 2 + denominator) / (denominator * 2);
-    return is_negative ? -magnitude : magnitude;
-}
-
-std::optional<std::vector<std::int64_t>> parse_decimals(std::string_view text, int fraction_bits) {
-    std::vector<std::int64_t> numbers;
-    for (std::string_view word = take_word(text); !word.empty(); word = take_word(text)) {
-        const std::optional<std::int64_t> number = parse_decimal(word, fraction_bits);
-        if (!number) return std::nullopt;
-        numbers.push_back(*number);
-    }
-    return numbers;
-}
-
-std::string_view take_word(std::string_view& text) {
-    while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
-    std::size_t size = 0;
-    while (size < text.size() && !is_space(text[size])) ++size;
-    const std::string_view word = text.substr(0, size);
-    text.remove_prefix(size);
-    return word;
 }
 
 std::optional<World> parse_world_number(std::string_view text) {

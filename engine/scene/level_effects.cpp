@@ -5,7 +5,7 @@
 
 #include "engine/base/input_error.h"
 #include "engine/base/table.h"
-#include "engine/level/entities.h"
+#include "engine/base/text.h"
 #include "engine/level/entity_classes.h"
 
 namespace oblong {

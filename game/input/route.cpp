@@ -8,7 +8,6 @@
 #include "engine/base/input_error.h"
 #include "engine/base/text.h"
 #include "engine/fixed/trig.h"
-#include "engine/level/entities.h"
 #include "game/simulation/step.h"
 
 namespace oblong {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "engine/base/table.h"
+#include "engine/base/text.h"
 #include "engine/files/arguments.h"
-#include "engine/level/entities.h"
 
 namespace oblong {
 

@@ -13,7 +13,6 @@
 #include "engine/base/text.h"
 #include "engine/files/arguments.h"
 #include "engine/files/files.h"
-#include "engine/level/entities.h"
 
 namespace oblong {
 namespace {

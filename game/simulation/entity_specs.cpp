@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/base/text.h"
 #include "engine/fixed/trig.h"
 #include "engine/level/entities.h"
 #include "engine/level/entity_classes.h"

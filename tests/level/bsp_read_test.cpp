@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "engine/base/input_error.h"
+#include "engine/base/text.h"
 #include "engine/level/entities.h"
 #include "engine/level/side.h"
 #include "tests/support/bsp_writer.h"

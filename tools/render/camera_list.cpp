@@ -9,7 +9,6 @@
 #include "engine/base/table.h"
 #include "engine/base/text.h"
 #include "engine/fixed/trig.h"
-#include "engine/level/entities.h"
 
 namespace oblong {
 

@@ -11,7 +11,6 @@
 #include "engine/files/level_models.h"
 #include "engine/files/picture.h"
 #include "engine/level/bsp_read.h"
-#include "engine/level/entities.h"
 #include "engine/platform/worker_threads.h"
 #include "engine/raster/kernels/kernels.h"
 #include "engine/scene/level_effects.h"

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/level/entities.h"
+#include "engine/base/text.h"
 #include "engine/level/entity_classes.h"
 #include "engine/scene/level_effects.h"
 #include "tools/map/source/brush.h"

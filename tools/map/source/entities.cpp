@@ -7,7 +7,6 @@
 
 #include "engine/base/input_error.h"
 #include "engine/base/text.h"
-#include "engine/level/entities.h"
 #include "engine/level/entity_classes.h"
 #include "tools/map/source/brush.h"
 

@@ -1,0 +1,98 @@
+#include "engine/base/text.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace oblong {
+
+namespace {
+
+/// Consumes all digits at the start of `text`; the number uses at most `most` of them.
+std::int64_t take_digits(std::string_view& text, int most, int& taken) {
+    std::int64_t number = 0;
+    taken = 0;
+    for (; !text.empty() && text.front() >= '0' && text.front() <= '9'; text.remove_prefix(1)) {
+        if (taken == most) continue;
+        number = number * 10 + (text.front() - '0');
+        ++taken;
+    }
+    return number;
+}
+
+}  // namespace
+
+std::string plain_text(std::string text) {
+    constexpr std::string_view kMark = "\xef\xbb\xbf";
+    if (text.starts_with(kMark)) text.erase(0, kMark.size());
+    if (text.find('\n') == std::string::npos) std::replace(text.begin(), text.end(), '\r', '\n');
+    return text;
+}
+
+std::string lower_case(std::string_view text) {
+    std::string lower(text);
+    for (char& letter : lower)
+        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+    return lower;
+}
+
+std::string shortened(std::string text, std::size_t most) {
+    if (text.size() > most) text.replace(most, std::string::npos, "...");
+    return text;
+}
+
+std::vector<std::string> split(std::string_view text, std::string_view separators) {
+    std::vector<std::string> parts;
+    for (std::size_t start = 0; start <= text.size();) {
+        const std::size_t end = std::min(text.find_first_of(separators, start), text.size());
+        parts.emplace_back(text.substr(start, end - start));
+        start = end + 1;
+    }
+    return parts;
+}
+
+bool is_space(char letter) {
+    return letter == ' ' || (letter >= '\t' && letter <= '\r');
+}
+
+std::optional<std::int64_t> parse_decimal(std::string_view text, int fraction_bits) {
+    const bool is_negative = !text.empty() && text.front() == '-';
+    if (is_negative || (!text.empty() && text.front() == '+')) text.remove_prefix(1);
+
+    constexpr int kMostDigits = 12;  // enough to detect numbers that are too large, too few to overflow
+    int whole_digits = 0, fraction_digits = 0;
+    const std::int64_t whole = take_digits(text, kMostDigits, whole_digits);
+    std::int64_t fraction = 0;
+    if (!text.empty() && text.front() == '.') {
+        text.remove_prefix(1);
+        fraction = take_digits(text, 9, fraction_digits);
+    }
+    if (!text.empty() || whole_digits + fraction_digits == 0 || whole > std::numeric_limits<std::int32_t>::max())
+        return std::nullopt;
+
+    std::int64_t denominator = 1;
+    for (int i = 0; i < fraction_digits; ++i) denominator *= 10;
+    const std::int64_t one = std::int64_t{1} << fraction_bits;
+    const std::int64_t magnitude = whole * one + (fraction * one * 2 + denominator) / (denominator * 2);
+    return is_negative ? -magnitude : magnitude;
+}
+
+std::optional<std::vector<std::int64_t>> parse_decimals(std::string_view text, int fraction_bits) {
+    std::vector<std::int64_t> numbers;
+    for (std::string_view word = take_word(text); !word.empty(); word = take_word(text)) {
+        const std::optional<std::int64_t> number = parse_decimal(word, fraction_bits);
+        if (!number) return std::nullopt;
+        numbers.push_back(*number);
+    }
+    return numbers;
+}
+
+std::string_view take_word(std::string_view& text) {
+    while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
+    std::size_t size = 0;
+    while (size < text.size() && !is_space(text[size])) ++size;
+    const std::string_view word = text.substr(0, size);
+    text.remove_prefix(size);
+    return word;
+}
+
+}  // namespace oblong
