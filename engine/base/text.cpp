@@ -35,6 +35,11 @@ std::string lower_case(std::string_view text) {
     return lower;
 }
 
+std::string with_capital(std::string text) {
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text;
+}
+
 std::string shortened(std::string text, std::size_t most) {
     if (text.size() > most) text.replace(most, std::string::npos, "...");
     return text;

@@ -13,6 +13,7 @@ namespace oblong {
 std::string plain_text(std::string text);
 
 std::string lower_case(std::string_view text);
+std::string with_capital(std::string text);  ///< its first letter
 
 /// Truncates a text longer than `most`, and appends "...".
 std::string shortened(std::string text, std::size_t most);

@@ -2,15 +2,11 @@
 
 #include <utility>
 
+#include "engine/base/text.h"
 #include "game/options/preference_table.h"
 
 namespace oblong {
 namespace {
-
-std::string with_capital(std::string text) {
-    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-    return text;
-}
 
 std::string text_of_end(const EndFigures& figures) {
     std::string text =

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/base/text.h"
 #include "engine/level/entity_classes.h"
 #include "game/simulation/entity_specs.h"
 #include "game/simulation/step.h"
@@ -105,9 +106,7 @@ Goal goal_of(const GameLevel& level, const GameState& state) {
     const auto where = [&](std::size_t item) {
         return " (" + direction_of(state.player.position, level.items[item].position) + ")";
     };
-    goal.title = level.lens_names.several;
-    if (!goal.title.empty() && goal.title[0] >= 'a' && goal.title[0] <= 'z')
-        goal.title[0] = static_cast<char>(goal.title[0] - 'a' + 'A');
+    goal.title = with_capital(level.lens_names.several);
     goal.count = std::to_string(count.taken) + " of " + std::to_string(count.all);
     for (const std::size_t lens : last)
         goal.hint += (goal.hint.empty() ? "Missing: " : ", ") + name_of(level, lens) + where(lens);
