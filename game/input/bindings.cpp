@@ -7,28 +7,22 @@
 
 #include "engine/base/input_error.h"
 #include "engine/base/table.h"
+#include "engine/base/text.h"
 
 namespace oblong {
 namespace {
-
-std::size_t index_of(Action action) {
-    return as_size(action);
-}
 
 bool is_apart(Action a, Action b) {
     return (is_move(a) && is_of_panel(b)) || (is_of_panel(a) && is_move(b));
 }
 
 std::vector<Input> parsed(std::string_view text) {
-    constexpr std::string_view kSpaces = " \t";
     std::vector<Input> inputs;
     if (text == "none") return inputs;
-    for (std::size_t at = text.find_first_not_of(kSpaces); at != std::string_view::npos;) {
-        const std::size_t end = std::min(text.find_first_of(kSpaces, at), text.size());
-        inputs.push_back(input_named(text.substr(at, end - at)));
+    for (std::string_view name = take_word(text); !name.empty(); name = take_word(text)) {
+        inputs.push_back(input_named(name));
         if (is_reserved(inputs.back()))
             throw InputError("input", "'" + name_of(inputs.back()) + "' always opens the menu, expected another one");
-        at = text.find_first_not_of(kSpaces, end);
     }
     if (inputs.size() > Bindings::kMostInputs)
         throw InputError("inputs", std::to_string(inputs.size()) + " of them, expected at most " +
@@ -107,22 +101,22 @@ std::span<const ActionRow> all_actions() {
 }
 
 std::span<const Input> Bindings::inputs_of(Action action) const {
-    return inputs_[index_of(action)];
+    return inputs_[as_size(action)];
 }
 
 void Bindings::bind(Action action, Input input) {
-    std::vector<Input>& inputs = inputs_[index_of(action)];
+    std::vector<Input>& inputs = inputs_[as_size(action)];
     if (is_reserved(input) || std::find(inputs.begin(), inputs.end(), input) != inputs.end()) return;
     if (inputs.size() == kMostInputs) inputs.erase(inputs.begin());
     inputs.push_back(input);
 }
 
 void Bindings::unbind(Action action, Input input) {
-    std::erase(inputs_[index_of(action)], input);
+    std::erase(inputs_[as_size(action)], input);
 }
 
 void Bindings::unbind_all(Action action) {
-    inputs_[index_of(action)].clear();
+    inputs_[as_size(action)].clear();
 }
 
 Bindings default_bindings(Hands hands) {

@@ -187,11 +187,11 @@ KeptValue lights_value() {
     };
     value.parse = [values = value.values](Preferences& of, const std::string& text) {
         Preferences read;
-        const std::string_view games = text == "none" ? std::string_view{} : text;
-        for (const std::string& word : split(games, " \t\n\r\f\v")) {
-            if (word.empty()) continue;
+        std::string_view games = text == "none" ? std::string_view{} : text;
+        for (std::string_view word = take_word(games); !word.empty(); word = take_word(games)) {
             const std::vector<std::string> parts = split(word, ":");
-            if (parts.size() != 4 || parts[0].empty() || parts[0] == kMuseum) refuse("game-lights", word, values);
+            if (parts.size() != 4 || parts[0].empty() || parts[0] == kMuseum)
+                refuse("game-lights", std::string(word), values);
             read.game = parts[0];
             for (const auto& [name, part] :
                  {std::pair("brightness", parts[1]), {"gamma", parts[2]}, {"tube-light", parts[3]}})
