@@ -11,6 +11,10 @@ namespace oblong {
 struct VoiceLevels {
     std::int32_t left_256 = 0, right_256 = 0;
     bool is_muffled = false;
+
+    VoiceLevels times_256(std::int32_t gain_256) const {
+        return {left_256 * gain_256 / 256, right_256 * gain_256 / 256, is_muffled};
+    }
     bool operator==(const VoiceLevels&) const = default;
 };
 

@@ -92,12 +92,6 @@ bool is_louder(const Heard& a, const Heard& b) {
     return loudness(a.levels) > loudness(b.levels);
 }
 
-VoiceLevels times_256(VoiceLevels levels, std::int32_t gain_256) {
-    levels.left_256 = levels.left_256 * gain_256 / 256;
-    levels.right_256 = levels.right_256 * gain_256 / 256;
-    return levels;
-}
-
 class Hearing {
   public:
     Hearing(const GameLevel& level, const GameState& state, const Listener& listener, HeardFrom& heard_from)
@@ -171,7 +165,7 @@ class Hearing {
             part.box = {found.places[place], found.places[place]};
             return levels_at(part, listener_);
         }
-        VoiceLevels levels = times_256(heard.levels, source.sound == Sound::Wind ? kBlockedWind_256 : kBlockedGain_256);
+        VoiceLevels levels = heard.levels.times_256(source.sound == Sound::Wind ? kBlockedWind_256 : kBlockedGain_256);
         levels.is_muffled = true;
         return levels;
     }

@@ -12,12 +12,6 @@
 namespace oblong {
 namespace {
 
-VoiceLevels at_volume(VoiceLevels levels, std::int32_t volume_256) {
-    levels.left_256 = levels.left_256 * volume_256 / 256;
-    levels.right_256 = levels.right_256 * volume_256 / 256;
-    return levels;
-}
-
 std::string file_in(const std::vector<std::string>& folders, const std::string& name) {
     std::error_code ignored;
     for (const std::string& folder : folders) {
@@ -58,7 +52,7 @@ SoundOutput::SoundNumber SoundPlayer::number_of(const AudibleSound& sound) const
 void SoundPlayer::play(std::span<const AudibleSound> sounds, std::int32_t volume_256) {
     std::map<Key, Voice> heard;
     for (const AudibleSound& sound : sounds) {
-        const VoiceLevels levels = at_volume(sound.levels, volume_256);
+        const VoiceLevels levels = sound.levels.times_256(volume_256);
         if (levels.left_256 + levels.right_256 == 0) continue;
         const Key key{sound.sound, sound.serial};
         const auto voice = voices_.find(key);
