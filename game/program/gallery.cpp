@@ -147,7 +147,7 @@ std::string Gallery::figures() const {
 }
 
 void Gallery::show(const std::string& message) {
-    messages_.show(KeyNames(view_options_.preferences.bindings, platform_, view_options_.uses_pad).in(message));
+    messages_.show(view_options_.key_names(platform_).in(message));
 }
 
 void Gallery::draw_over() {

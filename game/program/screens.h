@@ -53,9 +53,7 @@ class Screens final : public MenuHost {
 
     // MenuHost's.
     Preferences& preferences() override { return view_options_.preferences; }
-    KeyNames key_names() const override {
-        return {view_options_.preferences.bindings, platform_, view_options_.uses_pad};
-    }
+    KeyNames key_names() const override { return view_options_.key_names(platform_); }
     std::string local_name_of(Input input) const override { return platform_.local_name_of(input); }
     std::vector<KeyHelp> key_help() const override { return screens_.back()->key_help(key_names()); }
     std::string game_title() const override { return game_.title(); }

@@ -170,12 +170,8 @@ void Session::restore(const GameState& state) {
     has_drawn_ = false;
 }
 
-KeyNames Session::key_names() const {
-    return {view_options_.preferences.bindings, platform_, view_options_.uses_pad};
-}
-
 void Session::show(const std::string& message) {
-    messages_.show(key_names().in(message));
+    messages_.show(view_options_.key_names(platform_).in(message));
 }
 
 // The path needs a new picture.

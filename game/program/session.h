@@ -105,7 +105,6 @@ class Session final : public GameScreen {
 
   private:
     GameView shown_view() const;
-    KeyNames key_names() const;
     Palette palette_of(const GameView& view, const PaletteEffects& effects) const;
     void note_tick(const GameState& before, const GameState& after, const TickReport& report);
     void warn_of(const TickReport& report);

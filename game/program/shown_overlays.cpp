@@ -1,7 +1,6 @@
 #include "game/program/shown_overlays.h"
 
 #include "engine/files/crosshair.h"
-#include "game/input/bindings.h"
 #include "game/lab/aspects.h"
 #include "game/view/sign_colours.h"
 
@@ -29,10 +28,6 @@ ShownOverlays::ShownOverlays(const LoadedLevel& loaded, const ViewOptions& view_
       on_(on),
       platform_(platform),
       text_colours_(text_colours_of(loaded.data.palette)) {}
-
-std::string ShownOverlays::with_keys(const std::string& note) const {
-    return KeyNames(preferences().bindings, platform_, view_options_.uses_pad).in(note);
-}
 
 // By the mode and the player's preference.
 std::int32_t ShownOverlays::text_scale() const {
@@ -108,7 +103,7 @@ PanelText ShownOverlays::draw_panels(const GameView& view, const Settings& setti
     if (lab_) {
         text.bottom = lab_->draw_panel(on_.lab, view, settings, cost_ != nullptr, canvas);
         for (const std::string& note : lab_->notes(on_.lab, settings.accuracy, now_us))
-            text.notes.push_back(with_keys(note));
+            text.notes.push_back(view_options_.key_names(platform_).in(note));
     }
     if (on_.inspects && !view.other) {
         const std::vector<PlacedModel> models = placed_models(level_, view.state);

@@ -66,7 +66,6 @@ class ShownOverlays {
     };
 
     const Preferences& preferences() const { return view_options_.preferences; }
-    std::string with_keys(const std::string& note) const;
     std::int32_t text_scale() const;
     void free_all();
 

@@ -32,6 +32,8 @@ struct Overlays {
 struct ViewOptions : Overlays {
     Preferences preferences;  ///< saved in the options file
     bool uses_pad = false;    ///< the player's last input was a gamepad's: messages name its buttons
+
+    KeyNames key_names(const Platform& platform) const { return {preferences.bindings, platform, uses_pad}; }
 };
 
 Settings settings_of(const Preferences& preferences);
