@@ -39,8 +39,7 @@ MenuEvent Menu::handle(const Controls& controls, CanvasSize canvas, std::int32_t
 
 MenuEvent Menu::take_press(const Controls& controls) {
     const MenuPage waiting = page();
-    if (std::find(controls.commands.begin(), controls.commands.end(), Action::Menu) != controls.commands.end())
-        return go_back(waiting);
+    if (controls.has(Action::Menu)) return go_back(waiting);
     if (!controls.pressed || is_reserved(*controls.pressed)) return MenuEvent::None;
     waiting.press(*controls.pressed);
     return MenuEvent::Accepted;

@@ -62,7 +62,7 @@ void MenuPages::open_message(std::string title, std::string text) {
 MenuPage MenuPages::title_page() {
     MenuPage page{host_.game_title()};
     page.is_title = true;
-    page.back = [this] { ask_to_leave(); };
+    page.back = [this] { ask("Quit", "Quit Oblong?", "Yes", [this] { host_.leave(); }); };
     if (const auto last = host_.last_walk())
         page.rows.push_back(menu_row(
             "Continue", closing([this] { host_.continue_walk(); }),
@@ -75,7 +75,7 @@ MenuPage MenuPages::title_page() {
     page.rows.push_back(menu_row("Options", [this] { open_options(); }));
     page.rows.push_back(menu_row(
         "Gallery", [this] { host_.show_gallery(); }, "what the engine can do, a page for each feature"));
-    page.rows.push_back(menu_row("Credits", [this] { open_credits(); }));
+    page.rows.push_back(menu_row("Credits", [this] { open_text("Credits", host_.credits(), {}); }));
     page.rows.push_back(menu_row("Quit", [this] { host_.leave(); }));
     page.help = host_.key_names().in("{choose} choose, {accept} accepts, {menu} goes back");
     return page;
@@ -128,8 +128,11 @@ void MenuPages::open_options() {
 MenuPage MenuPages::options_page() {
     MenuPage page{"Options"};
     page.help = "Changes apply at once and are saved";
-    for (int i = 0; i < kPreferencePageCount; ++i)
-        page.rows.push_back(menu_row(name_of(static_cast<PreferencePage>(i)), [this, i] { open_preferences(i); }));
+    for (int i = 0; i < kPreferencePageCount; ++i) {
+        const auto kind = static_cast<PreferencePage>(i);
+        page.rows.push_back(
+            menu_row(name_of(kind), [this, kind] { menu_.open([this, kind] { return preferences_page(kind); }); }));
+    }
     page.rows.push_back(menu_row(
         "Light", [this] { open_light(); }, "set with a test picture"));
     page.rows.push_back(menu_row(
@@ -138,20 +141,15 @@ MenuPage MenuPages::options_page() {
     return page;
 }
 
-void MenuPages::open_preferences(int page) {
-    menu_.open([this, page] { return preferences_page(page); });
-}
-
 std::string MenuPages::help_of(const Preference& preference) {
     const std::string keys = preference.keys.empty() ? "" : " (" + host_.key_names().in(preference.keys) + ")";
     return with_capital(preference.help) + keys;
 }
 
-MenuPage MenuPages::preferences_page(int page) {
-    const auto shown_page = static_cast<PreferencePage>(page);
-    MenuPage shown{name_of(shown_page)};
+MenuPage MenuPages::preferences_page(PreferencePage page) {
+    MenuPage shown{name_of(page)};
     for (const Preference& preference : all_preferences()) {
-        if (preference.page != shown_page) continue;
+        if (preference.page != page) continue;
         shown.rows.push_back(
             {with_capital(preference.label), preference.shown(host_.preferences()), help_of(preference), nullptr,
              [this, &preference](int steps) { preference.change(host_.preferences(), steps); }, std::nullopt});
@@ -189,10 +187,6 @@ void MenuPages::open_text(std::string title, std::string text, std::optional<Act
     });
 }
 
-void MenuPages::open_credits() {
-    open_text("Credits", host_.credits(), {});
-}
-
 void MenuPages::open_told() {
     std::string text;
     for (const std::string& message : host_.told()) text += (text.empty() ? "" : "\n\n") + message;
@@ -224,10 +218,6 @@ void MenuPages::leave_walk(const std::string& question, std::function<void()> ac
 
 void MenuPages::open_not_saved(const std::string& fault, std::function<void()> go) {
     ask("Not saved", fault + "\n\nLeave this walk anyway?", "Yes", closing(std::move(go)));
-}
-
-void MenuPages::ask_to_leave() {
-    ask("Quit", "Quit Oblong?", "Yes", [this] { host_.leave(); });
 }
 
 void MenuPages::ask(std::string title, std::string text, std::string yes, std::function<void()> action) {

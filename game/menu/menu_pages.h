@@ -117,12 +117,10 @@ class MenuPages {
 
   private:
     void open_options();
-    void open_preferences(int page);
     void open_levels();
     void open_load();
     void open_delete();
     void open_save();
-    void open_credits();
     void open_told();
     void open_text(std::string title, std::string text, std::optional<Action> closed_by);
 
@@ -130,7 +128,7 @@ class MenuPages {
     MenuPage game_page();
     MenuPage end_page(const EndFigures& figures);
     MenuPage options_page();
-    MenuPage preferences_page(int page);
+    MenuPage preferences_page(PreferencePage page);
     std::string help_of(const Preference& preference);
     MenuRow save_row(const SaveEntry& save, std::function<void()> accept) const;
     MenuRow back_row();
@@ -138,7 +136,6 @@ class MenuPages {
     void ask(std::string title, std::string text, std::string yes, std::function<void()> action);
     /// Closes all pages, then runs the action.
     std::function<void()> closing(std::function<void()> action);
-    void ask_to_leave();
     /// Asks before `action` if the walk has progress that leaving it does not save.
     void leave_walk(const std::string& question, std::function<void()> action);
 
