@@ -47,7 +47,7 @@ void MenuPages::open_end() {
 void MenuPages::open_restart() {
     const auto restart = closing([this] { host_.restart(); });
     if (!host_.has_unsaved_progress()) return restart();
-    const char* const what = host_.saves_on_leaving() ? " This walk stays saved: Load continues it." : kLost;
+    const char* const what = host_.can_save() ? " This walk stays saved: Load continues it." : kLost;
     ask("Restart", std::string("Begin this level again?") + what, "Yes", restart);
 }
 
@@ -103,10 +103,10 @@ MenuPage MenuPages::game_page() {
         "Gallery", [this] { host_.show_gallery(); }, "the walk is paused meanwhile"));
     page.rows.push_back(menu_row(
         "Title", [this] { leave_walk("Leave this walk?", closing([this] { host_.show_title(); })); },
-        host_.saves_on_leaving() ? "The walk is saved: Continue resumes it" : ""));
+        host_.can_save() ? "The walk is saved: Continue resumes it" : ""));
     page.rows.push_back(menu_row(
         "Quit", [this] { leave_walk("Quit the game?", [this] { host_.leave(); }); },
-        host_.saves_on_leaving() ? "The walk is saved: Continue resumes it" : ""));
+        host_.can_save() ? "The walk is saved: Continue resumes it" : ""));
     return page;
 }
 
@@ -210,7 +210,7 @@ void MenuPages::open_keys() {
 }
 
 void MenuPages::leave_walk(const std::string& question, std::function<void()> action) {
-    if (host_.has_unsaved_progress() && !host_.saves_on_leaving())
+    if (host_.has_unsaved_progress() && !host_.can_save())
         ask("Not saved", question + kLost, "Yes", std::move(action));
     else
         action();

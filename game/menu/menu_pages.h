@@ -59,13 +59,12 @@ class MenuHost {
     virtual EndFigures end_figures() const = 0;
     virtual std::string credits() const = 0;
 
-    virtual bool can_save() const = 0;  ///< there is a walk, and a folder for saves
+    /// Whether there is a walk and a folder for saves: leaving the walk saves it.
+    virtual bool can_save() const = 0;
     /// The walk that was saved last; nothing if there is none.
     virtual std::optional<SaveEntry> last_walk() const = 0;
     /// Whether the current walk has unsaved progress.
     virtual bool has_unsaved_progress() const = 0;
-    /// Whether leaving a walk saves it.
-    virtual bool saves_on_leaving() const = 0;
 
     virtual void walk() = 0;  ///< the demo level, from its start
     virtual void continue_walk() = 0;

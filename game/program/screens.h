@@ -67,7 +67,6 @@ class Screens final : public MenuHost {
     bool can_save() const override { return saves_.can_save(); }
     std::optional<SaveEntry> last_walk() const override;
     bool has_unsaved_progress() const override { return saves_.has_unsaved_progress(); }
-    bool saves_on_leaving() const override { return can_save(); }
     void walk() override;
     void continue_walk() override;
     void restart() override;

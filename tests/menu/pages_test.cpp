@@ -42,9 +42,8 @@ class FakeHost final : public MenuHost {
                 end_fault};
     }
     std::string credits() const override { return std::string(2000, 'c'); }
-    bool can_save() const override { return is_walking; }
+    bool can_save() const override { return has_folder; }
     bool has_unsaved_progress() const override { return is_unsaved; }
-    bool saves_on_leaving() const override { return has_autosave; }
     void walk() override { done.push_back("walk"); }
     void continue_walk() override { done.push_back("continue"); }
     void restart() override { done.push_back("restart"); }
@@ -67,7 +66,7 @@ class FakeHost final : public MenuHost {
     Preferences kept;
     std::string end_fault, save_fault;
     std::vector<std::string> done;
-    bool is_walking = true, is_unsaved = true, has_autosave = false;
+    bool has_folder = true, is_unsaved = true;
 };
 
 class Pages : public testing::Test {
@@ -158,6 +157,11 @@ class EveryPage : public Pages {
 
 TEST_F(EveryPage, OfAWalkIsReachedAndLeftWithoutLoss) {
     pages_.open_game();
+    choose("Save");
+    visit(4);
+    menu_.close_all();
+    host_.has_folder = false;  // so that leaving asks
+    pages_.open_game();
     visit(4);
     EXPECT_TRUE(host_.done.empty()) << host_.done.front();
     for (const char* title : {"Paused", "Save", "Load", "Options", "Picture", "Accuracy", "Comfort", "Controls",
@@ -168,6 +172,7 @@ TEST_F(EveryPage, OfAWalkIsReachedAndLeftWithoutLoss) {
 }
 
 TEST_F(Pages, WhatLosesAWalkAsksFirst) {
+    host_.has_folder = false;
     pages_.open_game();
     choose("Restart level");
     EXPECT_TRUE(host_.done.empty());
@@ -185,7 +190,7 @@ TEST_F(Pages, WhatLosesNothingAsksNothing) {
     pages_.open_game();
     choose("Restart level");
     EXPECT_EQ(host_.done, std::vector<std::string>{"restart"});
-    host_.is_unsaved = host_.has_autosave = true;
+    host_.is_unsaved = true;
     pages_.open_game();
     choose("Quit");
     EXPECT_EQ(host_.done.back(), "leave");
@@ -249,7 +254,6 @@ TEST_F(Pages, ADamagedWalkIsChosenToLearnWhy) {
 
 // Of the walk that is on: its later part is lost then, though it would be saved on leaving.
 TEST_F(Pages, GoingBackInTheWalkThatIsOnAsksFirst) {
-    host_.has_autosave = true;
     pages_.open_game();
     choose("Load");
     choose("Walk 2");
