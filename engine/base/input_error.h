@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -13,6 +14,11 @@ inline std::string printable(std::string text) {
     for (char& letter : text)
         if (static_cast<unsigned char>(letter) < ' ' || letter == '\x7f') letter = '?';
     return text;
+}
+
+/// "line 12": the place of an error in a text.
+inline std::string at_line(std::int64_t line) {
+    return "line " + std::to_string(line);
 }
 
 /// Invalid input. `where` names the place in the input ("lump planes, offset 1234"), the message says what is wrong and

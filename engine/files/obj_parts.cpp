@@ -129,14 +129,12 @@ class ObjChecker {
     /// Faces may refer to later lines.
     static void check_greatest(const ObjRecords& records) {
         if (records.greatest <= records.count) return;
-        throw InputError("line " + std::to_string(records.greatest_line),
-                         std::string(records.name) + " " + std::to_string(records.greatest) + ", expected 1 to " +
-                             std::to_string(records.count));
+        throw InputError(at_line(records.greatest_line), std::string(records.name) + " " +
+                                                             std::to_string(records.greatest) + ", expected 1 to " +
+                                                             std::to_string(records.count));
     }
 
-    [[noreturn]] void fail(const std::string& what_is_wrong) const {
-        throw InputError("line " + std::to_string(line_), what_is_wrong);
-    }
+    [[noreturn]] void fail(const std::string& what_is_wrong) const { throw InputError(at_line(line_), what_is_wrong); }
 
     double coordinate_limit_;
     std::int64_t line_ = 0;

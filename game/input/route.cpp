@@ -27,24 +27,19 @@ struct Turning {
 };
 constexpr Turning kYawTurning{480, 52, 10}, kPitchTurning{160, 17, 10};
 
-std::string place_of(std::size_t line) {
-    return "line " + std::to_string(line);
-}
-
 using Fields = std::array<std::optional<std::int32_t>, kColumns>;
 
 std::int32_t whole_number(const std::string& field, std::size_t line) {
     constexpr std::int64_t kLargest = kWorldEnd;
     const auto number = parse_decimal(field, 0);
     if (!number || *number > kLargest || *number < -kLargest || field.find('.') != std::string::npos)
-        throw InputError(place_of(line), "'" + field + "', expected a whole number within +-32,768");
+        throw InputError(at_line(line), "'" + field + "', expected a whole number within +-32,768");
     return static_cast<std::int32_t>(*number);
 }
 
 Fields fields_of(const std::string& text, std::size_t line) {
     const std::vector<std::string> texts = split(text, ",");
-    if (texts.size() != kColumns)
-        throw InputError(place_of(line), std::to_string(texts.size()) + " fields, expected 8");
+    if (texts.size() != kColumns) throw InputError(at_line(line), std::to_string(texts.size()) + " fields, expected 8");
     Fields fields;
     for (std::size_t column = 0; column < kColumns; ++column)
         if (!texts[column].empty()) fields[column] = whole_number(texts[column], line);
@@ -55,7 +50,7 @@ std::int32_t in_range(std::optional<std::int32_t> value, std::int32_t otherwise,
                       std::size_t line) {
     const std::int32_t number = value.value_or(otherwise);
     if (number >= 0 && number <= most) return number;
-    throw InputError(place_of(line),
+    throw InputError(at_line(line),
                      std::string(what) + " is " + std::to_string(number) + ", expected 0 to " + std::to_string(most));
 }
 
@@ -66,7 +61,7 @@ std::int32_t bam_of(std::int32_t degrees) {
 Waypoint waypoint_of(const std::string& text, std::size_t line) {
     const Fields fields = fields_of(text, line);
     const auto& [x, y, z, speed, wait, yaw, pitch, jump] = fields;
-    if (!x || !y) throw InputError(place_of(line), "no x or no y, expected both");
+    if (!x || !y) throw InputError(at_line(line), "no x or no y, expected both");
     Waypoint waypoint;
     waypoint.x = *x;
     waypoint.y = *y;
@@ -75,7 +70,7 @@ Waypoint waypoint_of(const std::string& text, std::size_t line) {
     waypoint.wait_ticks = in_range(wait, 0, 600, "wait", line) * static_cast<std::int32_t>(kTicksPerSecond) / 10;
     if (yaw) waypoint.yaw = Angle::from_bam(bam_of(*yaw));
     if (pitch.value_or(0) > 80 || pitch.value_or(0) < -80)
-        throw InputError(place_of(line), "pitch is " + std::to_string(*pitch) + ", expected -80 to 80");
+        throw InputError(at_line(line), "pitch is " + std::to_string(*pitch) + ", expected -80 to 80");
     waypoint.pitch = bam_of(pitch.value_or(0));
     waypoint.jumps = in_range(jump, 0, 1, "jump", line) == 1;
     waypoint.line = line;
@@ -109,11 +104,11 @@ std::vector<Waypoint> parse_route(std::span<const std::uint8_t> bytes) {
     std::string text = plain_text({bytes.begin(), bytes.end()});
     std::erase(text, '\r');
     const std::vector<std::string> lines = split(text, "\n");
-    if (lines[0] != kHeader) throw InputError(place_of(1), "'" + lines[0] + "', expected " + std::string(kHeader));
+    if (lines[0] != kHeader) throw InputError(at_line(1), "'" + lines[0] + "', expected " + std::string(kHeader));
     std::vector<Waypoint> route;
     for (std::size_t i = 1; i < lines.size(); ++i)
         if (!lines[i].empty()) route.push_back(waypoint_of(lines[i], i + 1));
-    if (route.empty()) throw InputError(place_of(2), "no waypoint, expected at least one");
+    if (route.empty()) throw InputError(at_line(2), "no waypoint, expected at least one");
     return route;
 }
 
@@ -172,7 +167,7 @@ Demo walk_route(const GameLevel& level, std::span<const Waypoint> route) {
         const TickInput input = walker.next(state);
         if (walker.is_over()) break;
         if (walker.is_stuck())
-            throw InputError(place_of(walker.waypoint().line),
+            throw InputError(at_line(walker.waypoint().line),
                              "stuck at " + words(state.player.position) + ", expected to reach " +
                                  std::to_string(walker.waypoint().x) + " " + std::to_string(walker.waypoint().y));
         step(level, state, input);

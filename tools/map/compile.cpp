@@ -60,7 +60,7 @@ LevelBrushes make_brushes(const std::vector<MapEntity>& entities, Warnings* warn
     }
     for (const TextureUse& use : shown_textures(entities)) level.textures.find_or_add_name(use);
     if (level.models.front().empty())
-        throw InputError("line " + std::to_string(entities.front().line),
+        throw InputError(at_line(entities.front().line),
                          "the world has no brushes, expected a room that encloses the entities");
     sharing.begin("tree", started.size());
     sharing.for_each(started.size(), [&](std::size_t i) {
@@ -148,8 +148,7 @@ void check_world(const ModelResult& world, const Inhabitants& inhabitants, const
         throw LeakError(*inhabitants.at_start[world.leak->start], world.leak->path,
                         is_start_inside(*world.leak, inhabitants.at_start));
     if (!has_inside(world.model.tree))
-        throw InputError("line " + std::to_string(worldspawn.line),
-                         "the level encloses no space, expected a room around the entities");
+        throw InputError(at_line(worldspawn.line), "the level encloses no space, expected a room around the entities");
 }
 
 // The world is first.
@@ -229,7 +228,7 @@ void take_light(BspFile& bsp, const BspFile& former) {
 }  // namespace
 
 LeakError::LeakError(const MapEntity& entity, std::vector<Point> way_out, bool is_start_inside)
-    : InputError("line " + std::to_string(entity.line),
+    : InputError(at_line(entity.line),
                  (is_start_inside ? "" : "the level leaks: ") + entity.value("classname", "an entity") + " at " +
                      points_text({way_out.front()}) +
                      (is_start_inside ? " is outside of the level, which is sealed around its start: expected it inside"
@@ -268,7 +267,7 @@ BspFile compile_map(std::vector<MapEntity> entities, const std::vector<Wad>& wad
     for (std::size_t i = 1; i < models.size(); ++i) emitter.add_model(models[i]);
     bsp.entities = entities_text(entities);
     if (bsp.faces.empty())
-        throw InputError("line " + std::to_string(entities.front().line),
+        throw InputError(at_line(entities.front().line),
                          "no face of the level is drawn, expected a texture other than 'skip' and 'clip'");
     check_size(bsp);  // before the long passes
     if (options.warnings != nullptr) {

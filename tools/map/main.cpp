@@ -130,8 +130,8 @@ std::string external_path(std::string name, const std::string& path) {
 
 map::ExternalSource read_external(const std::string& name, const std::string& found, int line) {
     if (!std::filesystem::is_regular_file(found))
-        throw InputError("line " + std::to_string(line), "\"_external_map\" names '" + name + "', which is not at " +
-                                                             found + ", expected a map source there");
+        throw InputError(at_line(line), "\"_external_map\" names '" + name + "', which is not at " + found +
+                                            ", expected a map source there");
     return {std::filesystem::weakly_canonical(found).string(), read_text(found)};
 }
 

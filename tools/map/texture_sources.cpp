@@ -55,10 +55,9 @@ std::string found_source(const std::string& name, int line, const fs::path& fold
         if (fs::exists(path)) return path.string();
     const fs::path own = fs::path(assets_folder(called_as)) / fs::path(name).filename();
     if (fs::exists(own)) return own.string();
-    throw InputError("line " + std::to_string(line), "\"wad\" names '" + name + "', which is not at " +
-                                                         as_named.string() +
-                                                         ", expected a WAD file or a folder of pictures there (or see "
-                                                         "--wad)");
+    throw InputError(at_line(line), "\"wad\" names '" + name + "', which is not at " + as_named.string() +
+                                        ", expected a WAD file or a folder of pictures there (or see "
+                                        "--wad)");
 }
 
 struct NamedSource {

@@ -24,26 +24,22 @@ std::string trimmed(const std::string& field) {
     return field.substr(first, field.find_last_not_of(kSpace) + 1 - first);
 }
 
-std::string place(std::size_t line) {
-    return "line " + std::to_string(line);
-}
-
 /// The kColumns entry of each column of the file.
 std::vector<std::size_t> parse_header(const std::string& line) {
-    if (trimmed(line).empty()) throw InputError(place(1), "is empty, expected the columns' names: x,y,z,yaw,pitch");
+    if (trimmed(line).empty()) throw InputError(at_line(1), "is empty, expected the columns' names: x,y,z,yaw,pitch");
     std::vector<std::size_t> columns;
     for (const std::string& field : split(line, ",")) {
         const std::string name = trimmed(field);
         const auto known = std::find(kColumns.begin(), kColumns.end(), name);
         const auto index = as_size(known - kColumns.begin());
         if (known == kColumns.end() || std::count(columns.begin(), columns.end(), index))
-            throw InputError(place(1),
+            throw InputError(at_line(1),
                              "column '" + name + "', expected x, y, z, yaw, pitch and perhaps roll, each once");
         columns.push_back(index);
     }
     for (std::size_t index = 0; index < 5; ++index)
         if (!std::count(columns.begin(), columns.end(), index))
-            throw InputError(place(1),
+            throw InputError(at_line(1),
                              "no column '" + std::string(kColumns[index]) + "', expected x, y, z, yaw, pitch");
     return columns;
 }
@@ -51,20 +47,20 @@ std::vector<std::size_t> parse_header(const std::string& line) {
 World world_of(std::int64_t raw_32, std::size_t line) {
     const std::int64_t raw = rounded_shift(raw_32, 20, Rounding::NearestHalfUp);
     if (raw < -(std::int64_t{32768} << 12) || raw > std::int64_t{32768} << 12)
-        throw InputError(place(line), "a coordinate beyond +-32,768 units, expected one within");
+        throw InputError(at_line(line), "a coordinate beyond +-32,768 units, expected one within");
     return World::from_raw(static_cast<std::int32_t>(raw));
 }
 
 Camera parse_camera(const std::string& text, const std::vector<std::size_t>& columns, std::size_t line) {
     const std::vector<std::string> fields = split(text, ",");
     if (fields.size() != columns.size())
-        throw InputError(place(line),
+        throw InputError(at_line(line),
                          std::to_string(fields.size()) + " fields, expected " + std::to_string(columns.size()));
     std::array<std::int64_t, 6> values_32{};
     for (std::size_t i = 0; i < fields.size(); ++i) {
         const std::string field = trimmed(fields[i]);
         const std::optional<std::int64_t> value_32 = parse_decimal(field, 32);
-        if (!value_32) throw InputError(place(line), "'" + field + "', expected a decimal number");
+        if (!value_32) throw InputError(at_line(line), "'" + field + "', expected a decimal number");
         values_32[columns[i]] = *value_32;
     }
     const auto angle = [&](std::size_t index) {
@@ -90,7 +86,7 @@ std::vector<Camera> parse_cameras(std::span<const std::uint8_t> bytes, Degrees f
         cameras.push_back(parse_camera(lines[i], columns, i + 1));
         cameras.back().field_of_view = field_of_view;
     }
-    if (cameras.empty()) throw InputError(place(2), "no camera, expected at least one");
+    if (cameras.empty()) throw InputError(at_line(2), "no camera, expected at least one");
     return cameras;
 }
 

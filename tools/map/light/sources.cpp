@@ -110,8 +110,7 @@ LightSource source_of(const MapEntity& entity, const Point& origin, const std::v
     source.falloff = static_cast<Falloff>(static_cast<int>(is_falloff(delay) ? delay : usual("delay")));
     const double style = value_of(entity, "style");
     if (!(style >= 0 && style < kStyleCount))
-        throw InputError("line " + std::to_string(entity.line),
-                         "\"style\" is \"" + entity.value("style") + "\", expected 0 to 63");
+        throw InputError(at_line(entity.line), "\"style\" is \"" + entity.value("style") + "\", expected 0 to 63");
     source.style = static_cast<int>(style);
     source.direction = spot_direction(entity, origin, entities);
     source.radius = std::max(value_of(entity, "radius"), 0.0);
@@ -225,9 +224,9 @@ void assign_switchable_styles(std::vector<MapEntity>& entities) {
         const auto index = static_cast<std::size_t>(found - names.begin());
         if (found == names.end()) names.push_back(name);
         if (index >= free.size())
-            throw InputError("line " + std::to_string(entity.line),
-                             "more than " + std::to_string(free.size()) +
-                                 " names of switchable lights, expected at most " + std::to_string(free.size()));
+            throw InputError(at_line(entity.line), "more than " + std::to_string(free.size()) +
+                                                       " names of switchable lights, expected at most " +
+                                                       std::to_string(free.size()));
         entity.pairs.push_back({"style", std::to_string(free[index]), entity.line});
     }
 }

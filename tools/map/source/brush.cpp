@@ -121,15 +121,14 @@ Brush start_brush(const MapBrush& source, PlaneList& planes, TextureList& textur
 
 void complete_brush(Brush& brush, int line, const PlaneList& planes) {
     if (!set_windings(brush, planes))
-        throw InputError("line " + std::to_string(line),
+        throw InputError(at_line(line),
                          "the sides of this brush enclose no volume, expected a closed convex solid, and each side's "
                          "points clockwise seen from outside");
     constexpr int kFarthest = 32767;  // a node's box has 16 bits
     for (int axis = 0; axis < 3; ++axis)
         if (brush.box.maxs[axis] > kFarthest || brush.box.mins[axis] < -kFarthest)
-            throw InputError("line " + std::to_string(line), "this brush reaches farther from the origin than " +
-                                                                 std::to_string(kFarthest) +
-                                                                 " units, expected it nearer");
+            throw InputError(at_line(line), "this brush reaches farther from the origin than " +
+                                                std::to_string(kFarthest) + " units, expected it nearer");
     brush.is_detail = brush.is_detail || looks_like_detail(brush);
 }
 

@@ -54,9 +54,9 @@ std::vector<double> numbers_of(const MapEntity& entity, std::string_view key, st
         constexpr int kFractionBits = 32;
         const std::optional<std::int64_t> raw = parse_decimal(take_word(rest), kFractionBits);
         if (!raw)
-            throw InputError("line " + std::to_string(pair.line), "\"" + std::string(key) + "\" is \"" + pair.value +
-                                                                      "\", expected " + std::to_string(count) +
-                                                                      " decimal number" + (count == 1 ? "" : "s"));
+            throw InputError(at_line(pair.line), "\"" + std::string(key) + "\" is \"" + pair.value + "\", expected " +
+                                                     std::to_string(count) + " decimal number" +
+                                                     (count == 1 ? "" : "s"));
         numbers.push_back(std::ldexp(*raw, -kFractionBits));
     }
     return numbers;

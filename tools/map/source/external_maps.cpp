@@ -16,7 +16,7 @@ constexpr double kFarthestOrigin = 65536, kMostScale = 1024;
 constexpr std::size_t kMostBrushes = 65536;
 
 [[noreturn]] void refuse(const MapEntity& entity, const std::string& what) {
-    throw InputError("line " + std::to_string(entity.line), what);
+    throw InputError(at_line(entity.line), what);
 }
 
 // The columns of a rotation: the rotated axes.
@@ -84,7 +84,7 @@ void check_brush(const MapBrush& brush) {
         const auto& [a, b, c] = side.points;
         if (length(cross(a - b, c - b)) < 1e-6)
             throw InputError(
-                "line " + std::to_string(side.line),
+                at_line(side.line),
                 "the three points of a plane coincide after scaling, expected a larger \"_external_map_scale\"");
     }
     PlaneList planes;
@@ -133,8 +133,8 @@ class Includer {
                 for (MapSide& side : brush.sides) side = placed(std::move(side), place);
                 check_brush(brush);
                 if (++brush_count_ > kMostBrushes)
-                    throw InputError("line " + std::to_string(brush.line), "more than " + std::to_string(kMostBrushes) +
-                                                                               " brushes are included, expected fewer");
+                    throw InputError(at_line(brush.line), "more than " + std::to_string(kMostBrushes) +
+                                                              " brushes are included, expected fewer");
                 brushes.push_back(std::move(brush));
             }
         }

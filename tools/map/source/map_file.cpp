@@ -77,7 +77,7 @@ double MapTokens::take_number(std::string_view what) {
 
 void MapTokens::fail(const MapToken& at, std::string_view expected) const {
     const std::string found = at.is_end ? "the file ends" : "found '" + std::string(at.text) + "'";
-    throw InputError("line " + std::to_string(at.line), found + ", expected " + std::string(expected));
+    throw InputError(at_line(at.line), found + ", expected " + std::string(expected));
 }
 
 void MapTokens::advance() {
@@ -168,8 +168,7 @@ MapSide take_side(MapTokens& tokens) {
     for (Point& point : side.points) point = take_point(tokens);
     const Point normal = cross(side.points[0] - side.points[1], side.points[2] - side.points[1]);
     if (length(normal) < 1e-6)
-        throw InputError("line " + std::to_string(side.line),
-                         "the three points of a plane lie on one line, expected a triangle");
+        throw InputError(at_line(side.line), "the three points of a plane lie on one line, expected a triangle");
     side.texture = take_texture(tokens);
     // Some editors append Quake 2's three numbers.
     while (!tokens.peek().is_end && tokens.peek().line == side.line && !tokens.peek().is("}")) tokens.take();
@@ -219,7 +218,7 @@ void check_no_zero_byte(std::string_view text) {
     const std::size_t zero = text.find('\0');
     if (zero == std::string_view::npos) return;
     const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(zero), '\n');
-    throw InputError("line " + std::to_string(line), "a zero byte, expected text");
+    throw InputError(at_line(line), "a zero byte, expected text");
 }
 
 }  // namespace
@@ -243,7 +242,7 @@ std::vector<MapEntity> parse_map(std::string_view file) {
     while (!tokens.peek().is_end) {
         entities.push_back(take_entity(tokens));
         if (entities.size() > 1 && role_of(entities.back()) == ClassRole::Worldspawn)
-            throw InputError("line " + std::to_string(entities.back().line),
+            throw InputError(at_line(entities.back().line),
                              "a second worldspawn, expected one, that of line " + std::to_string(entities[0].line));
     }
     if (entities.empty() || role_of(entities[0]) != ClassRole::Worldspawn)

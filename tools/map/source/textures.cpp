@@ -47,9 +47,8 @@ const std::string* find_in(const std::vector<Wad>& wads, const std::string& name
 [[noreturn]] void throw_missing(const TextureUse& use, const std::vector<Wad>& wads) {
     NearestName nearest(use.name);
     for (const Wad& wad : wads) wad.add_names(nearest);
-    throw InputError("line " + std::to_string(use.line), "texture '" + use.name + "' is not in any of the WAD files" +
-                                                             nearest.text() +
-                                                             ": add its WAD to worldspawn's 'wad', or see --wad");
+    throw InputError(at_line(use.line), "texture '" + use.name + "' is not in any of the WAD files" + nearest.text() +
+                                            ": add its WAD to worldspawn's 'wad', or see --wad");
 }
 
 // The engine reads no more; a surface of more would be cut into very many faces.
@@ -58,7 +57,7 @@ void check_density(const std::array<Point, 2>& axes, const MapSide& side) {
     for (const Point& axis : axes)
         if (std::max({std::abs(axis.x), std::abs(axis.y), std::abs(axis.z)}) > kMost)
             throw InputError(
-                "line " + std::to_string(side.line),
+                at_line(side.line),
                 "texture '" + side.texture.name + "' has more than 255 texels a unit, expected a larger texture scale");
 }
 
