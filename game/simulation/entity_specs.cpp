@@ -58,7 +58,6 @@ Position meeting_place(const Position& origin, const std::vector<Trigger>& trigg
 
 constexpr int kNotTouched = 1, kCounterIsQuiet = 1, kPushesOnce = 1;  // spawnflags
 constexpr std::int32_t kPushFactor = 10;
-constexpr World kFastestPush = World::from_int(2000);     // Quake's largest speed, along each axis
 constexpr std::int32_t kStrokes = 3;                      // of lightning; Chthon's health at normal skill
 const Vec3<World> kShotReach = world_vector(32, 32, 64);  // from a trigger that Quake activates by a shot
 
@@ -108,9 +107,7 @@ void read_counter(const Entity& entity, Trigger& trigger) {
 
 void read_push(const Entity& entity, Trigger& trigger) {
     const World speed = number_of(entity, "speed", 4000);
-    const Velocity push = times(speed * kPushFactor, direction_of(entity));
-    const auto bounded = [](World w) { return std::clamp(w, -kFastestPush, kFastestPush); };
-    trigger.push = {bounded(push.x), bounded(push.y), bounded(push.z)};
+    trigger.push = bounded(times(speed * kPushFactor, direction_of(entity)));
     trigger.wait_ticks = has_flag(entity, kPushesOnce) ? kForever : 0;
 }
 

@@ -49,6 +49,12 @@ inline World component_along(const Vec3<World>& v, const Vec3<Unit>& direction) 
     return convert<World>(dot(v, direction));
 }
 
+/// A velocity of at most 2000 units a second along each axis, as in Quake.
+inline Velocity bounded(const Velocity& v) {
+    const auto bound = [most = World::from_int(2000)](World w) { return std::clamp(w, -most, most); };
+    return {bound(v.x), bound(v.y), bound(v.z)};
+}
+
 /// Whether a number, or every component of a vector, is from -most to most.
 inline bool is_within(World value, World most) {
     return value <= most && value >= -most;

@@ -12,9 +12,8 @@ namespace {
 constexpr World kGravity = World::from_int(800), kTopSpeed = World::from_int(320), kJumpSpeed = World::from_int(270);
 constexpr World kStopSpeed = World::from_int(100), kAirWish = World::from_int(30), kSinkSpeed = World::from_int(60);
 constexpr World kSwimUpSpeed = World::from_int(100), kLeaveWaterSpeed = World::from_int(310);
-constexpr World kFastestPlayer = World::from_int(2000);  // in each axis
-constexpr World kRising = World::from_int(180);          // a player who rises faster is not on the ground
-constexpr World kEyeSpeed = World::from_int(160);        // of the eye, after a step
+constexpr World kRising = World::from_int(180);    // a player who rises faster is not on the ground
+constexpr World kEyeSpeed = World::from_int(160);  // of the eye, after a step
 constexpr std::int32_t kFriction = 4, kAccelerate = 10;
 
 World in_a_tick(World per_second, std::int32_t factor = 1) {
@@ -52,11 +51,6 @@ Velocity accelerated(const Velocity& v, const Velocity& wish, World most) {
     const World missing = std::min(most, wished) - already;
     if (missing <= World{}) return v;
     return v + scaled(wish, std::min(missing, in_a_tick(wished, kAccelerate)), wished);
-}
-
-Velocity bounded(const Velocity& v) {
-    const auto bound = [](World w) { return std::clamp(w, -kFastestPlayer, kFastestPlayer); };
-    return {bound(v.x), bound(v.y), bound(v.z)};
 }
 
 // The velocity that the input asks for, at most kTopSpeed: horizontal when walking, along the view when swimming.
