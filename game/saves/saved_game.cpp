@@ -165,7 +165,7 @@ SavedGame decode_save(std::span<const std::uint8_t> bytes) {
 void check_level(const SavedGame& game, std::uint64_t level_hash, const GameLevel& level) {
     if (game.level.file_hash != level_hash)
         throw InputError("level", "saved in another level, another version of it or by other rules, expected this one");
-    if (game.level.start_hash != hash_of(start_of(level)) || !is_consistent(level, game.state))
+    if (game.level.start_hash != hash_of(start_of(level)) || !find_inconsistency(level, game.state).empty())
         throw InputError("state", "not one of this level, expected one saved by this version of the game");
 }
 

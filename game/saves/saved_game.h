@@ -84,8 +84,8 @@ void check_level(const SavedGame& game, std::uint64_t level_hash, const GameLeve
 /// own width, each list after its length (u32).
 void append_state(std::vector<std::uint8_t>& bytes, const GameState& state);
 
-/// Reads such fields. Throws InputError if they end early, or for an impossible list or bool; is_consistent() checks
-/// the state against a level.
+/// Reads such fields. Throws InputError if they end early, or for an impossible list or bool; find_inconsistency()
+/// checks the state against a level.
 GameState read_state(LittleEndianReader& reader);
 
 /// A hash of the kinds of all fields. It differs if a build's state has other fields.

@@ -225,9 +225,4 @@ inline bool shows_other_frames(const Mover& mover, const MoverState& state) {
 /// has the level's length, every index is in range, every number is one that the game can produce.
 std::string find_inconsistency(const GameLevel& level, const GameState& state);
 
-/// True where the game can go on from a state read from outside.
-inline bool is_consistent(const GameLevel& level, const GameState& state) {
-    return find_inconsistency(level, state).empty();
-}
-
 }  // namespace oblong

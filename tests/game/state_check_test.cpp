@@ -130,12 +130,12 @@ TEST(Consistency, WhatTheGameCanNotGoOnFromIsFound) {
     ASSERT_EQ(game.state.delayed.size(), 1u);
     GameState waits = game.state;
     waits.backlog.waiting = {{0, 0, false}};
-    ASSERT_TRUE(is_consistent(game.level, waits));
-    ASSERT_TRUE(is_consistent(game.level, game.state));
+    ASSERT_EQ(find_inconsistency(game.level, waits), "");
+    ASSERT_EQ(find_inconsistency(game.level, game.state), "");
     for (const auto& [what, spoil] : kSpoilers) {
         GameState spoilt = game.state;
         spoil(spoilt);
-        EXPECT_FALSE(is_consistent(game.level, spoilt)) << what;
+        EXPECT_NE(find_inconsistency(game.level, spoilt), "") << what;
     }
 }
 

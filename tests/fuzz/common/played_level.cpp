@@ -73,7 +73,8 @@ const Palette& greys() {
 }
 
 void check_state(const GameLevel& level, const GameState& state) {
-    expect(is_consistent(level, state), "a state that a save may hold, not " + find_inconsistency(level, state));
+    const std::string error = find_inconsistency(level, state);
+    expect(error.empty(), "a state that a save may hold, not " + error);
     Bytes bytes;
     append_state(bytes, state);
     LittleEndianReader reader(bytes);
