@@ -52,16 +52,10 @@ float per_mille_of(const std::vector<float>& values) {
     return whole == 0 ? 0 : static_cast<float>(part / static_cast<double>(whole));
 }
 
-struct MeasureEntry {
-    std::string_view name, unit, about;
-    bool is_share = false;  ///< of a frame's pixels
-    HeatScale heat{1.0 / 256, 64, "1/256 pixel", "64 pixels"};
-};
-
 constexpr HeatScale kFaceHeat{0.5, 1, "same face", "another face"}, kColourHeat{1, 256, "1", "256"};
 
 /// In the order of Measure.
-constexpr std::array<MeasureEntry, kMeasureCount> kMeasures{{
+constexpr std::array<MeasureRow, kMeasureCount> kMeasures{{
     {"displacement", "pixels", "How far from its place on the screen a texel is shown, in pixels."},
     {"texels", "texels", "How far from the texel that belongs there the one shown is, in texels of mip level 0."},
     {"wrong_pixels", "wrong pixels per mille of a frame",
@@ -150,16 +144,8 @@ PixelErrors measure_frame(const DrawnFrame& frame) {
     return errors;
 }
 
-std::string_view name_of(Measure measure) {
-    return item(kMeasures, measure).name;
-}
-
-std::string_view unit_of(Measure measure) {
-    return item(kMeasures, measure).unit;
-}
-
-std::string_view about(Measure measure) {
-    return item(kMeasures, measure).about;
+const MeasureRow& row_of(Measure measure) {
+    return item(kMeasures, measure);
 }
 
 void ErrorCollector::add(const PixelErrors& frame) {
@@ -182,10 +168,6 @@ double rms_of(const std::vector<float>& values) {
     return summarize_errors(std::move(measured)).rms;
 }
 
-const HeatScale& heat_scale(Measure measure) {
-    return item(kMeasures, measure).heat;
-}
-
 Palette heat_palette() {
     Palette palette;
     palette.colours[0] = {110, 110, 110};
@@ -201,7 +183,7 @@ Palette heat_palette() {
 }
 
 std::vector<std::uint8_t> heat_pixels(const std::vector<float>& values, Measure measure) {
-    const HeatScale& scale = heat_scale(measure);
+    const HeatScale& scale = row_of(measure).heat;
     std::vector<std::uint8_t> pixels;
     for (const float value : values) {
         const double part =

@@ -53,12 +53,20 @@ PixelErrors measure_frame(const DrawnFrame& frame);
 /// By measure, the errors of one setting: of pixels, or of frames' shares of pixels, per mille.
 using ErrorSummaries = std::array<ErrorSummary, kMeasureCount>;
 
-/// "displacement", "wrong_pixels": in the report's file.
-std::string_view name_of(Measure measure);
-/// "pixels", "wrong pixels per mille of a frame", "RGB distance (0 to 442)".
-std::string_view unit_of(Measure measure);
-/// One sentence on what is measured.
-std::string_view about(Measure measure);
+/// The values at the ends of a heat map's colours, and their captions.
+struct HeatScale {
+    double least = 0, greatest = 0;
+    std::string_view least_text, greatest_text;
+};
+
+struct MeasureRow {
+    std::string_view name;   ///< in the report's file: "displacement", "wrong_pixels"
+    std::string_view unit;   ///< "pixels", "wrong pixels per mille of a frame", "RGB distance, 0 to 442"
+    std::string_view about;  ///< one sentence on what is measured
+    bool is_share = false;   ///< of a frame's pixels
+    HeatScale heat{1.0 / 256, 64, "1/256 pixel", "64 pixels"};
+};
+const MeasureRow& row_of(Measure measure);
 
 /// Collects errors over frames.
 class ErrorCollector {
@@ -72,13 +80,6 @@ class ErrorCollector {
 
 /// The root of the mean square of the values that are not negative.
 double rms_of(const std::vector<float>& values);
-
-/// The values at the ends of a heat map's colours, and their captions.
-struct HeatScale {
-    double least = 0, greatest = 0;
-    std::string_view least_text, greatest_text;
-};
-const HeatScale& heat_scale(Measure measure);
 
 /// Dark blue to yellow, on a logarithmic scale; grey: no value.
 Palette heat_palette();

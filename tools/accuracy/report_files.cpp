@@ -24,7 +24,7 @@ double rounded(double value) {
 
 Json error_json(const ErrorSummaries& errors, Measure measure) {
     const ErrorSummary& error = item(errors, measure);
-    return {{"unit", unit_of(measure)},
+    return {{"unit", row_of(measure).unit},
             {"rms", rounded(error.rms)},
             {"p99", rounded(error.p99)},
             {"max", rounded(error.max)}};
@@ -33,7 +33,7 @@ Json error_json(const ErrorSummaries& errors, Measure measure) {
 Json errors_json(const ErrorSummaries& errors) {
     Json json;
     for (std::size_t i = 0; i < kMeasureCount; ++i)
-        json[std::string(name_of(Measure(i)))] = error_json(errors, Measure(i));
+        json[std::string(row_of(Measure(i)).name)] = error_json(errors, Measure(i));
     return json;
 }
 
@@ -117,7 +117,7 @@ std::string hexadecimal(std::span<const std::uint8_t> bytes) {
 }
 
 Json heat_maps_json(const std::vector<HeatMap>& maps, Measure measure) {
-    const HeatScale& scale = heat_scale(measure);
+    const HeatScale& scale = row_of(measure).heat;
     Json pictures = Json::array();
     for (const HeatMap& map : maps)
         pictures.push_back({{"setting", map.setting},
@@ -143,7 +143,7 @@ Json dial_json(const Report& report, std::size_t index) {
             {"floor", error_json(floor_of(report, rows), rows.measure)},
             {"settings", settings},
             {"notes", notes_on_order(report, rows)},
-            {"error_is", about(rows.measure)},
+            {"error_is", row_of(rows.measure).about},
             {"is_below_bound", rows.is_below_bound},
             {"is_of_surfaces", rows.measure == Measure::LightColour || rows.measure == Measure::PixelColour},
             {"heat_maps", heat_maps_json(report.heat_maps[index], rows.measure)}};
