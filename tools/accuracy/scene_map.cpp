@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <numbers>
 #include <sstream>
 #include <vector>
@@ -109,14 +108,7 @@ MipTexture make_texture(const std::string& name, std::int32_t block_width, std::
     return make_mip_texture(name, kSize, kSize, std::move(texels), palette);
 }
 
-using map::Point;
-
 constexpr double kOnEdge_units = 1.0 / 256;
-
-int start_of(const map::BspFile& bsp, int surf_edge) {
-    const auto& ends = item(bsp.edges, std::abs(surf_edge));
-    return ends[surf_edge < 0 ? 1 : 0];
-}
 
 Point place_of(const map::BspFile& bsp, int vertex) {
     return map::to_point(item(bsp.vertices, vertex));
@@ -126,13 +118,6 @@ Point place_of(const map::BspFile& bsp, int vertex) {
 bool is_within_edge(const Point& before, const Point& corner, const Point& next) {
     const Point whole = next - before;
     return length(cross(whole, corner - before)) <= kOnEdge_units * length(whole);
-}
-
-std::vector<int> corners_of(const map::BspFile& bsp, const map::FileFace& face) {
-    std::vector<int> corners;
-    for (int i = 0; i < face.edge_count; ++i)
-        corners.push_back(start_of(bsp, item(bsp.surf_edges, face.first_surf_edge + i)));
-    return corners;
 }
 
 std::vector<int> without_those_within_edges(const map::BspFile& bsp, const std::vector<int>& corners) {
@@ -214,7 +199,7 @@ void loosen_edges(map::BspFile& bsp) {
     std::vector<std::array<int, 2>> edges{{0, 0}};  // edge 0 has no negative
     std::vector<int> surf_edges;
     for (map::FileFace& face : bsp.faces) {
-        const std::vector<int> corners = without_those_within_edges(bsp, corners_of(bsp, face));
+        const std::vector<int> corners = without_those_within_edges(bsp, vertices_at(bsp, face));
         face.first_surf_edge = static_cast<int>(surf_edges.size());
         face.edge_count = static_cast<int>(corners.size());
         for (std::size_t i = 0; i < corners.size(); ++i) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <set>
 
@@ -27,12 +26,10 @@ Point nearest_on_segment(const Point& point, const Point& from, const Point& to)
 using EdgeKey = std::array<int, 5>;
 
 std::vector<EdgeKey> edges_of(const BspFile& bsp, const FileFace& face) {
+    const std::vector<int> corners = vertices_at(bsp, face);
     std::vector<EdgeKey> keys;
-    for (int i = 0; i < face.edge_count; ++i) {
-        const int edge = item(bsp.surf_edges, face.first_surf_edge + i);
-        const auto& ends = item(bsp.edges, std::abs(edge));
-        keys.push_back({face.plane, face.is_back, face.texinfo, ends[edge < 0 ? 1 : 0], ends[edge < 0 ? 0 : 1]});
-    }
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        keys.push_back({face.plane, face.is_back, face.texinfo, corners[i], corners[(i + 1) % corners.size()]});
     return keys;
 }
 
@@ -57,12 +54,7 @@ LightGrid light_grid(const BspFile& bsp, const FileFace& face) {
 
 Winding face_corners(const BspFile& bsp, const FileFace& face) {
     Winding corners;
-    corners.reserve(as_size(face.edge_count));
-    for (int i = 0; i < face.edge_count; ++i) {
-        const int edge = item(bsp.surf_edges, face.first_surf_edge + i);
-        const auto& ends = item(bsp.edges, std::abs(edge));
-        corners.push_back(to_point(item(bsp.vertices, ends[edge < 0 ? 1 : 0])));
-    }
+    for (const int vertex : vertices_at(bsp, face)) corners.push_back(to_point(item(bsp.vertices, vertex)));
     return corners;
 }
 

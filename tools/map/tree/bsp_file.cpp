@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 
 #include "engine/base/input_error.h"
@@ -103,6 +104,15 @@ std::array<std::string, kLumpCount> lumps_of(const BspFile& bsp, bool is_bsp2) {
 }
 
 }  // namespace
+
+std::vector<int> vertices_at(const BspFile& bsp, const FileFace& face) {
+    std::vector<int> corners;
+    for (int i = 0; i < face.edge_count; ++i) {
+        const int edge = item(bsp.surf_edges, face.first_surf_edge + i);
+        corners.push_back(item(bsp.edges, std::abs(edge))[edge < 0 ? 1 : 0]);
+    }
+    return corners;
+}
 
 std::vector<LumpCount> lump_counts(const BspFile& bsp) {
     const char* const less = "by a smaller level or simpler brushes";

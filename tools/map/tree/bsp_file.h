@@ -99,6 +99,9 @@ struct BspFile {
     std::vector<FileModel> models;
 };
 
+/// The vertices at a face's corners, in order.
+std::vector<int> vertices_at(const BspFile& bsp, const FileFace& face);
+
 /// The number of a lump's records, and the most that version 29 can index.
 struct LumpCount {
     const char* name;
