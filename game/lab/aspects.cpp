@@ -141,10 +141,6 @@ bool can_be_drawn(const ScreenMode& mode, Degrees field_of_view) {
            is_drawable(make_projection(mode, field_of_view));
 }
 
-bool is_same(const ScreenMode& a, const ScreenMode& b) {
-    return a.width_px == b.width_px && a.height_px == b.height_px && a.display == b.display;
-}
-
 void copy_picture(Framebuffer from, Framebuffer to) {
     for (std::int32_t row = 0; row < to.height_px; ++row) std::copy_n(from.row(row), to.width_px, to.row(row));
 }
@@ -187,7 +183,7 @@ void FourAspects::draw(const GameView& view, const Settings& settings, const Scr
 void FourAspects::draw_view(const GameView& view, const Settings& settings, const AspectView& aspect,
                             std::unique_ptr<GameRenderer>& renderer, Framebuffer out) {
     if (!can_be_drawn(aspect.mode, view.camera.field_of_view)) return;
-    if (!renderer || !is_same(renderer->mode(), aspect.mode))
+    if (!renderer || renderer->mode() != aspect.mode)
         renderer = std::make_unique<GameRenderer>(data_, level_, aspect.mode);
     Settings true_settings = settings;
     true_settings.correct_aspect = true;  // the small mode's display has the shape to correct for

@@ -97,7 +97,7 @@ void Lab::draw_pictures(const LabOptions& options, const GameView& view, const S
                         Framebuffer canvas) {
     Settings shown = settings;
     shown.accuracy = shown_setting(options, settings.accuracy, now_us);
-    if (options.maps_errors) draw_errors(view, shown, canvas);
+    if (options.maps_errors) error_map_.draw(meter().measure(view, shown, renderer_), canvas);
     if (options.splits) draw_exact_side(options, view, settings, canvas);
 }
 
@@ -119,10 +119,6 @@ std::vector<std::string> Lab::notes(const LabOptions& options, const Accuracy& a
     if (options.splits) notes.push_back(split_text(setting_name(shown_setting(options, accuracy, now_us))));
     if (options.flips) notes.push_back(flip_text(options, accuracy, now_us));
     return notes;
-}
-
-void Lab::draw_errors(const GameView& view, const Settings& shown, Framebuffer canvas) {
-    error_map_.draw(meter().measure(view, shown, renderer_), canvas);
 }
 
 void Lab::draw_exact_side(const LabOptions& options, const GameView& view, Settings settings, Framebuffer canvas) {

@@ -76,7 +76,6 @@ class Lab {
 
   private:
     ErrorMeter& meter();
-    void draw_errors(const GameView& view, const Settings& shown, Framebuffer canvas);
     void draw_exact_side(const LabOptions& options, const GameView& view, Settings settings, Framebuffer canvas);
 
     const GameData& data_;

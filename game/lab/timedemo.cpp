@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cinttypes>
 #include <cstdio>
 #include <utility>
@@ -11,11 +10,6 @@
 #include "game/input/tick_input_source.h"
 
 namespace oblong {
-namespace {
-
-using Clock = std::chrono::steady_clock;
-
-}  // namespace
 
 TimedemoResult run_timedemo(const LoadedLevel& loaded, Demo demo, GameRenderer& renderer, const Settings& settings,
                             Degrees field_of_view) {
@@ -26,9 +20,9 @@ TimedemoResult run_timedemo(const LoadedLevel& loaded, Demo demo, GameRenderer& 
     while (input.is_replaying()) {
         input.play_tick(loaded.level, state);
         const InterpolatedState frame{state, state, 0};
-        const Clock::time_point began = Clock::now();
+        const std::int64_t began_ns = steady_clock_ns();
         renderer.draw({frame, camera_at(frame, {}, field_of_view)}, settings);
-        times_ns.push_back(std::chrono::nanoseconds(Clock::now() - began).count());
+        times_ns.push_back(steady_clock_ns() - began_ns);
     }
     TimedemoResult result;
     result.frames = static_cast<std::int64_t>(times_ns.size());
