@@ -90,7 +90,6 @@ CommandOption CommandArguments::add(const std::string& names, Value& value, cons
 template CommandOption CommandArguments::add(const std::string&, std::string&, const std::string&);
 template CommandOption CommandArguments::add(const std::string&, std::vector<std::string>&, const std::string&);
 template CommandOption CommandArguments::add(const std::string&, std::int64_t&, const std::string&);
-template CommandOption CommandArguments::add(const std::string&, double&, const std::string&);
 
 void CommandArguments::add_flag(const std::string& names, bool& value, const std::string& help) {
     app_->add_flag(names, value, help);

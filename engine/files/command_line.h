@@ -38,9 +38,9 @@ class CommandArguments {
     explicit CommandArguments(CLI::App* app) : app_(app) {}
 
     /// `names` such as "-o,--out"; a name without a dash is a positional argument. The variable's value is the default,
-    /// and --help shows it unless it is empty or 0. For std::string, a vector of them (one or more may be given),
-    /// std::int64_t and double. An empty value is refused: in scripts it is an unset variable. So is "-", which
-    /// elsewhere means standard input or output, unless the option accepts it.
+    /// and --help shows it unless it is empty or 0. For std::string, a vector of them (one or more may be given) and
+    /// std::int64_t. An empty value is refused: in scripts it is an unset variable. So is "-", which elsewhere means
+    /// standard input or output, unless the option accepts it.
     template <class Value>
     CommandOption add(const std::string& names, Value& value, const std::string& help);
     void add_flag(const std::string& names, bool& value, const std::string& help);
