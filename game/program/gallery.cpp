@@ -70,14 +70,12 @@ std::string apply(Action command, const std::vector<Row>& rows, WindowSize windo
     return is_of_game ? apply(command, view_options, window) : "";
 }
 
-Gallery::Gallery(std::shared_ptr<const LoadedLevel> loaded, const SessionSettings& settings, ViewOptions& view_options,
-                 Platform& platform)
+Gallery::Gallery(std::shared_ptr<const LoadedLevel> loaded, ViewOptions& view_options, Platform& platform)
     : loaded_(std::move(loaded)),
       data_(loaded_->data),
       assets_{data_.level, data_.colormap, text_colours_of(data_.palette)},
       menu_look_(data_.palette),
       rows_(gallery_rows()),
-      screenshot_folder_(settings.screenshot_folder),
       platform_(platform),
       view_options_(view_options),
       state_(start_of_gallery(rows_)),
@@ -112,7 +110,7 @@ ShownPicture Gallery::draw(bool is_behind_menu) {
     const ScreenMode& mode = drawn_with_.mode;
     shown_ = picture_;
     const Framebuffer canvas{shown_.data(), mode.width_px, mode.height_px, mode.width_px};
-    if (wants_screenshot_) show(save_screenshots(screenshot_folder_, canvas, data_.palette, mode));
+    if (wants_screenshot_) show(save_screenshots(canvas, data_.palette, mode));
     wants_screenshot_ = false;
     if (!is_behind_menu) draw_over();
     return {canvas, data_.palette, shown_rect(view_options_.preferences, platform_.window_size())};

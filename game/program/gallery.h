@@ -32,8 +32,7 @@ std::string apply(Action command, const std::vector<Row>& rows, WindowSize windo
 class Gallery final : public GameScreen {
   public:
     /// `view_options`, which keys change, and `platform` outlive it.
-    Gallery(std::shared_ptr<const LoadedLevel> loaded, const SessionSettings& settings, ViewOptions& view_options,
-            Platform& platform);
+    Gallery(std::shared_ptr<const LoadedLevel> loaded, ViewOptions& view_options, Platform& platform);
 
     void advance(const Controls& controls, std::uint64_t now_us) override;
     void advance_behind_menu(std::uint64_t now_us) override { now_us_ = now_us; }
@@ -57,7 +56,6 @@ class Gallery final : public GameScreen {
     const GalleryAssets assets_;
     const MenuLook menu_look_;
     const std::vector<Row> rows_;
-    std::string screenshot_folder_;
     Platform& platform_;
     ViewOptions& view_options_;
     GalleryState state_;

@@ -195,7 +195,7 @@ void Program::draw_menu(const ShownPicture& picture) {
     const Preferences& now = preferences();
     screens_.menu().draw(now.text_scale, screens_.up().menu_look(), picture.palette, picture.canvas);
     if (!std::exchange(wants_screenshot_, false)) return;
-    const std::string saved = save_screenshots(screens_.screenshot_folder(), picture.canvas, picture.palette, now.mode);
+    const std::string saved = save_screenshots(picture.canvas, picture.palette, now.mode);
     screens_.pages().open_message("Screenshot", screens_.key_names().in(saved));
     is_stale_ = true;
 }

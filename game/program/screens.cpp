@@ -31,14 +31,14 @@ Screens::Screens(const Options& options, ProgramFiles files, PreferencesStore& s
       view_options_(view_options_of(options)),
       store_(store),
       platform_(platform),
-      settings_{workers},
+      workers_(workers),
       watch_(std::move(files.watch)),
       sound_(std::move(open_sound), files.assets_folder, own_sounds_of(game_.definition())),
       saves_(saves_folder_of(options)),
       pages_(menu_, *this) {
     show_icon(game_.definition(), platform_);
     if (options_.shows_gallery)
-        show_only(std::make_unique<Gallery>(std::move(files.loaded), settings_, view_options_, platform_));
+        show_only(std::make_unique<Gallery>(std::move(files.loaded), view_options_, platform_));
     else if (options_.shows_title) {
         if (!(options_.replay + options_.record).empty())
             first_walk_ = std::make_unique<FirstWalk>(FirstWalk{files.loaded, std::move(files.input)});
@@ -113,9 +113,7 @@ void Screens::finish_walk(const LoadedLevel& next) {
 
 void Screens::start(std::shared_ptr<const LoadedLevel> loaded, TickInputSource input, SessionKind kind) {
     finish_walk(*loaded);
-    SessionSettings settings = settings_;
-    settings.kind = kind;
-    settings.sound = &sound_;
+    const SessionSettings settings{workers_, &sound_, kind};
     auto walk = std::make_unique<Session>(std::move(loaded), settings, view_options_, std::move(input), platform_);
     Session* const session = walk.get();
     show_only(std::move(walk));
@@ -128,7 +126,7 @@ void Screens::start(std::shared_ptr<const LoadedLevel> loaded, TickInputSource i
 
 void Screens::start_title(std::shared_ptr<const LoadedLevel> loaded) {
     finish_walk(*loaded);
-    show_only(std::make_unique<Title>(std::move(loaded), game_.definition().demo, settings_, view_options_, platform_));
+    show_only(std::make_unique<Title>(std::move(loaded), game_.definition().demo, workers_, view_options_, platform_));
     sound_.play_music(game_.definition().music);
     name_window();
     last_walk_ = saves_.is_kept() ? saves_.slots().last_walk() : std::nullopt;
@@ -205,7 +203,7 @@ void Screens::restart() {
 
 void Screens::show_gallery() {
     menu_.close_all();
-    screens_.push_back(std::make_unique<Gallery>(up().shared_level(), settings_, view_options_, platform_));
+    screens_.push_back(std::make_unique<Gallery>(up().shared_level(), view_options_, platform_));
 }
 
 void Screens::show_title() {

@@ -32,7 +32,6 @@ class Screens final : public MenuHost {
     Menu& menu() { return menu_; }
     MenuPages& pages() { return pages_; }
     ViewOptions& view_options() { return view_options_; }
-    const std::string& screenshot_folder() const { return settings_.screenshot_folder; }
     bool has_left() const { return has_left_; }
     bool is_gallery_over_another() const { return screens_.size() > 1; }
     bool is_walking() const { return walk_ && &up() == walk_ && walk_->kind() == SessionKind::Walk; }
@@ -111,7 +110,7 @@ class Screens final : public MenuHost {
     ViewOptions view_options_;
     PreferencesStore& store_;
     Platform& platform_;
-    SessionSettings settings_;
+    Workers* workers_;
     const std::shared_ptr<MapWatch> watch_;
     GameSound sound_;
     WalkSaves saves_;

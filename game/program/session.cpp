@@ -145,8 +145,7 @@ ShownPicture Session::draw(bool is_behind_menu) {
     PanelText panels;
     if (!is_behind_menu) panels = overlays_.draw_panels(view, settings, last_us_, canvas);
     const Palette palette = palette_of(view, effects);
-    if (std::exchange(wants_screenshot_, false))
-        show(save_screenshots(settings_.screenshot_folder, canvas, palette, renderer_->mode()));
+    if (std::exchange(wants_screenshot_, false)) show(save_screenshots(canvas, palette, renderer_->mode()));
     if (!is_behind_menu)
         overlays_.draw_text(std::move(panels),
                             settings_.sound ? settings_.sound->captions() : std::vector<std::string>(), messages_,

@@ -59,7 +59,6 @@ enum class SessionKind : std::uint8_t {
 /// The fixed settings of a session.
 struct SessionSettings {
     Workers* workers = nullptr;  ///< that share the drawing; null: one thread
-    std::string screenshot_folder = ".";
     GameSound* sound = nullptr;  ///< null: neither sound nor captions
     SessionKind kind = SessionKind::Walk;
 };

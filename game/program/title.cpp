@@ -8,20 +8,11 @@
 #include "game/simulation/items.h"
 
 namespace oblong {
-namespace {
 
-SessionSettings as_title(SessionSettings settings) {
-    settings.kind = SessionKind::Title;
-    settings.sound = nullptr;
-    return settings;
-}
-
-}  // namespace
-
-Title::Title(std::shared_ptr<const LoadedLevel> loaded, const std::string& demo_file, SessionSettings settings,
+Title::Title(std::shared_ptr<const LoadedLevel> loaded, const std::string& demo_file, Workers* workers,
              ViewOptions& view_options, Platform& platform)
     : loaded_(std::move(loaded)),
-      settings_(as_title(std::move(settings))),
+      settings_{workers, nullptr, SessionKind::Title},
       view_options_(view_options),
       platform_(platform) {
     if (std::filesystem::exists(demo_file)) demo_ = read_parsed(demo_file, decode_demo);

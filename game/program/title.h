@@ -13,7 +13,7 @@ class Title final : public GameScreen {
   public:
     /// `demo_file`: the record, which may be missing. Throws FileError if it is damaged. `view_options` and `platform`
     /// outlive the title.
-    Title(std::shared_ptr<const LoadedLevel> loaded, const std::string& demo_file, SessionSettings settings,
+    Title(std::shared_ptr<const LoadedLevel> loaded, const std::string& demo_file, Workers* workers,
           ViewOptions& view_options, Platform& platform);
 
     void advance(const Controls& controls, std::uint64_t now_us) override { walk_->advance(controls, now_us); }

@@ -13,8 +13,6 @@
 namespace oblong {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr WindowSize kLargestExact{1600, 1200};
 constexpr std::int64_t kLargestSide_px = 8192;
 constexpr int kMostScreenshots = 1000;
@@ -48,14 +46,14 @@ std::string stem(int number) {
     return "oblong-" + std::string(3 - digits.size(), '0') + digits;
 }
 
-int first_free_number(const fs::path& folder) {
+int first_free_number() {
     for (int number = 0; number < kMostScreenshots; ++number)
-        if (!fs::exists(folder / (stem(number) + ".png"))) return number;
+        if (!std::filesystem::exists(stem(number) + ".png")) return number;
     throw std::runtime_error("there are 1000 screenshots already");
 }
 
-void save(const fs::path& file, Framebuffer picture, Multiples by, const Palette& palette) {
-    write_file(file.string(),
+void save(const std::string& file, Framebuffer picture, Multiples by, const Palette& palette) {
+    write_file(file,
                encode_indexed_png(enlarged(picture, by), picture.width_px * by.x, picture.height_px * by.y, palette));
 }
 
@@ -66,15 +64,14 @@ WindowSize exact_size(const ScreenMode& mode) {
     return {mode.width_px * by.x, mode.height_px * by.y};
 }
 
-std::string save_screenshots(const std::string& folder, Framebuffer picture, const Palette& palette,
-                             const ScreenMode& mode) {
+std::string save_screenshots(Framebuffer picture, const Palette& palette, const ScreenMode& mode) {
     try {
-        const std::string name = stem(first_free_number(folder));
-        save(fs::path(folder) / (name + ".png"), picture, {1, 1}, palette);
+        const std::string name = stem(first_free_number());
+        save(name + ".png", picture, {1, 1}, palette);
         const WindowSize size = exact_size(mode);
         if (size == WindowSize{}) return "{screenshot} Saved " + name + ".png";
         const std::string exact = "-" + std::to_string(size.width_px) + "x" + std::to_string(size.height_px) + ".png";
-        save(fs::path(folder) / (name + exact), picture, exact_multiples(mode), palette);
+        save(name + exact, picture, exact_multiples(mode), palette);
         return "{screenshot} Saved " + name + ".png and " + exact;
     } catch (const std::exception& error) {
         return std::string("{screenshot} Not saved: ") + error.what();

@@ -13,8 +13,8 @@ namespace oblong {
 WindowSize exact_size(const ScreenMode& mode);
 
 /// Writes the picture in its own and in its exact size, as indexed PNGs "oblong-000.png" and "oblong-000-1600x1200.png"
-/// of the first free number, into a folder. Returns a message to the player, also on failure, for KeyNames::in().
-std::string save_screenshots(const std::string& folder, Framebuffer picture, const Palette& palette,
-                             const ScreenMode& mode);
+/// of the first free number, into the current folder. Returns a message to the player, also on failure, for
+/// KeyNames::in().
+std::string save_screenshots(Framebuffer picture, const Palette& palette, const ScreenMode& mode);
 
 }  // namespace oblong
