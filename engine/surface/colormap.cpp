@@ -168,15 +168,15 @@ void shade_colour(const std::vector<Candidate>& sorted, const NearestColour& nea
 
 }  // namespace
 
-Colormap make_colormap(const Palette& palette, int fullbright_count) {
-    const auto ordinary = as_size(256 - std::clamp(fullbright_count, 0, 256));
-    const std::vector<Candidate> sorted = sort_by_luminance(palette, ordinary);
+Colormap make_colormap(const Palette& palette) {
+    constexpr std::size_t kOrdinary = kFirstFullbright;
+    const std::vector<Candidate> sorted = sort_by_luminance(palette, kOrdinary);
     Colormap map;
     map.palette = palette;
     const NearestColour nearest(sorted);
-    for (std::size_t position = 0; position < ordinary; ++position) shade_colour(sorted, nearest, position, map);
+    for (std::size_t position = 0; position < kOrdinary; ++position) shade_colour(sorted, nearest, position, map);
     for (auto& shade : map.shades)
-        for (std::size_t i = ordinary; i < 256; ++i) shade[i] = static_cast<std::uint8_t>(i);
+        for (std::size_t i = kOrdinary; i < 256; ++i) shade[i] = static_cast<std::uint8_t>(i);
     return map;
 }
 

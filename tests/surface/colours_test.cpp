@@ -117,16 +117,12 @@ TEST(Colormap, LastShadeIsBlackWhereThePaletteHasIt) {
 
 // Hard case P2.
 TEST(Colormap, FullbrightsStayAndNoOtherColourBecomesOne) {
-    for (const Palette& palette : palettes()) {
-        for (const int fullbrights : {0, 32, 256}) {
-            const Colormap map = make_colormap(palette, fullbrights);
-            const auto first = static_cast<std::size_t>(256 - fullbrights);
-            for (const auto& shade : map.shades) {
-                for (std::size_t colour = 0; colour < first; ++colour) ASSERT_LT(shade[colour], first);
-                for (std::size_t colour = first; colour < 256; ++colour) ASSERT_EQ(shade[colour], colour);
-            }
+    constexpr std::size_t kFirst = kFirstFullbright;
+    for (const Palette& palette : palettes())
+        for (const auto& shade : make_colormap(palette).shades) {
+            for (std::size_t colour = 0; colour < kFirst; ++colour) ASSERT_LT(shade[colour], kFirst);
+            for (std::size_t colour = kFirst; colour < 256; ++colour) ASSERT_EQ(shade[colour], colour);
         }
-    }
 }
 
 TrueOklab seen(Rgb8 colour, double light) {
