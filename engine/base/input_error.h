@@ -1,6 +1,7 @@
 #pragma once
 
-#include <cstdint>
+#include <concepts>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -17,7 +18,7 @@ inline std::string printable(std::string text) {
 }
 
 /// "line 12": the place of an error in a text.
-inline std::string at_line(std::int64_t line) {
+inline std::string at_line(std::integral auto line) {
     return "line " + std::to_string(line);
 }
 
