@@ -321,7 +321,7 @@ void view_vertex(const Vec3<World>& object_position, const MeshTransform& transf
 void clip_and_project(const std::array<const ViewVertex*, 3>& triangle,
                       const std::array<const CornerValues*, 3>& values, const ViewContext& view, ClipScratch& scratch,
                       std::vector<ScreenCorner>& polygon) {
-    const auto& [a, b, c] = triangle;
+    const ViewVertex *const a = triangle[0], *const b = triangle[1], *const c = triangle[2];
     polygon.clear();
     if ((a->outcode & b->outcode & c->outcode) != 0) return;
     const unsigned outcodes = a->outcode | b->outcode | c->outcode;

@@ -9,9 +9,9 @@
 #include "engine/scene/placed_models.h"
 #include "engine/view/views.h"
 #include "game/input/tick_input_source.h"
+#include "game/level/load.h"
 #include "game/options/preferences.h"
 #include "game/simulation/game_level.h"
-#include "game/view/game_renderer.h"
 
 namespace oblong {
 

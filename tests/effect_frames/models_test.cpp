@@ -73,8 +73,9 @@ double face_distance(const EffectStage& stage, std::size_t pixel, const Point& e
 
 TEST(Models, AreDrawnWhereTheyAreNearerThanFaces) {
     // Before the pillar, half in it, half behind it, partly in a side wall, and in the floor.
-    for (const auto& [x, y, z] : {std::array{-60, 0, 90}, std::array{0, 20, 90}, std::array{60, 30, 80},
-                                  std::array{40, 230, 90}, std::array{-80, -60, 0}}) {
+    for (const auto& place : {std::array{-60, 0, 90}, std::array{0, 20, 90}, std::array{60, 30, 80},
+                              std::array{40, 230, 90}, std::array{-80, -60, 0}}) {
+        const int x = place[0], y = place[1], z = place[2];
         EffectStage stage(pillared_room(), before_pillar());
         stage.meshes = {ball_at(point_at(x, y, z))};
         const Picture picture = stage.draw();
