@@ -67,6 +67,14 @@ TEST(Architecture, EveryIncludePointsDown) {
         "engine/attic/a.h: in no room\n");
 }
 
+TEST(Architecture, NoHeaderIncludesItselfThroughOthers) {
+    std::vector<SourceFile> files = read_sources();
+    files.push_back({"engine/math/a.h", "#include \"engine/math/b.h\"\n"});
+    files.push_back({"engine/math/b.h", "#include \"engine/math/vec.h\"\n#include \"engine/math/a.h\"\n"});
+    files.push_back({"engine/math/above.h", "#include \"engine/math/a.h\"\n"});
+    EXPECT_EQ(joined(find_include_cycles(files)), "engine/math/a.h\nengine/math/b.h\n");
+}
+
 TEST(Architecture, NoFunctionOfTheEngineIsForTestsAlone) {
     std::vector<SourceFile> files = read_sources();
     // What can't be seen otherwise: that a voice has ended, and which parts of the depth buffer are set.

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include "tests/architecture/source_checks.h"
 
@@ -135,6 +136,30 @@ std::vector<std::string> find_bad_includes(const std::vector<Room>& rooms, const
         }
     }
     return faults;
+}
+
+std::vector<std::string> find_include_cycles(const std::vector<SourceFile>& files) {
+    std::set<std::string> left;
+    for (const SourceFile& file : files) left.insert(file.path);
+    std::vector<std::pair<std::string, std::string>> pairs;  // includer, included
+    for (const SourceFile& file : files) {
+        std::istringstream lines(file.text);
+        for (std::string line; std::getline(lines, line);)
+            if (const Include include = parse_include(line); left.contains(include.name))
+                pairs.emplace_back(file.path, include.name);
+    }
+    for (std::size_t before = left.size() + 1; left.size() < before;) {
+        before = left.size();
+        std::set<std::string> includers, included;
+        for (const auto& [from, to] : pairs)
+            if (left.contains(from) && left.contains(to)) {
+                includers.insert(from);
+                included.insert(to);
+            }
+        std::erase_if(left,
+                      [&](const std::string& path) { return !includers.contains(path) || !included.contains(path); });
+    }
+    return {left.begin(), left.end()};
 }
 
 std::vector<std::string> find_strays(const std::vector<std::string>& paths) {

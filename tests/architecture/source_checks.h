@@ -28,6 +28,10 @@ struct SourceFile {
 ///     WebAssembly compilers lack.
 std::vector<std::string> find_bad_includes(const std::vector<Room>& rooms, const std::vector<SourceFile>& files);
 
+/// The files of `files` that include themselves through others, and those on a way from one such file to another. Which
+/// of them is included first decides whether it compiles.
+std::vector<std::string> find_include_cycles(const std::vector<SourceFile>& files);
+
 /// One line for every path of the repository that does not belong at its top level.
 std::vector<std::string> find_strays(const std::vector<std::string>& paths);
 
