@@ -1,7 +1,6 @@
 #pragma once
 
 #include <concepts>
-#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <utility>

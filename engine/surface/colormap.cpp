@@ -169,14 +169,14 @@ void shade_colour(const std::vector<Candidate>& sorted, const NearestColour& nea
 }  // namespace
 
 Colormap make_colormap(const Palette& palette) {
-    constexpr std::size_t kOrdinary = kFirstFullbright;
-    const std::vector<Candidate> sorted = sort_by_luminance(palette, kOrdinary);
+    const std::vector<Candidate> sorted = sort_by_luminance(palette, kFirstFullbright);
     Colormap map;
     map.palette = palette;
     const NearestColour nearest(sorted);
-    for (std::size_t position = 0; position < kOrdinary; ++position) shade_colour(sorted, nearest, position, map);
+    for (std::size_t position = 0; position < kFirstFullbright; ++position)
+        shade_colour(sorted, nearest, position, map);
     for (auto& shade : map.shades)
-        for (std::size_t i = kOrdinary; i < 256; ++i) shade[i] = static_cast<std::uint8_t>(i);
+        for (std::size_t i = kFirstFullbright; i < 256; ++i) shade[i] = static_cast<std::uint8_t>(i);
     return map;
 }
 

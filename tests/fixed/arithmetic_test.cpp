@@ -71,7 +71,7 @@ TEST(HardCaseA1, QuotientIsTheFloorOrSaturates) {
     for (int i = 0; i < 20'000; ++i) {
         const auto a = any_number<std::int32_t>(random), b = any_number<std::int32_t>(random);
         if (b == 0) continue;
-        ASSERT_TRUE(quotient(a, b).raw == expected_quotient(a, b)) << i;
+        ASSERT_EQ(quotient(a, b).raw, expected_quotient(a, b)) << a << " / " << b;
     }
 }
 
@@ -92,7 +92,7 @@ TEST(HardCaseA3, ProductOfTheNegativeIsWithinAStepOfTheNegativeProduct) {
         if (a == kLowest) continue;
         for (const Rounding rounding : {Rounding::Floor, Rounding::NearestHalfUp}) {
             const std::int64_t sum = std::int64_t{product(a, b, rounding).raw} + product(-a, b, rounding).raw;
-            ASSERT_TRUE(-1 <= sum && sum <= 1) << i;
+            ASSERT_TRUE(-1 <= sum && sum <= 1) << a << " * " << b;
         }
     }
 }
@@ -105,7 +105,7 @@ TEST(Multiply, WideProductsEqualThoseOf128Bits) {
         const Int128 expected = std::clamp<Int128>(exact, std::numeric_limits<std::int64_t>::min(),
                                                    std::numeric_limits<std::int64_t>::max());
         const auto got = multiply(PlaneDistance::from_raw(a), PlaneDistance::from_raw(b), Rounding::Floor);
-        ASSERT_TRUE(Int128{got.raw} == expected) << i;
+        ASSERT_TRUE(Int128{got.raw} == expected) << a << " * " << b;
     }
 }
 
@@ -140,17 +140,18 @@ TEST(Parts, AreThoseOfDoubles) {
         const auto is = [](auto found, double expected) { return static_cast<double>(found) == expected; };
         const auto a = WorldWide::from_raw(raw), b = WorldWide::from_raw(other);
         const double steps = raw, value = steps / 4096;
-        ASSERT_TRUE(is(floor_of<4>(a), std::floor(value * 16))) << i;
-        ASSERT_TRUE(is(floor_of<12>(a), steps)) << i;
-        ASSERT_TRUE(is(floor_of<20>(a), value * (1 << 20))) << i;
-        ASSERT_TRUE(is((a / 10).raw, std::trunc(steps / 10))) << i;
-        ASSERT_TRUE(is_within(a, WorldWide::from_int(256)) == (std::abs(value) < 256)) << i;
-        ASSERT_TRUE(is(magnitude(World::from_raw(raw)), std::abs(steps))) << i;
-        ASSERT_TRUE(is(World::from_raw(raw).bits(), raw < 0 ? steps + 0x1p32 : steps)) << i;
+        ASSERT_TRUE(is(floor_of<4>(a), std::floor(value * 16))) << raw << ", " << other;
+        ASSERT_TRUE(is(floor_of<12>(a), steps)) << raw << ", " << other;
+        ASSERT_TRUE(is(floor_of<20>(a), value * (1 << 20))) << raw << ", " << other;
+        ASSERT_TRUE(is((a / 10).raw, std::trunc(steps / 10))) << raw << ", " << other;
+        ASSERT_TRUE(is_within(a, WorldWide::from_int(256)) == (std::abs(value) < 256)) << raw << ", " << other;
+        ASSERT_TRUE(is(magnitude(World::from_raw(raw)), std::abs(steps))) << raw << ", " << other;
+        ASSERT_TRUE(is(World::from_raw(raw).bits(), raw < 0 ? steps + 0x1p32 : steps)) << raw << ", " << other;
         if (other == 0) continue;
-        ASSERT_TRUE(is(a / b, std::trunc(steps / other))) << i;
+        ASSERT_TRUE(is(a / b, std::trunc(steps / other))) << raw << ", " << other;
         const auto wide = Fixed<std::int64_t, 24>::from_raw(std::int64_t{raw} * 1000);
-        ASSERT_TRUE(is(truncated_quotient<WorldWide>(wide, b).raw, std::trunc(steps * 1000 / other))) << i;
+        ASSERT_TRUE(is(truncated_quotient<WorldWide>(wide, b).raw, std::trunc(steps * 1000 / other)))
+            << raw << ", " << other;
     }
 }
 
@@ -177,7 +178,7 @@ TEST(Reciprocal, IsTheNearest) {
         if (n == 0) continue;
         const Int128 r = reciprocal<Fixed<std::int64_t, 46>>(Fixed16::from_raw(n)).raw;
         const Int128 off = 2 * (r * n - (Int128{1} << 62));
-        ASSERT_TRUE(off <= std::abs(std::int64_t{n}) && -off <= std::abs(std::int64_t{n})) << i;
+        ASSERT_TRUE(off <= std::abs(std::int64_t{n}) && -off <= std::abs(std::int64_t{n})) << n;
     }
 }
 

@@ -153,7 +153,7 @@ TEST(Lines, ClippedAreTheirWholesInTheCanvas) {
             Picture whole = drawn(moved(from), moved(to), method, 2 * kReach, 2 * kReach);
             for (std::int32_t y = 0; y < kSize; ++y)
                 for (std::int32_t x = 0; x < kSize; ++x)
-                    ASSERT_TRUE(part.at(x, y) == whole.at(x + kReach, y + kReach)) << i;
+                    ASSERT_EQ(part.at(x, y), whole.at(x + kReach, y + kReach)) << i;
         }
     }
 }
@@ -164,11 +164,10 @@ TEST(Lines, HaveAPixelAStep) {
         constexpr std::int32_t kSize = 200;
         const PixelPosition from = position_within(0, kSize, random), to = position_within(0, kSize, random);
         const std::int32_t across = std::abs(to.column - from.column), down = std::abs(to.row - from.row);
-        ASSERT_TRUE(drawn(from, to, LineMethod::Dda, kSize, kSize).set_pixels() == std::max(across, down) + 1) << i;
-        ASSERT_TRUE(drawn(from, to, LineMethod::Bresenham, kSize, kSize).set_pixels() == std::max(across, down) + 1)
-            << i;
-        ASSERT_TRUE(drawn(from, to, LineMethod::Naive, kSize, kSize).set_pixels() == across + 1)
-            << i;  // gaps where it is steep
+        ASSERT_EQ(drawn(from, to, LineMethod::Dda, kSize, kSize).set_pixels(), std::max(across, down) + 1);
+        ASSERT_EQ(drawn(from, to, LineMethod::Bresenham, kSize, kSize).set_pixels(), std::max(across, down) + 1);
+        // Gaps where it is steep.
+        ASSERT_EQ(drawn(from, to, LineMethod::Naive, kSize, kSize).set_pixels(), across + 1);
     }
 }
 
@@ -193,10 +192,10 @@ template <class Walk>
 void expect_steps_alike(const LinePath& path) {
     Walk stepped(path);
     for (std::int64_t step = 0; step <= path.steps; ++step, stepped.next()) {
-        ASSERT_TRUE(stepped.minor() == stepped.minor_at(step)) << step;
+        ASSERT_EQ(stepped.minor(), stepped.minor_at(step)) << step;
         Walk moved(path);
         moved.move_to(step);
-        ASSERT_TRUE(moved.minor() == stepped.minor()) << step;
+        ASSERT_EQ(moved.minor(), stepped.minor()) << step;
     }
 }
 
@@ -234,12 +233,12 @@ TEST(GuptaSproull, CoversThreePixelsAStepByTheirDistance) {
                                                 : nearest.at(x, y - 1) || nearest.at(x, y + 1);
                 const double distance = distance_from_line(from, to, x, y), sixteenths = 16 * distance;
                 if (!nearest.at(x, y) && !is_beside) {
-                    ASSERT_TRUE(picture.at(x, y) == 0) << i;
+                    ASSERT_EQ(picture.at(x, y), 0) << i;
                     continue;
                 }
                 if (std::abs(sixteenths - std::floor(sixteenths) - 0.5) < 1e-4) continue;  // rounded either way
                 const auto entry = static_cast<std::size_t>(std::min(std::lround(sixteenths), 24l));
-                ASSERT_TRUE(picture.at(x, y) == 100 + kLineCoverage_256.at(entry) / 4) << i;
+                ASSERT_EQ(picture.at(x, y), 100 + kLineCoverage_256.at(entry) / 4) << i;
             }
     }
 }
