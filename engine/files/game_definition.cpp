@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 
 #include "engine/base/checksum.h"
@@ -127,14 +128,14 @@ class DefinitionReader {
     static OwnClass class_of(const Value& value) {
         OwnClass own;
         const EntityClass* base = nullptr;
+        std::optional<Value> keys;
         value.for_members([&](const std::string& member, const Value& part) {
             if (member == "is") {
                 own.is = part.text();
                 base = find_own_row(own.is);
                 if (!base) part.refuse("\"" + own.is + "\", expected a class of the engine");
             } else if (member == "keys") {
-                part.for_members(
-                    [&](const std::string& key, const Value& text) { own.values.emplace_back(key, text.text()); });
+                keys.emplace(part);
             } else if (member != "does") {
                 part.refuse("is unknown, expected is, keys or does");
             }
@@ -142,9 +143,18 @@ class DefinitionReader {
         if (base && is_of_compiler(base->role))
             value.refuse("stands for " + own.is + ", which the map compiler has to know by its name, expected another");
         if (!base) value.refuse("has no \"is\", expected a class of the engine that it stands for");
-        for (const auto& [key, text] : own.values)
-            if (!find_entity_key(*base, key)) value.refuse("key \"" + key + "\", expected one of " + own.is);
+        if (keys)
+            keys->for_members([&](const std::string& key, const Value& text) {
+                own.values.emplace_back(key, checked_text(text, find_entity_key(*base, key), own.is));
+            });
         return own;
+    }
+
+    static std::string checked_text(const Value& value, const EntityKey* key, const std::string& its_class) {
+        if (!key) value.refuse("is unknown, expected a key of " + its_class);
+        const std::string text = value.text(), expected = expected_instead_of(text, *key);
+        if (!expected.empty()) value.refuse("\"" + text + "\", expected " + expected);
+        return text;
     }
 
     std::uint64_t hash_of_classes() const {

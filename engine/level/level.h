@@ -198,6 +198,11 @@ struct MipTexture {
     bool operator==(const MipTexture&) const = default;
 };
 
+/// By the name of a texture: texels of the last colour are holes, which let light and views through.
+constexpr bool has_holes(std::string_view texture_name) {
+    return texture_name.starts_with('{');
+}
+
 struct Edge {
     VertexIndex from, to;
 

@@ -30,7 +30,7 @@ EffectSet effects_of(const TexInfo& texinfo, const std::string& texture) {
     if (texinfo.material == Material::Sky) return EffectSet{}.with(Effect::Sky);
     if (texinfo.material == Material::Liquid) return EffectSet{}.with(Effect::Liquid);
     if (texture.starts_with("mirror")) return EffectSet{}.with(Effect::Mirror);
-    if (texture.starts_with('{')) return EffectSet{}.with(Effect::Fence);
+    if (has_holes(texture)) return EffectSet{}.with(Effect::Fence);
     return {};
 }
 

@@ -54,10 +54,6 @@ std::vector<std::uint8_t> make_ramp_sheet(const Palette& palette);
 MipTexture make_mip_texture(const std::string& name, std::int32_t width, std::int32_t height,
                             std::vector<std::uint8_t> texels, const Palette& palette);
 
-/// In textures whose names begin with '{' the last colour is not drawn: a hole.
-inline constexpr std::uint8_t kHole = 255;
-inline bool has_holes(std::string_view texture_name) {
-    return texture_name.starts_with('{');
-}
+inline constexpr std::uint8_t kHole = 255;  ///< where a texture has_holes()
 
 }  // namespace oblong

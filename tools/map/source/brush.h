@@ -114,11 +114,6 @@ constexpr bool is_undrawn_texture(std::string_view name) {
     return name == "clip" || name == "skip" || name == "trigger";
 }
 
-/// With holes (texels of index 255), which let light and views through.
-constexpr bool is_fence_texture(std::string_view name) {
-    return name.starts_with("{");
-}
-
 /// Other engines rotate a brush entity around the middle of its brush with this texture.
 constexpr bool is_origin_texture(std::string_view name) {
     return name == "origin";

@@ -40,43 +40,6 @@ std::string nearest_key(const EntityClass& its_class, std::string_view wanted) {
     return nearest.text();
 }
 
-std::string list_of(std::span<const KeyValue> values) {
-    std::string text;
-    for (const KeyValue& value : values) {
-        if (!text.empty()) text += &value == &values.back() ? " or " : ", ";
-        text += value.value;
-    }
-    return text;
-}
-
-// The expected value of a key.
-std::string expected_of(const EntityKey& row) {
-    if (row.kind == KeyKind::Texture) return "a texture that begins with '{'";
-    if (row.kind == KeyKind::Choice) return list_of(row.values) + ": " + std::string(row.usual) + " is taken";
-    if (row.kind == KeyKind::Whole || row.kind == KeyKind::Flags) return "a whole number";
-    if (row.most == 1) return "a number";
-    const std::string least = std::to_string(row.least), most = std::to_string(row.most);
-    return (row.least == row.most ? most : least + " to " + most) + " numbers";
-}
-
-bool is_of_kind(const EntityKey& row, const std::string& value) {
-    const auto numbers = parse_decimals(value, 0);
-    const auto is_value = [&](const KeyValue& each) { return each.value == value; };
-    switch (row.kind) {
-        case KeyKind::Numbers:
-            return numbers && numbers->size() >= row.least && numbers->size() <= row.most;
-        case KeyKind::Whole:
-        case KeyKind::Flags:
-            return numbers && numbers->size() == 1 && value.find('.') == std::string::npos;
-        case KeyKind::Choice:
-            return std::any_of(row.values.begin(), row.values.end(), is_value);
-        case KeyKind::Texture:
-            return is_fence_texture(value);
-        default:
-            return true;
-    }
-}
-
 class Checker {
   public:
     Checker(const std::vector<MapEntity>& entities, Warnings& warnings) : entities_(entities), warnings_(warnings) {
@@ -170,7 +133,8 @@ class Checker {
                                          nearest_key(its_class, pair.key));
         } else if (!pair.value.empty() && !row->does.empty()) {
             check_value(pair, *row);
-            if (its_class.role == ClassRole::Worldspawn && is_of_kind(*row, pair.value)) check_effect(pair);
+            const bool is_of_world = its_class.role == ClassRole::Worldspawn;
+            if (is_of_world && expected_instead_of(pair.value, *row).empty()) check_effect(pair);
         }
     }
 
@@ -182,9 +146,10 @@ class Checker {
     }
 
     void check_value(const MapPair& pair, const EntityKey& row) {
-        if (!is_of_kind(row, pair.value))
-            return warnings_.add(pair.line,
-                                 quoted(pair.key) + " is " + quoted(pair.value) + ", expected " + expected_of(row));
+        std::string expected = expected_instead_of(pair.value, row);
+        if (row.kind == KeyKind::Choice && !expected.empty()) expected += ": " + std::string(row.usual) + " is taken";
+        if (!expected.empty())
+            return warnings_.add(pair.line, quoted(pair.key) + " is " + quoted(pair.value) + ", expected " + expected);
         if (row.kind == KeyKind::Name && !targets_.contains(pair.value))
             warnings_.add(pair.line, quoted(pair.key) + " is " + quoted(pair.value) +
                                          ", but no entity has that target: nothing activates it");

@@ -15,7 +15,7 @@ namespace {
 
 bool is_no_fence(const MapBrush& brush) {
     return std::none_of(brush.sides.begin(), brush.sides.end(),
-                        [](const MapSide& side) { return is_fence_texture(side.texture.name); });
+                        [](const MapSide& side) { return has_holes(side.texture.name); });
 }
 
 // Keys only about the source: TrenchBroom's layers and groups, and the format.

@@ -31,7 +31,7 @@ void set_smoothing(std::vector<MapEntity>& entities);
 /// an editor writes groups and layers. The first entity, the worldspawn, stays; the order is otherwise unchanged.
 void bring_world_forward(std::vector<MapEntity>& entities);
 
-/// Makes each of the world's brushes with a fence's texture (see is_fence_texture()) a separate entity, func_wall: it
+/// Makes each of the world's brushes with a texture that has_holes() a separate entity, func_wall: it
 /// blocks neither views nor light, but still players.
 void split_off_fences(std::vector<MapEntity>& entities);
 

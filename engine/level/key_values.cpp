@@ -1,0 +1,50 @@
+#include <algorithm>
+#include <string>
+
+#include "engine/base/text.h"
+#include "engine/level/entity_classes.h"
+#include "engine/level/level.h"
+
+namespace oblong {
+namespace {
+
+std::string list_of(std::span<const KeyValue> values) {
+    std::string text;
+    for (const KeyValue& value : values) {
+        if (!text.empty()) text += &value == &values.back() ? " or " : ", ";
+        text += value.value;
+    }
+    return text;
+}
+
+bool is_of_kind(const EntityKey& key, const std::string& value) {
+    const auto numbers = parse_decimals(value, 0);
+    const auto is_value = [&](const KeyValue& each) { return each.value == value; };
+    switch (key.kind) {
+        case KeyKind::Numbers:
+            return numbers && numbers->size() >= key.least && numbers->size() <= key.most;
+        case KeyKind::Whole:
+        case KeyKind::Flags:
+            return numbers && numbers->size() == 1 && value.find('.') == std::string::npos;
+        case KeyKind::Choice:
+            return std::any_of(key.values.begin(), key.values.end(), is_value);
+        case KeyKind::Texture:
+            return has_holes(value);
+        default:
+            return true;
+    }
+}
+
+}  // namespace
+
+std::string expected_instead_of(const std::string& value, const EntityKey& key) {
+    if (is_of_kind(key, value)) return "";
+    if (key.kind == KeyKind::Texture) return "a texture that begins with '{'";
+    if (key.kind == KeyKind::Choice) return list_of(key.values);
+    if (key.kind == KeyKind::Whole || key.kind == KeyKind::Flags) return "a whole number";
+    if (key.most == 1) return "a number";
+    const std::string least = std::to_string(key.least), most = std::to_string(key.most);
+    return (key.least == key.most ? most : least + " to " + most) + " numbers";
+}
+
+}  // namespace oblong
