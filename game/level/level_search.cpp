@@ -75,8 +75,8 @@ LevelList list_levels(const LevelPlaces& places) {
     std::set<std::string> names;
     const auto add = [&](const std::string& file) {
         std::string name = fs::path(file).stem().string();
-        if (is_level_name(name) && !name.starts_with(kItemPrefix) && names.insert(name).second)
-            list.levels.push_back({std::move(name), file});
+        const bool is_listed = is_level_name(name) && !name.starts_with(kItemPrefix) && !name.ends_with(kDraftEnding);
+        if (is_listed && names.insert(name).second) list.levels.push_back({std::move(name), file});
     };
     for (const fs::path& folder : folders_of(places))
         for (const fs::path& file : levels_in(folder)) add(file.string());

@@ -25,6 +25,9 @@ std::optional<std::string> find_level(const std::string& name, const LevelPlaces
 /// The same; throws FileError where there is none.
 std::string find_named_level(const std::string& name, const LevelPlaces& places);
 
+/// What the names of drafts end with, which --watch compiles beside their sources.
+inline constexpr const char* kDraftEnding = "-draft";
+
 struct ListedLevel {
     std::string name;  ///< as "e1m1"
     std::string file;  ///< as load_game() takes it; empty: the demo level
@@ -36,7 +39,7 @@ struct LevelList {
     std::vector<std::string> problems;  ///< the FileError texts of broken pak files
 };
 
-/// All levels that can be played.
+/// All levels that can be played, but for drafts.
 LevelList list_levels(const LevelPlaces& places);
 
 }  // namespace oblong

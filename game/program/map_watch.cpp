@@ -13,6 +13,7 @@
 #include "engine/base/text.h"
 #include "engine/files/arguments.h"
 #include "engine/files/files.h"
+#include "game/level/level_search.h"
 
 namespace oblong {
 namespace {
@@ -98,7 +99,7 @@ MapChange change_between(const std::string& former, const std::string& now) {
 
 MapWatch::MapWatch(std::string map_file, std::string compiler)
     : map_file_(std::move(map_file)), compiler_(std::move(compiler)) {
-    const std::string base = fs::path(map_file_).replace_extension().string() + "-draft";
+    const std::string base = fs::path(map_file_).replace_extension().string() + kDraftEnding;
     level_file_ = base + ".bsp";
     said_file_ = base + ".log";
     points_file_ = base + ".pts";
