@@ -120,8 +120,10 @@ void interpret(const OptionTexts& texts, Options& options) {
     check_replaces_none("--record", options.record,
                         {options.level, options.replay, options.palette, options.watch, texts.config});
     check_replaces_only("--record", options.record, "demo", {"OBLGDEMO"});
-    if (options.shows_gallery && !(options.record + options.replay + options.timedemo).empty())
+    if (options.shows_gallery && has_run)
         throw UsageError("--gallery: there is no game to record or to replay, expected it without the other");
+    if (options.shows_gallery && !(options.level + options.map + options.watch + options.game).empty())
+        throw UsageError("--gallery: it is drawn in the museum, expected it without LEVEL, --map, --watch and --game");
 }
 
 // Measured and replayed runs are the same for every player: they read no player's files, except a named --config.

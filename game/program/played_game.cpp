@@ -124,6 +124,14 @@ std::shared_ptr<const LoadedLevel> PlayedGame::load(const std::string& file,
     return std::make_shared<const LoadedLevel>(files);
 }
 
+std::shared_ptr<const LoadedLevel> PlayedGame::museum(const std::shared_ptr<const LoadedLevel>& played) const {
+    std::error_code ignored;
+    if (fs::equivalent(played->data.level_file, fs::path(assets_folder_) / kDemoLevelFile, ignored)) return played;
+    LevelFiles files;
+    files.assets = assets_folder_;
+    return std::make_shared<const LoadedLevel>(files);
+}
+
 // From worldspawn's "music": a file below the folder of the game, or beside the level.
 LevelMusic PlayedGame::music_of(const LoadedLevel& level) const {
     const fs::path named = value_of_world(level.data.level, "music");

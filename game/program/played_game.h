@@ -44,6 +44,8 @@ class PlayedGame {
     /// A level by its file; "": the one that the options name. The current level is not read again. Throws FileError.
     std::shared_ptr<const LoadedLevel> load(const std::string& file,
                                             const std::shared_ptr<const LoadedLevel>& played) const;
+    /// The museum's level; `played`, if it is that. Throws FileError.
+    std::shared_ptr<const LoadedLevel> museum(const std::shared_ptr<const LoadedLevel>& played) const;
     LevelMusic music_of(const LoadedLevel& level) const;
 
   private:

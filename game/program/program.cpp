@@ -107,7 +107,7 @@ bool Program::step() {
 
 void Program::keep() {
     print_fault("oblong", screens_.keep());
-    print_fault("oblong", store_.save(preferences()));
+    tell_of(store_.save(preferences()));
 }
 
 void Program::show_frame() {
@@ -155,14 +155,18 @@ void Program::take_in_menu(const Controls& controls) {
     wants_screenshot_ |= controls.has(Action::Screenshot) && !menu.page().press;
     const MenuEvent event = menu.handle(controls, canvas, now.text_scale, shown_rect(now, platform_.window_size()));
     if (const auto sound = sound_of(event)) screens_.play(*sound);
-    if (menu.depth() < depth) tell_of(store_.save(now));
+    if (menu.depth() < depth) tell_in_menu(store_.save(now));
     screens_.up().advance_behind_menu(platform_.now_us());
 }
 
-// Once also in the menu: a player who started it from a desktop does not see standard error.
 void Program::tell_of(const std::string& unsaved) {
-    print_fault("oblong", unsaved);
-    if (!unsaved.empty() && !std::exchange(has_told_, true))
+    if (!unsaved.empty() && !std::exchange(has_told_, true)) print_fault("oblong", unsaved);
+}
+
+// A player who started the game from a desktop does not see standard error.
+void Program::tell_in_menu(const std::string& unsaved) {
+    tell_of(unsaved);
+    if (!unsaved.empty() && !std::exchange(has_told_in_menu_, true))
         screens_.pages().open_message("Options", "Changes are not kept: " + unsaved);
 }
 
@@ -181,7 +185,7 @@ void Program::take_on_screen(const Controls& controls) {
 
 void Program::follow_preferences() {
     platform_.change_window(window_settings_of(preferences()));
-    print_fault("oblong", store_.save_when_settled(preferences(), platform_.now_us()));
+    tell_of(store_.save_when_settled(preferences(), platform_.now_us()));
 }
 
 void Program::draw() {

@@ -31,6 +31,7 @@ class Program {
     void take(const Controls& controls);
     void take_in_menu(const Controls& controls);
     void tell_of(const std::string& unsaved);
+    void tell_in_menu(const std::string& unsaved);
     void take_on_screen(const Controls& controls);
     void follow_preferences();
     void draw();
@@ -44,9 +45,9 @@ class Program {
     Screens screens_;
     InputMapper input_;
     bool had_focus_ = false, is_mouse_captured_ = false;
-    bool wants_screenshot_ = false;  // of a menu
-    bool has_told_ = false;          // of options that cannot be saved
-    bool is_stale_ = true;           // the window does not show the current state
+    bool wants_screenshot_ = false;                     // of a menu
+    bool has_told_ = false, has_told_in_menu_ = false;  // of options that cannot be saved
+    bool is_stale_ = true;                              // the window does not show the current state
     WindowSize shown_size_;
 };
 

@@ -57,8 +57,9 @@ void Screens::follow() {
 }
 
 void Screens::finish() {
-    keep_recorded();
-    if (recorded_) write_file(options_.record, encode_demo(*recorded_));
+    const bool is_recording = !recorded_ && walk_ && walk_->input().records();
+    if (is_recording || recorded_)
+        write_file(options_.record, encode_demo(is_recording ? walk_->input().recorded() : *recorded_));
 }
 
 void Screens::close_gallery() {
@@ -202,16 +203,28 @@ void Screens::restart() {
 }
 
 void Screens::show_gallery() {
-    menu_.close_all();
-    screens_.push_back(std::make_unique<Gallery>(up().shared_level(), view_options_, platform_));
+    try_with_files("Gallery", [&] {
+        auto gallery = std::make_unique<Gallery>(game_.museum(up().shared_level()), view_options_, platform_);
+        menu_.close_all();
+        screens_.push_back(std::move(gallery));
+    });
 }
 
 void Screens::show_title() {
     leave_walk([this] { try_with_files("Title", [this] { start_title(load_level("")); }); });
 }
 
+// The demo is written before: a player whose disk is full may make room while the game is on.
 void Screens::leave() {
-    leave_walk([this] { has_left_ = true; });
+    leave_walk([this] {
+        const auto go = [this] { has_left_ = true; };
+        try {
+            finish();
+            go();
+        } catch (const FileError& error) {
+            pages_.open_not_saved(error.what(), go);
+        }
+    });
 }
 
 void Screens::keep_recorded() {

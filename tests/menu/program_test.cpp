@@ -131,6 +131,28 @@ TEST_F(ProgramOfTheDemo, LightIsKeptAGame) {
     EXPECT_TRUE(PreferencesStore(path("oblong.cfg")).kept().light_of(kQuake).is_of_tube) << "and not the file";
 }
 
+TEST_F(ProgramOfTheDemo, TheGalleryIsDrawnInTheMuseumFromAnyLevel) {
+    const auto gallery_from = [&](const std::string& level) {
+        Options options;
+        options.level = level;
+        const ByPoll script{{10, pressing(Action::Menu)},
+                            {11, acting({MenuAction::Up, MenuAction::Up, MenuAction::Up, MenuAction::Accept})}};
+        Palette palette;
+        std::vector<std::uint8_t> pixels;
+        HeadlessPlatform platform(
+            20, 35, [&](std::int64_t poll) { return test::scripted_input(at_poll(script, poll)); },
+            [&](Framebuffer picture, const Palette& its) {
+                pixels.assign(picture.pixels, picture.pixels + pixel_count(picture.width_px, picture.height_px));
+                palette = its;
+            });
+        play_on(platform, options);
+        return std::pair(pixels, palette.colours);
+    };
+    std::filesystem::copy_file(assets_ + "/demo.bsp", path("other.bsp"));
+    folder_.write("palette.lmp", std::vector<std::uint8_t>(768, 99));
+    EXPECT_EQ(gallery_from(path("other.bsp")), gallery_from(""));
+}
+
 // The folder of saves is a file here.
 TEST_F(ProgramOfTheDemo, AWalkThatCantBeSavedIsLeftOnlyAfterAQuestion) {
     Options options = recording();
@@ -143,6 +165,30 @@ TEST_F(ProgramOfTheDemo, AWalkThatCantBeSavedIsLeftOnlyAfterAQuestion) {
     EXPECT_LT(play(200, options, script), 100);
 }
 
+// Its folder is away for a while.
+TEST_F(ProgramOfTheDemo, ADemoThatCantBeWrittenIsLeftOnlyAfterAQuestion) {
+    Options options = keeping();
+    options.record = path("away/walk.demo");
+    const std::string folder = path("away");
+    std::filesystem::create_directory(folder);
+    const ByPoll script{{90, pressing(Action::Menu)},
+                        {91, acting({MenuAction::Up, MenuAction::Accept})},
+                        {100, acting({MenuAction::Accept})},  // "No": back to "Quit"
+                        {110, acting({MenuAction::Accept})}};
+    HeadlessPlatform platform(
+        200, 35,
+        [&](std::int64_t poll) {
+            if (poll == 50) std::filesystem::remove(folder);
+            if (poll == 105) std::filesystem::create_directory(folder);
+            polls_ = static_cast<std::size_t>(poll);
+            return test::scripted_input(at_poll(script, poll));
+        },
+        [](Framebuffer, const Palette&) {});
+    play_on(platform, options);
+    EXPECT_EQ(polls_, 110u);
+    EXPECT_EQ(read_parsed(options.record, decode_demo).ticks.size(), 90u);
+}
+
 TEST_F(ProgramOfTheDemo, OptionsThatCantBeSavedAreToldOnceInTheMenu) {
     Options options = recording();
     options.folders.config_file = path("no_folder/oblong.cfg");
@@ -153,8 +199,13 @@ TEST_F(ProgramOfTheDemo, OptionsThatCantBeSavedAreToldOnceInTheMenu) {
     script[50] = acting({MenuAction::Accept});
     script[60] = pressing(Action::Menu);
     script[65] = acting({MenuAction::Back});
-    play(100, options, script);
+    script[70] = pressing(Action::Darker);  // it tries again after a second, and at the end
+    testing::internal::CaptureStderr();
+    play(200, options, script);
+    const std::string said = testing::internal::GetCapturedStderr();
     EXPECT_GT(recorded_ticks(), 60u);
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+    EXPECT_NE(said.find("no_folder"), std::string::npos) << said;
 }
 
 TEST_F(ProgramOfTheDemo, RestartAsksOnceThereIsSomethingToLose) {
