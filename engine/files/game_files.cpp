@@ -21,10 +21,6 @@ struct Range {
     bool is_same(const Range& other) const { return begin == other.begin && end == other.end; }
 };
 
-std::string to_text(std::uint64_t number) {
-    return std::to_string(number);
-}
-
 std::string read_name(std::span<const std::uint8_t> field, std::size_t offset) {
     const auto end = std::find(field.begin(), field.end(), std::uint8_t{0});
     expect_at(offset, end != field.end(), "a name without an end, expected a zero byte among its 56");
@@ -38,8 +34,8 @@ PakEntry read_entry(LittleEndianReader& in, std::size_t offset, std::uint64_t fi
     entry.offset = in.next<std::uint32_t>();
     entry.length = in.next<std::uint32_t>();
     expect_at(offset + kName_bytes, std::uint64_t{entry.offset} + entry.length <= file_bytes,
-              entry.name + " has " + to_text(entry.length) + " bytes from " + to_text(entry.offset) +
-                  " on, expected them in the file's " + to_text(file_bytes));
+              entry.name + " has " + std::to_string(entry.length) + " bytes from " + std::to_string(entry.offset) +
+                  " on, expected them in the file's " + std::to_string(file_bytes));
     return entry;
 }
 
@@ -53,7 +49,7 @@ void check_overlaps(std::vector<Range> ranges) {
         if (before.end <= range.begin || (are_entries && before.is_same(range))) continue;
         const std::uint64_t offset = std::max(before.entry_offset, range.entry_offset);
         expect_at(as_size(offset), false,
-                  "data from " + to_text(range.begin) + " on, where other data is, expected it apart");
+                  "data from " + std::to_string(range.begin) + " on, where other data is, expected it apart");
     }
 }
 
@@ -68,12 +64,13 @@ PakHeader read_pak_header(std::span<const std::uint8_t> bytes, std::uint64_t fil
     header.directory_length = in.next<std::uint32_t>();
     const std::uint64_t end = std::uint64_t{header.directory_offset} + header.directory_length;
     expect_at(4, header.directory_offset >= kPakHeader_bytes && end <= file_bytes,
-              "a directory of " + to_text(header.directory_length) + " bytes at " + to_text(header.directory_offset) +
-                  ", expected it behind the header in a file of " + to_text(file_bytes));
+              "a directory of " + std::to_string(header.directory_length) + " bytes at " +
+                  std::to_string(header.directory_offset) + ", expected it behind the header in a file of " +
+                  std::to_string(file_bytes));
     expect_at(8, header.directory_length % kPakEntry_bytes == 0,
-              "a directory of " + to_text(header.directory_length) + " bytes, expected a multiple of 64");
+              "a directory of " + std::to_string(header.directory_length) + " bytes, expected a multiple of 64");
     expect_at(8, header.directory_length / kPakEntry_bytes <= kMostPakEntries,
-              to_text(header.directory_length / kPakEntry_bytes) + " entries, expected at most 65,536");
+              std::to_string(header.directory_length / kPakEntry_bytes) + " entries, expected at most 65,536");
     return header;
 }
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "engine/base/checksum.h"
+#include "engine/base/text.h"
 #include "engine/files/arguments.h"
 #include "engine/files/files.h"
 #include "engine/platform/dos/calls.h"
@@ -88,9 +89,7 @@ void take(const std::string& name, const std::string& value, Arguments& argument
 Arguments read_arguments(int count, char** words) {
     Arguments arguments;
     for (int i = 1; i < count; ++i) {
-        std::string word = words[i];
-        for (char& letter : word)
-            if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+        const std::string word = lower_case(words[i]);
         const std::size_t equals = std::min(word.find('='), word.size());
         take(word.substr(0, equals), word.substr(std::min(equals + 1, word.size())), arguments);
     }

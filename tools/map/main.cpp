@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <iostream>
 #include <thread>
@@ -115,11 +116,8 @@ std::vector<map::MapEntity> with_known_classes(std::vector<map::MapEntity> entit
 }
 
 map::CompilePart parse_part(const std::string& name) {
-    if (name.empty()) return map::CompilePart::All;
-    if (name == "entities") return map::CompilePart::Entities;
-    if (name == "light") return map::CompilePart::Light;
-    if (name == "vis") return map::CompilePart::Visibility;
-    throw UsageError("--only: '" + name + "', expected entities, light or vis");
+    constexpr std::array<std::string_view, 3> kAfterAll{"entities", "light", "vis"};
+    return static_cast<map::CompilePart>(name.empty() ? 0 : 1 + parse_choice("--only", name, kAfterAll));
 }
 
 // The path of a name in the source at `path`.
