@@ -1,13 +1,13 @@
 
 #include <gtest/gtest.h>
 
-#include <regex>
 #include <set>
 
 #include "engine/accuracy/accuracy.h"
 #include "engine/files/arguments.h"
 #include "engine/files/files.h"
 #include "tests/support/folders.h"
+#include "tests/support/patterns.h"
 
 namespace oblong::test {
 namespace {
@@ -46,16 +46,14 @@ TEST(Dials, NamesDiffer) {
 /// that the dial names.
 TEST(Dials, AreReadInTheFileThatTheyName) {
     const std::string table = read_text(source_folder() + "/engine/accuracy/accuracy.cpp");
-    const std::regex entry("dial<&Accuracy::(\\w+)>\\(\\s*\"([^\"]+)\"");
-    std::size_t found = 0;
-    for (std::sregex_iterator it(table.begin(), table.end(), entry), end; it != end; ++it, ++found) {
-        const Dial* const dial = dial_named((*it)[2].str());
-        ASSERT_NE(dial, nullptr) << (*it)[2];
-        const std::regex reading("accuracy(\\(\\))?\\." + (*it)[1].str() + "\\b");
-        EXPECT_TRUE(std::regex_search(read_text(source_folder() + "/" + std::string(dial->read_in)), reading))
-            << dial->name << " in " << dial->read_in;
+    const std::vector<Groups> entries = all_matches(table, "dial<&Accuracy::(\\w+)>\\(\\s*\"([^\"]+)\"");
+    for (const Groups& entry : entries) {
+        const Dial* const dial = dial_named(entry[2]);
+        ASSERT_NE(dial, nullptr) << entry[2];
+        const std::string text = read_text(source_folder() + "/" + std::string(dial->read_in));
+        EXPECT_TRUE(is_found(text, "accuracy(\\(\\))?\\." + entry[1] + "\\b")) << dial->name << " in " << dial->read_in;
     }
-    EXPECT_EQ(found, all_dials().size());
+    EXPECT_EQ(entries.size(), all_dials().size());
 }
 
 TEST(Dials, TurnStopsAtBothEndsAndPassesEverySetting) {

@@ -1,10 +1,10 @@
 #include <cctype>
 #include <map>
-#include <regex>
 #include <set>
 #include <string_view>
 
 #include "tests/architecture/source_checks.h"
+#include "tests/support/patterns.h"
 
 namespace oblong::test {
 
@@ -16,8 +16,7 @@ bool is_of_name(char letter) {
 
 /// The code of a file: no comments, and empty texts.
 std::string code_of(const std::string& text) {
-    static const std::regex kNoCode(R"re(//[^\n]*|"(\\.|[^"\\\n])*")re");
-    return std::regex_replace(text, kNoCode, "");
+    return with_replaced(text, R"re(//[^\n]*|"(\\.|[^"\\\n])*")re", "");
 }
 
 struct Name {

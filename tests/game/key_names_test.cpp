@@ -2,12 +2,12 @@
 
 #include <filesystem>
 #include <fstream>
-#include <regex>
 
 #include "engine/platform/headless.h"
 #include "game/input/bindings.h"
 #include "game/program/view_options.h"
 #include "tests/support/folders.h"
+#include "tests/support/patterns.h"
 
 namespace oblong {
 namespace {
@@ -31,10 +31,10 @@ TEST(KeyNames, AreThoseThatAreBoundOnTheDeviceInUse) {
 
 // In messages, captions and help of the game: they are named as they are bound, by KeyNames alone.
 TEST(KeyNames, StandInNoTextOfTheGame) {
-    const std::regex literal(R"x("((?:[^"\\]|\\.)*)")x");
-    const std::regex key(
+    const std::string literal = R"x("((?:[^"\\]|\\.)*)")x";
+    const std::string key =
         R"x((^|[^A-Za-z0-9-])(F[1-9][0-2]?|Tab|Esc|Escape|Enter|Backspace|Insert|Page (Up|Down)|WASD|)x"
-        R"x([Aa]rrows?|Shift|Ctrl|Space|Pad [A-Z]\w*)([^A-Za-z0-9-]|$))x");
+        R"x([Aa]rrows?|Shift|Ctrl|Space|Pad [A-Z]\w*)([^A-Za-z0-9-]|$))x";
     for (const auto& entry : fs::recursive_directory_iterator(test::source_folder() + "/game")) {
         const std::string name = entry.path().filename().string();
         // The names themselves; a window of its own, whose keys are the same for all.
@@ -45,8 +45,8 @@ TEST(KeyNames, StandInNoTextOfTheGame) {
         for (std::string line; std::getline(file, line);) {
             if (line.find("#include") != line.npos || line.find("Alt+Enter") != line.npos)
                 continue;  // bound to nothing
-            for (std::sregex_iterator it(line.begin(), line.end(), literal), end; it != end; ++it)
-                EXPECT_FALSE(std::regex_search((*it)[1].str(), key)) << entry.path() << ": " << (*it)[1];
+            for (const test::Groups& text : test::all_matches(line, literal))
+                EXPECT_FALSE(test::is_found(text[1], key)) << entry.path() << ": " << text[1];
         }
     }
 }

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <map>
-#include <regex>
 #include <set>
 
 #include "engine/files/files.h"
@@ -10,6 +9,7 @@
 #include "game/sound/sound_table.h"
 #include "tests/map/editor_formats.h"
 #include "tests/support/folders.h"
+#include "tests/support/patterns.h"
 #include "tools/map/source/map_file.h"
 #include "tools/map/trenchbroom.h"
 
@@ -58,12 +58,10 @@ std::vector<std::string> sources_of_readers() {
 }
 
 /// The first group of each match.
-Names all_matches(const std::vector<std::string>& texts, const std::string& pattern) {
+Names names_in(const std::vector<std::string>& texts, const std::string& pattern) {
     Names found;
-    const std::regex expression(pattern);
     for (const std::string& text : texts)
-        for (std::sregex_iterator at(text.begin(), text.end(), expression), end; at != end; ++at)
-            found.insert((*at)[1].str());
+        for (const Groups& match : all_matches(text, pattern)) found.insert(match[1]);
     return found;
 }
 
@@ -76,7 +74,7 @@ const EntityKey* key_of_any_class(std::string_view key) {
 TEST(EntityClasses, ReadersNameNoClassThatIsNotInTheTable) {
     const std::string families =
         "worldspawn|light_(?!styles)|func_|trigger_|item_|weapon_|monster_|ambient_|misc_|info_|trap_";
-    const Names named = all_matches(sources_of_readers(), "\"((?:" + families + ")[a-z0-9_]*)\"");
+    const Names named = names_in(sources_of_readers(), "\"((?:" + families + ")[a-z0-9_]*)\"");
     for (const std::string& name : named) {
         const EntityClass* const row = find_entity_class(name);
         EXPECT_TRUE(row != nullptr && row->name == name) << name;
@@ -89,11 +87,11 @@ TEST(EntityClasses, HaveEachKeyThatIsReadAndNoOther) {
     const std::string readers =
         "value|has|number|whole_number|vector|colours|number_of|numbers_of|ticks_of|target_of|"
         "value_of|direction_of_mangle|length";
-    const Names read = all_matches(texts, "\\b(?:" + readers + R"re()\((?:[*\w]+, )?"([a-z_0-9]+)")re");
+    const Names read = names_in(texts, "\\b(?:" + readers + R"re()\((?:[*\w]+, )?"([a-z_0-9]+)")re");
     EXPECT_GT(read.size(), 40u);
     for (const std::string& key : read)
         EXPECT_TRUE(key_of_any_class(key) || key.starts_with("_tb_")) << key << " is read";
-    const Names literals = all_matches(texts, R"re("([a-z_0-9]+)")re");
+    const Names literals = names_in(texts, R"re("([a-z_0-9]+)")re");
     const auto expect_read = [&](std::span<const EntityKey> keys) {
         for (const EntityKey& key : keys) {
             const std::string name(key.name.substr(0, key.name.find('#')));

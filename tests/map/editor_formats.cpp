@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <regex>
 #include <set>
 #include <span>
 #include <sstream>
 #include <stdexcept>
+
+#include "tests/support/patterns.h"
 
 namespace oblong::test {
 namespace {
@@ -91,8 +92,8 @@ void check_members(const json& value, std::span<const Member> members) {
 // For the editor '}}' is one token, whatever it stands behind, and a backslash before another letter stands for itself.
 json read_config(std::string_view text, std::span<const Member> members, int version) {
     demand(text.find("}}") == std::string_view::npos, "a blank between '}' and '}'");
-    std::string as_json = std::regex_replace(std::string(text), std::regex(R"(\\(?!["\\]))"), R"(\\)");
-    as_json = std::regex_replace(as_json, std::regex(R"(\[ scale \])"), R"([ "scale" ])");
+    const std::string as_json =
+        with_replaced(with_replaced(std::string(text), R"(\\(?!["\\]))", R"(\\)"), R"(\[ scale \])", R"([ "scale" ])");
     std::vector<std::set<std::string>> keys;  // of the maps around a place
     const auto check_key = [&keys](int, json::parse_event_t event, const json& parsed) {
         if (event == json::parse_event_t::object_start) keys.emplace_back();
@@ -107,7 +108,7 @@ json read_config(std::string_view text, std::span<const Member> members, int ver
 }
 
 bool are_numbers(const std::string& text, const std::string& counts) {
-    return std::regex_match(text, std::regex("[-.0-9]+( [-.0-9]+){" + counts + "}"));
+    return !whole_match(text, "[-.0-9]+( [-.0-9]+){" + counts + "}").empty();
 }
 
 void check_tags(const json& tags) {
@@ -132,9 +133,9 @@ class FgdLines {
         ++number_;
         return static_cast<bool>(std::getline(text_, line_));
     }
-    std::smatch match(const std::string& pattern) const {
-        std::smatch parts;
-        expect(std::regex_match(line_, parts, std::regex(pattern)), pattern);
+    Groups match(const std::string& pattern) const {
+        const Groups parts = whole_match(line_, pattern);
+        expect(!parts.empty(), pattern);
         return parts;
     }
     void expect(bool holds, const std::string& what) const {
@@ -170,8 +171,11 @@ const std::string kModel =
 
 std::string interpolated(const std::string& text, const EditorVariables& variables) {
     std::string rest = text, out;
-    for (std::smatch at; std::regex_search(rest, at, std::regex(R"(\$\{(\w+)\})")); rest = at.suffix().str())
-        out += at.prefix().str() + variables.at(at[1]);
+    for (const Groups& name : all_matches(text, R"(\$\{(\w+)\})")) {
+        const std::size_t at = rest.find(name[0]);
+        out += rest.substr(0, at) + variables.at(name[1]);
+        rest = rest.substr(at + name[0].size());
+    }
     demand(rest.find("${") == std::string::npos, "a name and '}' behind '${'");
     return out + rest;
 }
@@ -212,21 +216,21 @@ std::vector<EditorClass> read_fgd(std::string_view text) {
     const auto expect_once = [&](const std::string& name) { lines.expect(seen.insert(name).second, name + " once"); };
     while (lines.next()) {
         if (lines.line().empty() || lines.line().starts_with("//")) continue;
-        const std::smatch parts = lines.match(head);
+        const Groups parts = lines.match(head);
         EditorClass& its = classes.emplace_back(EditorClass{parts[4], parts[3], {}});
-        lines.expect(parts[1] == "@PointClass" || !(parts[2].matched || parts[3].matched), "no size of brushes");
+        lines.expect(parts[1] == "@PointClass" || (parts[2].empty() && parts[3].empty()), "no size of brushes");
         if (!its.model.empty()) model_path(its.model, {{"model", ""}, {"spawnflags", "-1"}});
         expect_once(its.name);
         lines.read_list("", [&] {
-            const std::smatch key = lines.match(R"re(\t(\w+)\((\w+)\)(.*))re");
-            const std::string name = its.name + " " + key.str(1), type = key[2];
-            lines.expect(std::regex_match(key.str(3), std::regex(definition_of(type))), definition_of(type));
+            const Groups key = lines.match(R"re(\t(\w+)\((\w+)\)(.*))re");
+            const std::string name = its.name + " " + key[1], type = key[2];
+            lines.expect(!whole_match(key[3], definition_of(type)).empty(), definition_of(type));
             expect_once(name);
             its.keys[key[1]] = type;
             if (type != "flags" && type != "choices") return;
             const std::string value =
                 type == "flags" ? R"re(\t\t(\d+) : "[^"]*" : [01])re" : R"re(\t\t("[^"]*") : "[^"]*")re";
-            lines.read_list("\t", [&] { expect_once(name + " " + lines.match(value).str(1)); });
+            lines.read_list("\t", [&] { expect_once(name + " " + lines.match(value)[1]); });
         });
     }
     return classes;
@@ -234,11 +238,10 @@ std::vector<EditorClass> read_fgd(std::string_view text) {
 
 std::string model_path(const std::string& expression, const EditorVariables& keys) {
     const std::string all = kModel + R"re(|\{\{ )re" + kModel + "(?:, " + kModel + R"re()* \}\})re";
-    demand(std::regex_match(expression, std::regex(all)), "a model: " + expression);
-    const std::regex one(kModel);
-    for (std::sregex_iterator at(expression.begin(), expression.end(), one), end; at != end; ++at) {
-        if ((*at)[1].matched && (std::stoi((*at)[1]) & std::stoi(keys.at("spawnflags"))) == 0) continue;
-        const std::string path = (*at)[2];
+    demand(!whole_match(expression, all).empty(), "a model: " + expression);
+    for (const Groups& model : all_matches(expression, kModel)) {
+        if (!model[1].empty() && (std::stoi(model[1]) & std::stoi(keys.at("spawnflags"))) == 0) continue;
+        const std::string& path = model[2];
         return path == "model" ? keys.at("model") : path.substr(1, path.size() - 2);
     }
     throw std::runtime_error("expected a model: " + expression);

@@ -3,12 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <regex>
 #include <set>
 
 #include "engine/files/files.h"
 #include "engine/level/entity_classes.h"
 #include "tests/map/editor_formats.h"
+#include "tests/support/patterns.h"
 #include "tests/support/programs.h"
 
 namespace oblong::test {
@@ -37,7 +37,7 @@ class TrenchBroom : public testing::Test {
             text("initial_valve.map") +
             "{\n\"classname\" \"func_group\"\n\"_tb_type\" \"_tb_layer\"\n\"_tb_name\" \"lights\"\n}\n";
         if (!task.value("stripTbProperties", false)) return map;
-        return std::regex_replace(map, std::regex("\"_tb_[^\\n]*\n"), "");
+        return with_replaced(map, "\"_tb_[^\\n]*\n", "");
     }
 
     const TemporaryFolder folder_;
@@ -144,11 +144,9 @@ INSTANTIATE_TEST_SUITE_P(Places, TrenchBroomInstaller,
 
 TEST(Fgd, NoFlagIsSetInANewEntity) {
     const std::string text = map::fgd_text();
-    const std::regex flag("\\n\\t\\t[0-9]+ : \"[^\"\\n]*\" : ([0-9]+)");
-    int count = 0;
-    for (std::sregex_iterator row(text.begin(), text.end(), flag), end; row != end; ++row, ++count)
-        EXPECT_EQ((*row)[1].str(), "0") << row->str();
-    EXPECT_GT(count, 20);
+    const std::vector<Groups> flags = all_matches(text, "\\n\\t\\t[0-9]+ : \"[^\"\\n]*\" : ([0-9]+)");
+    for (const Groups& flag : flags) EXPECT_EQ(flag[1], "0") << flag[0];
+    EXPECT_GT(flags.size(), 20u);
 }
 
 TEST_F(TrenchBroom, ClassesAreReadWithTheirModels) {

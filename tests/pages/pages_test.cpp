@@ -6,13 +6,13 @@
 #include <functional>
 #include <iterator>
 #include <map>
-#include <regex>
 #include <set>
 #include <sstream>
 
 #include "engine/files/files.h"
 #include "tests/pages/tables.h"
 #include "tests/support/folders.h"
+#include "tests/support/patterns.h"
 
 namespace oblong::test {
 namespace {
@@ -73,16 +73,15 @@ TEST(Pages, TablesAreThoseOfTheCode) {
 TEST(Pages, AllOfTheLibraryIsOnItsPage) {
     const std::string page = read_text(source_folder() + "/engine/library/README.md");
     std::istringstream lines(read_text(source_folder() + "/engine/library/oblong.h"));
-    const std::regex name(R"((\w+)\()"), aside("//.*|\\{ .*");
     std::set<std::string> names;
     for (std::string line; std::getline(lines, line);) {
-        line = std::regex_replace(line, aside, "");
+        line = with_replaced(line, "//.*|\\{ .*", "");
         if (line.find("= delete") != line.npos || line.find("operator") != line.npos) continue;
-        for (std::sregex_iterator at(line.begin(), line.end(), name), end; at != end; ++at) names.insert((*at)[1]);
+        for (const Groups& name : all_matches(line, R"((\w+)\()")) names.insert(name[1]);
     }
     EXPECT_GT(names.size(), 60u);
     for (const std::string& one : names)
-        EXPECT_TRUE(std::regex_search(page, std::regex("\\b" + one + "\\("))) << one << "() is not on the page";
+        EXPECT_TRUE(is_found(page, "\\b" + one + "\\(")) << one << "() is not on the page";
 }
 
 /// What GitHub calls a heading in a link: "## Add a dial!" is "add-a-dial".
@@ -103,18 +102,17 @@ std::set<std::string> anchors_of(const std::string& page) {
 }
 
 TEST(Pages, EveryLinkLeadsToAFileAndAHeading) {
-    const std::regex link(R"(\]\(([^)#\s]*)(#([^)\s]*))?\))");
     int count = 0;
     for (const fs::path& path : all_pages()) {
         const std::string page = read_text(path.string());
-        for (std::sregex_iterator at(page.begin(), page.end(), link), end; at != end; ++at) {
-            const std::string target = (*at)[1], anchor = (*at)[3];
+        for (const Groups& link : all_matches(page, R"(\]\(([^)#\s]*)(#([^)\s]*))?\))")) {
+            const std::string &target = link[1], &anchor = link[3];
             if (target.find("://") != std::string::npos) continue;
             const fs::path file = target.empty() ? path : path.parent_path() / target;
             EXPECT_TRUE(fs::exists(file)) << path << ": " << target;
             const bool has_anchor =
                 anchor.empty() || (fs::exists(file) && anchors_of(read_text(file.string())).contains(anchor));
-            EXPECT_TRUE(has_anchor) << path << ": " << at->str();
+            EXPECT_TRUE(has_anchor) << path << ": " << link[0];
             ++count;
         }
     }
@@ -123,12 +121,12 @@ TEST(Pages, EveryLinkLeadsToAFileAndAHeading) {
 
 /// Files that pages name by a path from the project's folder or from their own, as `tests/demo/walk_test.cpp`.
 TEST(Pages, EverySourceFileThatTheyNameIsThere) {
-    const std::regex name(R"(`((?!build)[a-z_]+(/[a-z0-9_]+)+\.(cpp|h|py|csv|map))`)");
+    const std::string name = R"(`((?!build)[a-z_]+(/[a-z0-9_]+)+\.(cpp|h|py|csv|map))`)";
     const fs::path project = source_folder();
     for (const fs::path& path : all_pages()) {
         const std::string page = read_text(path.string());
-        for (std::sregex_iterator at(page.begin(), page.end(), name), end; at != end; ++at) {
-            const std::string file = (*at)[1];
+        for (const Groups& named : all_matches(page, name)) {
+            const std::string& file = named[1];
             const bool is_there = fs::exists(project / file) || fs::exists(path.parent_path() / file) ||
                                   fs::exists(project / "engine" / file);
             EXPECT_TRUE(is_there) << path << ": " << file;
@@ -146,9 +144,8 @@ std::ptrdiff_t count_words(const std::string& page) {
 
 TEST(Pages, AreShort) {
     std::ptrdiff_t words = 0;
-    const std::regex table("<!-- table [^]*?<!-- end -->");
     for (const fs::path& path : all_pages())
-        words += count_words(std::regex_replace(read_text(path.string()), table, ""));
+        words += count_words(with_replaced(read_text(path.string()), "<!-- table [^]*?<!-- end -->", ""));
     EXPECT_LE(words, 10'000) << "beside the tables of the code";
     const std::string first = read_text(source_folder() + "/README.md");
     EXPECT_LE(std::count(first.begin(), first.end(), '\n'), 120);

@@ -19,7 +19,8 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import demo_sphere
 
 SCREEN = (1920, 1200)
-SIZES = [(1600, 1200), (1280, 960), (1920, 1080), (800, 600)]
+SIZES = [(800, 600), (640, 480), (1920, 1080), (1600, 1200)]
+LARGE = SIZES[-1]  # one of the game's pixels is five of the screen's wide and six high
 NEEDED = ['Xvfb', 'xdotool', 'import']
 ROUND = 0.01
 FIELD_OF_VIEW = '40'  # degrees: the sphere then takes two thirds of the height
@@ -184,6 +185,7 @@ def check_keys(game, report):
     report.expect('F3: only the display does', game.shape, 6 / 5, ROUND)
     game.press('F3', 'F3')
     report.expect('neither', game.shape, 1, ROUND)
+    game.resize(LARGE)
     for mode in ('rows', 'even', 'nearest', 'sharp'):
         game.press('F5')
         report.expect('F5: ' + mode, game.shape, 1, ROUND)
@@ -191,6 +193,7 @@ def check_keys(game, report):
 
 def check_tube(game, report):
     """Rows get darker borders, and a glow around them: the sphere stays round, and is as before when it is off."""
+    game.resize(SIZES[0])
     plain = game.look()
     game.press('c')
     report.expect('C: is another picture (1 if so)', lambda: int(game.look().rows != plain.rows), 1, 0)
@@ -209,8 +212,9 @@ def check_fullscreen(game, report):
 
 def check_four_aspects(game, report):
     """Their pictures are small, and captions are on them: a sphere may lack a row."""
+    game.resize(LARGE)
     game.press('4')
-    half = (SIZES[0][0] // 2, SIZES[0][1] // 2)
+    half = (LARGE[0] // 2, LARGE[1] // 2)
     for column, row, wanted in [(0, 0, 1), (1, 0, 5 / 6), (0, 1, 6 / 5), (1, 1, 1)]:
         report.expect('4: column %d, row %d of four' % (column + 1, row + 1),
                       lambda: game.look_at(column * half[0], row * half[1], half).shape(), wanted, 2 * ROUND)
