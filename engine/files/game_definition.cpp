@@ -8,6 +8,7 @@
 #include <set>
 
 #include "engine/base/checksum.h"
+#include "engine/base/input_error.h"
 #include "engine/files/files.h"
 #include "engine/level/entity_classes.h"
 
@@ -20,12 +21,9 @@ using Json = nlohmann::ordered_json;
 /// A value in the file, and its path, as "/classes/item_coin/is".
 class Value {
   public:
-    Value(const std::string& file, const Json& json, std::string where)
-        : file_(file), json_(json), where_(std::move(where)) {}
+    Value(const Json& json, std::string where) : json_(json), where_(std::move(where)) {}
 
-    [[noreturn]] void refuse(const std::string& what) const {
-        throw FileError(file_, where_.empty() ? "/" : where_, what);
-    }
+    [[noreturn]] void refuse(const std::string& what) const { throw InputError(where_.empty() ? "/" : where_, what); }
     std::string text() const {
         if (!json_.is_string()) refuse("is " + std::string(json_.type_name()) + ", expected a text");
         return json_.get<std::string>();
@@ -34,18 +32,16 @@ class Value {
     template <class Use>
     void for_members(Use use) const {
         if (!json_.is_object()) refuse("is " + std::string(json_.type_name()) + ", expected members in { }");
-        for (const auto& [name, json] : json_.items()) use(name, Value(file_, json, where_ + "/" + name));
+        for (const auto& [name, json] : json_.items()) use(name, Value(json, where_ + "/" + name));
     }
     std::vector<Value> elements() const {
         if (!json_.is_array()) refuse("is " + std::string(json_.type_name()) + ", expected a list in [ ]");
         std::vector<Value> values;
-        for (std::size_t i = 0; i < json_.size(); ++i)
-            values.emplace_back(file_, json_[i], where_ + "/" + std::to_string(i));
+        for (std::size_t i = 0; i < json_.size(); ++i) values.emplace_back(json_[i], where_ + "/" + std::to_string(i));
         return values;
     }
 
   private:
-    const std::string& file_;
     const Json& json_;
     std::string where_;
 };
@@ -105,7 +101,7 @@ class DefinitionReader {
     void read_levels(const Value& list) {
         for (const Value& value : list.elements()) {
             const std::string name = value.text();
-            if (!stays_below(name) || fs::path(name).has_parent_path())
+            if (!stays_below(name) || fs::path(name).has_parent_path() || name != printable(name))
                 value.refuse("\"" + name + "\", expected the name of a level, as \"first\"");
             if (std::find(game_.levels.begin(), game_.levels.end(), name) != game_.levels.end())
                 value.refuse("\"" + name + "\" is there twice, expected each level once");
@@ -205,14 +201,14 @@ const std::array<DefinitionReader::Member, 9> DefinitionReader::kMembers{{
 }};
 
 // The parser alone would keep one of two members of the same name.
-Json parsed(const std::string& file, const std::string& text) {
+Json parsed(const std::string& text) {
     using Event = Json::parse_event_t;
     std::vector<std::set<std::string>> names;  // of the objects that are open
     return Json::parse(text, [&](int, Event event, const Json& json) {
         if (event == Event::object_start) names.emplace_back();
         if (event == Event::object_end) names.pop_back();
         if (event == Event::key && !names.back().insert(json.get<std::string>()).second)
-            throw FileError(file, "member " + json.dump(), "is there twice, expected each once");
+            throw InputError("member " + json.dump(), "is there twice, expected each once");
         return true;
     });
 }
@@ -227,13 +223,15 @@ std::vector<GameMember> game_members() {
 
 GameDefinition read_game_definition(const std::string& folder) {
     const std::string file = (fs::path(folder) / kGameFile).string(), text = read_text(file);
-    try {
-        return DefinitionReader(folder).read(Value(file, parsed(file, text), ""));
-    } catch (const Json::parse_error& error) {
-        throw FileError(file, "byte " + std::to_string(error.byte), "no JSON: " + std::string(error.what()));
-    } catch (const Json::out_of_range& error) {
-        throw FileError(file, "JSON", std::string(error.what()) + ", expected a smaller number");
-    }
+    return naming_file(file, [&] {
+        try {
+            return DefinitionReader(folder).read(Value(parsed(text), ""));
+        } catch (const Json::parse_error& error) {
+            throw InputError("byte " + std::to_string(error.byte), "no JSON: " + std::string(error.what()));
+        } catch (const Json::out_of_range& error) {
+            throw InputError("JSON", std::string(error.what()) + ", expected a smaller number");
+        }
+    });
 }
 
 }  // namespace oblong

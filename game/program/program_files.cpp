@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/input_error.h"
 #include "engine/base/table.h"
 #include "engine/files/files.h"
 #include "engine/files/picture.h"
@@ -87,7 +88,7 @@ OwnSounds own_sounds_of(const GameDefinition& game) {
         else if (stays_below(name) && fs::is_regular_file(fs::path(game.folder) / name))
             own.level_captions[name] = text;
         else
-            throw FileError((fs::path(game.folder) / kGameFile).string(), "/captions/" + name,
+            throw FileError((fs::path(game.folder) / kGameFile).string(), "/captions/" + printable(name),
                             "is no sound, expected the name of one in the museum's folder sounds, without number, or a "
                             "file below the folder; or \"a lens\" or \"lenses\"");
     }

@@ -226,9 +226,9 @@ TEST_F(ExampleGame, AnIconThatIsTooLargeIsRefused) {
 }
 
 TEST_F(ExampleGame, ACaptionOfNoSoundIsNamed) {
-    replace_in_definition("\"lenses\"", "\"lense\"");
+    replace_in_definition("\"lenses\"", "\"lense\\n\"");
     EXPECT_EQ(run("oblong --game " + folder_ + " --headless 1 --out " + temporary_.path("out")), 1);
-    EXPECT_TRUE(said_.starts_with("oblong: " + folder_ + "/game.json: /captions/lense: is no sound")) << said_;
+    EXPECT_TRUE(said_.starts_with("oblong: " + folder_ + "/game.json: /captions/lense?: is no sound")) << said_;
 }
 
 struct Fault {
@@ -248,8 +248,10 @@ TEST(GameDefinition, FaultsAreNamedWithTheirPlace) {
              Fault{"{\"title\": \"x\"}", "/: has no \"levels\""},
              Fault{"{\"title\": 3}", "/title: is number, expected a text"},
              Fault{"{\"titel\": \"x\"}", "/titel: is unknown, expected one of title,"},
+             Fault{"{\"\\u001b[2J\": \"x\"}", "/?[2J: is unknown"},
              Fault{"{\"levels\": [\"a\", \"b\", \"a\"]}", "/levels/2: \"a\" is there twice"},
              Fault{"{\"levels\": [\"../a\"]}", "/levels/0: \"../a\", expected the name of a level"},
+             Fault{"{\"levels\": [\"a\\u001b\"]}", "/levels/0: \"a?\", expected the name of a level"},
              Fault{"{\"levels\": \"a\"}", "/levels: is string, expected a list"},
              Fault{"{\"palette\": \"/etc/passwd\"}", "/palette: \"/etc/passwd\", expected a path"},
              Fault{"{\"music\": \"a/../../b.mod\"}", "/music: \"a/../../b.mod\", expected a path"},
