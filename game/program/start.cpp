@@ -1,3 +1,4 @@
+#include <csignal>
 #include <iostream>
 #include <memory>
 #include <utility>
@@ -14,8 +15,18 @@
 namespace oblong {
 namespace {
 
+// When its terminal is closed, the game saves and ends as with SIGTERM, which SDL's window takes; when nobody reads on
+// what it prints, it goes on.
+void outlive_terminal() {
+    if (std::signal(SIGHUP, [](int) { std::raise(SIGTERM); }) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // nohup
+    std::signal(SIGPIPE, SIG_IGN);
+}
+
 std::unique_ptr<Platform> open_platform(const Options& options) {
-    return options.headless_frames == 0 ? open_window("Oblong", options.window) : open_headless(options);
+    if (options.headless_frames > 0) return open_headless(options);
+    auto window = open_window("Oblong", options.window);
+    outlive_terminal();
+    return window;
 }
 
 void time_demo(const Options& options, const LoadedLevel& loaded, Workers& workers) {

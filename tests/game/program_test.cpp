@@ -73,6 +73,16 @@ TEST_F(Program, ADemoThatCannotBeKeptIsNotPlayed) {
     }
 }
 
+// It prints nine lines a second.
+TEST_F(Program, GoesOnWithoutAReaderAndSavesWhenItsTerminalIsClosed) {
+    const std::string line = "cd '" + folder_.string() + "' && mkfifo said && { " + test::at_home_in(folder_) +
+                             "SDL_VIDEODRIVER=dummy SDL_AUDIODRIVER=dummy exec timeout 300 " + test::program("oblong") +
+                             " '" + test::build_folder() + "/assets/demo.bsp' --log matrices >said 2>&1 & } && " +
+                             "head -45 <said >/dev/null && sleep 2 && kill -HUP $! && wait $!";
+    EXPECT_EQ(test::run_line(line).exit_code, 0);
+    EXPECT_TRUE(fs::exists(folder_ / "oblong" / "auto1.save"));
+}
+
 TEST_F(Program, EndsWith2ForWrongUsageAnd1ForBadFiles) {
     // What single options refuse: tests/preferences.
     for (const char* wrong : {"--fov 0",
