@@ -125,8 +125,9 @@ std::shared_ptr<const LoadedLevel> PlayedGame::load(const std::string& file,
 }
 
 std::shared_ptr<const LoadedLevel> PlayedGame::museum(const std::shared_ptr<const LoadedLevel>& played) const {
+    const fs::path file = fs::path(assets_folder_) / kDemoLevelFile;
     std::error_code ignored;
-    if (fs::equivalent(played->data.level_file, fs::path(assets_folder_) / kDemoLevelFile, ignored)) return played;
+    if (played->data.level_file == file || fs::equivalent(played->data.level_file, file, ignored)) return played;
     LevelFiles files;
     files.assets = assets_folder_;
     return std::make_shared<const LoadedLevel>(files);
