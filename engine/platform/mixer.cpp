@@ -70,43 +70,13 @@ SoundOutput::SoundNumber Mixer::add_sound(std::span<const std::int16_t> samples,
     return static_cast<SoundNumber>(recordings_.size()) - 1;
 }
 
-Mixer::Voice* Mixer::find(VoiceNumber number) {
-    const auto voice = std::find_if(voices_.begin(), voices_.end(), [=](const Voice& v) { return v.number == number; });
-    return voice == voices_.end() ? nullptr : &*voice;
-}
-
 SoundOutput::VoiceNumber Mixer::start(SoundNumber sound, bool is_loop, const VoiceLevels& levels) {
     const std::lock_guard lock(mutex_);
-    Voice* const voice = find(kNoVoice);
+    MixerVoice* const voice = find(kNoVoice);
     if (voice == nullptr || recordings_.at(as_size(sound)).samples.empty()) return kNoVoice;
     *voice = {next_voice_++, as_size(sound), is_loop, false, false, 0, {}};
     voice->filter.begin(levels, is_loop);
     return voice->number;
-}
-
-bool Mixer::is_playing(VoiceNumber voice) const {
-    const std::lock_guard lock(mutex_);
-    return voice != kNoVoice &&
-           std::any_of(voices_.begin(), voices_.end(), [=](const Voice& v) { return v.number == voice; });
-}
-
-void Mixer::adjust(VoiceNumber number, const VoiceLevels& levels) {
-    const std::lock_guard lock(mutex_);
-    Voice* const voice = number == kNoVoice ? nullptr : find(number);
-    if (voice != nullptr && !voice->is_stopping) voice->filter.set(levels);
-}
-
-void Mixer::stop(VoiceNumber number) {
-    const std::lock_guard lock(mutex_);
-    Voice* const voice = number == kNoVoice ? nullptr : find(number);
-    if (voice == nullptr) return;
-    voice->is_stopping = true;
-    voice->filter.set({});
-}
-
-void Mixer::hold_voices(bool are_held) {
-    const std::lock_guard lock(mutex_);
-    for (Voice& voice : voices_) voice.is_held = are_held;
 }
 
 void Mixer::play_music(std::span<const std::uint8_t> module_file, std::int32_t volume_256) {
@@ -127,7 +97,7 @@ void Mixer::stop_music() {
 }
 
 // Interpolates linearly between the samples of a recording.
-void Mixer::add_voice(Voice& voice, std::span<std::int32_t> sums) const {
+void Mixer::add_voice(MixerVoice& voice, std::span<std::int32_t> sums) const {
     const Recording& recording = recordings_[voice.recording];
     const std::uint64_t length_32 = std::uint64_t{recording.samples.size()} << 32;
     const std::uint64_t step_32 = (static_cast<std::uint64_t>(recording.rate_hz) << 32) / kRate_hz;
@@ -159,7 +129,7 @@ void Mixer::mix(std::span<std::int16_t> samples) {
         const auto block = samples.first(std::min(samples.size(), sums.size()));
         const std::span<std::int32_t> used(sums.data(), block.size());
         if (music_) music_->add(used, music_volume_256_);
-        for (Voice& voice : voices_)
+        for (MixerVoice& voice : voices_)
             if (voice.number != kNoVoice && !voice.is_held) add_voice(voice, used);
         for (std::size_t i = 0; i < block.size(); ++i) block[i] = saturated(used[i]);
         samples = samples.subspan(block.size());

@@ -3,12 +3,11 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <span>
 #include <vector>
 
 #include "engine/platform/module_player.h"
-#include "engine/platform/sound.h"
+#include "engine/platform/voices.h"
 
 namespace oblong {
 
@@ -40,18 +39,26 @@ class VoiceFilter {
     std::int32_t cutoff_16_ = 0;  // the filters' weight of a new sample, 16 fraction bits; 1: no filter
 };
 
+/// A voice of a Mixer.
+struct MixerVoice {
+    SoundOutput::VoiceNumber number = SoundOutput::kNoVoice;
+    std::size_t recording = 0;
+    bool is_loop = false, is_held = false, is_stopping = false;
+    std::uint64_t at_32 = 0;  ///< in the recording, 32 fraction bits
+    VoiceFilter filter;
+
+    void set(const VoiceLevels& levels) { filter.set(levels); }
+    void fade_out() { filter.set({}); }
+};
+
 /// Mixes voices and music with integers: the same calls give the same samples on every machine. The output device calls
 /// mix() for them, perhaps in another thread.
-class Mixer : public SoundOutput {
+class Mixer : public MixerOfVoices<MixerVoice, 32> {
   public:
-    static constexpr std::int32_t kRate_hz = ModulePlayer::kRate_hz, kVoices = 32;
+    static constexpr std::int32_t kRate_hz = ModulePlayer::kRate_hz;
 
     SoundNumber add_sound(std::span<const std::int16_t> samples, std::int32_t rate_hz) override;
     VoiceNumber start(SoundNumber sound, bool is_loop, const VoiceLevels& levels) override;
-    bool is_playing(VoiceNumber voice) const override;
-    void adjust(VoiceNumber voice, const VoiceLevels& levels) override;
-    void stop(VoiceNumber voice) override;
-    void hold_voices(bool are_held) override;
     void play_music(std::span<const std::uint8_t> module_file, std::int32_t volume_256) override;
     void set_music_volume(std::int32_t volume_256) override;
     void stop_music() override;
@@ -64,21 +71,10 @@ class Mixer : public SoundOutput {
         std::vector<std::int16_t> samples;
         std::int32_t rate_hz = kRate_hz;
     };
-    struct Voice {
-        VoiceNumber number = kNoVoice;  // kNoVoice: unused
-        std::size_t recording = 0;
-        bool is_loop = false, is_held = false, is_stopping = false;
-        std::uint64_t at_32 = 0;  // in the recording, 32 fraction bits
-        VoiceFilter filter;
-    };
 
-    Voice* find(VoiceNumber number);
-    void add_voice(Voice& voice, std::span<std::int32_t> sums) const;
+    void add_voice(MixerVoice& voice, std::span<std::int32_t> sums) const;
 
-    mutable std::mutex mutex_;
     std::vector<Recording> recordings_;
-    std::array<Voice, kVoices> voices_;
-    VoiceNumber next_voice_ = 0;
     std::unique_ptr<ModulePlayer> music_;
     std::int32_t music_volume_256_ = 0;
 };

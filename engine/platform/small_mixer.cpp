@@ -9,11 +9,12 @@ namespace {
 
 constexpr std::int32_t kLevelStep_256 = 64;  // a block: from silence to full in 23 ms
 
-std::int32_t level_of(const VoiceLevels& levels) {
-    return std::clamp((levels.left_256 + levels.right_256) / 2, 0, 256);
-}
-
 }  // namespace
+
+void SmallVoice::set(const VoiceLevels& levels) {
+    wanted_256 = std::clamp((levels.left_256 + levels.right_256) / 2, 0, 256);
+    is_muffled = levels.is_muffled;
+}
 
 std::vector<std::int8_t> SmallMixer::at_own_rate(std::span<const std::int16_t> samples, std::int32_t rate_hz) {
     const auto place = [rate_hz](std::size_t i) {
@@ -40,53 +41,20 @@ SoundOutput::SoundNumber SmallMixer::add_sound(std::span<const std::int16_t> sam
     return static_cast<SoundNumber>(recordings_.size()) - 1;
 }
 
-SmallMixer::Voice* SmallMixer::find(VoiceNumber number) {
-    const auto voice = std::find_if(voices_.begin(), voices_.end(), [=](const Voice& v) { return v.number == number; });
-    return voice == voices_.end() ? nullptr : &*voice;
-}
-
 SoundOutput::VoiceNumber SmallMixer::start(SoundNumber sound, bool is_loop, const VoiceLevels& levels) {
     const std::lock_guard lock(mutex_);
-    Voice* const voice = find(kNoVoice);
+    SmallVoice* const voice = find(kNoVoice);
     if (voice == nullptr || recordings_.at(as_size(sound)).empty()) return kNoVoice;
     *voice = {};
     voice->number = next_voice_++;
     voice->recording = as_size(sound);
     voice->is_loop = is_loop;
-    voice->is_muffled = levels.is_muffled;
-    voice->wanted_256 = level_of(levels);
+    voice->set(levels);
     voice->level_256 = is_loop ? 0 : voice->wanted_256;
     return voice->number;
 }
 
-bool SmallMixer::is_playing(VoiceNumber voice) const {
-    const std::lock_guard lock(mutex_);
-    return voice != kNoVoice &&
-           std::any_of(voices_.begin(), voices_.end(), [=](const Voice& v) { return v.number == voice; });
-}
-
-void SmallMixer::adjust(VoiceNumber number, const VoiceLevels& levels) {
-    const std::lock_guard lock(mutex_);
-    Voice* const voice = number == kNoVoice ? nullptr : find(number);
-    if (voice == nullptr || voice->is_stopping) return;
-    voice->wanted_256 = level_of(levels);
-    voice->is_muffled = levels.is_muffled;
-}
-
-void SmallMixer::stop(VoiceNumber number) {
-    const std::lock_guard lock(mutex_);
-    Voice* const voice = number == kNoVoice ? nullptr : find(number);
-    if (voice == nullptr) return;
-    voice->is_stopping = true;
-    voice->wanted_256 = 0;
-}
-
-void SmallMixer::hold_voices(bool are_held) {
-    const std::lock_guard lock(mutex_);
-    for (Voice& voice : voices_) voice.is_held = are_held;
-}
-
-void SmallMixer::add_voice(Voice& voice, std::span<std::int32_t> sums) const {
+void SmallMixer::add_voice(SmallVoice& voice, std::span<std::int32_t> sums) const {
     const std::vector<std::int8_t>& recording = recordings_[voice.recording];
     voice.level_256 += std::clamp(voice.wanted_256 - voice.level_256, -kLevelStep_256, kLevelStep_256);
     bool has_ended = false;
@@ -117,7 +85,7 @@ bool SmallMixer::mix(std::span<std::uint8_t> samples) {
         Sums sums{};
         const auto block = samples.first(std::min(samples.size(), sums.size()));
         const std::span<std::int32_t> used(sums.data(), block.size());
-        for (Voice& voice : voices_)
+        for (SmallVoice& voice : voices_)
             if (voice.number != kNoVoice && !voice.is_held) add_voice(voice, used);
         for (std::size_t i = 0; i < block.size(); ++i)
             block[i] = static_cast<std::uint8_t>(std::clamp((used[i] >> 8) + kSilence, 0, 255));
