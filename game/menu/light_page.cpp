@@ -22,10 +22,10 @@ Rgb8 colour_at(std::int32_t x, std::int32_t y) {
 }
 
 MenuPicture test_picture() {
-    MenuPicture picture{kWidth_px, kHeight_px, {}};
+    auto pixels = std::make_shared<std::vector<Rgb8>>();
     for (std::int32_t y = 0; y < kHeight_px; ++y)
-        for (std::int32_t x = 0; x < kWidth_px; ++x) picture.pixels.push_back(colour_at(x, y));
-    return picture;
+        for (std::int32_t x = 0; x < kWidth_px; ++x) pixels->push_back(colour_at(x, y));
+    return {kWidth_px, kHeight_px, pixels};
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,7 +16,7 @@ namespace oblong {
 /// A small picture beside the chosen row.
 struct MenuPicture {
     std::int32_t width_px = 0, height_px = 0;
-    std::vector<Rgb8> pixels;  ///< rows top to bottom
+    std::shared_ptr<const std::vector<Rgb8>> pixels;  ///< rows top to bottom; pages are made often, and share them
 };
 
 /// A line of a menu that can be chosen.

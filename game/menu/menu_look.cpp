@@ -182,7 +182,7 @@ void draw_picture(const MenuPicture& picture, const Area& area, const MenuLook& 
     for (std::int32_t y = 0; y < height; ++y)
         for (std::int32_t x = 0; x < width; ++x) {
             const std::int32_t from = y * picture.height_px / height * picture.width_px + x * picture.width_px / width;
-            const Rgb8 colour = item(picture.pixels, from);
+            const Rgb8 colour = item(*picture.pixels, from);
             const auto [found, is_new] = nearest.try_emplace(colour.red << 16 | colour.green << 8 | colour.blue);
             if (is_new) found->second = nearest_colour(palette, colour);
             set_pixel(canvas, area.x + x, area.y + y, found->second);

@@ -18,7 +18,8 @@ std::string content_of(const SaveHead& game, const std::string& lenses) {
 }
 
 MenuPicture picture_of(const Thumbnail& thumbnail) {
-    return {Thumbnail::kWidth_px, Thumbnail::kHeight_px, {thumbnail.pixels.begin(), thumbnail.pixels.end()}};
+    return {Thumbnail::kWidth_px, Thumbnail::kHeight_px,
+            std::make_shared<std::vector<Rgb8>>(thumbnail.pixels.begin(), thumbnail.pixels.end())};
 }
 
 SaveEntry entry_of(const ListedSlot& content, const std::string& lenses) {

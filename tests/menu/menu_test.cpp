@@ -177,7 +177,7 @@ MenuPage random_page(std::mt19937& random) {
     const auto rows = random() % 30;
     for (std::size_t i = 0; i < rows; ++i) {
         MenuRow row{random_text(random, 40), random_text(random, 30), random_text(random, 120), [] {}};
-        if (random() % 6 == 0) row.picture = MenuPicture{8, 5, std::vector<Rgb8>(40)};
+        if (random() % 6 == 0) row.picture = MenuPicture{8, 5, std::make_shared<std::vector<Rgb8>>(40)};
         page.rows.push_back(row);
     }
     return page;

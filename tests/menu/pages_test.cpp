@@ -28,9 +28,9 @@ class FakeHost final : public MenuHost {
         return {{"demo", "", "The museum"}, {"e1m1", "maps/e1m1.bsp", "the Slipgate Complex"}};
     }
     std::vector<SaveEntry> saves() const override {
+        const auto pixels = std::make_shared<std::vector<Rgb8>>(std::vector<Rgb8>{{255, 0, 0}, {0, 255, 0}});
         const SaveEntry empty{"Slot 1", "empty", "", true, true, false, false, std::nullopt};
-        const SaveEntry full{"Slot 2", "demo 1:23", "",    true,
-                             false,    true,        false, MenuPicture{2, 1, {{255, 0, 0}, {0, 255, 0}}}};
+        const SaveEntry full{"Slot 2", "demo 1:23", "", true, false, true, false, MenuPicture{2, 1, pixels}};
         const SaveEntry damaged{"Walk 1", "damaged", "", false, false, false, false, std::nullopt};
         const SaveEntry own{"Walk 2", "demo 0:10", "", false, false, true, true, std::nullopt};
         const SaveEntry damaged_slot{"Slot 3", "damaged", "", true, false, false, false, std::nullopt};
@@ -98,6 +98,19 @@ class Pages : public testing::Test {
     KeyUndo undo_;
     MenuPages pages_{menu_, host_};
 };
+
+// Of hundreds of walks, several times a frame.
+TEST_F(Pages, PicturesOfSavesAreNotCopiedEachTimeAPageIsMade) {
+    for (const char* list : {"Load", "Save"}) {
+        pages_.open_game();
+        choose(list);
+        const MenuPage page = menu_.page(), again = menu_.page();
+        const auto has_picture = [](const MenuRow& row) { return row.picture.has_value(); };
+        const auto row = std::find_if(page.rows.begin(), page.rows.end(), has_picture);
+        ASSERT_NE(row, page.rows.end());
+        EXPECT_EQ(row->picture->pixels, again.rows[static_cast<std::size_t>(row - page.rows.begin())].picture->pixels);
+    }
+}
 
 TEST_F(Pages, TheTitleHasWhatAPlayerLooksFor) {
     pages_.open_title();
