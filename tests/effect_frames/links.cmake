@@ -1,4 +1,3 @@
-find_package(rapidcheck REQUIRED)
-set(LINKS test_levels oblong_gallery oblong_platform oblong_tool_cameras rapidcheck)
+set(LINKS test_levels oblong_gallery oblong_platform oblong_tool_cameras)
 # Looks at every pixel of thousands of pictures.
 set(OPTIMISATION -O1)

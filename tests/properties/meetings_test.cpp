@@ -1,7 +1,7 @@
 // Random rooms in which fences, liquids, models, sprites, particles, fog, shadows, mirrors and brush models meet. Each
 // frame is the same bytes in a used workspace that counts and records as in a fresh one that does neither, and each
 // pixel has a colour that rays in doubles, through the boxes of which the room was made, allow.
-//     RC_PARAMS=max_success=2500 build/bin/test_effect_frames --gtest_filter='PropertyMeetings.*'    # 10,000 frames
+//     RC_PARAMS=max_success=2500 build/bin/test_properties --gtest_filter='PropertyMeetings.*'    # 10,000 frames
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
