@@ -25,6 +25,8 @@ struct Chance {
     std::int32_t signed_15(int which) const { return share_16(which) - 32768; }
     /// Where in the period it begins; mixed once more, so that it does not depend on the shares.
     std::uint32_t phase() const { return static_cast<std::uint32_t>((bits * 0x9e3779b97f4a7c15) >> 32); }
+    /// The part of the box, by the shares that all kinds take for x and y.
+    int part() const { return share_16(0) >> 14 | share_16(1) >> 14 << 2; }
 };
 
 /// size * share / 2^bits, toward minus infinity.
@@ -38,15 +40,18 @@ World wave(World size, std::uint32_t phase) {
     return part_of(size, floor_of<30>(height), 30);
 }
 
-/// The amplitude of particles' swing along an axis of the box.
-World swing_in(World half_size, World most) {
-    return std::min(half_size / 8, most);
+/// The amplitude of the particles' swing along an axis of the box.
+World swing_in(World half_size, ParticleKind kind) {
+    const std::int32_t most = kind == ParticleKind::Dust ? 16 : kind == ParticleKind::Bubbles ? 2 : 0;
+    return std::min(half_size / 8, World::from_int(most));
 }
 
 /// A random place along an axis of the box that leaves room for the swing.
 World place_along(World half_size, World swing, std::int32_t chance_15) {
     return part_of(half_size - swing, chance_15, 15);
 }
+
+constexpr World kFarthestSplash = World::from_int(2);
 
 /// A drop's position relative to the middle of its box. It falls for 7/8 of the period; then the splash hops toward the
 /// middle, so that it stays in the box.
@@ -58,7 +63,7 @@ Vec3<World> rain_at(const Vec3<World>& half_size, const Chance& chance, std::uin
     if (phase_16 < kFall_16) return {x, y, convert<World>(half_height - height * phase_16 / kFall_16)};
     const std::int64_t age_13 = phase_16 - kFall_16;
     const auto inward = [age_13](World place, World half) {
-        const World way = part_of(std::min(half, World::from_int(2)), age_13, 13);
+        const World way = part_of(std::min(half, kFarthestSplash), age_13, 13);
         return place > World{} ? place - way : place + way;
     };
     const std::int64_t hop_24 = age_13 * (8192 - age_13);
@@ -68,7 +73,7 @@ Vec3<World> rain_at(const Vec3<World>& half_size, const Chance& chance, std::uin
 
 Vec3<World> dust_at(const Vec3<World>& half_size, const Chance& chance, std::uint32_t phase) {
     const auto drift = [&](World half, int which, std::uint32_t at) {
-        const World swing = swing_in(half, World::from_int(16));
+        const World swing = swing_in(half, ParticleKind::Dust);
         return place_along(half, swing, chance.signed_15(which)) + wave(swing, at);
     };
     const auto other = static_cast<std::uint32_t>(chance.share_16(0)) << 16;
@@ -87,12 +92,25 @@ Vec3<World> spark_at(const Vec3<World>& half_size, const Chance& chance, std::ui
 
 Vec3<World> bubble_at(const Vec3<World>& half_size, const Chance& chance, std::uint32_t phase) {
     const auto wobble = [&](World half, int which, std::uint32_t at) {
-        const World swing = swing_in(half, World::from_int(2));
+        const World swing = swing_in(half, ParticleKind::Bubbles);
         return place_along(half, swing, chance.signed_15(which)) + wave(swing, at);
     };
     const std::int64_t height_15 = static_cast<std::int64_t>(phase >> 16) - 32768;
     return {wobble(half_size.x, 0, phase * 4), wobble(half_size.y, 1, phase * 4 + (1u << 30)),
             part_of(half_size.z, height_15, 15)};
+}
+
+struct PlaceRange {
+    World low, high;
+};
+
+/// Where the particles of a quarter stay along an axis of the box, from its middle.
+PlaceRange range_of(World half_size, ParticleKind kind, int quarter) {
+    const World swing = swing_in(half_size, kind);
+    const World low = part_of(half_size - swing, quarter - 2, 1), high = part_of(half_size - swing, quarter - 1, 1);
+    if (kind == ParticleKind::Sparks) return {std::min(low, World{}), std::max(high, World{})};
+    const World stray = kind == ParticleKind::Rain ? kFarthestSplash : swing;
+    return {low - stray, high + stray};
 }
 
 std::uint8_t colour_of(const ParticleEmitter& emitter, std::int32_t share_16) {
@@ -113,6 +131,17 @@ Vec3<World> place_in_box(const ParticleEmitter& emitter, const Chance& chance, s
             break;
     }
     return bubble_at(emitter.half_size, chance, phase);
+}
+
+Particle particle_of(const ParticleEmitter& emitter, const Chance& chance, std::uint32_t phase) {
+    const std::uint32_t own_phase = phase + chance.phase();
+    const auto age_16 = static_cast<std::int32_t>(own_phase >> 16);
+    const bool is_spark = emitter.kind == ParticleKind::Sparks;
+    Particle particle;
+    particle.position = emitter.middle + place_in_box(emitter, chance, own_phase);
+    particle.colour = colour_of(emitter, is_spark ? age_16 : chance.share_16(3));
+    particle.is_streak = emitter.kind == ParticleKind::Rain && age_16 < 7 * 8192;
+    return particle;
 }
 
 constexpr View kNearestDot = View::from_int(16);
@@ -224,27 +253,34 @@ std::uint32_t phase_at(const ParticleEmitter& emitter, std::int64_t time_ms) {
 }
 
 Particle particle_at(const ParticleEmitter& emitter, std::int32_t index, std::uint32_t phase) {
-    const Chance chance(emitter.seed, index);
-    const std::uint32_t own_phase = phase + chance.phase();
-    const auto age_16 = static_cast<std::int32_t>(own_phase >> 16);
-    const bool is_spark = emitter.kind == ParticleKind::Sparks;
-    Particle particle;
-    particle.position = emitter.middle + place_in_box(emitter, chance, own_phase);
-    particle.colour = colour_of(emitter, is_spark ? age_16 : chance.share_16(3));
-    particle.is_streak = emitter.kind == ParticleKind::Rain && age_16 < 7 * 8192;
-    return particle;
+    return particle_of(emitter, Chance(emitter.seed, index), phase);
 }
 
-void append_dots(const ParticleEmitter& emitter, std::int64_t time_ms, const ViewContext& view,
-                 std::vector<ParticleDot>& dots) {
+ParticleBox box_of_part(const ParticleEmitter& emitter, int part) {
+    const Vec3<World>& half = emitter.half_size;
+    const PlaceRange x = range_of(half.x, emitter.kind, part % 4), y = range_of(half.y, emitter.kind, part / 4);
+    return {emitter.middle + Vec3<World>{x.low, y.low, -half.z}, emitter.middle + Vec3<World>{x.high, y.high, half.z}};
+}
+
+int part_of_particle(const ParticleEmitter& emitter, std::int32_t index) {
+    return Chance(emitter.seed, index).part();
+}
+
+std::int32_t append_dots(const ParticleEmitter& emitter, std::int64_t time_ms, const ViewContext& view,
+                         std::uint32_t parts, std::vector<ParticleDot>& dots) {
     const DotProjection projection(view);
     const HalfSize dot_size = half_size_of(emitter.kind, false), streak_size = half_size_of(emitter.kind, true);
     const std::uint32_t phase = phase_at(emitter, time_ms);
+    std::int32_t computed = 0;
     for (std::int32_t i = 0; i < emitter.count; ++i) {
-        const Particle particle = particle_at(emitter, i, phase);
+        const Chance chance(emitter.seed, i);
+        if ((parts >> chance.part() & 1) == 0) continue;
+        ++computed;
+        const Particle particle = particle_of(emitter, chance, phase);
         const auto dot = projection.dot(particle, particle.is_streak ? streak_size : dot_size);
         if (dot) dots.push_back(*dot);
     }
+    return computed;
 }
 
 ScreenRectangle rectangle_around(std::span<const ParticleDot> dots) {

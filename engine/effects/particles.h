@@ -43,6 +43,19 @@ std::uint32_t phase_at(const ParticleEmitter& emitter, std::int64_t time_ms);
 /// Particle `index` (0 to count - 1) at a phase. A closed formula, so that particles out of view cost nothing.
 Particle particle_at(const ParticleEmitter& emitter, std::int32_t index, std::uint32_t phase);
 
+/// Particles by where they stay: seen from above, their box is divided into 4 x 4 parts.
+inline constexpr int kParticleParts = 16;
+
+struct ParticleBox {
+    Vec3<World> mins, maxs;
+};
+
+/// A box that the particles of a part never leave.
+ParticleBox box_of_part(const ParticleEmitter& emitter, int part);
+
+/// The part of particle `index`.
+int part_of_particle(const ParticleEmitter& emitter, std::int32_t index);
+
 /// A particle on the screen: a block of pixels at one depth, inside the screen and not empty.
 struct ParticleDot {
     std::int16_t first_column, end_column, first_row, end_row;
@@ -50,11 +63,11 @@ struct ParticleDot {
     std::uint8_t colour;
 };
 
-/// Appends the dots of an emitter's particles in view, hidden or not. Particles nearer than 16 units are left out. A
-/// dot is at least one pixel wide and high, and at most 1/16 of the screen wide and 1/4 high. The camera's field of
-/// view is 1 to 179 degrees.
-void append_dots(const ParticleEmitter& emitter, std::int64_t time_ms, const ViewContext& view,
-                 std::vector<ParticleDot>& dots);
+/// Appends the dots of an emitter's particles in view, hidden or not, of those parts whose bit is set in `parts`.
+/// Particles nearer than 16 units are left out. A dot is at least one pixel wide and high, and at most 1/16 of the
+/// screen wide and 1/4 high. The camera's field of view is 1 to 179 degrees. Returns how many particles it computed.
+std::int32_t append_dots(const ParticleEmitter& emitter, std::int64_t time_ms, const ViewContext& view,
+                         std::uint32_t parts, std::vector<ParticleDot>& dots);
 
 /// The bounding rectangle of dots; empty if there are none.
 ScreenRectangle rectangle_around(std::span<const ParticleDot> dots);

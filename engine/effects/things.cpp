@@ -86,7 +86,12 @@ class ThingReader {
         emitter.first_colour = ramp.first;
         emitter.last_colour = ramp.last;
         if (emitter.count == 0) return;
-        things_.emitters.push_back({emitter, place_box(level_, box_around(emitter.middle, emitter.half_size))});
+        things_.emitters.push_back({emitter, place_box(level_, box_around(emitter.middle, emitter.half_size)), {}});
+        for (int part = 0; part < kParticleParts; ++part) {
+            const ParticleBox box = box_of_part(emitter, part);
+            item(things_.emitters.back().parts, part) =
+                box_around_both(box_around(box.mins, {}), box_around(box.maxs, {}));
+        }
     }
 
     void read_sprite(const EntityValues& values) {
@@ -195,6 +200,16 @@ bool may_show_in_halves(const LevelBox& box, int cuts, const Sight& sight) {
     return may_show_in_halves(low, cuts - 1, sight) || may_show_in_halves(high, cuts - 1, sight);
 }
 
+/// The parts of an emitter that may show, a bit each. A few particles cost less than these tests.
+std::uint32_t shown_parts(const PlacedEmitter& placed, const Sight& sight) {
+    constexpr std::int32_t kFewParticles = 100;
+    if (placed.emitter.count < kFewParticles) return ~0u;
+    std::uint32_t parts = 0;
+    for (int part = 0; part < kParticleParts; ++part)
+        if (sight.may_show(item(placed.parts, part))) parts |= 1u << part;
+    return parts;
+}
+
 InverseDepth nearest_inverse_depth(const ScreenSprite& sprite) {
     const std::int64_t rows = sprite.pixels.end_row - sprite.pixels.first_row;
     const std::int64_t last_16 = sprite.inverse_depth_16 + rows * sprite.inverse_depth_step_16;
@@ -233,9 +248,10 @@ void find_particles(const Things& things, std::int64_t time_ms, const Sight& sig
                     DepthBuffer& depth) {
     for (const PlacedEmitter& placed : things.emitters) {
         if (!sight.may_show(placed.place) || !may_show_in_halves(placed.place.box, kCuts, sight)) continue;
+        const std::uint32_t parts = shown_parts(placed, sight);
+        if (parts == 0) continue;
         const std::size_t first = in_view.dots.size();
-        append_dots(placed.emitter, time_ms, sight.view, in_view.dots);
-        in_view.particles_computed += placed.emitter.count;
+        in_view.particles_computed += append_dots(placed.emitter, time_ms, sight.view, parts, in_view.dots);
         if (sight.drawn_part) keep_dots_in(*sight.drawn_part, first, in_view.dots);
         const std::span<const ParticleDot> dots = std::span(in_view.dots).subspan(first);
         const ScreenRectangle pixels = rectangle_around(dots);
@@ -249,18 +265,23 @@ void find_particles(const Things& things, std::int64_t time_ms, const Sight& sig
     }
 }
 
+void find_placed_sprites(const Things& things, const Sight& sight, ThingsInView& in_view) {
+    for (const PlacedSprite& placed : things.sprites)
+        if (sight.may_show(placed.place)) in_view.placed_sprites.push_back(&placed);
+}
+
 void find_sprites(const Things& things, std::int64_t time_ms, const Level& level, const Sight& sight,
                   ThingsInView& in_view, DepthBuffer& depth) {
-    for (const PlacedSprite& placed : things.sprites)
-        if (sight.may_show(placed.place)) add_sprite(placed.sprite, level, sight, in_view, depth);
+    for (const PlacedSprite* const placed : in_view.placed_sprites)
+        add_sprite(placed->sprite, level, sight, in_view, depth);
     for (const PlacedLantern& placed : things.lanterns)
         if (sight.may_show(placed.place)) add_sprite(lantern_at(placed.lantern, time_ms), level, sight, in_view, depth);
 }
 
-void find_shadows(const Things& things, const Sight& sight, ThingsInView& in_view) {
-    for (const PlacedSprite& placed : things.sprites)
-        if (placed.floor && sight.may_show(placed.place))
-            in_view.shadows.push_back(make_shadow(*placed.floor, placed.sprite.position, placed.shadow_radius));
+void find_shadows(ThingsInView& in_view) {
+    for (const PlacedSprite* const placed : in_view.placed_sprites)
+        if (placed->floor)
+            in_view.shadows.push_back(make_shadow(*placed->floor, placed->sprite.position, placed->shadow_radius));
 }
 
 }  // namespace oblong

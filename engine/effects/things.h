@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -29,6 +30,7 @@ Sprite lantern_at(const Lantern& lantern, std::int64_t time_ms);
 struct PlacedEmitter {
     ParticleEmitter emitter;
     PlacedBox place;
+    std::array<LevelBox, kParticleParts> parts;
 };
 
 struct PlacedSprite {
@@ -76,14 +78,16 @@ struct EmitterInView {
 /// The things that may be visible in a frame. Kept from frame to frame to save allocations.
 struct ThingsInView {
     std::vector<ParticleDot> dots;
-    std::vector<EmitterInView> emitters;  ///< those with dots
+    std::vector<EmitterInView> emitters;              ///< those with dots
+    std::vector<const PlacedSprite*> placed_sprites;  ///< whose box, which holds the shadow, may be visible
     std::vector<SpriteInView> sprites;
     std::vector<Shadow> shadows;
-    std::int64_t particles_computed = 0;  ///< of emitters that may be visible; includes particles out of view
+    std::int64_t particles_computed = 0;  ///< of parts that may be visible; includes particles out of view
 
     void clear() {
         dots.clear();
         emitters.clear();
+        placed_sprites.clear();
         sprites.clear();
         shadows.clear();
         particles_computed = 0;
@@ -124,10 +128,12 @@ struct Sight {
 
 void find_particles(const Things& things, std::int64_t time_ms, const Sight& sight, ThingsInView& in_view,
                     DepthBuffer& depth);
+/// Before find_sprites() and find_shadows().
+void find_placed_sprites(const Things& things, const Sight& sight, ThingsInView& in_view);
 /// Including those of lanterns.
 void find_sprites(const Things& things, std::int64_t time_ms, const Level& level, const Sight& sight,
                   ThingsInView& in_view, DepthBuffer& depth);
 /// Shadows need no depth.
-void find_shadows(const Things& things, const Sight& sight, ThingsInView& in_view);
+void find_shadows(ThingsInView& in_view);
 
 }  // namespace oblong

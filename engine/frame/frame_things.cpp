@@ -139,9 +139,9 @@ const LeafSet& leaves_in_sight(const FrameContext& frame, const ViewScratch& scr
     return is_walked ? scratch.claiming->walk.entered : scratch.visible.leaf_set();
 }
 
-void find_seen_shadows(const FrameContext& frame, const Sight& sight, ViewScratch& scratch) {
+void find_seen_shadows(const FrameContext& frame, ViewScratch& scratch) {
     ThingsInView& in_view = scratch.claims.things.in_view;
-    find_shadows(frame.cache.things, sight, in_view);
+    find_shadows(in_view);
     std::vector<Shadow>& shadows = scratch.claims.things.shadows;
     for (const Shadow& shadow : in_view.shadows)
         if (is_seen(shadow, frame, scratch)) shadows.push_back(shadow);
@@ -173,10 +173,12 @@ void find_things(const FrameContext& frame, ViewScratch& scratch) {
     };
     timed(Effect::Particles, [&] { find_particles(frame.cache.things, time_ms, sight, in_view, scratch.depth); });
     if (frame.observers.counts) frame.observers.counts->stages.particles = in_view.particles_computed;
+    timed(frame.allows(Effect::Sprites) ? Effect::Sprites : Effect::Shadows,
+          [&] { find_placed_sprites(frame.cache.things, sight, in_view); });
     timed(Effect::Sprites,
           [&] { find_sprites(frame.cache.things, time_ms, frame.scene.level, sight, in_view, scratch.depth); });
     if (!frame.scene.meshes.empty()) timed(Effect::Meshes, [&] { find_meshes(frame, sight, scratch); });
-    timed(Effect::Shadows, [&] { find_seen_shadows(frame, sight, scratch); });
+    timed(Effect::Shadows, [&] { find_seen_shadows(frame, scratch); });
     if (!scratch.depth.is_wanted()) return;
     fill_depth(frame, scratch);
     keep_visible(frame, scratch);

@@ -46,7 +46,7 @@ ParticleEmitter cloud(ParticleKind kind, Vec3<World> middle, Vec3<World> half_si
 
 std::vector<ParticleDot> dots_of(const ParticleEmitter& emitter, const ViewContext& view, std::int64_t time_ms = 0) {
     std::vector<ParticleDot> dots;
-    append_dots(emitter, time_ms, view, dots);
+    EXPECT_EQ(append_dots(emitter, time_ms, view, ~0u, dots), emitter.count);
     return dots;
 }
 
@@ -101,6 +101,38 @@ TEST(Particles, NeverLeaveTheirBoxAndUseAllOfIt) {
         }
         EXPECT_GT(widest, World::from_int(85));
         EXPECT_GT(highest, World::from_int(70));
+    }
+}
+
+/// Whether a position is in a part's box.
+bool is_in_part(const Vec3<World>& p, const ParticleEmitter& emitter, int part) {
+    const auto [mins, maxs] = box_of_part(emitter, part);
+    return p.x >= mins.x && p.y >= mins.y && p.z >= mins.z && p.x <= maxs.x && p.y <= maxs.y && p.z <= maxs.z;
+}
+
+TEST(Particles, NeverLeaveThePartThatTheyAreOf) {
+    for (const ParticleKind kind : kKinds)
+        for (const std::int32_t half : {0, 1, 6, 50, 400}) {
+            ParticleEmitter emitter = emitter_of(kind);
+            emitter.half_size = point_at(half, 2 * half + 1, 80);
+            std::array<int, kParticleParts> uses{};
+            for (std::int32_t i = 0; i < emitter.count; ++i) {
+                const int part = part_of_particle(emitter, i);
+                ++uses.at(static_cast<std::size_t>(part));
+                for (std::uint32_t step = 0; step < 256; ++step)
+                    ASSERT_TRUE(is_in_part(particle_at(emitter, i, step << 24).position, emitter, part)) << half;
+            }
+            EXPECT_GT(*std::min_element(uses.begin(), uses.end()), 3);
+        }
+}
+
+TEST(Particles, PartsAreSmallerThanTheirBox) {
+    for (const ParticleKind kind : kKinds) {
+        const ParticleEmitter emitter = emitter_of(kind);
+        const auto [mins, maxs] = box_of_part(emitter, 0);
+        const double share = kind == ParticleKind::Sparks ? 0.5 : kind == ParticleKind::Dust ? 0.4 : 0.3;
+        EXPECT_LE(to_point(maxs).x - to_point(mins).x, 200 * share);
+        EXPECT_LE(to_point(maxs).y - to_point(mins).y, 100 * share);
     }
 }
 
@@ -271,6 +303,25 @@ TEST(ParticleDots, MayBeDrawnInAnyOrder) {
     std::reverse(dots.begin(), dots.end());
     near_first.draw(dots);
     EXPECT_EQ(far_first.pixels, near_first.pixels);
+}
+
+TEST(ParticleDots, OfAPartAreThoseOfItsParticles) {
+    const ViewContext view = view_from(point_at(10, 20, 30));
+    const ParticleEmitter emitter = cloud(ParticleKind::Dust, point_at(300, 20, 30), point_at(100, 60, 40));
+    std::vector<InverseDepth> all, of_parts;
+    for (const ParticleDot& dot : dots_of(emitter, view)) all.push_back(dot.inverse_depth);
+    std::int32_t computed = 0;
+    for (int part = 0; part < kParticleParts; ++part) {
+        std::vector<ParticleDot> dots;
+        const std::int32_t of_part = append_dots(emitter, 0, view, 1u << part, dots);
+        EXPECT_EQ(as_size(of_part), dots.size());
+        computed += of_part;
+        for (const ParticleDot& dot : dots) of_parts.push_back(dot.inverse_depth);
+    }
+    EXPECT_EQ(computed, emitter.count);
+    std::sort(all.begin(), all.end());
+    std::sort(of_parts.begin(), of_parts.end());
+    EXPECT_EQ(of_parts, all);
 }
 
 TEST(ParticleDots, ARectangleHoldsThemAll) {

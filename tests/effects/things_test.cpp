@@ -38,9 +38,10 @@ ThingsInView seen_from(const Level& level, Angle yaw, std::int64_t time_ms = 0) 
     const Sight sight{visible.leaf_set(), view};
     find_particles(things, time_ms, sight, in_view, depth);
     EXPECT_EQ(depth.is_wanted(), !in_view.dots.empty());
+    find_placed_sprites(things, sight, in_view);
     find_sprites(things, time_ms, level, sight, in_view, depth);
     EXPECT_EQ(depth.is_wanted(), !in_view.dots.empty() || !in_view.sprites.empty());
-    find_shadows(things, sight, in_view);
+    find_shadows(in_view);
     return in_view;
 }
 
