@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 
@@ -71,27 +72,31 @@ template <class Fetch>
 }
 
 /// The loop of the packed kernels. v is in the upper and u in the lower half of one word; since both stay in [0,
-/// 65,535] texels, no carry crosses. `fetch` maps the word to a texel. The last pixels may overlap those before: a loop
-/// over the remainder would often be mispredicted, which takes longer.
+/// 65,535] texels, no carry crosses. `fetch` maps the word to a texel. Some pixels may be drawn twice: a loop over the
+/// remainder would often be mispredicted, which takes longer.
 template <class Fetch>
 [[gnu::always_inline]] inline void draw_packed_block(const TexelBlock& block, std::uint8_t* pixels, Fetch fetch) {
     const std::uint64_t first = std::uint64_t{block.v_16} << 32 | block.u_16;
     const std::uint64_t step = (static_cast<std::uint64_t>(std::int64_t{block.v_step_16}) << 32) +
                                static_cast<std::uint64_t>(std::int64_t{block.u_step_16});
-    const auto count = static_cast<std::uint32_t>(block.count);
+    const std::ptrdiff_t count = block.count;
+    const auto vu_at = [&](std::ptrdiff_t place) { return first + static_cast<std::size_t>(place) * step; };
     std::uint8_t* const begin = pixels + block.pixel;
     if (count >= 8) {
-        draw_eight(first + (count - 8) * step, step, begin + (count - 8), fetch);
-        std::uint64_t vu = first;
-        for (std::uint8_t *out = begin, *const end = begin + (count - 8); out < end; out += 8, vu += 8 * step)
-            draw_eight(vu, step, out, fetch);
+        draw_eight(first, step, begin, fetch);
+        std::uint64_t vu = vu_at(count - 8);
+        // From the right. `before` is one less than the pixels to the left of the eight: it is compared with 0, for
+        // which the subtraction has set the processor's flags.
+        for (std::ptrdiff_t before = count - 9; before >= 0; before -= 8, vu -= 8 * step)
+            draw_eight(vu, step, begin + (before + 1), fetch);
     } else if (count >= 4) {
         draw_four(first, step, begin, fetch);
-        draw_four(first + (count - 4) * step, step, begin + (count - 4), fetch);
+        draw_four(vu_at(count - 4), step, begin + (count - 4), fetch);
     } else {
+        const std::ptrdiff_t middle = count >> 1;
         begin[0] = fetch(first);
-        begin[count / 2] = fetch(first + count / 2 * step);
-        begin[count - 1] = fetch(first + (count - 1) * step);
+        begin[middle] = fetch(vu_at(middle));
+        begin[count - 1] = fetch(vu_at(count - 1));
     }
 }
 
