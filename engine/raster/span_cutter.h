@@ -39,7 +39,7 @@ class SpanCutter {
     /// Cuts a block of 2^log2 pixels, all in the span.
     [[gnu::always_inline]] void cut_power(int log2) {
         const TexelPosition from = texel_;
-        advance(std::int32_t{1} << log2);
+        advance_by([log2](auto value, auto step) { return stepped_by_power<Range>(value, step, log2); });
         append(1 << log2, from, steps_by_shift(from, texel_, log2));
     }
 
@@ -86,11 +86,16 @@ class SpanCutter {
     }
 
     [[gnu::always_inline]] void advance(std::int32_t count) {
-        const InverseZ before = here_.inverse_z;
         const auto columns = static_cast<std::uint32_t>(count);
-        here_.inverse_z = stepped_in<Range>(before, gradients_.inverse_z.per_column, columns);
-        here_.u_over_z = stepped_in<Range>(here_.u_over_z, gradients_.u_over_z.per_column, columns);
-        here_.v_over_z = stepped_in<Range>(here_.v_over_z, gradients_.v_over_z.per_column, columns);
+        advance_by([columns](auto value, auto step) { return stepped_in<Range>(value, step, columns); });
+    }
+    /// stepped(value, step per column) is the value some columns further on.
+    template <class Stepped>
+    [[gnu::always_inline]] void advance_by(Stepped stepped) {
+        const InverseZ before = here_.inverse_z;
+        here_.inverse_z = stepped(before, gradients_.inverse_z.per_column);
+        here_.u_over_z = stepped(here_.u_over_z, gradients_.u_over_z.per_column);
+        here_.v_over_z = stepped(here_.v_over_z, gradients_.v_over_z.per_column);
         if (here_.inverse_z != before) depth_ = Depth<Reciprocal, Range>(here_.inverse_z, reciprocal_);
         texel_ = texel_of(here_, depth_, limits_);
     }
