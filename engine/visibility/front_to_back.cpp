@@ -104,9 +104,7 @@ void FrontToBackWalk::take_step() {
         case Next::FrontFacing:
             top.next = Next::FarSide;
             take_faces(top, top.in_front);
-            // Leaves do not matter to the second walk: it takes all faces of the plane here.
-            if (is_second_walk_)
-                scratch_.steps.push_back({top.node, Next::BackFacing, top.in_front, false, 0, top.may_reach_limits});
+            if (is_second_walk_) push_back_facing(top);
             return;
         case Next::FarSide: {
             const WalkStep step = top;
@@ -118,6 +116,13 @@ void FrontToBackWalk::take_step() {
             take_faces(top, !top.in_front);
             return scratch_.steps.pop_back();
     }
+}
+
+/// Leaves do not matter to the second walk: after the faces on one side of a plane it takes those on the other. Not
+/// inlined, as to append takes registers that the first walk would save and restore at each step.
+[[gnu::noinline]] void FrontToBackWalk::push_back_facing(WalkStep step) {
+    step.next = WalkStep::Next::BackFacing;
+    scratch_.steps.push_back(step);
 }
 
 void FrontToBackWalk::take_faces(const WalkStep& step, bool of_plane_front) {

@@ -97,6 +97,7 @@ class FrontToBackWalk {
   private:
     void start();
     void take_step();
+    void push_back_facing(WalkStep step);
     void take_faces(const WalkStep& step, bool of_plane_front);
     /// Goes down the near sides to a leaf while something may be in view, and pushes the rest of each node as a step.
     void descend(NodeChild at, std::uint8_t sides, bool may_reach_limits);
