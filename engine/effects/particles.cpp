@@ -133,17 +133,6 @@ Vec3<World> place_in_box(const ParticleEmitter& emitter, const Chance& chance, s
     return bubble_at(emitter.half_size, chance, phase);
 }
 
-Particle particle_of(const ParticleEmitter& emitter, const Chance& chance, std::uint32_t phase) {
-    const std::uint32_t own_phase = phase + chance.phase();
-    const auto age_16 = static_cast<std::int32_t>(own_phase >> 16);
-    const bool is_spark = emitter.kind == ParticleKind::Sparks;
-    Particle particle;
-    particle.position = emitter.middle + place_in_box(emitter, chance, own_phase);
-    particle.colour = colour_of(emitter, is_spark ? age_16 : chance.share_16(3));
-    particle.is_streak = emitter.kind == ParticleKind::Rain && age_16 < 7 * 8192;
-    return particle;
-}
-
 constexpr View kNearestDot = View::from_int(16);
 
 /// Half the size of a particle, units.
@@ -253,17 +242,21 @@ std::uint32_t phase_at(const ParticleEmitter& emitter, std::int64_t time_ms) {
 }
 
 Particle particle_at(const ParticleEmitter& emitter, std::int32_t index, std::uint32_t phase) {
-    return particle_of(emitter, Chance(emitter.seed, index), phase);
+    const Chance chance(emitter.seed, index);
+    const std::uint32_t own_phase = phase + chance.phase();
+    const auto age_16 = static_cast<std::int32_t>(own_phase >> 16);
+    const bool is_spark = emitter.kind == ParticleKind::Sparks;
+    Particle particle;
+    particle.position = emitter.middle + place_in_box(emitter, chance, own_phase);
+    particle.colour = colour_of(emitter, is_spark ? age_16 : chance.share_16(3));
+    particle.is_streak = emitter.kind == ParticleKind::Rain && age_16 < 7 * 8192;
+    return particle;
 }
 
 ParticleBox box_of_part(const ParticleEmitter& emitter, int part) {
     const Vec3<World>& half = emitter.half_size;
     const PlaceRange x = range_of(half.x, emitter.kind, part % 4), y = range_of(half.y, emitter.kind, part / 4);
     return {emitter.middle + Vec3<World>{x.low, y.low, -half.z}, emitter.middle + Vec3<World>{x.high, y.high, half.z}};
-}
-
-int part_of_particle(const ParticleEmitter& emitter, std::int32_t index) {
-    return Chance(emitter.seed, index).part();
 }
 
 std::int32_t append_dots(const ParticleEmitter& emitter, std::int64_t time_ms, const ViewContext& view,
@@ -273,10 +266,9 @@ std::int32_t append_dots(const ParticleEmitter& emitter, std::int64_t time_ms, c
     const std::uint32_t phase = phase_at(emitter, time_ms);
     std::int32_t computed = 0;
     for (std::int32_t i = 0; i < emitter.count; ++i) {
-        const Chance chance(emitter.seed, i);
-        if ((parts >> chance.part() & 1) == 0) continue;
+        if ((parts >> Chance(emitter.seed, i).part() & 1) == 0) continue;
         ++computed;
-        const Particle particle = particle_of(emitter, chance, phase);
+        const Particle particle = particle_at(emitter, i, phase);
         const auto dot = projection.dot(particle, particle.is_streak ? streak_size : dot_size);
         if (dot) dots.push_back(*dot);
     }

@@ -53,9 +53,6 @@ struct ParticleBox {
 /// A box that the particles of a part never leave.
 ParticleBox box_of_part(const ParticleEmitter& emitter, int part);
 
-/// The part of particle `index`.
-int part_of_particle(const ParticleEmitter& emitter, std::int32_t index);
-
 /// A particle on the screen: a block of pixels at one depth, inside the screen and not empty.
 struct ParticleDot {
     std::int16_t first_column, end_column, first_row, end_row;

@@ -266,6 +266,7 @@ void find_particles(const Things& things, std::int64_t time_ms, const Sight& sig
 }
 
 void find_placed_sprites(const Things& things, const Sight& sight, ThingsInView& in_view) {
+    in_view.placed_sprites.clear();
     for (const PlacedSprite& placed : things.sprites)
         if (sight.may_show(placed.place)) in_view.placed_sprites.push_back(&placed);
 }

@@ -87,7 +87,6 @@ struct ThingsInView {
     void clear() {
         dots.clear();
         emitters.clear();
-        placed_sprites.clear();
         sprites.clear();
         shadows.clear();
         particles_computed = 0;
