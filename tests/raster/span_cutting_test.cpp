@@ -218,4 +218,27 @@ TEST(SpanCutting, StopsWhereTheListIsFullAndGoesOnFromThere) {
     EXPECT_EQ(cut(rows, cutting, block_cutter(accuracy)).size(), 12000u);
 }
 
+TEST(SpanCutting, RowsInTheSameColumnsStopWhereTheListIsFull) {
+    const std::vector<Span> rows(3000, Span{0, 0, 64});
+    TextureGradients wall;
+    wall.inverse_z = {fixed_of<InverseZ>(0.01), fixed_of<InverseZ>(1e-4), {}};
+    Accuracy accuracy;
+    accuracy.texturing = Texturing::Bounded;
+    BlockCutting cutting{wall, make_texel_limits(64, 64, kWidth),
+                         make_block_thresholds(make_block_rule(accuracy), wall.inverse_z.per_column)};
+    const std::size_t expected = cut(rows, cutting, block_cutter(accuracy)).size();
+    cutting.fits_range = true;
+    for (const Instructions instructions : kInstructions) {
+        if (instructions > best_instructions()) continue;
+        BlockList blocks(kWidth);
+        std::size_t count = 0;
+        for (std::span<const Span> left = rows; !left.empty(); blocks.clear()) {
+            left = block_cutter(accuracy, instructions)(left, kWidth, cutting, blocks);
+            count += blocks.waiting().size();
+            ASSERT_LT(blocks.end(), blocks.last_start() + kWidth);
+        }
+        EXPECT_EQ(count, expected);
+    }
+}
+
 }  // namespace oblong::test::span_cutting_test
