@@ -81,12 +81,13 @@ template <Texturing Way, PerspectiveRange Range, class Reciprocal>
     return {span, end};
 }
 
-/// How many of the leading spans have the same columns as `columns`.
-[[gnu::always_inline]] inline std::size_t count_in(const Span& columns, std::span<const Span> spans) {
-    const Span* span = spans.data();
-    for (const Span* const end = span + spans.size(); span != end; ++span)
-        if (span->first != columns.first || span->end != columns.end) break;
-    return as_size(span - spans.data());
+/// The leading spans with the same columns as `columns`, as many as have room for `blocks` blocks each.
+[[gnu::always_inline]] inline std::span<const Span> spans_in(const Span& columns, std::span<const Span> spans,
+                                                             std::ptrdiff_t blocks, std::ptrdiff_t room) {
+    std::size_t count = 0;
+    for (; room >= 0 && count < spans.size(); room -= blocks, ++count)
+        if (spans[count].first != columns.first || spans[count].end != columns.end) break;
+    return spans.first(count);
 }
 
 /// cut_spans() for RowRepeater's surfaces. repeat(above, its blocks, spans, out) appends the blocks of rows.
@@ -107,10 +108,8 @@ template <PerspectiveRange Range, class Reciprocal, class Repeat>
         spans = spans.subspan(1);
         const std::span<const TexelBlock> row(first, cutter.end());
         if (row.size() >= RowRepeater<Reciprocal>::kMostEnds || cutter.end() > last_start) continue;
-        const std::size_t count = count_in(above, spans);
-        if (count == 0) continue;
-        const std::ptrdiff_t fitting = (last_start - cutter.end()) / std::ssize(row) + 1;
-        const auto below = spans.first(std::min(count, as_size(fitting)));
+        const std::span<const Span> below = spans_in(above, spans, std::ssize(row), last_start - cutter.end());
+        if (below.empty()) continue;
         cutter.set_end(repeat(above, row, below, cutter.end()));
         divisions_saved += std::ssize(below) * (std::ssize(row) + (row.back().count > 1)) - (std::ssize(row) + 1);
         spans = spans.subspan(below.size());
