@@ -96,14 +96,16 @@ constexpr EventCost kInverseZAdvance{500}, kOverZAdvance{1740, 187, 0, 0, 0, 240
 /// cut_rest(): three products with its length, and steps from a table of reciprocals, also for a block of 2^k pixels,
 /// which does not count as a last one.
 constexpr EventCost kLastBlock{850, 710, 0, 142, 1136, 0};
+/// The same where blocks have lengths of their own: those of 2^k pixels take shifts (products on i386).
+constexpr EventCost kLastBoundedBlock{850, 452, 0, 142, 1136, 0};
 /// cut_whole_spans(), of affine spans: the same, with fewer products where a row's ends repeat those of another row.
 constexpr EventCost kAffineSpan{850, 440, 0, 142, 1136, 0};
-/// cut_bounded(): comparisons with thresholds, for each block; products with its length, for each block that does not
-/// end its span. Rows that repeat another row's blocks need few of these. If blocks have one length, the products are
-/// the same for a span that has room for one.
-constexpr EventCost kThresholdTest{538, 0, 0, 200, 1600, 0}, kLengthProducts{0, 30}, kOneLengthProducts{0, 11};
+/// cut_bounded(): comparisons with thresholds, for each block.
+constexpr EventCost kThresholdTest{538, 0, 0, 200, 1600, 0};
+/// If blocks have one length: products with it, the same for a span that has room for one.
+constexpr EventCost kOneLengthProducts{0, 11};
 /// cut_bounded_texels(): the attempts, is_straight().
-constexpr EventCost kStraightTest{5600, 959};
+constexpr EventCost kStraightTest{5600, 848};
 /// Depth, reciprocal_of(): clamping, normalising, and the method.
 constexpr EventCost kDivision{300, 0, 100}, kTable{1460, 0, 0, 100, 400, 0}, kTableNewton{1760, 200, 0, 100, 400, 0},
     kTableTwoNewton{2560, 400, 0, 100, 400, 0};
@@ -184,12 +186,13 @@ StageOperations blocks_of(const FrameCounts& counts, const Accuracy& accuracy, c
     add(blocks, kInverseZAdvance, widths.inverse_z, stage);
     add(blocks, kOverZAdvance, widths.over_z, stage);
     const bool is_affine = accuracy.texturing == Texturing::Affine;
-    add(stages.last_blocks, is_affine ? kAffineSpan : kLastBlock, Width::Bits32, stage);
+    const bool is_bounded = accuracy.texturing == Texturing::Bounded || accuracy.texturing == Texturing::BoundedTexels;
+    const EventCost last_block = is_affine ? kAffineSpan : is_bounded ? kLastBoundedBlock : kLastBlock;
+    add(stages.last_blocks, last_block, Width::Bits32, stage);
     if (has_one_length(accuracy.texturing)) add(counts.spans, kOneLengthProducts, widths.over_z, stage);
     if (accuracy.texturing == Texturing::Bounded) {
         add(stages.surfaces, kSurfaceBound, widths.inverse_z, stage);
         add(blocks, kThresholdTest, widths.inverse_z, stage);
-        add(std::max(blocks - counts.spans, std::int64_t{0}), kLengthProducts, widths.over_z, stage);
     }
     if (accuracy.texturing == Texturing::BoundedTexels) add(blocks, kStraightTest, widths.inverse_z, stage);
     if (divides_spans(accuracy)) return stage;
