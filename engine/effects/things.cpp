@@ -18,15 +18,19 @@ World half_of(World size) {
     return size / 2;
 }
 
-/// A box around a place, enlarged by 8 units, as things are drawn around their places.
-LevelBox box_around(const Vec3<World>& middle, const Vec3<World>& half_size) {
-    const std::array at{middle.x, middle.y, middle.z}, half{half_size.x, half_size.y, half_size.z};
+/// A box of places, enlarged by 8 units, as things are drawn around their places.
+LevelBox box_between(const Vec3<World>& mins, const Vec3<World>& maxs) {
+    const std::array low{mins.x, mins.y, mins.z}, high{maxs.x, maxs.y, maxs.z};
     LevelBox box;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        box.mins[axis] = box_coordinate(floor_of(at[axis] - half[axis]) - 8);
-        box.maxs[axis] = box_coordinate(floor_of(at[axis] + half[axis]) + 9);
+        box.mins[axis] = box_coordinate(floor_of(low[axis]) - 8);
+        box.maxs[axis] = box_coordinate(floor_of(high[axis]) + 9);
     }
     return box;
+}
+
+LevelBox box_around(const Vec3<World>& middle, const Vec3<World>& half_size) {
+    return box_between(middle - half_size, middle + half_size);
 }
 
 LevelBox box_around_both(LevelBox box, const LevelBox& other) {
@@ -89,8 +93,7 @@ class ThingReader {
         things_.emitters.push_back({emitter, place_box(level_, box_around(emitter.middle, emitter.half_size)), {}});
         for (int part = 0; part < kParticleParts; ++part) {
             const ParticleBox box = box_of_part(emitter, part);
-            item(things_.emitters.back().parts, part) =
-                box_around_both(box_around(box.mins, {}), box_around(box.maxs, {}));
+            item(things_.emitters.back().parts, part) = box_between(box.mins, box.maxs);
         }
     }
 
@@ -266,7 +269,6 @@ void find_particles(const Things& things, std::int64_t time_ms, const Sight& sig
 }
 
 void find_placed_sprites(const Things& things, const Sight& sight, ThingsInView& in_view) {
-    in_view.placed_sprites.clear();
     for (const PlacedSprite& placed : things.sprites)
         if (sight.may_show(placed.place)) in_view.placed_sprites.push_back(&placed);
 }

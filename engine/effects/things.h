@@ -87,6 +87,7 @@ struct ThingsInView {
     void clear() {
         dots.clear();
         emitters.clear();
+        placed_sprites.clear();
         sprites.clear();
         shadows.clear();
         particles_computed = 0;

@@ -57,9 +57,7 @@ void Screens::follow() {
 }
 
 void Screens::finish() {
-    const bool is_recording = !recorded_ && walk_ && walk_->input().records();
-    if (is_recording || recorded_)
-        write_file(options_.record, encode_demo(is_recording ? walk_->input().recorded() : *recorded_));
+    if (const Demo* const demo = recorded_demo()) write_file(options_.record, encode_demo(*demo));
 }
 
 void Screens::close_gallery() {
@@ -227,8 +225,14 @@ void Screens::leave() {
     });
 }
 
+const Demo* Screens::recorded_demo() const {
+    if (recorded_) return recorded_.get();
+    return walk_ && walk_->input().records() ? &walk_->input().recorded() : nullptr;
+}
+
 void Screens::keep_recorded() {
-    if (walk_ && walk_->input().records() && !recorded_) recorded_ = std::make_unique<Demo>(walk_->input().recorded());
+    if (recorded_) return;
+    if (const Demo* const demo = recorded_demo()) recorded_ = std::make_unique<Demo>(*demo);
 }
 
 }  // namespace oblong

@@ -92,6 +92,7 @@ class Screens final : public MenuHost {
     void start_title(std::shared_ptr<const LoadedLevel> loaded);
     const LoadedLevel& level_below() const { return *screens_.front()->shared_level(); }
     std::shared_ptr<const LoadedLevel> load_level(const std::string& file) const;
+    const Demo* recorded_demo() const;  // null: none
     void keep_recorded();
     void follow_map();
     void show_changed_level();

@@ -156,8 +156,8 @@ TEST_P(HiddenThings, AreComputedOnlyFromWhereTheyMayShow) {
 INSTANTIATE_TEST_SUITE_P(Of, HiddenThings, testing::ValuesIn(kThings),
                          [](const auto& each) { return std::string(each.param.name); });
 
-/// Whether all pixels of a dot are of the wall.
-bool is_before_dot(const ParticleDot& dot, const EffectStage& stage) {
+/// Whether all pixels of a dot show the wall.
+bool is_behind_wall(const ParticleDot& dot, const EffectStage& stage) {
     for (std::int32_t row = dot.first_row; row < dot.end_row; ++row)
         for (std::int32_t column = dot.first_column; column < dot.end_column; ++column)
             if (stage.texture_at(static_cast<std::size_t>(row * kPictureWidth + column)) != "other") return false;
@@ -186,7 +186,7 @@ TEST(RainBehindAWall, IsLeftOutWhereTheWallHidesIt) {
             const bool is_left_out = std::none_of(computed.begin(), computed.end(), [&](const ParticleDot& other) {
                 return other.inverse_depth == dot.inverse_depth && other.first_column == dot.first_column;
             });
-            ASSERT_TRUE(!is_left_out || is_before_dot(dot, stage)) << y;
+            ASSERT_TRUE(!is_left_out || is_behind_wall(dot, stage)) << y;
         }
     }
     EXPECT_GT(hidden, 5);

@@ -116,6 +116,7 @@ std::vector<map::MapEntity> with_known_classes(std::vector<map::MapEntity> entit
 }
 
 map::CompilePart parse_part(const std::string& name) {
+    // CompilePart's values after All, in their order.
     constexpr std::array<std::string_view, 3> kAfterAll{"entities", "light", "vis"};
     return static_cast<map::CompilePart>(name.empty() ? 0 : 1 + parse_choice("--only", name, kAfterAll));
 }

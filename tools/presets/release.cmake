@@ -2,7 +2,7 @@
 # quarter of the build time; the preset `debug` has it.
 set(CMAKE_BUILD_TYPE Release CACHE STRING "")
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG" CACHE STRING "")
-# It links in half the time of the usual linker, and is a part of Debian's binutils.
+# gold, a part of Debian's binutils, links in half the time of the usual linker.
 find_program(OBLONG_GOLD ld.gold)
 if(OBLONG_GOLD)
     set(CMAKE_EXE_LINKER_FLAGS "-fuse-ld=gold" CACHE STRING "")
