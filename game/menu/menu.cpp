@@ -10,6 +10,13 @@ bool is_inside(const Area& area, std::int32_t x, std::int32_t y) {
     return x >= area.x && x < area.x + area.width && y >= area.y && y < area.y + area.height;
 }
 
+// Whether a step scrolls: a page without rows, or a long text above the first row, which is chosen.
+bool is_scrolled(const MenuPage& page, std::size_t chosen, int steps, const MenuLayout& layout) {
+    if (page.rows.empty() || chosen > 0) return page.rows.empty();
+    const auto is_first = [](const MenuLayout::Item& item) { return item.row == std::size_t{0}; };
+    return steps < 0 ? layout.has_more_above : std::none_of(layout.items.begin(), layout.items.end(), is_first);
+}
+
 }  // namespace
 
 void Menu::open(MenuPageMaker make_page) {
@@ -64,12 +71,11 @@ MenuEvent Menu::act(MenuAction action, CanvasSize canvas, std::int32_t text_scal
     return MenuEvent::None;
 }
 
-// Wraps from the last row to the first; a page without rows scrolls.
+// Wraps from the last row to the first.
 MenuEvent Menu::move(const MenuPage& page, int steps, CanvasSize canvas, std::int32_t text_scale) {
     OpenPage& open = pages_.back();
     const std::size_t count = page.rows.size();
-    if (count == 0) {
-        const MenuLayout layout = layout_of(page, canvas, text_scale);
+    if (const MenuLayout layout = layout_of(page, canvas, text_scale); is_scrolled(page, open.chosen, steps, layout)) {
         if (steps > 0 ? !layout.has_more_below : !layout.has_more_above) return MenuEvent::None;
         open.first = steps > 0 ? layout.first + 1 : layout.first - 1;
         return MenuEvent::Moved;

@@ -149,7 +149,7 @@ class PageLayout {
         if (chosen < items_.size()) {
             if (view_.chosen == 0 && shown_from(0) > chosen) first = 0;  // shows the text above the first row
             first = std::min(first, chosen);
-            while (first + shown_from(first) <= chosen) ++first;
+            while (view_.chosen > 0 && first + shown_from(first) <= chosen) ++first;
         }
         out_.first = first;
     }

@@ -74,7 +74,7 @@ struct CanvasSize {
 /// The part of a page that is shown.
 struct MenuView {
     std::size_t chosen = 0;       ///< a row of the page
-    std::size_t first = 0;        ///< the first item to show, if the chosen row is then visible
+    std::size_t first = 0;        ///< the first item to show, if the chosen row, unless it is row 0, is then visible
     std::int32_t text_scale = 1;  ///< Preferences::text_scale
 };
 

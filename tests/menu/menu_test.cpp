@@ -8,6 +8,7 @@
 
 #include "engine/draw/drawing.h"
 #include "game/menu/menu_layout.h"
+#include "tests/support/palettes.h"
 
 namespace oblong::test::menu_layout_test {
 namespace {
@@ -42,6 +43,14 @@ class MenuOfThree : public testing::Test {
         const std::int32_t x = is_left ? area.x + 1 : area.x + area.width - 2, y = area.y + area.height / 2;
         controls.pointer = Pointer{kShown.x_px + 4 * x + 2, 4 * y + 2, true, is_pressed};
         return menu_.handle(controls, kCanvas, 1, kShown);
+    }
+
+    // The picture of the menu, as text.
+    std::string drawn() const {
+        std::string pixels(320 * 200, ' ');
+        menu_.draw(1, MenuLook(grey_palette()), grey_palette(),
+                   {reinterpret_cast<std::uint8_t*>(pixels.data()), 320, 200, 320});
+        return pixels;
     }
 
     Menu menu_;
@@ -165,6 +174,29 @@ TEST_F(MenuOfThree, ATextTooLongForAPageIsReadToItsEnd) {
     EXPECT_EQ(steps, 0);
 }
 
+// It opens at its beginning; what follows comes with the keys, then the rows.
+TEST_F(MenuOfThree, ALongTextAboveRowsIsReadFromItsBeginning) {
+    std::string text;
+    for (int i = 0; i < 30; ++i) text += "line " + std::to_string(i) + "\n";
+    menu_.open([=] { return MenuPage{"Text", text, {{"No", "", "", [] {}}, {"Yes", "", "", [] {}}}}; });
+    const std::string top = drawn();
+    EXPECT_EQ(act(MenuAction::Up), MenuEvent::Moved);
+    EXPECT_EQ(menu_.chosen(), 1u);
+    act(MenuAction::Down);  // to the first row, with the end of the text
+    EXPECT_NE(drawn(), top);
+    int steps = 0;
+    for (; drawn() != top; ++steps) {
+        ASSERT_LT(steps, 100);
+        EXPECT_EQ(act(MenuAction::Up), MenuEvent::Moved);
+        EXPECT_EQ(menu_.chosen(), 0u);
+    }
+    EXPECT_GT(steps, 10);
+    while (menu_.chosen() == 0) {
+        ASSERT_GE(--steps, -3);
+        EXPECT_EQ(act(MenuAction::Down), MenuEvent::Moved);
+    }
+}
+
 std::string random_text(std::mt19937& random, int longest) {
     std::string text(random() % static_cast<unsigned>(longest + 1), ' ');
     for (char& letter : text) letter = random() % 5 == 0 ? ' ' : static_cast<char>('a' + random() % 26);
@@ -219,17 +251,26 @@ TEST(MenuLayout, NothingOverlapsOrLeavesTheCanvas) {
     }
 }
 
-// From the first row down by the keys: each is shown whole while it is chosen.
+// From the first row down by the keys: each is shown whole while it is chosen, the first one after a long text above
+// it.
 TEST(MenuLayout, EveryRowCanBeSeen) {
     std::mt19937 random(2);
     for (int i = 0; i < 300 && !testing::Test::HasFailure(); ++i) {
         const MenuPage page = random_page(random);
         std::size_t first = 0;
         for (std::size_t row = 0; row < page.rows.size(); ++row) {
-            const MenuLayout layout = lay_out(page, {row, first, 1 + static_cast<std::int32_t>(i % 2)}, {320, 200});
+            const auto lay_out_from = [&](std::size_t item) {
+                return lay_out(page, {row, item, 1 + static_cast<std::int32_t>(i % 2)}, {320, 200});
+            };
+            const auto is_shown = [&](const MenuLayout& layout) {
+                const auto is_chosen = [&](const MenuLayout::Item& item) { return item.row == row; };
+                return std::any_of(layout.items.begin(), layout.items.end(), is_chosen);
+            };
+            MenuLayout layout = lay_out_from(first);
+            while (row == 0 && !page.text.empty() && !is_shown(layout) && layout.has_more_below)
+                layout = lay_out_from(layout.first + 1);
             first = layout.first;
-            const auto is_chosen = [&](const MenuLayout::Item& item) { return item.row == row; };
-            EXPECT_TRUE(std::any_of(layout.items.begin(), layout.items.end(), is_chosen)) << row;
+            EXPECT_TRUE(is_shown(layout)) << row;
         }
     }
 }
