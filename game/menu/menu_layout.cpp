@@ -12,7 +12,8 @@ constexpr std::int32_t kRowPadding_px = 1;  // above and below a row's text, at 
 constexpr std::int32_t kRowColumns = 2;     // before a label: the mark of the chosen row
 constexpr std::int32_t kValueColumns = 4;   // around a value: "< value >"
 constexpr std::int32_t kGap_px = 5;
-constexpr std::size_t kHelpLines = 2;  // the least room for help
+constexpr std::int32_t kScrollMark_px = 6;  // below the last row, at scale 1
+constexpr std::size_t kHelpLines = 2;       // the least room for help
 constexpr std::int32_t kMostColumns = 50;
 constexpr std::int32_t kPictureAspect_100 = 75;  // height to width of the area for a picture
 
@@ -99,7 +100,7 @@ class PageLayout {
         std::int32_t width = std::min(wanted_columns() * column_px_, room_px);
         const std::int32_t top = out_.title.y + out_.title.height + kGap_px + out_.title_cell.height_px;
         const std::int32_t bottom =
-            canvas_.height_px - margin_px_ - help_lines_ * line_px_ - (help_lines_ > 0 ? kGap_px : 0);
+            canvas_.height_px - margin_px_ - help_lines_ * line_px_ - kScrollMark_px * out_.scale;
         std::int32_t left = (canvas_.width_px - width) / 2;
         if (has_picture()) {
             const std::int32_t picture_px = room_px * 2 / 5;

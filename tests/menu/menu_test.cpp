@@ -231,6 +231,10 @@ void expect_apart(const MenuLayout& layout, CanvasSize canvas) {
         areas.push_back({0, layout.help_y, canvas.width_px,
                          static_cast<std::int32_t>(layout.help.size()) * kLineHeight_px * layout.scale});
     if (layout.picture) areas.push_back(*layout.picture);
+    if (layout.has_more_below) {
+        const Area& body = layout.body;
+        areas.push_back({body.x + body.width / 2, body.y + body.height, 1, 3 + 3 * layout.scale});  // the mark
+    }
     for (std::size_t i = 0; i < areas.size(); ++i) {
         EXPECT_TRUE(is_in(areas[i], canvas)) << i << " at " << canvas.width_px << "x" << canvas.height_px;
         for (std::size_t j = 0; j < i; ++j)
