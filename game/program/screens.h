@@ -102,7 +102,8 @@ class Screens final : public MenuHost {
     /// Runs work with files; shows its error on a page of the menu.
     void try_with_files(const std::string& what, const std::function<void()>& work);
     void load_from(SaveSlot slot);
-    void go_on_with(const SlotContent& content, std::optional<HeldWalk> held);
+    /// `unheld`: why a walk is not held, if it is not.
+    void go_on_with(const SlotContent& content, std::optional<HeldWalk> held, const std::string& unheld);
     /// Saves the walk, then calls `go`; if saving fails, asks first.
     void leave_walk(const std::function<void()>& go);
 

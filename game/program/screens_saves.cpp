@@ -100,24 +100,32 @@ void Screens::continue_walk() {
     load_from(last_walk_->slot);
 }
 
-// A walk held by another program, and a save in a numbered slot, continue as new walks.
+// A walk held by another program, one in a folder that cannot be written to, and a save in a numbered slot continue as
+// new walks.
 void Screens::load_from(SaveSlot slot) {
     try_with_files("Load", [&] {
         saves_.finish_autosave();
         auto held = std::make_shared<std::optional<HeldWalk>>();
-        if (slot.kind == SaveKind::Walk && !saves_.is_own(slot)) *held = saves_.slots().hold(slot.number);
+        std::string unheld = "another running Oblong uses this walk's saves.";
+        try {
+            if (slot.kind == SaveKind::Walk && !saves_.is_own(slot)) *held = saves_.slots().hold(slot.number);
+        } catch (const FileError& error) {
+            unheld = error.what();
+        }
         const SlotContent content = saves_.slots().load(slot);
         if (!content.game) {
             const std::string nothing = name_of(slot) + ": nothing is saved there";
             if (content.refusal.empty() && walk_) return walk_->show(nothing);
             return pages_.open_message("Load", content.refusal.empty() ? nothing : content.refusal);
         }
-        if (saves_.is_own(slot)) return go_on_with(content, {});
-        leave_walk([this, content, held] { try_with_files("Load", [&] { go_on_with(content, std::move(*held)); }); });
+        if (saves_.is_own(slot)) return go_on_with(content, {}, unheld);
+        leave_walk([this, content, held, unheld] {
+            try_with_files("Load", [&] { go_on_with(content, std::move(*held), unheld); });
+        });
     });
 }
 
-void Screens::go_on_with(const SlotContent& content, std::optional<HeldWalk> held) {
+void Screens::go_on_with(const SlotContent& content, std::optional<HeldWalk> held, const std::string& unheld) {
     const SavedGame& game = *content.game;
     const bool is_here = saved_level_of(level_below()) == game.level;
     auto loaded = is_here ? screens_.front()->shared_level()
@@ -130,8 +138,7 @@ void Screens::go_on_with(const SlotContent& content, std::optional<HeldWalk> hel
     const bool is_elsewhere = content.slot.kind == SaveKind::Walk && !held;
     saves_.begin(walk_, std::move(held));
     walk_->show("Loaded: " + name_of(content.slot));
-    if (is_elsewhere)
-        pages_.open_message("Load", "Another running Oblong uses this walk's saves: the game goes on as a new walk.");
+    if (is_elsewhere) pages_.open_message("Load", "The game goes on as a new walk: " + unheld);
     if (!gone.empty()) pages_.open_message("Load", gone);
     if (content.is_former) pages_.open_message("Load", "The save before the last was loaded. " + content.refusal);
 }

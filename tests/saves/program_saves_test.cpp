@@ -118,6 +118,19 @@ TEST_F(ProgramSaves, AWalkThatIsOnElsewhereGoesOnAsAnother) {
     EXPECT_GT(saved(kSecond).tick, 400);
 }
 
+// As in a folder that is read-only: its lock cannot be opened.
+TEST_F(ProgramSaves, AWalkThatCannotBeHeldGoesOnAsAnother) {
+    play(200, {});
+    const std::string lock = folder_.path("saves/lock");
+    std::filesystem::remove(lock);
+    std::filesystem::create_directory(lock);
+    play(300, {{kAccept + 1, Action::Menu}}, 0, [&](std::int64_t poll) {  // the message
+        if (poll == kAccept + 2) std::filesystem::remove(lock);
+    });
+    EXPECT_EQ(saved(kFirst).tick, 196);
+    EXPECT_GT(saved(kSecond).tick, 400);
+}
+
 TEST_F(ProgramSaves, AWalkIsSavedEachMinute) {
     constexpr std::int64_t kMinute = 60 * kTicksPerSecond;
     const SaveSlots all = slots();
