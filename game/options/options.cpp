@@ -54,17 +54,18 @@ void declare_runs(CommandArguments& line, Options& options) {
     headless.limit(1, 1'000'000).need(out);
     out.need(headless);
     timedemo.exclude(record).exclude(replay).exclude(headless);
-    route.need(record).exclude(headless);
+    route.need(record).exclude(replay).exclude(headless);
 }
 
 void declare(CommandArguments& line, Options& options, OptionTexts& texts) {
     auto level = line.add("level", options.level, "Quake BSP file to play; without one, the title");
-    line.add("--map", options.map,
-             "name of the level to play, such as e1m1: in this folder, in maps/ or in a pak file (README)")
-        .exclude(level);
+    auto map = line.add("--map", options.map,
+                        "name of the level to play, such as e1m1: in this folder, in maps/ or in a pak file (README)");
+    map.exclude(level);
     line.add("--watch", options.watch,
              "a level's source (.map): compiles a draft and shows it, again whenever it changes")
-        .exclude(level);
+        .exclude(level)
+        .exclude(map);
     line.add("--game", options.game,
              "folder with a game.json, or with maps/ and pak0.pak; default: this folder, and id1/ in it");
     line.add("--palette", options.palette, "768 bytes of red, green, blue; default: the level's, else the demo's");

@@ -101,6 +101,8 @@ TEST_F(Program, EndsWith2ForWrongUsageAnd1ForBadFiles) {
                               "--gallery a --headless 1 --out x",
                               "--gallery --map a --headless 1 --out x",
                               "--gallery --game . --headless 1 --out x",
+                              "--watch a.map --map b --headless 1 --out x",
+                              "--route a.csv --record b.demo --replay c.demo",
                               "a b",
                               "--headless -1 --out x",
                               "--headless 1 --out -",
