@@ -25,8 +25,9 @@ Enum next_of(Enum value, int count) {
     return static_cast<Enum>((static_cast<int>(value) + 1) % count);
 }
 
-// The dolly zoom starts at 90 degrees, where it is off.
+// The dolly zoom starts at 90 degrees, where it is off. The isometric view, where nothing would change, ends.
 std::string zoom(bool is_narrower, ViewOptions& options) {
+    options.is_isometric = false;
     const std::int32_t degrees = options.zoom_degrees == 0 ? kUnzoomed : options.zoom_degrees;
     const std::int32_t changed =
         std::clamp(degrees + (is_narrower ? -kZoomStep : kZoomStep), kNarrowestZoom, kWidestZoom);
