@@ -9,9 +9,18 @@
 namespace oblong {
 namespace {
 
+constexpr std::int64_t kMost = 8'000'000;  // times 256 fits 32 bits
+
+std::int32_t bounded_256(std::int64_t any_256) {
+    return static_cast<std::int32_t>(std::clamp(any_256, -kMost * 256, kMost * 256));
+}
+
 std::int32_t as_256(std::int64_t whole) {
-    constexpr std::int64_t kMost = 8'000'000;  // times 256 fits 32 bits
-    return static_cast<std::int32_t>(std::clamp(whole, -kMost, kMost) * 256);
+    return bounded_256(whole * 256);
+}
+
+std::string size_of(std::int32_t width_px, std::int32_t height_px) {
+    return std::to_string(width_px) + "x" + std::to_string(height_px);
 }
 
 }  // namespace
@@ -47,19 +56,41 @@ Pose pose_at(std::int32_t x, std::int32_t y, std::int32_t z, std::int32_t yaw, s
 Pose moved(const Pose& pose, std::int32_t ahead_256, std::int32_t right_256, std::int32_t up_256) {
     const std::int64_t sine = sine_65536(pose.yaw_256), cosine = sine_65536(std::int64_t{pose.yaw_256} + 90 * 256);
     Pose after = pose;
-    after.x_256 += static_cast<std::int32_t>((ahead_256 * cosine + right_256 * sine) >> 16);
-    after.y_256 += static_cast<std::int32_t>((ahead_256 * sine - right_256 * cosine) >> 16);
-    after.z_256 += up_256;
+    after.x_256 = bounded_256(pose.x_256 + ((ahead_256 * cosine + right_256 * sine) >> 16));
+    after.y_256 = bounded_256(pose.y_256 + ((ahead_256 * sine - right_256 * cosine) >> 16));
+    after.z_256 = bounded_256(std::int64_t{pose.z_256} + up_256);
     return after;
 }
 
+const ScreenMode& checked(const ScreenMode& mode) {
+    const auto is_side = [](std::int32_t side_px) { return side_px >= 1 && side_px <= kLargestMode_px; };
+    if (!is_side(mode.width_px) || !is_side(mode.height_px))
+        throw InputError("mode", size_of(mode.width_px, mode.height_px) + " pixels, expected 1 to " +
+                                     std::to_string(kLargestMode_px) + " a side");
+    const auto [width, height] = mode.display;
+    constexpr std::int64_t kMostNumber = 10'000, kMostShape = 100;  // as of --display
+    if (width < 1 || height < 1 || std::max(width, height) > kMostNumber ||
+        std::max(width, height) > kMostShape * std::min(width, height))
+        throw InputError("mode", "a display of " + std::to_string(width) + ":" + std::to_string(height) +
+                                     ", expected numbers from 1 to 10000, and 1:100 to 100:1");
+    return mode;
+}
+
+const Picture& checked(const Picture& picture) {
+    if (picture.width_px >= 0 && picture.height_px >= 0 &&
+        picture.pixels.size() == pixel_count(picture.width_px, picture.height_px))
+        return picture;
+    throw InputError("picture", std::to_string(picture.pixels.size()) + " pixels, expected " +
+                                    size_of(picture.width_px, picture.height_px));
+}
+
 void check_size(const Framebuffer& canvas, const ScreenMode& mode) {
-    if (canvas.width_px == mode.width_px && canvas.height_px == mode.height_px) return;
-    const auto size = [](std::int32_t width_px, std::int32_t height_px) {
-        return std::to_string(width_px) + "x" + std::to_string(height_px);
-    };
-    throw InputError("canvas", "has " + size(canvas.width_px, canvas.height_px) + " pixels, expected " +
-                                   size(mode.width_px, mode.height_px) + ", those of the mode");
+    if (canvas.width_px != mode.width_px || canvas.height_px != mode.height_px)
+        throw InputError("canvas", "has " + size_of(canvas.width_px, canvas.height_px) + " pixels, expected " +
+                                       size_of(mode.width_px, mode.height_px) + ", those of the mode");
+    if (canvas.pitch < canvas.width_px)
+        throw InputError("canvas", "has a pitch of " + std::to_string(canvas.pitch) + ", expected " +
+                                       std::to_string(canvas.width_px) + " or more");
 }
 
 Camera camera_of(const Pose& eye, std::int32_t field_of_view) {

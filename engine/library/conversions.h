@@ -34,7 +34,11 @@ constexpr Angle angle_from_256(std::int64_t degrees_256) {
     return Angle::from_bam((turned * 65536 + kTurn_256 / 2) / kTurn_256);
 }
 
-/// Throws InputError if a canvas does not have the mode's size.
+/// Throws InputError unless the engine can draw in a mode.
+const ScreenMode& checked(const ScreenMode& mode);
+/// Throws InputError unless a picture has as many pixels as its size says.
+const Picture& checked(const Picture& picture);
+/// Throws InputError if a canvas does not have the mode's size, or rows that overlap.
 void check_size(const Framebuffer& canvas, const ScreenMode& mode);
 
 Camera camera_of(const Pose& eye, std::int32_t field_of_view);

@@ -138,6 +138,7 @@ void fill_triangle(Framebuffer canvas, PixelPosition a, PixelPosition b, PixelPo
 }
 
 void draw_picture(Framebuffer canvas, const Picture& picture, std::int32_t x, std::int32_t y) {
+    checked(picture);
     const Area shown = clipped(area_of(x, y, picture.width_px, picture.height_px), canvas);
     for (std::int32_t row = shown.y; row < shown.y + shown.height; ++row) {
         const std::uint8_t* from = picture.pixels.data() + (row - y) * std::int64_t{picture.width_px} + (shown.x - x);
@@ -149,6 +150,7 @@ void draw_picture(Framebuffer canvas, const Picture& picture, std::int32_t x, st
 
 void draw_turned(Framebuffer canvas, const Picture& picture, std::int32_t x, std::int32_t y, std::int32_t degrees_256,
                  std::int32_t scale_256) {
+    checked(picture);
     if (scale_256 < 1) return;
     // Of the picture, for each column and each row of the canvas, 16 fraction bits.
     const std::int64_t sine = std::int64_t{sine_65536(degrees_256)} * 256 / scale_256,

@@ -103,7 +103,7 @@ bool stands_on_floor(const Surroundings& around, const Vec3<World>& at) {
 struct LevelScene::State {
     State(const std::string& bsp_file, const Palette& its_palette, const ScreenMode& its_mode)
         : file(bsp_file),
-          mode(its_mode),
+          mode(checked(its_mode)),
           level(read_parsed(bsp_file, read_bsp)),
           colormap(make_colormap(its_palette)),
           models(read_level_models(level, its_palette, {bsp_file, ""})),
@@ -204,8 +204,10 @@ void LevelScene::show(const Model& model, const Pose& pose, std::int32_t frame) 
 }
 
 Pose LevelScene::walked(const Pose& eye, const Pose& wanted) const {
-    const Vec3<World> below_eye{{}, {}, kEyeHeight}, from = place_of(eye);
-    const Vec3<World> at = walk_body(state_->surroundings(), from - below_eye, place_of(wanted) - from) + below_eye;
+    const Vec3<World> below_eye{{}, {}, kEyeHeight};
+    const auto part = [](std::int64_t from, std::int64_t to) { return world_from_256(to - from); };
+    const Vec3<World> way{part(eye.x_256, wanted.x_256), part(eye.y_256, wanted.y_256), part(eye.z_256, wanted.z_256)};
+    const Vec3<World> at = walk_body(state_->surroundings(), place_of(eye) - below_eye, way) + below_eye;
     Pose after = wanted;
     after.x_256 = to_256(at.x);
     after.y_256 = to_256(at.y);

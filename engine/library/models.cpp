@@ -57,7 +57,7 @@ Model::~Model() {
 
 std::int32_t Model::add_picture(const Picture& picture) {
     std::vector<Skin>& skins = state_->mesh->skins;
-    skins.push_back({"picture", picture.width_px, picture.height_px, picture.pixels});
+    skins.push_back({"picture", picture.width_px, picture.height_px, checked(picture).pixels});
     return static_cast<std::int32_t>(skins.size()) - 1;
 }
 
@@ -84,7 +84,7 @@ std::int32_t Model::frame_count() const {
 
 struct Stage::State {
     State(const Palette& palette, const ScreenMode& its_mode)
-        : mode(its_mode),
+        : mode(checked(its_mode)),
           colormap(make_colormap(palette)),
           depth(mode.width_px, mode.height_px),
           scratch(mode.height_px) {}

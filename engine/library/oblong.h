@@ -43,7 +43,7 @@ struct Picture {
     /// A picture of colour 0.
     static Picture of_size(std::int32_t width_px, std::int32_t height_px);
     /// For drawing into it; valid while the picture exists with this size.
-    Framebuffer canvas() { return {pixels.data(), width_px, height_px, width_px}; }
+    Framebuffer canvas();
 };
 /// The index of the transparent colour, which draw_picture() skips.
 inline constexpr std::uint8_t kTransparent = 255;
@@ -108,6 +108,7 @@ class Window {
     Window(Platform& platform, ScreenMode mode);
     ~Window();
     Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
 
     Palette palette;  ///< of the next picture; initially 216 even colours and 40 greys
 
@@ -153,6 +154,7 @@ class Speaker {
     Speaker();
     ~Speaker();
     Speaker(const Speaker&) = delete;
+    Speaker& operator=(const Speaker&) = delete;
 
     /// Loads a FLAC or WAV file of one channel; returns its number for play().
     std::int32_t load(const std::string& file);
@@ -203,6 +205,7 @@ class Model {
     Model(const std::string& file, const Palette& palette, std::int32_t scale_256 = 256);
     ~Model();
     Model(const Model&) = delete;
+    Model& operator=(const Model&) = delete;
 
     /// Adds a picture for triangles; returns its number.
     std::int32_t add_picture(const Picture& picture);
@@ -224,6 +227,7 @@ class Stage {
     explicit Stage(const Palette& palette, ScreenMode mode = {});
     ~Stage();
     Stage(const Stage&) = delete;
+    Stage& operator=(const Stage&) = delete;
 
     /// Begins a picture seen from `eye`: models drawn after this hide those behind them.
     void look(const Pose& eye, std::int32_t field_of_view = 90);
@@ -246,6 +250,7 @@ class LevelScene {
     explicit LevelScene(const std::string& bsp_file, const Palette& palette, ScreenMode mode = {});
     ~LevelScene();
     LevelScene(const LevelScene&) = delete;
+    LevelScene& operator=(const LevelScene&) = delete;
 
     /// The player's start, at eye height.
     Pose start() const;

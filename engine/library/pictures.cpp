@@ -4,7 +4,7 @@
 #include "engine/base/table.h"
 #include "engine/files/files.h"
 #include "engine/files/picture.h"
-#include "engine/library/oblong.h"
+#include "engine/library/conversions.h"
 
 namespace oblong {
 namespace {
@@ -59,6 +59,11 @@ Picture Picture::of_size(std::int32_t width_px, std::int32_t height_px) {
         throw InputError("picture", std::to_string(width_px) + "x" + std::to_string(height_px) +
                                         " pixels, expected 1 to " + std::to_string(kLargestMode_px) + " a side");
     return {width_px, height_px, std::vector<std::uint8_t>(pixel_count(width_px, height_px))};
+}
+
+Framebuffer Picture::canvas() {
+    checked(*this);
+    return {pixels.data(), width_px, height_px, width_px};
 }
 
 Picture load_picture(const std::string& file, const Palette& palette) {

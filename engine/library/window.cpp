@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "engine/base/table.h"
-#include "engine/library/oblong.h"
+#include "engine/library/conversions.h"
 #include "engine/platform/headless.h"
 #include "engine/platform/sdl/sdl.h"
 
@@ -47,19 +47,11 @@ std::unique_ptr<Platform> open_platform(const std::string& title) {
     return open_window(title.c_str(), {});
 }
 
-void check(const ScreenMode& mode) {
-    const auto is_side = [](std::int32_t side_px) { return side_px >= 1 && side_px <= kLargestMode_px; };
-    if (!is_side(mode.width_px) || !is_side(mode.height_px))
-        throw std::runtime_error("a mode of " + std::to_string(mode.width_px) + "x" + std::to_string(mode.height_px) +
-                                 " pixels, expected 1 to " + std::to_string(kLargestMode_px) + " a side");
-}
-
 }  // namespace
 
 struct Window::State {
     State(std::unique_ptr<Platform> opened, Platform& shown_by, const ScreenMode& its_mode)
-        : owned(std::move(opened)), platform(shown_by), mode(its_mode), start_us(platform.now_us()) {
-        check(mode);
+        : owned(std::move(opened)), platform(shown_by), mode(checked(its_mode)), start_us(platform.now_us()) {
         pixels.resize(pixel_count(mode.width_px, mode.height_px));
     }
 
@@ -145,7 +137,7 @@ void Window::State::take_input() {
 }
 
 Window::Window(const std::string& title, ScreenMode mode) : palette(even_palette()), state_(nullptr) {
-    check(mode);
+    checked(mode);
     std::unique_ptr<Platform> platform = open_platform(title);
     Platform& shown_by = *platform;
     state_ = new State(std::move(platform), shown_by, mode);
@@ -179,8 +171,7 @@ const ScreenMode& Window::mode() const {
 }
 
 void Window::set_mode(const ScreenMode& mode) {
-    check(mode);
-    state_->mode = mode;
+    state_->mode = checked(mode);
     state_->pixels.assign(pixel_count(mode.width_px, mode.height_px), 0);
 }
 

@@ -172,6 +172,16 @@ TEST(LibraryDrawing, NothingIsDrawnOutsideOfACanvas) {
             }
 }
 
+TEST(LibraryPicture, OfAnotherNumberOfPixelsIsRefused) {
+    Picture canvas = Picture::of_size(8, 8);
+    for (Picture picture : {Picture{2, 2, {}}, Picture{2, 2, {1, 2, 3}}, Picture{2, 1, {1, 2, 3}}}) {
+        EXPECT_THROW(picture.canvas(), std::runtime_error);
+        EXPECT_THROW(draw_picture(canvas.canvas(), picture, 0, 0), std::runtime_error);
+        EXPECT_THROW(draw_turned(canvas.canvas(), picture, 0, 0, 0), std::runtime_error);
+    }
+    EXPECT_NO_THROW(draw_picture(canvas.canvas(), {}, 0, 0));
+}
+
 TEST(LibraryColours, RampIsEvenAndACycleComesBack) {
     Palette palette = test::grey_palette();
     set_ramp(palette, 10, 20, {0, 200, 50}, {100, 0, 50});

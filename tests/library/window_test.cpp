@@ -99,8 +99,14 @@ TEST(LibraryWindow, EndsWhenItIsClosed) {
 TEST(LibraryWindow, UnknownInputsAndModesAreRefused) {
     ScriptedWindow scripted({});
     EXPECT_THROW(scripted.window.is_down("Spaze"), std::runtime_error);
-    for (const ScreenMode mode : {ScreenMode{0, 200, {4, 3}}, ScreenMode{320, 5000, {4, 3}}})
+    for (const ScreenMode mode :
+         {ScreenMode{0, 200, {4, 3}}, ScreenMode{320, 5000, {4, 3}}, ScreenMode{320, -1, {4, 3}},
+          ScreenMode{320, 200, {4, 0}}, ScreenMode{320, 200, {-4, 3}}, ScreenMode{320, 200, {101, 1}},
+          ScreenMode{320, 200, {10'001, 10'000}}}) {
         EXPECT_THROW(Window(scripted.platform, mode), std::runtime_error);
+        EXPECT_THROW(scripted.window.set_mode(mode), std::runtime_error);
+        EXPECT_THROW(Stage({}, mode), std::runtime_error);
+    }
 }
 
 struct HeadlessEnvironment {

@@ -77,6 +77,17 @@ TEST(LibraryLevel, BodyStopsAtAWallAndSlidesAlongIt) {
     EXPECT_FALSE(hall.level.stands(hall.level.walked(start, beside(start, 0, 0, 50))));
 }
 
+TEST(LibraryLevel, WayLongerThanTheWorldEndsAtTheNextWall) {
+    const Hall hall;
+    constexpr std::int32_t kMost = std::numeric_limits<std::int32_t>::max();
+    const Pose start = hall.level.start();
+    EXPECT_NEAR(units(hall.level.walked(start, moved(start, 0, kMost)).x_256), kStop, 0.1);
+    EXPECT_NEAR(units(hall.level.walked(start, moved(start, 0, -kMost)).x_256), -kStop, 0.1);
+    const Pose outside = moved(start, 0, kMost);
+    EXPECT_EQ(moved(outside, kMost, kMost, kMost).x_256, 8'000'000 * 256);
+    EXPECT_LE(hall.level.walked(outside, moved(outside, 0, -kMost)).x_256, outside.x_256);
+}
+
 TEST(LibraryLevel, BodyClimbsStepsOf18UnitsAndNoHigherOnes) {
     const Hall low(box({50, -256, 0}, {256, 256, 18})), high(box({50, -256, 0}, {256, 256, 20}));
     EXPECT_NEAR(units(low.walk_east(low.level.start(), 25).z_256), kEye + 18, 0.1);
@@ -109,6 +120,10 @@ TEST(LibraryLevel, DoorIsInTheWayAndSeenUntilItIsMoved) {
     EXPECT_NEAR(units(hall.walk_east(hall.level.start(), 60).x_256), kStop, 0.1);
     EXPECT_EQ(red_pixels(), 0);
     EXPECT_THROW(hall.level.draw({}, 0, Picture::of_size(64, 64).canvas()), std::runtime_error);
+    EXPECT_THROW(LevelScene(hall.file, grey_palette(), {320, 200, {4, 0}}), std::runtime_error);
+    Picture picture = Picture::of_size(320, 200);
+    for (const std::int32_t pitch : {-320, 0, 319})
+        EXPECT_THROW(hall.level.draw({}, 0, {picture.pixels.data(), 320, 200, pitch}), std::runtime_error) << pitch;
     EXPECT_EQ(hall.level.find_entity("targetname", "nothing"), -1);
     EXPECT_THROW(hall.level.move_entity(0, 0, 0, 0), std::runtime_error);
     EXPECT_THROW(hall.level.entity_value(1000, "classname"), std::runtime_error);
@@ -305,8 +320,16 @@ TEST(LibraryStage, SideLightFollowsLambert) {
     EXPECT_NEAR(grey_at(1, 0), 0, 8);
 }
 
+// One that were copied would be destroyed twice.
+template <class... Each>
+constexpr bool can_none_be_copied =
+    !(std::is_copy_assignable_v<Each> || ...) && !(std::is_copy_constructible_v<Each> || ...);
+static_assert(can_none_be_copied<Window, Speaker, Model, Stage, LevelScene>);
+
 TEST(LibraryModel, WrongNumbersAreRefused) {
     Model model;
+    for (const Picture& picture : {Picture{2, 2, {1, 2, 3}}, Picture{2, 1, {1, 2, 3}}, Picture{-1, -1, {1}}})
+        EXPECT_THROW(model.add_picture(picture), std::runtime_error);
     EXPECT_EQ(model.frame_count(), 1);
     EXPECT_THROW(model.add_triangle({}, {}, {}, 0), std::runtime_error);
     EXPECT_THROW(Model("/nowhere/a.obj", grey_palette()), std::runtime_error);
