@@ -108,7 +108,11 @@ MipTexture parse_miptex(std::span<const std::uint8_t> miptex) {
     texture.height = static_cast<std::int32_t>(height);
     for (std::size_t level = 0; level < 4; ++level) {
         const std::size_t size = std::size_t{width >> level} * (height >> level);
-        const ByteView texels = part_of(miptex, u32_at(miptex, 24 + 4 * level, where), size, where);
+        const std::uint32_t offset = u32_at(miptex, 24 + 4 * level, where);
+        if (offset < kMiptexHeaderBytes)
+            throw InputError(where, "mip level " + std::to_string(level) + " at offset " + std::to_string(offset) +
+                                        ", expected 40 or more, behind its header");
+        const ByteView texels = part_of(miptex, offset, size, where);
         texture.mips[level].assign(texels.begin(), texels.end());
     }
     return texture;

@@ -6,6 +6,7 @@ namespace oblong {
 namespace {
 
 constexpr std::int32_t kNameSize = 16;
+constexpr std::int64_t kOffsetsStart = 24, kHeaderSize = 40;  ///< of the mip levels' offsets; of all before the texels
 constexpr std::int32_t kMissingSize = 64;                     ///< texels a side of the checkerboard
 constexpr std::uint8_t kMissingLight = 15, kMissingDark = 0;  ///< white and black in Quake's palette
 constexpr std::int32_t kMaxTextures = 8192;  ///< a missing one is 4 bytes in the file, many in memory; Quake: 512
@@ -56,6 +57,11 @@ MipTexture read_texture(LumpReader& in, std::int64_t start, std::int64_t& texels
     for (int level = 0; level < 4; ++level) {
         const auto i = as_size(level);
         const std::int64_t size = std::int64_t{texture.width >> level} * (texture.height >> level);
+        if (offsets[i] < kHeaderSize) {
+            in.seek(start + kOffsetsStart + 4 * level);
+            in.fail("mip level " + std::to_string(level) + " at offset " + std::to_string(offsets[i]) +
+                    " of texture '" + texture.name + "', expected 40 or more, behind its header");
+        }
         in.seek(start + offsets[i]);
         const auto texels = in.read_bytes(size);
         texels_left -= size;

@@ -51,6 +51,15 @@ TEST(Wad, NoPrefixIsTakenForAWhole) {
         EXPECT_THROW(parse_miptex(miptex.first(size)), InputError) << size;
 }
 
+TEST(Wad, MipLevelInTheHeaderIsRefused) {
+    const MipTexture texture = texture_of("wall", 16, 16);
+    for (const std::size_t level : {0, 1, 2, 3}) {
+        auto file = write_wad(std::span(&texture, 1));
+        std::fill_n(file.begin() + 12 + 24 + std::ptrdiff_t(4 * level), 4, std::uint8_t{0});
+        EXPECT_THROW(parse_miptex(read_wad(file)[0].miptex), InputError) << level;
+    }
+}
+
 TEST(Wad, SizesThatNoTextureHasAreRefused) {
     const MipTexture texture = texture_of("wall", 16, 16);
     for (const int width : {0, 8, 24, 255}) {

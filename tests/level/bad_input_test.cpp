@@ -40,6 +40,8 @@ const std::vector<Damage> kDamages = {
     {"huge height", Lump::Textures, 28, 4, 0x7ffffff0},
     {"mip level outside the lump", Lump::Textures, 44, 4, 377},
     {"mip level far outside the lump", Lump::Textures, 32, 4, 0xffffffff},
+    {"mip level inside its header", Lump::Textures, 32, 4, 39},
+    {"no last mip level, but the first", Lump::Textures, 44, 4, 0},
     {"visible row past the lump", Lump::Visibility, 0, 1, 0},
     {"node's plane", Lump::Nodes, 0, 4, 1},
     {"node's leaf", Lump::Nodes, 4, 2, -3},
