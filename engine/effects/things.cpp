@@ -10,6 +10,7 @@
 #include "engine/fixed/arithmetic.h"
 #include "engine/fixed/trig.h"
 #include "engine/level/entity_classes.h"
+#include "engine/scene/placed_models.h"
 
 namespace oblong {
 namespace {
@@ -53,6 +54,9 @@ class ThingReader {
   private:
     void read(const Entity& entity, std::size_t index) {
         const EntityValues values(entity, index, things_.warnings);
+        if (values.text("model").starts_with('*') && !brush_model_of(entity, level_))
+            values.warn("model is \"" + values.text("model") + "\", expected one of the level's " +
+                        std::to_string(level_.models.count() - 1) + " brush models: its brushes are left out");
         switch (role_of(entity)) {
             case ClassRole::Rain:
                 return read_emitter(ParticleKind::Rain, values, index);

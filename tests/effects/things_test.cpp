@@ -81,6 +81,17 @@ TEST(Things, AreReadFromEntities) {
     EXPECT_EQ(things.lanterns[0].lantern.light_radius, World::from_int(150));
 }
 
+TEST(Things, BrushModelsThatAreMissingAreReported) {
+    for (const char* missing : {"*1", "*999", "*-1", "*0", "*", "*x"}) {
+        const std::string model = std::string("\"model\" \"") + missing + "\"";
+        const Things things = read_things(level_with(entity("worldspawn") + entity("func_door", model)));
+        ASSERT_EQ(things.warnings.size(), 1u) << missing;
+        EXPECT_TRUE(things.warnings[0].starts_with("entity 1 (func_door): model is \"" + std::string(missing) + "\", "))
+            << things.warnings[0];
+    }
+    EXPECT_TRUE(read_things(level_with(entity("misc_model", "\"model\" \"a.obj\""))).warnings.empty());
+}
+
 TEST(Things, BadValuesAreReplacedAndReported) {
     struct Case {
         const char *key, *value;
