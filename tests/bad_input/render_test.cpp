@@ -233,6 +233,12 @@ TEST(Programs, StandardOutputThatIsFullIsAFailure) {
         EXPECT_TRUE(names_fault(run_program(words, "/dev/full"), words[0], "standard output", "write: ")) << words[1];
 }
 
+TEST(Programs, StandardInputThatCannotBeReadIsAFailure) {
+    EXPECT_TRUE(
+        names_fault(run_line("(" + program("oblong-probe") + " </)"), "oblong-probe", "standard input", "read"));
+    EXPECT_EQ(run_line(program("oblong-probe")).exit_code, 0);
+}
+
 TEST(Programs, HelpAndVersionExitWith0) {
     int count = 0;
     for (const auto& entry : std::filesystem::directory_iterator(test::build_folder() + "/bin")) {

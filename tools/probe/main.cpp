@@ -15,6 +15,7 @@ int main(int argc, char** argv) {
         std::ios::sync_with_stdio(false);
         std::cin.tie(nullptr);
         oblong::answer_lines(accuracy, std::cin, std::cout);
+        if (std::cin.bad()) throw oblong::FileError("standard input", "read", "failed, expected it to be readable");
         if (!std::cout.flush())
             throw oblong::FileError("standard output", "write", "failed, expected it to be writable");
     });
