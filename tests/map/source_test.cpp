@@ -60,6 +60,7 @@ TEST(MapFile, WhatEditorsAddChangesNothing) {
     EXPECT_EQ(bytes_of("// Game: Quake\n// Format: Standard\n// entity 0\n" + plain), bytes);
     EXPECT_EQ(bytes_of(replaced(plain, "( 0 ", "(\t0.000 ")), bytes) << "tabs and decimals";
     EXPECT_EQ(bytes_of(replaced(plain, " 0 0 0 1 1\n", " 0 0 0 1 1 0 0 0\n")), bytes) << "Quake 2's three numbers";
+    EXPECT_EQ(bytes_of(replaced(plain, " 0 0 0 1 1\n", " 0 0 0 1 1 ")), bytes) << "a brush's sides in one line";
     EXPECT_EQ(bytes_of(level(plain_room() + box({100, 0, 0}, {108, 256, 128}, "hint"), lights_of_plain_room())), bytes);
 }
 

@@ -171,7 +171,10 @@ MapSide take_side(MapTokens& tokens) {
         throw InputError(at_line(side.line), "the three points of a plane lie on one line, expected a triangle");
     side.texture = take_texture(tokens);
     // Some editors append Quake 2's three numbers.
-    while (!tokens.peek().is_end && tokens.peek().line == side.line && !tokens.peek().is("}")) tokens.take();
+    const auto is_appended = [&](const MapToken& next) {
+        return !next.is_end && next.line == side.line && !next.is("}") && !next.is("(");
+    };
+    while (is_appended(tokens.peek())) tokens.take();
     return side;
 }
 
