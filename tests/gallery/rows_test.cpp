@@ -100,6 +100,13 @@ TEST_F(GalleryRows, PicturesAreTheSameEachTimeAndStayRightInCanvasesOfOtherSizes
     }
 }
 
+TEST_F(GalleryRows, NothingIsDrawnOutsideOfTheSmallestCanvases) {
+    for (const Row& row : gallery_rows())
+        for (const ScreenMode& mode :
+             {ScreenMode{8, 8, {4, 3}}, ScreenMode{8, 400, {1, 1}}, ScreenMode{80, 60, {4, 3}}})
+            EXPECT_TRUE(draw(row, start_values(row), mode).is_border_whole) << row.id << " in " << mode.width_px;
+}
+
 /// What follows a mark in a text, up to a quotation mark, at each place.
 std::set<std::string> all_after(const std::string& text, std::string_view mark) {
     std::set<std::string> found;

@@ -47,9 +47,10 @@ PngImage make_picture(const Area& area, Ratio pixel, bool is_grey) {
     return image;
 }
 
-/// The error of the means of 8x8 blocks, averaged over blocks and channels.
+constexpr std::int32_t kBlock = 8;  ///< pixels a side
+
+/// The error of the blocks' means, averaged over blocks and channels.
 double block_error(const PngImage& image, const std::vector<std::uint8_t>& indices, const Palette& palette) {
-    constexpr std::int32_t kBlock = 8;
     double sum = 0;
     int count = 0;
     for (std::int32_t top = 0; top + kBlock <= image.height_px; top += kBlock)
@@ -74,6 +75,7 @@ Figures draw_quantisation(const RowInput& input, Framebuffer canvas) {
     fill(canvas, input.assets.colour(20, 24, 36));
     const std::int32_t width = canvas.width_px / 2 - 6, top = kHeader_px + 4;
     const Area left{4, top, width, canvas.height_px - kFooter_px - top - 14};
+    if (std::min(width, left.height) < kBlock) return {};
     const PngImage image = make_picture(left, input.mode.pixel(), is_grey);
     std::array<double, 2> errors{};
     for (const Dither dither : {Dither::None, Dither::FloydSteinberg}) {
