@@ -108,7 +108,7 @@ Settings make_settings(const Options& options, Preset preset) {
         throw UsageError("--texel-error: is the bound of --accuracy bounded, expected no --accuracy " + options.preset);
     const std::optional<std::int64_t> error_px_256 = parse_decimal(options.texel_error, 8);
     if (!error_px_256 || *error_px_256 < 1 || *error_px_256 > 4096)
-        throw UsageError("--texel-error: '" + options.texel_error + "', expected 1/256 to 16 pixels");
+        throw UsageError("--texel-error: '" + options.texel_error + "', expected 0.004 to 16 pixels");
     settings.accuracy.pixel_bound_256 = static_cast<std::int32_t>(*error_px_256);
     return settings;
 }

@@ -42,6 +42,13 @@ class ViewKeys {
         const std::optional<std::string> text = take(key);
         return text ? std::optional(units_of(key, *text)) : std::nullopt;
     }
+    /// The planes that cut a view, `back` beyond `front`.
+    void take_planes(std::optional<World>& front, std::optional<World>& back) {
+        front = take_units("front");
+        back = take_units("back");
+        if (front && back && *back <= *front)
+            throw UsageError("--view: nothing lies between front and back, expected a larger back");
+    }
     /// Numbers separated by slashes.
     template <std::size_t Count>
     std::array<World, Count> take_list(const std::string& key, const std::string& otherwise) {
@@ -82,8 +89,7 @@ class ViewKeys {
 struct Cuts {
     std::optional<World> front, back, above;
 
-    explicit Cuts(ViewKeys& keys)
-        : front(keys.take_units("front")), back(keys.take_units("back")), above(keys.take_units("cut")) {}
+    explicit Cuts(ViewKeys& keys) : above(keys.take_units("cut")) { keys.take_planes(front, back); }
 
     ViewSpec applied_to(ViewSpec view) const {
         const Vec3<World> centre = view.eye;
@@ -151,8 +157,7 @@ ViewOfCamera through_window(ViewKeys& keys) {
     window.u_max = u_max;
     window.v_min = v_min;
     window.v_max = v_max;
-    window.front = keys.take_units("front");
-    window.back = keys.take_units("back");
+    keys.take_planes(window.front, window.back);
     const std::string parallel = keys.take("parallel", "0");
     if (parallel != "0" && parallel != "1") throw UsageError("--view: parallel='" + parallel + "', expected 0 or 1");
     window.is_parallel = parallel == "1";
