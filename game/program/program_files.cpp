@@ -24,7 +24,8 @@ void check_game_folder(const Options& options) {
     const bool has_game = is_game_folder(options.game) || fs::is_directory(folder / "maps") ||
                           GameFiles({options.game}).has_paks() || !options.level.empty();
     if (!fs::is_directory(folder) || !has_game)
-        throw FileError(options.game, "--game", "is no folder of a game, expected one with a game.json, or with maps/");
+        throw FileError(options.game, "--game",
+                        "is no folder of a game, expected one with game.json, maps/ or pak0.pak");
 }
 
 bool is_plain(char letter) {

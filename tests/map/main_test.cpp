@@ -179,6 +179,12 @@ TEST_F(Program, ReplacesNoSourceAndNoFileButALevel) {
     EXPECT_EQ(run(command + " -o " + path("odd.map")), 2);
     EXPECT_NE(said_.find("is there and no level"), std::string::npos) << said_;
     EXPECT_EQ(read_text(path("odd.map")), other);
+    const std::string fgd = " --fgd " + path("new"), editor = " --install-trenchbroom " + path("new");
+    for (const std::string& two : {command + " -o " + path("o.bsp") + fgd, command + editor, fgd + editor}) {
+        EXPECT_EQ(run(two), 2) << "one of two tasks would be left out";
+        EXPECT_NE(said_.find("excludes"), std::string::npos) << said_;
+        EXPECT_FALSE(std::filesystem::exists(path("new")));
+    }
     write_file(path("good.bsp"), "");
     for (int i = 0; i < 2; ++i) EXPECT_EQ(run(command + " -o " + path("good.bsp")), 0) << said_;
 }

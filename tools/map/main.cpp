@@ -31,7 +31,8 @@ struct Arguments {
 };
 
 void declare(CommandArguments& line, Arguments& arguments) {
-    line.add("IN.map", arguments.input, "the level's source: Quake .map, Standard or Valve 220");
+    const CommandOption input =
+        line.add("IN.map", arguments.input, "the level's source: Quake .map, Standard or Valve 220");
     line.add("-o,--out", arguments.output,
              "the level to write: OUT.bsp, version 29, or BSP2 if it is too large for that");
     line.add(
@@ -43,10 +44,14 @@ void declare(CommandArguments& line, Arguments& arguments) {
     line.add("--dither", arguments.textures.dither, "of a folder's pictures: none or floyd-steinberg");
     line.add("--palette", arguments.textures.palette,
              "of a folder's pictures; default: palette.lmp in the folder, else Oblong's");
-    line.add("--fgd", arguments.fgd, "writes the classes and keys that editors show, and compiles nothing");
+    const CommandOption fgd =
+        line.add("--fgd", arguments.fgd, "writes the classes and keys that editors show, and compiles nothing")
+            .exclude(input);
     line.add("--install-trenchbroom", arguments.trenchbroom,
              "a folder in which to write TrenchBroom's configuration for Oblong")
-        .accept_no_value(map::kTrenchBroomFolder);
+        .accept_no_value(map::kTrenchBroomFolder)
+        .exclude(input)
+        .exclude(fgd);
     line.add("--game", arguments.game, "a folder whose game.json has classes of its own");
     line.add("--prt", arguments.portals, "writes the portals too, as a .prt file");
     line.add("--only", arguments.only,
