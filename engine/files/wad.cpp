@@ -5,6 +5,7 @@
 
 #include "engine/base/input_error.h"
 #include "engine/base/table.h"
+#include "engine/base/text.h"
 
 namespace oblong {
 namespace {
@@ -96,6 +97,10 @@ std::vector<WadTexture> read_wad(std::span<const std::uint8_t> file) {
         if (entry[kTypeOffset] == kMiptexType) textures.push_back(wad_texture(file, entry));
     }
     return textures;
+}
+
+bool has_own_name(const WadTexture& texture) {
+    return lower_case(name_at(texture.miptex, 0)) == lower_case(texture.name);
 }
 
 MipTexture parse_miptex(std::span<const std::uint8_t> miptex) {

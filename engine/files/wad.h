@@ -22,6 +22,9 @@ struct WadTexture {
 /// leads out of the file.
 std::vector<WadTexture> read_wad(std::span<const std::uint8_t> file);
 
+/// Whether a texture's miptex has the name that the directory finds it by, but for case. Some tools leave it empty.
+bool has_own_name(const WadTexture& texture);
+
 /// A miptex: name of 16 bytes, width, height, four offsets from its own beginning, then the four mip levels. Throws
 /// InputError for sizes that are no multiples of 16 up to 4096, or texels outside of it.
 MipTexture parse_miptex(std::span<const std::uint8_t> miptex);

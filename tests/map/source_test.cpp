@@ -6,6 +6,8 @@
 #include "tests/map/bsp_checks.h"
 #include "tests/map/map_source.h"
 #include "tests/support/folders.h"
+#include "tests/support/refusal.h"
+#include "tools/map/source/textures.h"
 
 namespace oblong::test {
 
@@ -181,6 +183,32 @@ TEST(Entities, ALevelNamesItsWadsWithoutTheirFolders) {
     source.insert(source.find("\"classname\" \"worldspawn\""), R"("wad" "../a/b.wad;C:\c\d.wad;e.wad")"
                                                                "\n");
     EXPECT_NE(compile(source).entities.find("\"wad\" \"b.wad;d.wad;e.wad\"\n"), std::string::npos);
+}
+
+std::string fault_of_texture(const std::string& wad) {
+    const std::vector<map::Wad> wads{map::Wad(wad)};
+    return refusal([&] { map::collect_textures({{"wall", 7}}, wads); });
+}
+
+TEST(Wad, TexturesThatTheEngineDoesNotReadAreNamed) {
+    std::string odd = wad_bytes(std::vector<std::string>{"wall"}), cut = odd, header = odd;
+    constexpr std::size_t kMiptex = 12, kWidth = kMiptex + 16, kFirstMip = kMiptex + 24;
+    odd[kWidth] = 20;
+    EXPECT_TRUE(fault_of_texture(odd).starts_with("line 7: texture 'wall' of the WAD: 20x")) << fault_of_texture(odd);
+    cut[kWidth + 1] = 1;
+    EXPECT_TRUE(fault_of_texture(cut).starts_with("line 7: texture 'wall' of the WAD: ")) << fault_of_texture(cut);
+    header[kFirstMip] = 0;
+    EXPECT_TRUE(fault_of_texture(header).starts_with("line 7: texture 'wall' of the WAD: mip level 0 at offset 0"));
+}
+
+TEST(Wad, TexturesHaveTheNameThatTheyAreFoundBy) {
+    for (const std::string& own : {std::string(), std::string("inner"), std::string("WALL")}) {
+        std::string bytes = wad_bytes(std::vector<std::string>{"wall"});
+        bytes.replace(12, 16, own + std::string(16 - own.size(), '\0'));
+        const std::string texture = map::collect_textures({{"wall", 7}}, {map::Wad(bytes)}).at(0);
+        EXPECT_EQ(std::string(texture.c_str()), own == "WALL" ? own : "wall");
+        EXPECT_EQ(texture.substr(16), bytes.substr(28, texture.size() - 16));
+    }
 }
 
 TEST(Wad, UnknownTexturesAreNamed) {

@@ -58,6 +58,13 @@ TEST_F(TextureFiles, WhatIsNeitherAWadNorALevelIsNotUnpacked) {
                   file + ": header: of another kind of file, expected a WAD2 or a level");
 }
 
+TEST_F(TextureFiles, NameInAWadsDirectoryCounts) {
+    auto bytes = write_wad(std::vector{make_mip_texture("wall", 16, 16, test::scattered_texels(256, 256), palette_)});
+    bytes[12] = 0;  // of the name before the texels
+    unpack_textures(write("unnamed.wad", bytes), path("out"), palette_);
+    EXPECT_TRUE(std::filesystem::exists(path("out/wall.png")));
+}
+
 TEST_F(TextureFiles, NoneIsUnpackedOverAnother) {
     const auto texture = [&](const std::string& name) {
         return make_mip_texture(name, 16, 16, test::scattered_texels(256, 256), palette_);

@@ -76,7 +76,10 @@ std::vector<MipTexture> textures_of_archive(std::span<const std::uint8_t> file) 
     if (file.empty() || file[0] != 'W')
         throw InputError("header", "of another kind of file, expected a WAD2 or a level");
     std::vector<MipTexture> textures;
-    for (const WadTexture& texture : read_wad(file)) textures.push_back(parse_miptex(texture.miptex));
+    for (const WadTexture& texture : read_wad(file)) {
+        textures.push_back(parse_miptex(texture.miptex));
+        if (!has_own_name(texture)) textures.back().name = texture.name;
+    }
     return textures;
 }
 

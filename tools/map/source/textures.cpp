@@ -61,6 +61,15 @@ void check_density(const std::array<Point, 2>& axes, const MapSide& side) {
                 "texture '" + side.texture.name + "' has more than 255 texels a unit, expected a larger texture scale");
 }
 
+// The engine would refuse a level with a texture of another size, or without its texels.
+void check_texture(const std::string& miptex, int line) {
+    try {
+        parse_miptex({reinterpret_cast<const std::uint8_t*>(miptex.data()), miptex.size()});
+    } catch (const InputError& error) {
+        throw InputError(at_line(line), error.where + " of the WAD: " + error.what());
+    }
+}
+
 bool is_animated(const std::string& name) {
     return name.size() > 2 && name[0] == '+';
 }
@@ -109,8 +118,13 @@ int TextureList::find_or_add_name(const TextureUse& use) {
 
 Wad::Wad(const std::string& bytes) {
     const std::span file(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
-    for (const WadTexture& texture : read_wad(file))
-        textures_.emplace(lower_case(texture.name), std::string(texture.miptex.begin(), texture.miptex.end()));
+    for (const WadTexture& texture : read_wad(file)) {
+        std::string miptex(texture.miptex.begin(), texture.miptex.end());
+        constexpr std::size_t kNameSize = 16;
+        if (!has_own_name(texture))
+            miptex.replace(0, kNameSize, texture.name + std::string(kNameSize - texture.name.size(), '\0'));
+        textures_.emplace(lower_case(texture.name), std::move(miptex));
+    }
 }
 
 const std::string* Wad::find(const std::string& name) const {
@@ -127,6 +141,7 @@ std::vector<std::string> collect_textures(const std::vector<TextureUse>& uses, c
     for (const TextureUse& use : uses) {
         const std::string* texture = find_in(wads, use.name);
         if (texture == nullptr) throw_missing(use, wads);
+        check_texture(*texture, use.line);
         textures.push_back(*texture);
         names.push_back(use.name);
     }
@@ -137,6 +152,7 @@ std::vector<std::string> collect_textures(const std::vector<TextureUse>& uses, c
             name[1] = frame;
             const std::string* texture = find_in(wads, name);
             if (texture == nullptr || std::find(names.begin(), names.end(), name) != names.end()) continue;
+            check_texture(*texture, use.line);
             textures.push_back(*texture);
             names.push_back(name);
         }
