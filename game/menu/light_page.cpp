@@ -41,9 +41,8 @@ void MenuPages::open_light() {
         page.back = done;
         page.rows.push_back({"OK", "", "This page is also in Options, Light", done, nullptr, test_picture()});
         for (const char* name : {"gamma", "brightness", "tube-light"}) {
-            const Preference& row = preference_named(name);
-            page.rows.push_back({row.label, row.shown(host_.preferences()), row.help, nullptr,
-                                 [this, &row](int steps) { row.change(host_.preferences(), steps); }, test_picture()});
+            page.rows.push_back(preference_row(preference_named(name)));
+            page.rows.back().picture = test_picture();
         }
         return page;
     });

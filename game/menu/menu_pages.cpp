@@ -141,19 +141,16 @@ MenuPage MenuPages::options_page() {
     return page;
 }
 
-std::string MenuPages::help_of(const Preference& preference) {
+MenuRow MenuPages::preference_row(const Preference& preference) {
     const std::string keys = preference.keys.empty() ? "" : " (" + host_.key_names().in(preference.keys) + ")";
-    return with_capital(preference.help) + keys;
+    return {with_capital(preference.label), preference.shown(host_.preferences()), with_capital(preference.help) + keys,
+            nullptr, [this, &preference](int steps) { preference.change(host_.preferences(), steps); }};
 }
 
 MenuPage MenuPages::preferences_page(PreferencePage page) {
     MenuPage shown{name_of(page)};
-    for (const Preference& preference : all_preferences()) {
-        if (preference.page != page) continue;
-        shown.rows.push_back(
-            {with_capital(preference.label), preference.shown(host_.preferences()), help_of(preference), nullptr,
-             [this, &preference](int steps) { preference.change(host_.preferences(), steps); }, std::nullopt});
-    }
+    for (const Preference& preference : all_preferences())
+        if (preference.page == page) shown.rows.push_back(preference_row(preference));
     shown.rows.push_back(back_row());
     return shown;
 }

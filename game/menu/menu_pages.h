@@ -128,7 +128,7 @@ class MenuPages {
     MenuPage end_page(const EndFigures& figures);
     MenuPage options_page();
     MenuPage preferences_page(PreferencePage page);
-    std::string help_of(const Preference& preference);
+    MenuRow preference_row(const Preference& preference);
     MenuRow save_row(const SaveEntry& save, std::function<void()> accept) const;
     MenuRow back_row();
 

@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "engine/base/text.h"
 #include "engine/platform/headless.h"
 #include "game/menu/menu_pages.h"
 #include "tests/support/palettes.h"
@@ -147,6 +148,8 @@ class EveryPage : public Pages {
     void visit(int levels) {
         const std::size_t depth = menu_.depth();
         seen_.insert(menu_.page().title);
+        for (const MenuRow& row : menu_.page().rows)
+            EXPECT_EQ(row.help, with_capital(row.help)) << menu_.page().title << ": " << row.label;
         for (std::size_t row = 0; row < menu_.page().rows.size(); ++row) {
             const MenuRow chosen = menu_.page().rows[row];
             if (!chosen.accept || is_final(chosen.label) || chosen.value == "remove") continue;
@@ -178,7 +181,7 @@ TEST_F(EveryPage, OfAWalkIsReachedAndLeftWithoutLoss) {
     visit(4);
     EXPECT_TRUE(host_.done.empty()) << host_.done.front();
     for (const char* title : {"Paused", "Save", "Load", "Options", "Picture", "Accuracy", "Comfort", "Controls",
-                              "Sound", "Keys", "Levels", "Not saved"})
+                              "Sound", "Light", "Keys", "Levels", "Not saved"})
         EXPECT_TRUE(seen_.contains(title)) << title;
     escape();
     EXPECT_FALSE(menu_.is_open());
