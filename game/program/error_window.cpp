@@ -1,52 +1,51 @@
+#include <algorithm>
 #include <exception>
 #include <memory>
 #include <vector>
 
-#include "engine/draw/drawing.h"
 #include "engine/platform/sdl/sdl.h"
 #include "game/input/input_mapper.h"
+#include "game/menu/menu.h"
 #include "game/program/program.h"
 
 namespace oblong {
 namespace {
 
-constexpr std::uint8_t kWindowBackground = 1, kBright = 2, kGrey = 3;
-constexpr std::int32_t kTextTop_px = 40, kTitleTop_px = 16;
-
+// Six levels a channel.
 Palette error_palette() {
     Palette palette;
-    palette.colours[kWindowBackground] = {40, 16, 24};
-    palette.colours[kBright] = {255, 240, 168};
-    palette.colours[kGrey] = {160, 144, 144};
+    const auto channel = [](int level) { return static_cast<std::uint8_t>(level % 6 * 51); };
+    for (int i = 0; i < 216; ++i) palette.colours[as_size(i)] = {channel(i / 36), channel(i / 6), channel(i)};
     return palette;
 }
 
-void draw_error(const std::string& text, Framebuffer canvas) {
-    draw_lines(kTitleTop_px, "Oblong can't go on", {kBright, 0}, canvas);
-    draw_lines(kTextTop_px, text, {kBright, 0}, canvas);
-    draw_lines_above(canvas.height_px - kTextMargin_px, "Enter or Esc closes this window.", {kGrey, 0}, canvas);
-}
+}  // namespace
 
-bool is_dismissed(const Controls& controls) {
-    return !controls.menu.empty() || controls.has(Action::Menu) || (controls.pointer && controls.pointer->is_pressed);
-}
-
-void show_until_dismissed(const std::string& text, Platform& platform) {
+void show_error(const std::string& text, Platform& platform) {
     constexpr std::int32_t kAnyTime_ms = 1000;
     const ScreenMode mode;
-    std::vector<std::uint8_t> pixels(pixel_count(mode.width_px, mode.height_px), kWindowBackground);
+    std::vector<std::uint8_t> pixels(pixel_count(mode.width_px, mode.height_px));
     const Framebuffer canvas{pixels.data(), mode.width_px, mode.height_px, mode.width_px};
-    draw_error(text, canvas);
+    const Palette palette = error_palette();
+    const MenuLook look(palette);
     const Bindings bindings = default_bindings();
     InputMapper input(bindings);
-    while (platform.is_open() && !is_dismissed(input.take(platform.poll(), platform.now_us() / 1000))) {
-        platform.present(canvas, error_palette(),
-                         layout(platform.window_size(), mode, ShownAs::OnDisplay, Scaling::SharpBilinear));
+    Menu menu;
+    menu.open([&text] {
+        MenuPage page{"Oblong can't go on", text};
+        page.help = "Enter or Esc closes this window.";
+        return page;
+    });
+    while (platform.is_open()) {
+        const PresentRect rect = layout(platform.window_size(), mode, ShownAs::OnDisplay, Scaling::SharpBilinear);
+        menu.handle(input.take(platform.poll(), platform.now_us() / 1000), {mode.width_px, mode.height_px}, 1, rect);
+        if (!menu.is_open()) return;
+        std::fill(pixels.begin(), pixels.end(), std::uint8_t{0});
+        menu.draw(1, look, palette, canvas);
+        platform.present(canvas, palette, rect);
         platform.wait_for_input(kAnyTime_ms);
     }
 }
-
-}  // namespace
 
 void show_error_window(const std::string& text) {
     std::unique_ptr<Platform> platform;
@@ -55,7 +54,7 @@ void show_error_window(const std::string& text) {
     } catch (const std::exception&) {
         return;
     }
-    show_until_dismissed(text, *platform);
+    show_error(text, *platform);
 }
 
 }  // namespace oblong

@@ -55,9 +55,12 @@ class Program {
 /// input is a short walk, or the replayed demo. The options outlive it.
 std::unique_ptr<Platform> open_headless(const Options& options);
 
-/// Shows an error in a window until the user closes it or presses Enter, Esc or the mouse: a player who started the
-/// game from a menu does not see standard error. Drawn with the game's own letters, since SDL's message boxes need
-/// fonts or programs that some desktops lack. Does nothing without a display.
+/// Shows an error, as long as it may be, until the user closes the window or presses Enter, Esc or the mouse.
+void show_error(const std::string& text, Platform& platform);
+
+/// The same in a window of its own: a player who started the game from a menu does not see standard error. Drawn with
+/// the game's own letters, since SDL's message boxes need fonts or programs that some desktops lack. Does nothing
+/// without a display.
 void show_error_window(const std::string& text);
 
 /// Runs the game as the command line says; returns the exit code. With --error-box, an error is also shown in a window,

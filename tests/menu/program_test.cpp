@@ -276,5 +276,28 @@ TEST_F(ProgramOfTheDemo, APageThatOpensByItselfIsDrawn) {
     EXPECT_EQ(platform.shown.back(), 21) << "paused, and nothing after it";
 }
 
+// The keys scroll it; it is nowhere under what the window says at its foot.
+TEST(ErrorWindow, ALongErrorIsReadToItsEnd) {
+    std::string text;
+    for (int i = 0; i < 40; ++i) text += "line " + std::to_string(i) + "\n";
+    for (const Controls& closing : {acting({MenuAction::Accept}), pressing(Action::Menu)}) {
+        constexpr std::int64_t kClosing = 50;
+        std::int64_t polls = 0;
+        std::vector<std::vector<std::uint8_t>> shown;
+        HeadlessPlatform platform(
+            2 * kClosing, 35,
+            [&](std::int64_t poll) {
+                polls = poll;
+                return test::scripted_input(poll == kClosing ? closing : acting({MenuAction::Down}));
+            },
+            [&](Framebuffer picture, const Palette&) { shown.emplace_back(picture.pixels, picture.row(200)); });
+        show_error(text, platform);
+        EXPECT_EQ(polls, kClosing);
+        ASSERT_EQ(shown.size(), static_cast<std::size_t>(kClosing));
+        for (int i = 1; i < 20; ++i) EXPECT_NE(shown[i], shown[i - 1]) << i;
+        EXPECT_EQ(shown.back(), shown[shown.size() - 2]) << "its end";
+    }
+}
+
 }  // namespace
 }  // namespace oblong
