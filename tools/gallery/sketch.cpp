@@ -27,8 +27,10 @@ Screen screen_of(Entry pixels) {
 }
 
 PixelPosition pixel_at(const ScreenVertex& vertex, Framebuffer part) {
-    return {std::clamp(floor_of(vertex.x), 0, part.width_px - 1),
-            std::clamp(floor_of(vertex.y), 0, part.height_px - 1)};
+    const auto within = [](Screen at, std::int32_t size_px) {
+        return std::clamp(floor_of(at), 0, std::max(size_px - 1, 0));  // a part may be empty
+    };
+    return {within(vertex.x, part.width_px), within(vertex.y, part.height_px)};
 }
 
 /// Clockwise seen from outside: top, south, east, and the three opposite.
