@@ -166,8 +166,9 @@ Figures draw_opengl_quad(const RowInput& input, Framebuffer canvas) {
     const std::uint8_t fill = assets.colour(200, 150, 60);
     sketch.polygon(corners, fill);
     std::int64_t pixels = 0;
-    for (std::int32_t y = 0; y < area.height; ++y)
-        pixels += std::count(canvas.row(area.y + y), canvas.row(area.y + y) + area.width, fill);
+    const Area shown = clipped(area, canvas);
+    for (std::int32_t y = shown.y; y < shown.y + shown.height; ++y)
+        pixels += std::count(canvas.row(y), canvas.row(y) + shown.width, fill);
     sketch.outline(corners, assets.colour(250, 225, 150));
     sketch.axes({from_gl({1.3, 0, 0}), from_gl({0, 1.3, 0}), from_gl({0, 0, 1.3})}, assets);
     double worst_px = 0, shoelace = 0;
