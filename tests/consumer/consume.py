@@ -60,9 +60,9 @@ class Consumer:
             self.demand_engine_alone(os.path.dirname(game))
 
     def fetch_content(self):
+        """As a shared library; by one compiler, as shared() builds one by the other."""
         os.symlink(self.source, self.folder + '/oblong')
-        for compiler in COMPILERS:
-            self.demand_output(self.made_with_cmake('FetchContent_Declare(', compiler, '', '-DBUILD_SHARED_LIBS=ON'))
+        self.demand_output(self.made_with_cmake('FetchContent_Declare(', COMPILERS[-1], '', '-DBUILD_SHARED_LIBS=ON'))
 
     def shared(self):
         prefix = self.built_and_installed()
