@@ -15,7 +15,7 @@
 namespace oblong::map {
 namespace {
 
-std::string quoted(std::string_view text) {
+std::string as_quoted(std::string_view text) {
     constexpr std::size_t kMost = 60;
     return "'" + std::string(text.substr(0, kMost)) + (text.size() > kMost ? "...'" : "'");
 }
@@ -74,7 +74,7 @@ class Checker {
         if (name.empty()) return warnings_.add(entity.line, "an entity without a classname, expected one");
         const EntityClass* const its_class = find_entity_class(name);
         if (its_class == nullptr || its_class->is_family())
-            return warnings_.add(entity.line, "the class " + quoted(name) + " is unknown" + nearest_class(name) +
+            return warnings_.add(entity.line, "the class " + as_quoted(name) + " is unknown" + nearest_class(name) +
                                                   ": the entity is kept unchanged");
         check_shape(entity, *its_class, with_article(name));
         for (const auto& keys : its_class->keys)
@@ -87,7 +87,7 @@ class Checker {
             const auto same = std::find_if(entity.pairs.begin(), entity.pairs.end(),
                                            [&](const MapPair& other) { return other.key == pair.key; });
             if (&*same != &pair)
-                warnings_.add(pair.line, quoted(pair.key) + " is already set in line " + std::to_string(same->line) +
+                warnings_.add(pair.line, as_quoted(pair.key) + " is already set in line " + std::to_string(same->line) +
                                              ", expected each key once: that one counts");
         }
         for (const MapBrush& brush : entity.brushes) check_textures(brush);
@@ -98,7 +98,7 @@ class Checker {
         const auto& [u, v] = side.texture.axes;
         constexpr double kLeast = 1e-4;  // of 1, that of two axes in the face at right angles
         if (std::abs(dot(cross(u, v), plane_of(side).normal)) <= kLeast * length(u) * length(v))
-            warnings_.add(side.line, "the texture axes of " + quoted(side.texture.name) +
+            warnings_.add(side.line, "the texture axes of " + as_quoted(side.texture.name) +
                                          " are zero, parallel or lead off the face, expected two directions along it");
     }
 
@@ -110,7 +110,7 @@ class Checker {
         for (const MapSide& side : brush.sides) {
             const std::string& own = side.texture.name;
             if (contents_of_texture(own) == contents_of_texture(first) || is_undrawn_texture(own)) continue;
-            return warnings_.add(side.line, "a brush with both " + quoted(first) + " and " + quoted(own) +
+            return warnings_.add(side.line, "a brush with both " + as_quoted(first) + " and " + as_quoted(own) +
                                                 " is made of the former, expected textures of one kind");
         }
     }
@@ -129,8 +129,8 @@ class Checker {
         const EntityKey* const row = find_entity_key(its_class, pair.key);
         if (row == nullptr) {
             if (pair.key.starts_with("_tb_")) return;  // TrenchBroom's
-            warnings_.add(pair.line, "nothing reads the key " + quoted(pair.key) + " of " + with_article(class_name) +
-                                         nearest_key(its_class, pair.key));
+            warnings_.add(pair.line, "nothing reads the key " + as_quoted(pair.key) + " of " +
+                                         with_article(class_name) + nearest_key(its_class, pair.key));
         } else if (!pair.value.empty() && !row->does.empty()) {
             check_value(pair, *row);
             const bool is_of_world = its_class.role == ClassRole::Worldspawn;
@@ -149,18 +149,20 @@ class Checker {
         std::string expected = expected_instead_of(pair.value, row);
         if (row.kind == KeyKind::Choice && !expected.empty()) expected += ": " + std::string(row.usual) + " is taken";
         if (!expected.empty())
-            return warnings_.add(pair.line, quoted(pair.key) + " is " + quoted(pair.value) + ", expected " + expected);
+            return warnings_.add(pair.line,
+                                 as_quoted(pair.key) + " is " + as_quoted(pair.value) + ", expected " + expected);
         if (row.kind == KeyKind::Name && !targets_.contains(pair.value))
-            warnings_.add(pair.line, quoted(pair.key) + " is " + quoted(pair.value) +
+            warnings_.add(pair.line, as_quoted(pair.key) + " is " + as_quoted(pair.value) +
                                          ", but no entity has that target: nothing activates it");
         if (row.name == "light" && row.most > 1 && count_words(pair.value) > 1)
-            warnings_.add(pair.line, "the colour in " + quoted(pair.key) + " is not kept, only its brightness");
+            warnings_.add(pair.line, "the colour in " + as_quoted(pair.key) + " is not kept, only its brightness");
         if (row.kind != KeyKind::Target && row.kind != KeyKind::Place) return;
         const auto target = named_.find(pair.value);
         if (target == named_.end())
-            warnings_.add(pair.line, quoted(pair.key) + " is " + quoted(pair.value) + ", but no entity has that name");
+            warnings_.add(pair.line,
+                          as_quoted(pair.key) + " is " + as_quoted(pair.value) + ", but no entity has that name");
         else if (row.kind == KeyKind::Place && target->second->value("origin").empty())
-            warnings_.add(pair.line, quoted(pair.key) + " is " + quoted(pair.value) +
+            warnings_.add(pair.line, as_quoted(pair.key) + " is " + as_quoted(pair.value) +
                                          ", but the first entity of that name has no origin");
     }
 
