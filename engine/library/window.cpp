@@ -4,7 +4,6 @@
 #include <memory>
 #include <stdexcept>
 
-#include "engine/base/table.h"
 #include "engine/library/conversions.h"
 #include "engine/platform/headless.h"
 #include "engine/platform/sdl/sdl.h"
@@ -14,13 +13,9 @@ namespace {
 
 constexpr std::int64_t kHeadlessRate_hz = 70;
 
-// 6 x 6 x 6 even colours, then greys from black to white.
+// Even colours, then greys from black to white.
 Palette even_palette() {
-    Palette palette;
-    for (int i = 0; i < 216; ++i) {
-        const auto level = [](int sixth) { return static_cast<std::uint8_t>(sixth * 51); };
-        item(palette.colours, i) = {level(i / 36), level(i / 6 % 6), level(i % 6)};
-    }
+    Palette palette = even_colours();
     set_ramp(palette, 216, 255, {0, 0, 0}, {255, 255, 255});
     return palette;
 }

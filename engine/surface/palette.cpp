@@ -17,6 +17,13 @@ Palette read_palette(std::span<const std::uint8_t> bytes) {
     return palette;
 }
 
+Palette even_colours() {
+    const auto level = [](int sixth) { return static_cast<std::uint8_t>(sixth * 51); };
+    Palette palette;
+    for (int i = 0; i < 216; ++i) item(palette.colours, i) = {level(i / 36), level(i / 6 % 6), level(i % 6)};
+    return palette;
+}
+
 namespace {
 
 int squared_distance(Rgb8 a, Rgb8 b) {

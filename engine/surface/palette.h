@@ -30,6 +30,9 @@ struct Palette {
 /// A palette from 768 bytes of red, green, blue triples (Quake's palette.lmp). Throws InputError for any other size.
 Palette read_palette(std::span<const std::uint8_t> bytes);
 
+/// 6 x 6 x 6 even colours, then black.
+Palette even_colours();
+
 /// Luminance of a colour times 1,000 (weights of ITU-R BT.601).
 constexpr std::int32_t luminance_1000(Rgb8 colour) {
     return 299 * colour.red + 587 * colour.green + 114 * colour.blue;

@@ -10,9 +10,10 @@ bool is_inside(const Area& area, std::int32_t x, std::int32_t y) {
     return x >= area.x && x < area.x + area.width && y >= area.y && y < area.y + area.height;
 }
 
-// Whether a step scrolls: a page without rows, or a long text above the first row, which is chosen.
+// Whether a step scrolls: a page without rows, or the text above the first row, if that is chosen and more is there.
 bool is_scrolled(const MenuPage& page, std::size_t chosen, int steps, const MenuLayout& layout) {
-    if (page.rows.empty() || chosen > 0) return page.rows.empty();
+    if (page.rows.empty()) return true;
+    if (chosen > 0) return false;
     const auto is_first = [](const MenuLayout::Item& item) { return item.row == std::size_t{0}; };
     return steps < 0 ? layout.has_more_above : std::none_of(layout.items.begin(), layout.items.end(), is_first);
 }

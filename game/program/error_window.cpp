@@ -4,29 +4,19 @@
 #include <vector>
 
 #include "engine/platform/sdl/sdl.h"
+#include "engine/surface/palette.h"
 #include "game/input/input_mapper.h"
 #include "game/menu/menu.h"
 #include "game/program/program.h"
 
 namespace oblong {
-namespace {
-
-// Six levels a channel.
-Palette error_palette() {
-    Palette palette;
-    const auto channel = [](int level) { return static_cast<std::uint8_t>(level % 6 * 51); };
-    for (int i = 0; i < 216; ++i) palette.colours[as_size(i)] = {channel(i / 36), channel(i / 6), channel(i)};
-    return palette;
-}
-
-}  // namespace
 
 void show_error(const std::string& text, Platform& platform) {
     constexpr std::int32_t kAnyTime_ms = 1000;
     const ScreenMode mode;
     std::vector<std::uint8_t> pixels(pixel_count(mode.width_px, mode.height_px));
     const Framebuffer canvas{pixels.data(), mode.width_px, mode.height_px, mode.width_px};
-    const Palette palette = error_palette();
+    const Palette palette = even_colours();
     const MenuLook look(palette);
     const Bindings bindings = default_bindings();
     InputMapper input(bindings);

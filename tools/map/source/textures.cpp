@@ -37,9 +37,22 @@ std::array<Point, 2> rotated(const std::array<Point, 2>& axes, double degrees) {
 
 constexpr std::string_view kFrames = "0123456789abcdefghij";
 
-const std::string* find_in(const std::vector<Wad>& wads, const std::string& name) {
+// The engine would refuse a level with a texture of another size, or without its texels.
+void check_texture(const std::string& miptex, int line) {
+    try {
+        parse_miptex({reinterpret_cast<const std::uint8_t*>(miptex.data()), miptex.size()});
+    } catch (const InputError& error) {
+        throw InputError(at_line(line), error.where + " of the WAD: " + error.what());
+    }
+}
+
+// Null: no WAD has it.
+const std::string* find_in(const std::vector<Wad>& wads, const TextureUse& use) {
     for (const Wad& wad : wads) {
-        if (const std::string* found = wad.find(name)) return found;
+        const std::string* const found = wad.find(use.name);
+        if (found == nullptr) continue;
+        check_texture(*found, use.line);
+        return found;
     }
     return nullptr;
 }
@@ -59,15 +72,6 @@ void check_density(const std::array<Point, 2>& axes, const MapSide& side) {
             throw InputError(
                 at_line(side.line),
                 "texture '" + side.texture.name + "' has more than 255 texels a unit, expected a larger texture scale");
-}
-
-// The engine would refuse a level with a texture of another size, or without its texels.
-void check_texture(const std::string& miptex, int line) {
-    try {
-        parse_miptex({reinterpret_cast<const std::uint8_t*>(miptex.data()), miptex.size()});
-    } catch (const InputError& error) {
-        throw InputError(at_line(line), error.where + " of the WAD: " + error.what());
-    }
 }
 
 bool is_animated(const std::string& name) {
@@ -139,9 +143,8 @@ void Wad::add_names(NearestName& nearest) const {
 std::vector<std::string> collect_textures(const std::vector<TextureUse>& uses, const std::vector<Wad>& wads) {
     std::vector<std::string> textures, names;
     for (const TextureUse& use : uses) {
-        const std::string* texture = find_in(wads, use.name);
+        const std::string* texture = find_in(wads, use);
         if (texture == nullptr) throw_missing(use, wads);
-        check_texture(*texture, use.line);
         textures.push_back(*texture);
         names.push_back(use.name);
     }
@@ -150,9 +153,8 @@ std::vector<std::string> collect_textures(const std::vector<TextureUse>& uses, c
             std::string name = use.name;
             if (!is_animated(name)) break;
             name[1] = frame;
-            const std::string* texture = find_in(wads, name);
+            const std::string* texture = find_in(wads, {name, use.line});
             if (texture == nullptr || std::find(names.begin(), names.end(), name) != names.end()) continue;
-            check_texture(*texture, use.line);
             textures.push_back(*texture);
             names.push_back(name);
         }
