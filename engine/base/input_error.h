@@ -5,12 +5,13 @@
 #include <string>
 #include <utility>
 
+#include "engine/base/text.h"
+
 namespace oblong {
 
 /// Text from a damaged file, safe to print: control characters become question marks, long text is truncated.
 inline std::string printable(std::string text) {
-    constexpr std::size_t kMost = 400;
-    if (text.size() > kMost) text.replace(kMost, std::string::npos, "...");
+    text = shortened(std::move(text), 400);
     for (char& letter : text)
         if (static_cast<unsigned char>(letter) < ' ' || letter == '\x7f') letter = '?';
     return text;

@@ -1,6 +1,7 @@
 #include "engine/base/text.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace oblong {
@@ -19,7 +20,47 @@ std::int64_t take_digits(std::string_view& text, int most, int& taken) {
     return number;
 }
 
+// In UTF-8, of a letter's bytes all but the first.
+bool is_inside_letter(char byte) {
+    return (byte & 0xc0) == 0x80;
+}
+
 }  // namespace
+
+char32_t take_letter(std::string_view& text) {
+    constexpr std::array<char32_t, 5> kLeast{0, 0, 0x80, 0x800, 0x10000};  // less has fewer bytes
+    const char32_t first = static_cast<unsigned char>(text.front());
+    const std::size_t size = first < 0x80 ? 1 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+    char32_t code = size == 1 ? first : first & (0x7f >> size);
+    bool is_letter = size <= text.size() && (first < 0x80 || (first >= 0xc0 && first < 0xf8));
+    for (std::size_t i = 1; i < size && is_letter; ++i) {
+        is_letter = is_inside_letter(text[i]);
+        code = code << 6 | (text[i] & 0x3f);
+    }
+    is_letter = is_letter && code >= kLeast[size] && code < 0x110000 && (code < 0xd800 || code >= 0xe000);
+    text.remove_prefix(is_letter ? size : 1);
+    return is_letter ? code : kNoLetter;
+}
+
+std::string_view first_letters(std::string_view text, std::size_t most) {
+    std::string_view rest = text;
+    for (; most > 0 && !rest.empty(); --most) take_letter(rest);
+    return text.substr(0, text.size() - rest.size());
+}
+
+std::size_t letters_in(std::string_view text) {
+    std::size_t count = 0;
+    for (; !text.empty(); ++count) take_letter(text);
+    return count;
+}
+
+std::string level_text(std::string text) {
+    bool is_utf8 = true;
+    for (std::string_view rest = text; !rest.empty();) is_utf8 &= take_letter(rest) != kNoLetter;
+    if (!is_utf8)
+        for (char& letter : text) letter &= 0x7f;
+    return text;
+}
 
 std::string plain_text(std::string text) {
     constexpr std::string_view kMark = "\xef\xbb\xbf";
@@ -41,8 +82,9 @@ std::string with_capital(std::string text) {
 }
 
 std::string shortened(std::string text, std::size_t most) {
-    if (text.size() > most) text.replace(most, std::string::npos, "...");
-    return text;
+    if (text.size() <= most) return text;
+    while (most > 0 && is_inside_letter(text[most])) --most;
+    return text.replace(most, std::string::npos, "...");
 }
 
 std::vector<std::string> split(std::string_view text, std::string_view separators) {

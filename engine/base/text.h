@@ -15,7 +15,19 @@ std::string plain_text(std::string text);
 std::string lower_case(std::string_view text);
 std::string with_capital(std::string text);  ///< its first letter
 
-/// Truncates a text longer than `most`, and appends "...".
+inline constexpr char32_t kNoLetter = 0x110000;
+/// Removes the first letter of a text in UTF-8, which is not empty, and returns its code; kNoLetter for a byte that is
+/// part of none.
+char32_t take_letter(std::string_view& text);
+/// The start of a text: all of its letters, or `most`; a byte that is part of none counts as one.
+std::string_view first_letters(std::string_view text, std::size_t most);
+std::size_t letters_in(std::string_view text);
+
+/// A text of a level: if it is no UTF-8, its letters are taken for Quake's, whose red ones are 128 above the white
+/// ones.
+std::string level_text(std::string text);
+
+/// Truncates a text longer than `most` bytes, and appends "...".
 std::string shortened(std::string text, std::size_t most);
 
 /// The parts of a text between separators (any letter of `separators`): one more than there are separators.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/base/table.h"
+#include "engine/base/text.h"
 #include "engine/surface/palette.h"
 #include "engine/view/screen.h"
 
@@ -34,19 +35,31 @@ void recolour_area(Framebuffer canvas, const Area& area, const ColourTable& tabl
 ColourTable darker_colours(const Palette& palette, int brightness);
 
 inline constexpr int kGlyphWidth_px = 5, kGlyphHeight_px = 8, kGlyphAdvance_px = 6, kLineHeight_px = 10;
+inline constexpr int kAccentRows_px = 2;  ///< above a glyph, between the lines
 inline constexpr char kFirstGlyph = ' ';
 inline constexpr int kGlyphCount = 95;  ///< ' ' to '~'
 
-/// Eight rows, top to bottom, the last for descenders; bit 4 is the leftmost of five pixels.
-using Glyph = std::array<std::uint8_t, kGlyphHeight_px>;
+/// Rows -2 to 7, top to bottom, the last for descenders; bit 4 is the leftmost of five pixels.
+using Glyph = std::array<std::uint8_t, kAccentRows_px + kGlyphHeight_px>;
 
 /// Whether a glyph's pixel is set; `column` from the left.
 constexpr bool is_drawn(const Glyph& glyph, int row, int column) {
-    return (item(glyph, row) >> (kGlyphWidth_px - 1 - column) & 1) != 0;
+    return (item(glyph, kAccentRows_px + row) >> (kGlyphWidth_px - 1 - column) & 1) != 0;
 }
 
-/// The glyph of an ASCII character; a question mark for others.
-const Glyph& glyph_of(char character);
+/// The glyph of a letter of ASCII, Latin-1 or Latin Extended-A, or of a common mark; a question mark for others.
+Glyph glyph_of(char32_t letter);
+
+/// Calls draw(column, row) for each pixel of a line's letters, the first letter's upper left corner at (0, 0).
+template <class Draw>
+void for_each_dot(std::string_view line, Draw draw) {
+    for (std::int32_t left = 0; !line.empty(); left += kGlyphAdvance_px) {
+        const Glyph glyph = glyph_of(take_letter(line));
+        for (int row = -kAccentRows_px; row < kGlyphHeight_px; ++row)
+            for (int column = 0; column < kGlyphWidth_px; ++column)
+                if (is_drawn(glyph, row, column)) draw(left + column, row);
+    }
+}
 
 /// The colours and the scale of text.
 struct TextColours {
@@ -74,7 +87,7 @@ std::int32_t text_width_px(std::string_view line);
 /// they refer to the text.
 std::vector<std::string_view> lines_of(std::string_view text, std::int32_t width_px);
 
-/// Draws a line of ASCII with its upper left corner at (x, y), and a dark shadow to the lower right; clipped to the
+/// Draws a line with its upper left corner at (x, y), and a dark shadow to the lower right; clipped to the
 /// canvas.
 void draw_text(Framebuffer canvas, std::int32_t x, std::int32_t y, std::string_view line, TextColours colours);
 

@@ -182,7 +182,8 @@ class DefinitionReader {
 };
 
 const std::array<DefinitionReader::Member, 9> DefinitionReader::kMembers{{
-    {{"title", "the game's name; required"}, &DefinitionReader::read_title},
+    {{"title", "the game's name; required. As all texts in UTF-8, whose Latin letters are drawn"},
+     &DefinitionReader::read_title},
     {{"levels", "the names of its levels in their order, `first` is `maps/first.bsp`; required"},
      &DefinitionReader::read_levels},
     {{"palette", "a file of 768 bytes; without: the museum's"}, &DefinitionReader::read_palette},

@@ -91,7 +91,7 @@ inline constexpr std::array kFires{
     EntityKey{"target", Target, "", "the `targetname` of what it activates"},
     EntityKey{"killtarget", Target, "", "the `targetname` of what it removes"},
     number("delay", "0", "seconds until it activates its targets"),
-    EntityKey{"message", Text, "", "text shown to the player; {jump} stands for the key of that action"},
+    EntityKey{"message", Text, "", "text shown to the player, in UTF-8; {jump} stands for the key of that action"},
 };
 inline constexpr std::array kSmooth{
     number("_phong", "0", "1: light is interpolated across edges, as on a round surface"),

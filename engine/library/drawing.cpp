@@ -173,16 +173,11 @@ void draw_turned(Framebuffer canvas, const Picture& picture, std::int32_t x, std
 void draw_label(Framebuffer canvas, std::int32_t x, std::int32_t y, std::string_view text, std::int32_t colour,
                 std::int32_t scale) {
     scale = std::clamp(scale, 1, 256);
-    std::int64_t left = x;
-    for (const char letter : text) {
-        const Glyph& glyph = glyph_of(letter);
-        for (int row = 0; row < kGlyphHeight_px; ++row)
-            for (int column = 0; column < kGlyphWidth_px; ++column)
-                for (int line = 0; line < scale && is_drawn(glyph, row, column); ++line)
-                    fill_row(canvas, left + column * scale, left + column * scale + scale - 1,
-                             std::int64_t{y} + row * scale + line, colour);
-        left += std::int64_t{kGlyphAdvance_px} * scale;
-    }
+    for_each_dot(text, [&](std::int64_t column, std::int64_t row) {
+        const std::int64_t left = x + column * scale;
+        for (int line = 0; line < scale; ++line)
+            fill_row(canvas, left, left + scale - 1, y + row * scale + line, colour);
+    });
 }
 
 }  // namespace oblong

@@ -84,7 +84,8 @@ void draw_picture(Framebuffer canvas, const Picture& picture, std::int32_t x, st
 /// A picture turned (counter-clockwise on square pixels) and scaled about its middle, which is put at (x, y).
 void draw_turned(Framebuffer canvas, const Picture& picture, std::int32_t x, std::int32_t y, std::int32_t degrees_256,
                  std::int32_t scale_256 = 256);
-/// A line of ASCII text with its left upper corner at (x, y), 6x8 pixels a letter, times `scale`.
+/// A line of text in UTF-8 (Latin letters and common marks; a question mark for others) with its left upper corner at
+/// (x, y), 6x8 pixels a letter, accents of capitals 2 pixels above, times `scale`.
 void draw_label(Framebuffer canvas, std::int32_t x, std::int32_t y, std::string_view text, std::int32_t colour,
                 std::int32_t scale = 1);
 

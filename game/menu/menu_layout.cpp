@@ -18,7 +18,7 @@ constexpr std::int32_t kMostColumns = 50;
 constexpr std::int32_t kPictureAspect_100 = 75;  // height to width of the area for a picture
 
 std::int32_t columns_of(const std::string& text) {
-    return static_cast<std::int32_t>(text.size());
+    return static_cast<std::int32_t>(letters_in(text));
 }
 
 std::vector<std::string> wrapped_lines(const std::string& text, std::int32_t columns) {
@@ -59,7 +59,7 @@ class PageLayout {
             size = lettering_size(name, cell);
         }
         out_.title_cell = cell;
-        const std::int32_t y = std::min(canvas_.height_px / 20, 3 * kGap_px);
+        const std::int32_t y = std::max(std::min(canvas_.height_px / 20, 3 * kGap_px), -size.y);
         out_.title = {(canvas_.width_px - size.width) / 2, y, size.width, size.height};
     }
 
@@ -189,7 +189,7 @@ MenuLayout lay_out(const MenuPage& page, const MenuView& view, CanvasSize canvas
 std::string cut_to(const std::string& line, std::int32_t columns) {
     if (columns_of(line) <= columns) return line;
     const auto kept = as_size(std::max(columns - 2, 0));
-    return line.substr(0, kept) + std::string("..").substr(0, as_size(std::clamp(columns, 0, 2)));
+    return std::string(first_letters(line, kept)) + std::string("..").substr(0, as_size(std::clamp(columns, 0, 2)));
 }
 
 }  // namespace oblong

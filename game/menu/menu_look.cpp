@@ -24,18 +24,6 @@ void draw_cell(Framebuffer canvas, std::int32_t x, std::int32_t y, LetterCell ce
     if (gap_y != 0) fill_area(canvas, {x, y, cell.width_px - gap_x, 1}, lit);
 }
 
-template <class DrawCell>
-void for_each_cell(std::string_view line, LetterCell cell, DrawCell draw) {
-    std::int32_t left = 0;
-    for (const char letter : line) {
-        const Glyph& glyph = glyph_of(letter);
-        for (int row = 0; row < kGlyphHeight_px; ++row)
-            for (int column = 0; column < kGlyphWidth_px; ++column)
-                if (is_drawn(glyph, row, column)) draw(left + column * cell.width_px, row * cell.height_px, row);
-        left += kGlyphAdvance_px * cell.width_px;
-    }
-}
-
 }  // namespace
 
 MenuLook::MenuLook(const Palette& palette)
@@ -49,19 +37,24 @@ MenuLook::MenuLook(const Palette& palette)
 }
 
 Area lettering_size(std::string_view line, LetterCell cell) {
-    const auto columns = static_cast<std::int32_t>(line.size()) * kGlyphAdvance_px - 1;
-    return {0, 0, std::max(columns, 0) * cell.width_px, kLetteringRamp * cell.height_px};
+    int top = 0;
+    for_each_dot(line, [&](int, int row) { top = std::min(top, row); });
+    const std::int32_t columns = text_width_px(line) - 1;
+    return {0, top * cell.height_px, std::max(columns, 0) * cell.width_px, kLetteringRamp * cell.height_px};
 }
 
 void draw_lettering(Framebuffer canvas, std::int32_t x, std::int32_t y, std::string_view line, LetterCell cell,
                     const MenuLook& look) {
     const std::int32_t shadow_x = std::max(cell.width_px / 2, 1), shadow_y = std::max(cell.height_px / 2, 1);
-    for_each_cell(line, cell, [&](std::int32_t left, std::int32_t top, int) {
-        fill_area(canvas, {x + left + shadow_x, y + top + shadow_y, cell.width_px, cell.height_px}, look.text.dark);
+    for_each_dot(line, [&](std::int32_t column, std::int32_t row) {
+        fill_area(
+            canvas,
+            {x + column * cell.width_px + shadow_x, y + row * cell.height_px + shadow_y, cell.width_px, cell.height_px},
+            look.text.dark);
     });
-    for_each_cell(line, cell, [&](std::int32_t left, std::int32_t top, int row) {
-        const std::uint8_t colour = item(look.ramp, std::min(row, kLetteringRamp - 1));
-        draw_cell(canvas, x + left, y + top, cell, colour, item(look.ramp, std::clamp(row - 2, 0, kLetteringRamp - 1)));
+    const auto shade = [&](int row) { return item(look.ramp, std::clamp(row, 0, kLetteringRamp - 1)); };
+    for_each_dot(line, [&](std::int32_t column, std::int32_t row) {
+        draw_cell(canvas, x + column * cell.width_px, y + row * cell.height_px, cell, shade(row), shade(row - 2));
     });
 }
 
@@ -107,11 +100,10 @@ class PageDrawing {
 
     // A dark band across the canvas, so that texts in the picture do not mix with the game's name.
     void hide_behind_name() const {
-        const Area& name = layout_.title;
-        for (int i = 0; i < 2; ++i)
-            recolour_area(canvas_,
-                          {0, name.y - 2 * kPanelMargin_px, canvas_.width_px, name.height + 4 * kPanelMargin_px},
-                          look_.veil);
+        const std::int32_t accents = -lettering_size(page_.title, layout_.title_cell).y;
+        const std::int32_t top = layout_.title.y - accents - 2 * kPanelMargin_px,
+                           height = layout_.title.height + accents + 4 * kPanelMargin_px;
+        for (int i = 0; i < 2; ++i) recolour_area(canvas_, {0, top, canvas_.width_px, height}, look_.veil);
     }
 
     void draw_item(const MenuLayout::Item& item) const {

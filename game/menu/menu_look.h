@@ -26,7 +26,8 @@ struct LetterCell {
     std::int32_t width_px = 6, height_px = 6;
 };
 
-/// The size of a line of large letters: six columns of cells for each letter, less one in all; seven rows.
+/// The size of a line of large letters: six columns of cells for each letter, less one in all; seven rows. Its y is
+/// that of the highest accent, 0 or negative.
 Area lettering_size(std::string_view line, LetterCell cell);
 
 /// Draws a line in large letters with visible pixels and a shadow; (x, y) is its top left corner.

@@ -36,7 +36,7 @@ bool is_lens(const GameLevel& level, std::size_t item) {
 }
 
 std::string name_of(const GameLevel& level, std::size_t item) {
-    const std::string name = level.bsp->entities[level.items[item].entity].value("netname");
+    const std::string name = level_text(level.bsp->entities[level.items[item].entity].value("netname"));
     return name.empty() ? level.lens_names.one : name;
 }
 

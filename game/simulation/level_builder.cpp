@@ -59,7 +59,7 @@ std::size_t LevelBuilder::index_of(const Entity& entity) const {
 
 void LevelBuilder::add_entity(const Entity& entity) {
     const ClassRole role = role_of(entity);
-    if (role == ClassRole::Worldspawn) level_.title = entity.value("message");
+    if (role == ClassRole::Worldspawn) level_.title = level_text(entity.value("message"));
     if (is_of_brushes(role) && !add_mover(entity)) add_wall(entity, role);
     add_trigger(entity);
     add_item(entity);
@@ -272,7 +272,7 @@ Firing LevelBuilder::firing_of(const Entity& entity, std::string_view usual_mess
     firing.target = target_of(entity, "target");
     firing.removed = target_of(entity, "killtarget");
     firing.delay_ticks = std::max(0, ticks_of(entity, "delay"));
-    std::string text = entity.value("message");
+    std::string text = level_text(entity.value("message"));
     firing.message = message(text.empty() ? std::string(usual_message) : std::move(text));
     return firing;
 }

@@ -161,7 +161,7 @@ void FrameCost::note(const GameView& view, const Settings& settings, const Palet
 }
 
 std::uint64_t Messages::reading_time_us(const std::string& text) {
-    return std::max(kLeast_us, text.size() * kLetter_us);
+    return std::max(kLeast_us, letters_in(text) * kLetter_us);
 }
 
 void Messages::show(std::string text) {
@@ -253,7 +253,7 @@ std::string joined(const std::vector<std::string>& lines) {
 HudLayout lay_out_hud(const HudText& text, bool has_messages, std::int32_t bottom, TextColours colours,
                       Framebuffer canvas) {
     HudLayout layout;
-    const std::int32_t top = kTextGap_px;
+    const std::int32_t top = std::max(kTextGap_px, colours.scale);
     RowRange below{top, std::max(bottom, top)};
     if (has_messages) below.top += std::min(line_px(colours), below.height());
     const std::string captions = joined(text.captions);

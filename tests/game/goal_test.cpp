@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "game/simulation/items.h"
@@ -42,6 +43,17 @@ TEST(Goal, LeadsToTheLastOnes) {
     for (const int x : {600, 1500}) game.stand_at(x, 0);
     EXPECT_EQ(goal_of(game.level, game.state).hint, "");
     EXPECT_EQ(goal_of(game.level, game.state).count, "5 of 5");
+}
+
+TEST(Goal, TextsInQuakesRedLettersAreReadable) {
+    const std::string red = "\xcc\xe5\xee\xf3 \xb1";
+    LogicLevel level;
+    level.add("worldspawn", {{"message", red}});
+    level.add("item_lens", {{"origin", "300 0 24"}, {"netname", red}, {"message", red}});
+    LogicGame game(level);
+    EXPECT_EQ(game.level.title, "Lens 1");
+    EXPECT_EQ(goal_of(game.level, game.state).list, "Lens 1: missing");
+    EXPECT_EQ(std::count(game.level.messages.begin(), game.level.messages.end(), "Lens 1"), 1);
 }
 
 TEST(Goal, IsNothingWithoutLenses) {

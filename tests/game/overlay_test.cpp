@@ -131,15 +131,15 @@ Rows bright_rows(Framebuffer canvas) {
 }
 
 Rows rows_of_word(std::string_view word, std::int32_t scale) {
-    Rows rows;
-    for (std::int32_t y = 0; y < kGlyphHeight_px * scale; ++y) {
-        std::string& row = rows.emplace_back();
-        for (std::int32_t x = 0; x < text_width_px(word) * scale; ++x) {
-            const std::int32_t column = x / scale % kGlyphAdvance_px;
-            const Glyph& glyph = glyph_of(word[static_cast<std::size_t>(x / scale / kGlyphAdvance_px)]);
-            row += column < kGlyphWidth_px && is_drawn(glyph, y / scale, column) ? '#' : ' ';
-        }
-    }
+    std::int32_t top = 0;
+    for_each_dot(word, [&](std::int32_t, std::int32_t row) { top = std::min(top, row); });
+    Rows rows(static_cast<std::size_t>((kGlyphHeight_px - top) * scale),
+              std::string(static_cast<std::size_t>(text_width_px(word) * scale), ' '));
+    for_each_dot(word, [&](std::int32_t column, std::int32_t row) {
+        const auto size = static_cast<std::size_t>(scale), left = static_cast<std::size_t>(column) * size;
+        for (std::size_t y = 0; y < size; ++y)
+            rows[static_cast<std::size_t>(row - top) * size + y].replace(left, size, size, '#');
+    });
     return rows;
 }
 
@@ -253,7 +253,7 @@ TEST(Overlay, TimesOfManyMillisecondsStandApartFromPixels) {
 
 TEST_P(TextOverPictures, MessagesNotesAndCaptionsAreWhole) {
     const HudText text{{"[door, to the left]"}, {"{flip} now [bounded, 3 dials turned] before exact"}, nullptr};
-    const std::string told = "F3 Shown with square pixels: spheres 17 % too narrow";
+    const std::string told = "ÉÅ Shown with square pixels: sphères 17 % too narrow";
     const GuardedCanvas guarded = fresh();
     Messages messages;
     messages.show(told);

@@ -172,6 +172,17 @@ TEST(LibraryDrawing, NothingIsDrawnOutsideOfACanvas) {
             }
 }
 
+TEST(LibraryDrawing, ALabelIsInUtf8) {
+    Picture shown = Picture::of_size(16, 10), expected = Picture::of_size(16, 10);
+    draw_label(shown.canvas(), 1, 2, "É\xff", 5);
+    for (const PixelPosition dot : {PixelPosition{4, 0}, {3, 1}, {1, 4}, {1, 5}, {1, 7}})
+        set_pixel(expected.canvas(), dot.column, dot.row, 5);
+    for (const PixelPosition end : {PixelPosition{5, 3}, {4, 6}, {5, 8}})
+        draw_line(expected.canvas(), 1, end.row, end.column, end.row, 5);
+    draw_label(expected.canvas(), 7, 2, "?", 5);
+    EXPECT_EQ(shown.pixels, expected.pixels);
+}
+
 TEST(LibraryPicture, OfAnotherNumberOfPixelsIsRefused) {
     Picture canvas = Picture::of_size(8, 8);
     for (Picture picture : {Picture{2, 2, {}}, Picture{2, 2, {1, 2, 3}}, Picture{2, 1, {1, 2, 3}}}) {

@@ -84,6 +84,12 @@ TEST(Messages, StayAsLongAsTheyTakeToRead) {
     EXPECT_EQ(messages.lines(3 * kSecond_us, 200, 5), Lines{hundred});
     EXPECT_EQ(messages.lines(8'900'000, 200, 5), Lines{hundred});
     EXPECT_EQ(messages.lines(9'000'000, 200, 5), Lines{});
+    std::string accented;
+    for (int i = 0; i < 50; ++i) accented += "é";
+    messages.show(accented);
+    EXPECT_EQ(messages.lines(10 * kSecond_us, 200, 5), Lines{accented});
+    EXPECT_EQ(messages.lines(12'999'999, 200, 5), Lines{accented});
+    EXPECT_EQ(messages.lines(13 * kSecond_us, 200, 5), Lines{}) << "by letters";
 }
 
 TEST(Messages, TheNewestAloneIsUp) {

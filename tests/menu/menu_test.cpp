@@ -305,6 +305,39 @@ TEST(MenuLayout, LongLinesAreCut) {
     EXPECT_EQ(cut_to("abcdef", 5), "abc..");
     EXPECT_EQ(cut_to("abcdef", 1), ".");
     EXPECT_EQ(cut_to("abcdef", 0), "");
+    EXPECT_EQ(cut_to("Größe", 5), "Größe");
+    EXPECT_EQ(cut_to("äöüÄÖÜ", 5), "äöü..");
+}
+
+TEST(MenuLayout, CountsLetters) {
+    const auto layout_of = [](const std::string& label) {
+        return lay_out({"Page", "", {{label, "value", "", [] {}}}}, {0, 0, 1}, {320, 200});
+    };
+    for (const std::size_t letters : {4, 20, 34, 38, 39}) {
+        std::string accented;
+        for (std::size_t i = 0; i < letters; ++i) accented += "é";
+        const MenuLayout expected = layout_of(std::string(letters, 'e')), layout = layout_of(accented);
+        EXPECT_EQ(layout.body, expected.body) << letters;
+        EXPECT_EQ(layout.items.at(0).value_y, expected.items.at(0).value_y) << letters;
+    }
+}
+
+// The accents of large letters, too.
+TEST(MenuLayout, TitlesAreInTheCanvas) {
+    for (const CanvasSize canvas : {CanvasSize{320, 200}, CanvasSize{640, 400}, CanvasSize{1280, 800}}) {
+        MenuPage page{"HOHLE"};
+        page.is_title = true;
+        const MenuLayout plain = lay_out(page, {}, canvas);
+        EXPECT_EQ(plain.title.y, std::min(canvas.height_px / 20, 15));
+        page.title = "ÉÖHLE";
+        const MenuLayout accented = lay_out(page, {}, canvas);
+        EXPECT_EQ(accented.title_cell.width_px, plain.title_cell.width_px);
+        EXPECT_EQ(accented.title.width, plain.title.width);
+        EXPECT_EQ(accented.title.y, 2 * accented.title_cell.height_px);
+    }
+    EXPECT_EQ(lettering_size("ö", {2, 3}), (Area{0, 0, 10, 21}));
+    EXPECT_EQ(lettering_size("é", {2, 3}), (Area{0, -3, 10, 21}));
+    EXPECT_EQ(lettering_size("É", {2, 3}), (Area{0, -6, 10, 21}));
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 The demo level's sphere, straight ahead, must be as wide as high on screen, to 1 %, at every size of window, when both
 halves of the correction of aspect are on or both are off, and off by the pixel's shape when only one is; also on the
 whole screen, with the look of a tube, and in the picture of all four combinations. While the lab is open, arrow keys do
-not turn the view.
+not turn the view. The window's title is the level's name, whatever its letters.
 Ends with 77 where a program that it needs is missing."""
 import math
 import os
@@ -37,7 +37,7 @@ class Display:
         os.close(write)
         with os.fdopen(read) as pipe:
             number = pipe.readline().strip()
-        self.environment = dict(os.environ, DISPLAY=':' + number, SDL_AUDIODRIVER='dummy')
+        self.environment = dict(os.environ, DISPLAY=':' + number, SDL_AUDIODRIVER='dummy', LC_ALL='C')
         self.environment.pop('WAYLAND_DISPLAY', None)
         self.environment.pop('SDL_VIDEODRIVER', None)
         self.started = []
@@ -168,6 +168,13 @@ class Report:
                                                          tolerance * 100))
 
 
+def check_title(game, report):
+    def is_right():
+        return int(game.tool('getwindowname', game.window) == 'Oblong - sphère — 2\n')
+
+    report.expect('the title has a dash and an accent (1 if so)', is_right, 1, 0)
+
+
 def check_sizes(game, report):
     for size in SIZES:
         game.resize(size)
@@ -275,7 +282,8 @@ def main():
     build = sys.argv[1]
     report = Report()
     with tempfile.TemporaryDirectory() as folder:
-        level = demo_sphere.build(build, folder)
+        level = folder + '/sphère — 2.bsp'
+        os.rename(demo_sphere.build(build, folder), level)
         display = Display()
         display.environment['XDG_DATA_HOME'] = folder
         try:
@@ -285,6 +293,7 @@ def main():
                             '--fov', FIELD_OF_VIEW, '--config', config, '--window', '%dx%d' % SIZES[0],
                             '--flashes', 'off', *options)  # else the sphere's colour takes turns with others
             game = start()
+            check_title(game, report)
             check_sizes(game, report)
             check_keys(game, report)
             check_tube(game, report)

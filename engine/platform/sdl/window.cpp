@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <clocale>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -64,11 +65,21 @@ WindowSize comfortable_size() {
     return {320 * times, 240 * times};
 }
 
+// libX11 converts titles by the locale: in that of C, a title with a dash or some others of Unicode's letters is
+// refused.
+void set_title_of(SDL_Window* window, const char* title) {
+    const std::string before = std::setlocale(LC_CTYPE, nullptr);
+    std::setlocale(LC_CTYPE, "C.UTF-8");
+    SDL_SetWindowTitle(window, title);
+    std::setlocale(LC_CTYPE, before.c_str());
+}
+
 Owned<SDL_Window> make_window(const char* title, WindowSize size) {
     if (size == WindowSize{}) size = comfortable_size();
     Owned<SDL_Window> window(SDL_CreateWindow(title, SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, size.width_px,
                                               size.height_px, SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI));
     if (!window) fail("no window");
+    set_title_of(window.get(), title);
     return window;
 }
 
@@ -117,7 +128,7 @@ class SdlPlatform final : public Platform {
     PlatformInput poll() override { return input_.poll(); }
     std::uint64_t now_us() override;
     WindowSize window_size() const override;
-    void set_title(const char* title) override { SDL_SetWindowTitle(window_.get(), title); }
+    void set_title(const char* title) override { set_title_of(window_.get(), title); }
     bool shows_icon() const override { return true; }
     void set_icon(std::span<const std::uint8_t> rgba, WindowSize size) override;
     void capture_mouse(bool is_captured) override { input_.capture_mouse(is_captured); }
