@@ -5,6 +5,7 @@ usage: each_benchmark_runs.py OBLONG_BENCH
 import json
 import subprocess
 import sys
+import tempfile
 
 FAMILIES = {"kernel", "effect_kernel", "sky", "lit_surface", "stage", "frames"}
 STAGES = {"walk", "transform_clip_project", "edge_scan", "coverage", "span_cutting", "spans"}
@@ -28,7 +29,17 @@ def main():
     check({w[0] for w in words} == FAMILIES, "families %s, expected %s" % ({w[0] for w in words}, FAMILIES))
     stages = {w[1] for w in words if w[0] == "stage"}
     check(stages == STAGES, "stages %s, expected %s" % (stages, STAGES))
-    for wrong in (["--benchmark_nonsense=1"], ["--benchmark_filter=^none$"], ["--level", "no.bsp"], ["--mode", "1x1"]):
+    short = [program, "--benchmark_filter=plain/", "--benchmark_min_time=0.0001"]
+    full = subprocess.run([*short, "--benchmark_out=/dev/full"], capture_output=True, text=True)
+    check(full.returncode == 1 and "/dev/full: write: " in full.stderr,
+          "results on a full disk: exit code %d, expected 1: %s" % (full.returncode, full.stderr))
+    with tempfile.TemporaryDirectory() as folder:
+        kept = folder + "/results.json"
+        check(subprocess.run([*short, "--benchmark_out=" + kept], capture_output=True).returncode == 0, "no results")
+        with open(kept) as file:
+            check(json.load(file)["benchmarks"], "no benchmark in the file of results")
+    for wrong in (["--benchmark_nonsense=1"], ["--benchmark_filter=^none$"], ["--level", "no.bsp"], ["--mode", "1x1"],
+                  ["--benchmark_out=x", "--benchmark_out_format=csv"]):
         refused = subprocess.run([program, *wrong], capture_output=True, text=True)
         check(refused.returncode == 2 and refused.stderr, "%s: exit code %d, expected 2" % (wrong, refused.returncode))
 

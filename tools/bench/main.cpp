@@ -16,6 +16,7 @@ using namespace oblong;
 
 struct Options {
     std::string level, cameras, palette, mode = "320x200";
+    std::string results;  ///< the file of --benchmark_out
 };
 
 void declare(CommandArguments& line, Options& options) {
@@ -46,6 +47,24 @@ BenchLevel make_bench_level(const std::string& palette) {
     return {sphere.name, std::move(sphere.level), make_colormap(colours), sphere.models, sphere.cameras};
 }
 
+/// Writes the file of --benchmark_out; Google Benchmark alone does not notice a full disk.
+class FileReporter : public benchmark::JSONReporter {
+  public:
+    void Finalize() override {
+        JSONReporter::Finalize();
+        is_written = !GetOutputStream().flush().fail();
+    }
+    bool is_written = true;
+};
+
+/// The value of one of Google Benchmark's options, "--benchmark_NAME=VALUE"; empty if it is not given.
+std::string value_of(std::span<char* const> arguments, const std::string& option) {
+    std::string value;
+    for (const std::string_view argument : arguments)
+        if (argument.starts_with(option + "=")) value = argument.substr(option.size() + 1);
+    return value;
+}
+
 void run_benchmarks(const Options& options) {
     ScreenMode mode;
     parse_mode_size(options.mode, mode);
@@ -56,8 +75,11 @@ void run_benchmarks(const Options& options) {
     register_frame_benchmarks(level, mode);
     benchmark::AddCustomContext("level", level.name);
     benchmark::AddCustomContext("mode", options.mode);
-    if (benchmark::RunSpecifiedBenchmarks() == 0)
+    FileReporter file;
+    if (benchmark::RunSpecifiedBenchmarks(nullptr, options.results.empty() ? nullptr : &file) == 0)
         throw UsageError("--benchmark_filter: no benchmark has such a name, expected one of --benchmark_list_tests");
+    if (!file.is_written)
+        throw FileError(options.results, "write", "failed, expected a writable file on a disk that is not full");
 }
 
 }  // namespace
@@ -67,15 +89,19 @@ int main(int argc, char** argv) {
     std::vector<char*> ours{argv[0]}, theirs{argv[0]};
     for (int i = 1; i < argc; ++i)
         (std::string_view(argv[i]).starts_with("--benchmark_") ? theirs : ours).push_back(argv[i]);
+    Options options;
+    options.results = value_of(theirs, "--benchmark_out");
+    const std::string format = value_of(theirs, "--benchmark_out_format");
     auto count = static_cast<int>(theirs.size());
     benchmark::Initialize(&count, theirs.data());
 
-    Options options;
     CommandLine line(
         "oblong-bench",
         "Times kernels, stages and frames with Google Benchmark, whose options (--benchmark_filter=...) it takes.");
     declare(line, options);
     const auto run = [&] {
+        if (!format.empty() && format != "json")
+            throw UsageError("--benchmark_out_format: '" + format + "', expected json");
         if (options.palette.empty()) options.palette = assets_folder(argv[0]) + "/palette.lmp";
         run_benchmarks(options);
     };
