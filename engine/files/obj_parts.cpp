@@ -217,6 +217,22 @@ Skin repeated(const Skin& skin, std::int32_t across, std::int32_t down) {
     return larger;
 }
 
+/// Checks the colours of a material file: tinyobjloader takes what is no number for 0. Throws InputError with the line.
+void check_colours(std::string_view text) {
+    std::int64_t line_number = 0;
+    for (; !text.empty(); text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1)) {
+        ++line_number;
+        std::string_view line = text.substr(0, text.find('\n'));
+        if (take_word(line) != "Kd") continue;
+        for (int channel = 0; channel < 3; ++channel) {
+            const std::string word(take_word(line));
+            const std::optional<double> number = parse_double(word);
+            if (!number || !std::isfinite(*number))
+                throw InputError(at_line(line_number), "Kd '" + word + "', expected three numbers");
+        }
+    }
+}
+
 }  // namespace
 
 void PlaceRange::include(const SkinPlace& place) {
@@ -244,14 +260,17 @@ SkinScale repeat_skin(Skin& skin, const PlaceRange& range, std::vector<std::stri
 
 bool ObjMaterialReader::operator()(const std::string& name, std::vector<tinyobj::material_t>* materials,
                                    std::map<std::string, int>* numbers, std::string* warning, std::string* error) {
+    const std::string file = (folder_ / with_slashes(name)).string();
+    std::istringstream text;
     try {
-        std::istringstream text(read_text((folder_ / with_slashes(name)).string()));
-        tinyobj::LoadMtl(numbers, materials, &text, warning, error);
-        return true;
+        text.str(read_text(file));
     } catch (const FileError& missing) {
         *warning += std::string(missing.what()) + "\n";
         return false;
     }
+    naming_file(file, [&] { check_colours(simple_obj(text.str())); });
+    tinyobj::LoadMtl(numbers, materials, &text, warning, error);
+    return true;
 }
 
 Skin make_skin(const tinyobj::material_t& material, const std::filesystem::path& folder, const Palette& palette,

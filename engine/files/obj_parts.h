@@ -27,7 +27,7 @@ std::string simple_obj(std::string_view text);
 /// corners of faces exist. Throws InputError with the line.
 ObjSummary check_obj(std::string_view text, double scale);
 
-/// Reads the material files that an OBJ file names, beside it.
+/// Reads the material files that an OBJ file names, beside it. Throws FileError for a colour that is no three numbers.
 class ObjMaterialReader : public tinyobj::MaterialReader {
   public:
     explicit ObjMaterialReader(std::filesystem::path folder) : folder_(std::move(folder)) {}

@@ -142,6 +142,16 @@ TEST_F(ObjFiles, MaterialsBecomeSkins) {
     EXPECT_NE(model.warnings[0].find("none.png"), std::string::npos) << model.warnings[0];
 }
 
+TEST_F(ObjFiles, AColourThatIsNoThreeNumbersIsNamedWithItsLine) {
+    for (const std::string colour : {"nan 0 0", "0 inf 0", "0 0 1e999", "0.5 red 0", "0.5 0.5"}) {
+        write_file(path("m.mtl"), "# red\n\tnewmtl red\r\n\tKd 1 0 0 # here\r\nnewmtl odd\nKd " + colour + "\n");
+        const std::string said =
+            refusal<FileError>([&] { read("mtllib m.mtl\n" + kSquare + "usemtl red\nf 1 2 3\n"); });
+        EXPECT_TRUE(said.starts_with(path("m.mtl") + ": line 5: Kd '")) << colour << said;
+        EXPECT_TRUE(said.ends_with("', expected three numbers")) << said;
+    }
+}
+
 TEST_F(ObjFiles, OtherMaterialsStandForGlass) {
     write_file(path("clear.png"), encode_indexed_png(std::vector<std::uint8_t>{1, 2, 3, 4}, 2, 2, grey_palette()));
     write_file(path("red.png"), encode_indexed_png(std::vector<std::uint8_t>(16, 9), 4, 4, grey_palette()));
