@@ -6,6 +6,7 @@
 
 #include "engine/base/little_endian.h"
 #include "engine/base/table.h"
+#include "engine/base/text.h"
 
 namespace oblong {
 namespace {
@@ -116,6 +117,20 @@ bool is_file(const fs::path& path) {
     return fs::is_regular_file(path, ignored);
 }
 
+// The files of a folder whose names end in .pak, by these names in small letters: on DOS's disks they have capitals. Of
+// two names that differ in nothing else, the one in small letters counts.
+std::map<std::string, fs::path> paks_in(const std::string& folder) {
+    std::map<std::string, fs::path> paks;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+        const std::string name = entry->path().filename().string(), lower = lower_case(name);
+        if (!lower.ends_with(".pak") || !is_file(entry->path())) continue;
+        fs::path& file = paks[lower];
+        if (file.empty() || name == lower) file = entry->path();
+    }
+    return paks;
+}
+
 }  // namespace
 
 std::optional<PathInPak> path_in_pak(const std::string& path) {
@@ -123,7 +138,8 @@ std::optional<PathInPak> path_in_pak(const std::string& path) {
     fs::path pak;
     for (auto part = whole.begin(); part != whole.end(); ++part) {
         pak /= *part;
-        if (part->extension() != ".pak" || std::next(part) == whole.end() || !is_file(pak)) continue;
+        if (lower_case(part->extension().string()) != ".pak" || std::next(part) == whole.end() || !is_file(pak))
+            continue;
         return PathInPak{pak.string(), whole.lexically_relative(pak).generic_string()};
     }
     return {};
@@ -142,18 +158,18 @@ bool GameFiles::has_paks() const {
     return !paks().empty();
 }
 
-std::vector<std::string> GameFiles::paks() const {
-    std::vector<std::string> found;
+const std::vector<std::string>& GameFiles::paks() const {
+    if (paks_) return *paks_;
+    paks_.emplace();
     for (const std::string& folder : folders_) {
-        const std::size_t first = found.size();
-        for (int number = 0;; ++number) {
-            const fs::path pak = fs::path(folder) / ("pak" + std::to_string(number) + ".pak");
-            if (!is_file(pak)) break;
-            found.push_back(pak.lexically_normal().string());
-        }
-        std::reverse(found.begin() + static_cast<std::ptrdiff_t>(first), found.end());
+        const std::map<std::string, fs::path> there = paks_in(folder);
+        std::vector<std::string> found;
+        for (auto pak = there.find("pak0.pak"); pak != there.end();
+             pak = there.find("pak" + std::to_string(found.size()) + ".pak"))
+            found.push_back(pak->second.lexically_normal().string());
+        paks_->insert(paks_->end(), found.rbegin(), found.rend());
     }
-    return found;
+    return *paks_;
 }
 
 const std::vector<PakEntry>& GameFiles::directory_of(const std::string& pak) const {

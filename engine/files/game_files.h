@@ -53,7 +53,7 @@ auto read_parsed_game_file(const std::string& path, Parse parse) {
 }
 
 /// The folders of a game such as Quake's, with the files in them and in their pak files (pak0.pak, pak1.pak and so on,
-/// up to the first missing number).
+/// up to the first missing number; capitals count as small letters).
 class GameFiles {
   public:
     GameFiles() = default;
@@ -74,10 +74,11 @@ class GameFiles {
                                           std::vector<std::string>& problems) const;
 
   private:
-    std::vector<std::string> paks() const;
+    const std::vector<std::string>& paks() const;
     const std::vector<PakEntry>& directory_of(const std::string& pak) const;
 
     std::vector<std::string> folders_;
+    mutable std::optional<std::vector<std::string>> paks_;              // once they were looked for
     mutable std::map<std::string, std::vector<PakEntry>> directories_;  // of the pak files that were read
 };
 

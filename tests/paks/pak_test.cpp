@@ -146,6 +146,17 @@ TEST_F(Game, ALevelIsFoundBesideThenInMapsThenInTheLastPakFile) {
     EXPECT_EQ(find_level("e1m3", places_), folder_.path("game/pak1.pak/maps/e1m3.bsp"));
 }
 
+TEST_F(Game, APakFileInCapitalsIsFoundAndReadAsOneInSmallLetters) {
+    std::filesystem::rename(folder_.path("game/pak0.pak"), folder_.path("game/PAK0.PAK"));
+    std::filesystem::rename(folder_.path("game/pak1.pak"), folder_.path("game/Pak1.pak"));
+    EXPECT_TRUE(GameFiles(places_.game_folders).has_paks());
+    EXPECT_EQ(find_level("e1m1", places_), folder_.path("game/PAK0.PAK/maps/e1m1.bsp"));
+    EXPECT_EQ(find_level("e1m3", places_), folder_.path("game/Pak1.pak/maps/e1m3.bsp"));
+    EXPECT_EQ(read_game_file(folder_.path("game/PAK0.PAK/gfx/palette.lmp")), palette_of(40));
+    folder_.write("game/pak0.pak", write_pak({{"maps/e1m1.bsp", level_with("")}}));
+    EXPECT_EQ(find_level("e1m1", places_), folder_.path("game/pak0.pak/maps/e1m1.bsp")) << "not the other one's";
+}
+
 TEST_F(Game, ANameLeadsToNoOtherFolder) {
     for (const char* name : {"", "../mine/e1m9", "maps/e1m1", "..", ".hidden", "a\\b"})
         EXPECT_EQ(find_level(name, places_), std::nullopt) << name;
