@@ -118,6 +118,8 @@ void interpret(const OptionTexts& texts, Options& options) {
                            !options.shows_gallery && options.headless_frames == 0;
     if (options.shows_error_box && (options.headless_frames > 0 || !options.timedemo.empty()))
         throw UsageError("--error-box: no window to show it in, expected it without --headless and --timedemo");
+    if (!options.log.is_empty() && !(options.timedemo + options.route).empty())
+        throw UsageError("--log: --timedemo and --route write no lines, expected it without them");
     check_replaces_none("--record", options.record,
                         {options.level, options.replay, options.palette, options.watch, texts.config});
     check_replaces_only("--record", options.record, "demo", {"OBLGDEMO"});

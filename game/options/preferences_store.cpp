@@ -45,7 +45,9 @@ std::vector<ReadLine> read_lines(const std::string& text, std::vector<LineFault>
         ++number;
         try {
             const std::optional<ConfigLine> set = parse_config_line(line);
-            if (set && !is_known(set->name, values))
+            if (set && !is_known(set->name, values) && !set->has_value)
+                faults.push_back({number, printable("'" + set->name + "', expected NAME = VALUE; the line is kept")});
+            else if (set && !is_known(set->name, values))
                 faults.push_back({number, printable("'" + set->name +
                                                     "' is unknown, expected a name that this "
                                                     "version writes; the line is kept")});

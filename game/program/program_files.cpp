@@ -7,6 +7,7 @@
 
 #include "engine/base/input_error.h"
 #include "engine/base/table.h"
+#include "engine/files/arguments.h"
 #include "engine/files/files.h"
 #include "engine/files/picture.h"
 #include "game/level/level_search.h"
@@ -68,8 +69,20 @@ LevelFiles level_files_of(const Options& options, const std::string& assets_fold
     return files;
 }
 
+namespace {
+
+// A missing demo is no error: it is recorded in the game.
+void warn_of_missing_demo(const GameDefinition& game) {
+    if (game.demo.empty() || fs::exists(game.demo)) return;
+    print_warnings("oblong", (fs::path(game.folder) / kGameFile).string(),
+                   {"/demo: there is no file " + game.demo + ", expected one that --record wrote"});
+}
+
+}  // namespace
+
 ProgramFiles load_program_files(const Options& options, const std::string& assets_folder) {
     auto loaded = std::make_shared<const LoadedLevel>(level_files_of(options, assets_folder));
+    if (options.shows_title) warn_of_missing_demo(*loaded->files.game);
     std::optional<Demo> demo;
     if (!options.replay.empty()) demo = read_parsed(options.replay, decode_demo);
     if (!options.record.empty()) check_writable(options.record);

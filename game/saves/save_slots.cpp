@@ -232,10 +232,13 @@ std::optional<HeldWalk> SaveSlots::hold(int number) const {
 
 HeldWalk SaveSlots::hold_new() const {
     const auto held = lock_folder();
-    int number = 1;
-    for (const SaveSlot slot : walks_and_quick_saves()) number = std::max(number, slot.number + 1);
-    for (;; ++number)
+    std::set<int> used{0};
+    for (const SaveSlot slot : walks_and_quick_saves()) used.insert(slot.number);
+    for (int number = *used.rbegin() + 1;; ++number) {
+        if (number > kMostWalks) number = 1;  // beyond, list() would not find its saves
+        if (used.contains(number)) continue;
         if (auto walk = hold(number)) return std::move(*walk);
+    }
 }
 
 }  // namespace oblong

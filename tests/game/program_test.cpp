@@ -87,6 +87,8 @@ TEST_F(Program, EndsWith2ForWrongUsageAnd1ForBadFiles) {
     // What single options refuse: tests/preferences.
     for (const char* wrong : {"--fov 0",
                               "--log clips",
+                              "--log clip --timedemo a.demo",
+                              "--log clip --route a.csv --record b.demo",
                               "--mode 0x0",
                               "--mode 64x48 --fov 179",
                               "--window 0x9",

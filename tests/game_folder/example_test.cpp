@@ -169,6 +169,16 @@ TEST_F(ExampleGame, ALevelThatIsNotThereIsNamedBeforeTheGameBegins) {
     EXPECT_TRUE(said_.starts_with("oblong: " + folder_ + "/game.json: /levels/2: there is no maps/third.bsp")) << said_;
 }
 
+TEST_F(ExampleGame, ADemoThatIsNotThereIsAWarningOfTheTitle) {
+    replace_in_definition("\"levels\"", "\"demo\": \"none.demo\", \"levels\"");
+    const std::string pictures = " --headless 1 --out " + temporary_.path("out");
+    EXPECT_EQ(run("oblong --title --game " + folder_ + pictures), 0);
+    EXPECT_EQ(said_, "oblong: " + folder_ + "/game.json: warning: /demo: there is no file " + folder_ +
+                         "/none.demo, expected one that --record wrote\n");
+    EXPECT_EQ(run("oblong --game " + folder_ + pictures + " --record " + folder_ + "/none.demo"), 0);
+    EXPECT_EQ(said_, "") << "of one that is being recorded";
+}
+
 TEST_F(ExampleGame, AFolderThatHoldsNoGameIsNoMuseum) {
     const std::string pictures = " --headless 1 --out " + temporary_.path("out");
     for (const std::string other : {"/none", "/game.json", "/maps"}) {

@@ -47,7 +47,8 @@ TEST(OptionsText, NamesBrokenLinesAndKeepsAllOthers) {
         "music-volume = \"20\"\n"
         "volume = 40\n"
         "gamma = -1\n"
-        "gamma = 1e1\n");
+        "gamma = 1e1\n"
+        "fov 100\n");
     EXPECT_EQ(read.preferences.light().brightness_100, 200);
     EXPECT_EQ(read.preferences.volume_100, 40);
     EXPECT_EQ(read.preferences.music_volume_100, 20);
@@ -62,7 +63,8 @@ TEST(OptionsText, NamesBrokenLinesAndKeepsAllOthers) {
         {9, "'gamma', expected NAME = VALUE"},
         {13, "'volume' is already set in line 6, expected each name once: this line counts"},
         {14, "gamma: '-1', expected 0.5 to 2"},
-        {15, "gamma: '1e1', expected 0.5 to 2"}};
+        {15, "gamma: '1e1', expected 0.5 to 2"},
+        {16, "'fov 100', expected NAME = VALUE; the line is kept"}};
     ASSERT_EQ(read.faults.size(), expected.size());
     for (std::size_t i = 0; i < expected.size(); ++i) {
         EXPECT_EQ(read.faults[i].line, expected[i].first);

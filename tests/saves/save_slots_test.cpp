@@ -113,6 +113,15 @@ TEST_F(SlotFiles, OtherFilesAreNoSlots) {
     EXPECT_EQ(slots_.hold_new().number, 1);
 }
 
+TEST_F(SlotFiles, AfterTheGreatestNumberComesTheFirstThatIsFree) {
+    slots_.save({SaveKind::Walk, 1}, first_);
+    slots_.save({SaveKind::Walk, 1'000'000}, first_);
+    const HeldWalk walk = slots_.hold_new();
+    EXPECT_EQ(walk.number, 2);
+    slots_.save({SaveKind::Walk, walk.number}, first_);
+    EXPECT_EQ(slots_.list().size(), 11u) << "a save that is not listed";
+}
+
 TEST_F(SlotFiles, AWalkIsHeldByOneAtATime) {
     const SaveSlots of_another(folder_.path("made"));
     std::optional<HeldWalk> mine = slots_.hold_new();
