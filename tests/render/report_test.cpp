@@ -195,12 +195,12 @@ TEST(ViewOption, SaysWhatIsWrong) {
 }
 
 TEST(ViewOption, NamesTheCameraWhoseViewCannotBeDrawn) {
-    const auto place_of = [](const std::string& text) {
-        return test::place_of_refusal(
+    const auto said_of = [](const std::string& text) {
+        return test::refusal<UsageError>(
             [&] { checked_view(parse_view(text), camera_at(0, 0, 0), {}, "--view at camera 7"); });
     };
-    EXPECT_EQ(place_of("top:width=0"), "--view at camera 7");
-    EXPECT_EQ(place_of("vrp:vpn=0/0/0"), "--view at camera 7: VPN");
+    EXPECT_TRUE(said_of("top:width=0").starts_with("--view at camera 7: a window without a size"));
+    EXPECT_TRUE(said_of("vrp:vpn=0/0/0").starts_with("--view at camera 7: VPN: is zero"));
 }
 
 }  // namespace

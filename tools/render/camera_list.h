@@ -24,7 +24,7 @@ extern const char* const kViewSyntax;
 /// "NAME" or "NAME:KEY=VALUE,...". Throws UsageError that says which name, key or value is wrong.
 ViewOfCamera parse_view(const std::string& text);
 
-/// The view of a camera. Throws InputError with `where` if it cannot be drawn in the mode.
+/// The view of a camera. Throws UsageError that begins with `where` if it cannot be drawn in the mode.
 ViewSpec checked_view(const ViewOfCamera& view, const Camera& camera, const ScreenMode& mode, const std::string& where);
 
 }  // namespace oblong

@@ -199,9 +199,9 @@ ViewSpec checked_view(const ViewOfCamera& view, const Camera& camera, const Scre
     try {
         spec = view(camera);
     } catch (const InputError& error) {
-        throw InputError(where + ": " + error.where, error.what());
+        throw UsageError(where + ": " + error.where + ": " + error.what());
     }
-    if (const std::optional<std::string> problem = problem_of(spec, mode)) throw InputError(where, *problem);
+    if (const std::optional<std::string> problem = problem_of(spec, mode)) throw UsageError(where + ": " + *problem);
     return spec;
 }
 
