@@ -3,7 +3,7 @@
 #include <bit>
 #include <string>
 
-#include "engine/base/input_error.h"
+#include "engine/base/little_endian.h"
 #include "engine/base/table.h"
 #include "engine/files/sound_file.h"
 
@@ -197,7 +197,7 @@ void read_frame(BitReader& bits, std::vector<std::int16_t>& samples) {
 
 SoundSamples decode_flac(std::span<const std::uint8_t> file) {
     BitReader bits(file);
-    bits.expect(file.size() >= 4 && bits.take(32) == 0x664c6143, "no \"fLaC\", expected a FLAC or WAV file");
+    expect_at(0, file.size() >= 4 && bits.take(32) == 0x664c6143, "no \"fLaC\", expected a FLAC or WAV file");
     SoundSamples sound;
     std::uint64_t sample_count = 0;
     bool is_last = false;

@@ -19,7 +19,7 @@ template <std::size_t N>
 struct Elimination {
     std::array<std::array<SoftFloat, 2 * N>, N> rows{};
 
-    explicit Elimination(const Matrix<static_cast<int>(N)>& matrix) {
+    explicit Elimination(const Matrix<N>& matrix) {
         for (std::size_t i = 0; i < N; ++i) {
             for (std::size_t j = 0; j < N; ++j)
                 rows[i][j] = SoftFloat::from(matrix.rows[i][j].raw, -Entry::kFractionBits);
@@ -54,7 +54,7 @@ struct Elimination {
     }
 };
 
-template <int N>
+template <std::size_t N>
 int largest_magnitude(const Matrix<N>& matrix) {
     std::uint64_t largest = 0;
     for (const auto& row : matrix.rows)
@@ -64,8 +64,8 @@ int largest_magnitude(const Matrix<N>& matrix) {
 
 /// The right half as a matrix; none if an entry does not fit.
 template <std::size_t N>
-std::optional<Matrix<static_cast<int>(N)>> right_half(const Elimination<N>& done) {
-    Matrix<static_cast<int>(N)> result;
+std::optional<Matrix<N>> right_half(const Elimination<N>& done) {
+    Matrix<N> result;
     for (std::size_t i = 0; i < N; ++i)
         for (std::size_t j = 0; j < N; ++j) {
             const std::optional<std::int64_t> raw = fixed_of(done.rows[i][N + j], Entry::kFractionBits);
@@ -76,12 +76,11 @@ std::optional<Matrix<static_cast<int>(N)>> right_half(const Elimination<N>& done
 }
 
 /// Gauss-Jordan elimination with partial pivoting.
-template <int N>
+template <std::size_t N>
 std::optional<Matrix<N>> inverse_of(const Matrix<N>& matrix) {
-    constexpr auto kSize = as_size(N);
-    Elimination<kSize> elimination(matrix);
+    Elimination<N> elimination(matrix);
     const int smallest_pivot = largest_magnitude(matrix) - kSingularBits;
-    for (std::size_t column = 0; column < kSize; ++column) {
+    for (std::size_t column = 0; column < N; ++column) {
         std::swap(elimination.rows[column], elimination.rows[elimination.pivot_row(column)]);
         const SoftFloat pivot = elimination.rows[column][column];
         if (pivot.is_zero() || pivot.magnitude() < smallest_pivot) return std::nullopt;

@@ -23,7 +23,7 @@ struct Vec4 {
 };
 
 /// N rows of N entries, for column vectors: (A B) v = A (B v).
-template <int N>
+template <std::size_t N>
 struct Matrix {
     std::array<std::array<Entry, N>, N> rows{};
 
@@ -54,7 +54,7 @@ using Matrix3 = Matrix<3>;
 using Matrix4 = Matrix<4>;
 
 /// Each entry is within N / 2 steps of the exact product, or saturates.
-template <int N>
+template <std::size_t N>
 constexpr Matrix<N> operator*(const Matrix<N>& a, const Matrix<N>& b) {
     const Matrix<N> columns = b.transposed();
     Matrix<N> result;

@@ -12,11 +12,11 @@ namespace {
 
 __extension__ using Int128 = __int128;
 
-template <int N>
+template <std::size_t N>
 using Integers = std::array<std::array<std::int64_t, N>, N>;
 
 /// The determinant of the matrix without row `row` and column `column`; expansion along the first row.
-template <int N>
+template <std::size_t N>
 Int128 determinant(const Integers<N>& m) {
     if constexpr (N == 1) {
         return m[0][0];
@@ -35,14 +35,14 @@ Int128 determinant(const Integers<N>& m) {
 }
 
 /// Cramer's rule: entry (i, j) of the inverse is the cofactor of (j, i) over the determinant.
-template <int N>
+template <std::size_t N>
 Int128 cofactor(const Integers<N>& m, std::size_t row, std::size_t column) {
     Integers<N> replaced = m;
     for (std::size_t j = 0; j < N; ++j) replaced[row][j] = j == column ? 1 : 0;
     return determinant<N>(replaced);
 }
 
-template <int N>
+template <std::size_t N>
 Matrix<N> matrix_of(const Integers<N>& integers) {
     Matrix<N> result;
     for (std::size_t i = 0; i < N; ++i)
@@ -51,7 +51,7 @@ Matrix<N> matrix_of(const Integers<N>& integers) {
 }
 
 /// Every entry of `got` is within a step of the exact quotient cofactor 2^32 / determinant.
-template <int N>
+template <std::size_t N>
 void expect_inverse(const Matrix<N>& got, const Integers<N>& of, Int128 det) {
     for (std::size_t i = 0; i < N; ++i)
         for (std::size_t j = 0; j < N; ++j) {
@@ -60,7 +60,7 @@ void expect_inverse(const Matrix<N>& got, const Integers<N>& of, Int128 det) {
         }
 }
 
-template <int N>
+template <std::size_t N>
 void expect_inverses_of_random_integers(int count, int range) {
     std::mt19937 random(1);
     for (int k = 0; k < count; ++k) {
