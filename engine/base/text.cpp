@@ -25,6 +25,14 @@ bool is_inside_letter(char byte) {
     return (byte & 0xc0) == 0x80;
 }
 
+// How far the last byte of a small Latin letter is above that of its capital; 0 for any other letter.
+int above_capital(char32_t letter) {
+    if ((letter >= 'a' && letter <= 'z') || (letter >= 0xe0 && letter < 0xff && letter != 0xf7)) return 0x20;
+    if (letter < 0x100 || letter >= 0x17f || letter == 0x131 || letter == 0x140) return 0;
+    const bool are_small_even = (letter > 0x138 && letter < 0x14a) || letter > 0x178;
+    return (letter % 2 == 0) == are_small_even ? 1 : 0;
+}
+
 }  // namespace
 
 char32_t take_letter(std::string_view& text) {
@@ -76,8 +84,12 @@ std::string lower_case(std::string_view text) {
     return lower;
 }
 
-std::string with_capital(std::string text) {
-    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+std::string in_capitals(std::string text, std::size_t most) {
+    for (std::string_view rest = text; most > 0 && !rest.empty(); --most) {
+        const int above = above_capital(take_letter(rest));
+        char& last = text[text.size() - rest.size() - 1];
+        last = static_cast<char>(last - above);
+    }
     return text;
 }
 

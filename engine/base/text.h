@@ -13,7 +13,8 @@ namespace oblong {
 std::string plain_text(std::string text);
 
 std::string lower_case(std::string_view text);
-std::string with_capital(std::string text);  ///< its first letter
+/// Makes a text's first letters capitals: `most`, or all.
+std::string in_capitals(std::string text, std::size_t most = std::string::npos);
 
 inline constexpr char32_t kNoLetter = 0x110000;
 /// Removes the first letter of a text in UTF-8, which is not empty, and returns its code; kNoLetter for a byte that is

@@ -19,7 +19,7 @@ std::string text_of_end(const EndFigures& figures) {
 }  // namespace
 
 MenuRow menu_row(std::string label, std::function<void()> accept, std::string help) {
-    return {std::move(label), "", with_capital(std::move(help)), std::move(accept)};
+    return {std::move(label), "", in_capitals(std::move(help), 1), std::move(accept)};
 }
 
 void MenuPages::open_title() {
@@ -143,8 +143,9 @@ MenuPage MenuPages::options_page() {
 
 MenuRow MenuPages::preference_row(const Preference& preference) {
     const std::string keys = preference.keys.empty() ? "" : " (" + host_.key_names().in(preference.keys) + ")";
-    return {with_capital(preference.label), preference.shown(host_.preferences()), with_capital(preference.help) + keys,
-            nullptr, [this, &preference](int steps) { preference.change(host_.preferences(), steps); }};
+    return {in_capitals(preference.label, 1), preference.shown(host_.preferences()),
+            in_capitals(preference.help, 1) + keys, nullptr,
+            [this, &preference](int steps) { preference.change(host_.preferences(), steps); }};
 }
 
 MenuPage MenuPages::preferences_page(PreferencePage page) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "engine/base/text.h"
 #include "engine/files/arguments.h"
 #include "engine/files/files.h"
 #include "engine/level/entity_classes.h"
@@ -42,10 +43,7 @@ PlayedGame::PlayedGame(const Options& options, std::string assets_folder, const 
     : options_(options), assets_folder_(std::move(assets_folder)), files_(files_of_game(first, options)) {}
 
 std::string PlayedGame::title() const {
-    std::string title = definition().title;
-    for (char& letter : title)
-        if (letter >= 'a' && letter <= 'z') letter = static_cast<char>(letter - 'a' + 'A');
-    return title;
+    return in_capitals(definition().title);
 }
 
 std::string PlayedGame::credits() const {

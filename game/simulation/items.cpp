@@ -106,7 +106,7 @@ Goal goal_of(const GameLevel& level, const GameState& state) {
     const auto where = [&](std::size_t item) {
         return " (" + direction_of(state.player.position, level.items[item].position) + ")";
     };
-    goal.title = with_capital(level.lens_names.several);
+    goal.title = in_capitals(level.lens_names.several, 1);
     goal.count = std::to_string(count.taken) + " of " + std::to_string(count.all);
     for (const std::size_t lens : last)
         goal.hint += (goal.hint.empty() ? "Missing: " : ", ") + name_of(level, lens) + where(lens);

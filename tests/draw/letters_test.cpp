@@ -90,6 +90,16 @@ TEST(Letters, AShortenedTextEndsWithAWholeOne) {
     EXPECT_EQ(printable("Höhle\n"), "Höhle?");
 }
 
+TEST(Letters, HaveCapitals) {
+    EXPECT_EQ(in_capitals("Höhle – L'été, żółć 12"), "HÖHLE – L'ÉTÉ, ŻÓŁĆ 12");
+    EXPECT_EQ(in_capitals("œufs œufs", 1), "Œufs œufs");
+    EXPECT_EQ(in_capitals("", 1), "");
+    const std::string small = "azàþāķĺľłňŋŷźž", capital = "AZÀÞĀĶĹĽŁŇŊŶŹŽ", neither = "`{¿ß÷ÿıŀĸŉſ€\xe0\xc3";
+    EXPECT_EQ(in_capitals(small), capital);
+    EXPECT_EQ(in_capitals(capital), capital);
+    EXPECT_EQ(in_capitals(neither), neither);
+}
+
 TEST(Letters, OfQuakesLevelsAreWhite) {
     EXPECT_EQ(level_text("Die Höhle"), "Die Höhle");
     EXPECT_EQ(level_text("The \xcc\xef\xf3\xf4 cave"), "The Lost cave");

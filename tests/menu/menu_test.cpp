@@ -340,5 +340,28 @@ TEST(MenuLayout, TitlesAreInTheCanvas) {
     EXPECT_EQ(lettering_size("É", {2, 3}), (Area{0, -6, 10, 21}));
 }
 
+// As bright as a letter's first row, before a band that is dark from above the accents to below the letters.
+TEST(MenuLook, LargeLettersHaveTheirAccents) {
+    std::vector<std::uint8_t> pixels(320 * 200, 255);
+    const Framebuffer canvas{pixels.data(), 320, 200, 320};
+    const Palette palette = grey_palette();
+    const MenuLook look(palette);
+    MenuPage page{"ÉI"};
+    page.is_title = true;
+    draw_menu(page, {}, look, palette, canvas);
+    const MenuLayout layout = lay_out(page, {}, {320, 200});
+    const std::int32_t cell = layout.title_cell.width_px, middle = cell / 2;
+    const auto colour = [&](std::int32_t column, std::int32_t row) {
+        return canvas.row(layout.title.y + row * cell + middle)[layout.title.x + column * cell + middle];
+    };
+    EXPECT_EQ(colour(3, -2), look.ramp[0]);
+    EXPECT_EQ(colour(2, -1), look.ramp[0]);
+    EXPECT_EQ(colour(8, 0), look.ramp[0]);
+    EXPECT_EQ(colour(0, 1), look.ramp[1]);
+    for (std::int32_t y = 0; y < layout.title.y + layout.title.height; ++y)
+        EXPECT_EQ(canvas.row(y)[0], canvas.row(layout.title.y)[0]) << y;
+    EXPECT_LT(canvas.row(layout.title.y)[0], canvas.row(199)[0]);
+}
+
 }  // namespace
 }  // namespace oblong::test::menu_layout_test

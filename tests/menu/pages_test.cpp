@@ -149,7 +149,7 @@ class EveryPage : public Pages {
         const std::size_t depth = menu_.depth();
         seen_.insert(menu_.page().title);
         for (const MenuRow& row : menu_.page().rows)
-            EXPECT_EQ(row.help, with_capital(row.help)) << menu_.page().title << ": " << row.label;
+            EXPECT_EQ(row.help, in_capitals(row.help, 1)) << menu_.page().title << ": " << row.label;
         for (std::size_t row = 0; row < menu_.page().rows.size(); ++row) {
             const MenuRow chosen = menu_.page().rows[row];
             if (!chosen.accept || is_final(chosen.label) || chosen.value == "remove") continue;
