@@ -138,33 +138,34 @@ constexpr std::array kOwn = std::to_array<std::pair<char32_t, Rows>>({
 
 // Marks of accents: what is above a small letter (rows -1, 0 and 1) and below it (row 7).
 using Accent = std::array<std::uint8_t, 4>;
-constexpr std::array kAccents = std::to_array<std::pair<char, Accent>>({
-    {'\'', {0b00010, 0b00100, 0b00000, 0b00000}},  // acute
-    {'`', {0b01000, 0b00100, 0b00000, 0b00000}},  // grave
-    {'^', {0b00100, 0b01010, 0b00000, 0b00000}},  // circumflex
-    {'v', {0b01010, 0b00100, 0b00000, 0b00000}},  // caron
-    {'~', {0b01101, 0b10110, 0b00000, 0b00000}},  // tilde
-    {':', {0b00000, 0b01010, 0b00000, 0b00000}},  // diaeresis
-    {'.', {0b00000, 0b00100, 0b00000, 0b00000}},  // dot
-    {'m', {0b00000, 0b01110, 0b00000, 0b00000}},  // macron
-    {'u', {0b10001, 0b01110, 0b00000, 0b00000}},  // breve
-    {'w', {0b01001, 0b10010, 0b00000, 0b00000}},  // double acute
-    {'o', {0b00100, 0b01010, 0b00100, 0b00000}},  // ring
-    {',', {0b00000, 0b00000, 0b00000, 0b00100}},  // cedilla
-    {';', {0b00000, 0b00000, 0b00000, 0b00010}},  // ogonek
-    {' ', {}},  // none: a letter without its dot
+constexpr std::array kAccents = std::to_array<std::pair<char32_t, Accent>>({
+    {U'\'', {0b00010, 0b00100, 0b00000, 0b00000}},  // acute
+    {U'`', {0b01000, 0b00100, 0b00000, 0b00000}},  // grave
+    {U'^', {0b00100, 0b01010, 0b00000, 0b00000}},  // circumflex
+    {U'v', {0b01010, 0b00100, 0b00000, 0b00000}},  // caron
+    {U'~', {0b01101, 0b10110, 0b00000, 0b00000}},  // tilde
+    {U':', {0b00000, 0b01010, 0b00000, 0b00000}},  // diaeresis
+    {U'.', {0b00000, 0b00100, 0b00000, 0b00000}},  // dot
+    {U'm', {0b00000, 0b01110, 0b00000, 0b00000}},  // macron
+    {U'u', {0b10001, 0b01110, 0b00000, 0b00000}},  // breve
+    {U'w', {0b01001, 0b10010, 0b00000, 0b00000}},  // double acute
+    {U'o', {0b00100, 0b01010, 0b00100, 0b00000}},  // ring
+    {U',', {0b00000, 0b00000, 0b00000, 0b00100}},  // cedilla
+    {U';', {0b00000, 0b00000, 0b00000, 0b00010}},  // ogonek
+    {U' ', {}},  // none: a letter without its dot
 });
 // clang-format on
 
 // Pairs: a letter, and the mark of an accent or another letter that is drawn over it.
 constexpr char32_t kFirstComposed = 0xa1;
-constexpr std::string_view kComposed = R"(  c|  ??Y=     :      ??  ?? m  +_     '  ??   ,      ??????  )"    // U+00A1
-                                       R"(A`A'A^A~A:Ao  C,E`E'E^E:I`I'I^I:  N~O`O'O^O~O:  O/U`U'U^U:Y'    )"  // U+00C0
-                                       R"(a`a'a^a~a:ao  c,e`e'e^e:i`i'i^i:  n~o`o'o^o~o:    u`u'u^u:y'  y:)"  // U+00E0
-                                       R"(AmamAuauA;a;C'c'C^c^C.c.CvcvDvdv    EmemEueuE.e.E;e;EvevG^g^Gugu)"  // U+0100
-                                       R"(G.g.G,g'H^h^????I~i~ImimIuiuI;i;I.i ????J^j^K,k,??L'l'L,l,Lvlv??)"  // U+0120
-                                       R"(??    N'n'N,n,Nvnv??????OmomOuouOwow    R'r'R,r,RvrvS's'S^s^S,s,)"  // U+0140
-                                       R"(SvsvT,t,TvtvT-t=U~u~UmumUuuuUouoUwuwU;u;W^w^Y^y^Y:Z'z'Z.z.Zvzv)";   // U+0160
+constexpr std::u32string_view kComposed =
+    UR"(  c|  ??Y=     :      ??  ?? m  +_     '  ??   ,      ??????  )"    // U+00A1
+    UR"(A`A'A^A~A:Ao  C,E`E'E^E:I`I'I^I:  N~O`O'O^O~O:  O/U`U'U^U:Y'    )"  // U+00C0
+    UR"(a`a'a^a~a:ao  c,e`e'e^e:i`i'i^i:  n~o`o'o^o~o:    u`u'u^u:y'  y:)"  // U+00E0
+    UR"(AmamAuauA;a;C'c'C^c^C.c.CvcvDvdv    EmemEueuE.e.E;e;EvevG^g^Gugu)"  // U+0100
+    UR"(G.g.G,g'H^h^????I~i~ImimIuiuI;i;I.i ????J^j^K,k,??L'l'L,l,Lvlv??)"  // U+0120
+    UR"(??    N'n'N,n,Nvnv??????OmomOuouOwow    R'r'R,r,RvrvS's'S^s^S,s,)"  // U+0140
+    UR"(SvsvT,t,TvtvT-t=U~u~UmumUuuuUouoUwuwU;u;W^w^Y^y^Y:Z'z'Z.z.Zvzv)";   // U+0160
 
 // Pairs: a letter, and the one that is drawn for it.
 constexpr std::u32string_view kDrawnAs =
@@ -193,10 +194,10 @@ Glyph accented(Glyph glyph, const Accent& accent, bool has_dot) {
     return glyph;
 }
 
-Glyph composed(char letter, char mark) {
+Glyph composed(char32_t letter, char32_t mark) {
     Glyph glyph = glyph_of(letter);
     for (const auto& [accents_mark, accent] : kAccents)
-        if (accents_mark == mark) return accented(glyph, accent, letter == 'i' || letter == 'j');
+        if (accents_mark == mark) return accented(glyph, accent, letter == U'i' || letter == U'j');
     const Glyph over = glyph_of(mark);
     std::transform(glyph.begin(), glyph.end(), over.begin(), glyph.begin(), std::bit_or<>());
     return glyph;

@@ -131,7 +131,7 @@ TEST(Font, OfAsciiNothingIsAbove) {
 TEST(Text, IsDrawnWithItsAccentsAbove) {
     std::vector<std::uint8_t> pixels(20 * 16);
     const std::vector<std::string> rows = picture_of("ÉÅ");
-    for (const std::size_t y : {0, 1, 4}) {
+    for (const std::size_t y : {0u, 1u, 4u}) {
         std::fill(pixels.begin(), pixels.end(), std::uint8_t{0});
         draw_text({pixels.data(), 20, 16, 20}, 1, static_cast<int>(y), "ÉÅ", {9, 0, 1});
         std::vector<std::uint8_t> expected(20 * 16);

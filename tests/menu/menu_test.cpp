@@ -313,7 +313,7 @@ TEST(MenuLayout, CountsLetters) {
     const auto layout_of = [](const std::string& label) {
         return lay_out({"Page", "", {{label, "value", "", [] {}}}}, {0, 0, 1}, {320, 200});
     };
-    for (const std::size_t letters : {4, 20, 34, 38, 39}) {
+    for (const std::size_t letters : {4u, 20u, 34u, 38u, 39u}) {
         std::string accented;
         for (std::size_t i = 0; i < letters; ++i) accented += "é";
         const MenuLayout expected = layout_of(std::string(letters, 'e')), layout = layout_of(accented);
