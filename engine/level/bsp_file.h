@@ -222,8 +222,9 @@ LevelBox read_box(LumpReader& in, bool has_floats);
 /// Three floats within the world.
 Vec3<World> read_world_vector(LumpReader& in);
 
-/// Checks that every node has at most one parent, and every path down ends within kMaxTreeDepth steps.
-void check_node_tree(const BspFile& file, const Table<Node>& nodes);
+/// Checks that every node has at most one parent, and every path down ends within kMaxTreeDepth steps; that each model
+/// has a tree of its own, whose nodes hold its faces, on their planes.
+void check_node_tree(const BspFile& file, const Level& level);
 /// Checks that every path down ends within kMaxTreeDepth steps; subtrees may be shared.
 void check_clip_nodes(const BspFile& file, const Table<ClipNode>& clip_nodes);
 /// Checks that the packed row of each leaf decodes to the world's number of visible leaves, inside the lump.

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cstdlib>
 #include <tuple>
 #include <utility>
 
@@ -134,13 +136,59 @@ void gather_polygon(const Level& level, const Face& face, const Table<FloatBits3
     for (const SurfEdge edge : level.edges_of(face)) polygon.push_back(vertex_floats[level.start_of(edge)]);
 }
 
-Face read_face(LumpReader& in, const BspFile& file) {
+/// How a face's corners turn, seen from the tip of an axis: above 0 counter-clockwise, below 0 clockwise. 0 if rounded
+/// to quarters of a unit they are all about on a line.
+std::int64_t turn_seen_along(int axis, const Level& level, const Face& face) {
+    using Part = World Vec3<World>::*;
+    constexpr std::array<Part, 3> kRight{&Vec3<World>::y, &Vec3<World>::z, &Vec3<World>::x},
+        kUp{&Vec3<World>::z, &Vec3<World>::x, &Vec3<World>::y};
+    const Part right = item(kRight, axis), up = item(kUp, axis);
+    const auto corner = [&](SurfEdge edge) {
+        const Vec3<World>& at = level.vertices[level.start_of(edge)];
+        return std::pair<std::int64_t, std::int64_t>{floor_of<2>(at.*right), floor_of<2>(at.*up)};
+    };
+    const std::span<const SurfEdge> edges = level.edges_of(face);
+    const auto first = corner(edges[0]);
+    for (std::size_t i = 2; i < edges.size(); ++i) {
+        const auto second = corner(edges[i - 1]), third = corner(edges[i]);
+        const std::int64_t x1 = second.first - first.first, y1 = second.second - first.second,
+                           x2 = third.first - first.first, y2 = third.second - first.second;
+        const std::int64_t area = x1 * y2 - x2 * y1;
+        if (std::abs(area) > 2 * (std::abs(x1) + std::abs(y1) + std::abs(x2) + std::abs(y2) + 2)) return area;
+    }
+    return 0;
+}
+
+/// Of compilers, real levels' corners are up to 0.013 units from their planes.
+constexpr PlaneDistance kFarthestFromPlane = PlaneDistance::from_int(1);
+
+/// Throws unless the corners are on the face's plane, and clockwise seen from its front: else it would be drawn
+/// wrongly, or not at all. Compilers make faces too narrow to tell.
+void check_corners(const LumpReader& in, const Level& level, const Face& face) {
+    const LevelPlane& plane = level.planes[face.plane];
+    for (const SurfEdge edge : level.edges_of(face)) {
+        const PlaneDistance off = dot(level.vertices[level.start_of(edge)], plane.normal) - plane.distance;
+        if (off > kFarthestFromPlane || off < -kFarthestFromPlane)
+            in.fail("a corner " + std::to_string(floor_of<0>(off < PlaneDistance{} ? -off : off)) +
+                    " units off the face's plane, expected 1 at most");
+    }
+    const std::array<Unit, 3> normal{plane.normal.x, plane.normal.y, plane.normal.z};
+    const auto nearest =
+        std::max_element(normal.begin(), normal.end(), [](Unit a, Unit b) { return magnitude(a) < magnitude(b); });
+    const std::int64_t turn = turn_seen_along(static_cast<int>(nearest - normal.begin()), level, face);
+    const bool is_from_front = (*nearest > Unit{}) != face.is_back;
+    if (is_from_front ? turn > 0 : turn < 0)
+        in.fail("corners counter-clockwise seen from the face's front, expected clockwise");
+}
+
+Face read_face(LumpReader& in, const BspFile& file, const Level& level) {
     Face face;
     face.plane = check_index<LevelPlane>(in, in.read_index(), file, Lump::Planes, "plane");
     face.is_back = in.read_index() != 0;
     const std::int32_t first_edge = in.read_i32(), edge_count = in.read_index();
     if (edge_count < 3) in.fail(std::to_string(edge_count) + " edges, expected 3 or more");
     face.edges = in.check_range<SurfEdge>(first_edge, edge_count, file.count(Lump::SurfEdges), "surfedges");
+    check_corners(in, level, face);
     face.texinfo = check_index<TexInfo>(in, in.read_index(), file, Lump::TexInfos, "texinfo");
     for (std::uint8_t& style : face.styles) style = in.read_u8();
     face.light_offset = in.read_i32();
@@ -192,7 +240,7 @@ Table<Face> read_faces(const BspFile& file, const Level& level, const Table<Floa
     // Faces share surfedges only in files made to waste time.
     std::int64_t work_left = std::int64_t{file.count(Lump::SurfEdges)} * 8;
     return read_records<Table<Face>>(file, Lump::Faces, [&](LumpReader& in) {
-        Face face = read_face(in, file);
+        Face face = read_face(in, file, level);
         work_left -= face.edges.count;
         if (work_left < 0) in.fail("faces share surfedges, expected each to have its own");
         gather_polygon(level, face, vertex_floats, polygon);

@@ -40,7 +40,7 @@ void read_trees(const BspFile& file, Level& level) {
     level.clip_nodes = read_clip_nodes(file);
     level.leaves = read_leaves(file);
     level.models = read_models(file);
-    check_node_tree(file, level.nodes);
+    check_node_tree(file, level);
     check_clip_nodes(file, level.clip_nodes);
 }
 
@@ -138,14 +138,41 @@ std::int64_t packed_row_size(LumpReader& in, std::int64_t start, std::int64_t ro
     return packed;
 }
 
+/// The nodes of a model hold its own faces, which are on their planes. Trees share no node.
+void check_faces_of_nodes(const BspFile& file, const Level& level, ModelIndex model) {
+    const IndexRange<Face> own = level.models[model].faces;
+    std::vector<NodeChild> pending{level.models[model].root};
+    while (!pending.empty()) {
+        const NodeChild at = pending.back();
+        pending.pop_back();
+        if (at.is_leaf()) continue;
+        const Node& node = level.nodes[at.node()];
+        for (const FaceIndex face : node.faces)
+            if (face < own.first || face.number() >= own.first.number() + own.count)
+                fail_in_record(file, Lump::Nodes, at.node(),
+                               "face " + std::to_string(face.number()) + " is not among those of model " +
+                                   std::to_string(model.number()) + ", expected faces of the node's own model");
+            else if (level.faces[face].plane != node.plane)
+                fail_in_record(file, Lump::Nodes, at.node(),
+                               "face " + std::to_string(face.number()) + " has another plane, expected the node's");
+        pending.insert(pending.end(), node.children.begin(), node.children.end());
+    }
+}
+
 }  // namespace
 
-void check_node_tree(const BspFile& file, const Table<Node>& nodes) {
-    const TreeCheck<Node> check(nodes);
-    for (const NodeIndex node : nodes.indices())
-        if (check.parent_counts()[node] > 1)
-            fail_in_record(file, Lump::Nodes, node, "child of two nodes, expected one at most");
-    check_depths(file, Lump::Nodes, nodes);
+void check_node_tree(const BspFile& file, const Level& level) {
+    TreeCheck<Node>::Counts parents = TreeCheck<Node>(level.nodes).parent_counts();
+    for (const NodeIndex node : level.nodes.indices())
+        if (parents[node] > 1) fail_in_record(file, Lump::Nodes, node, "child of two nodes, expected one at most");
+    check_depths(file, Lump::Nodes, level.nodes);
+    for (const ModelIndex model : level.models.indices()) {
+        const NodeChild root = level.models[model].root;
+        if (!root.is_leaf() && parents[root.node()]++ > 0)
+            fail_in_record(file, Lump::Models, model,
+                           "its first node is below another or another model's, expected a tree of its own");
+        check_faces_of_nodes(file, level, model);
+    }
 }
 
 void check_clip_nodes(const BspFile& file, const Table<ClipNode>& clip_nodes) {

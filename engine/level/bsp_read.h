@@ -8,9 +8,9 @@
 namespace oblong {
 
 /// Reads a BSP 29, BSP2 or 2PSB file, and converts floats to the engine's fixed point. For any bytes the result is
-/// either a Level in which every index, tree, offset and number has been checked, or an InputError whose `where` names
-/// the lump and the offset in the file ("lump 'planes', offset 1234"). Allocates at most a small multiple of the file's
-/// size.
+/// either a Level in which every index, tree, offset and number has been checked, and faces are clockwise on their
+/// planes, or an InputError whose `where` names the lump and the offset in the file ("lump 'planes', offset 1234").
+/// Allocates at most a small multiple of the file's size.
 ///
 /// Tolerated: textures without texels (replaced by a checkerboard); lightmap offsets in a level without lighting, and
 /// visibility offsets in one without visibility (both ignored).

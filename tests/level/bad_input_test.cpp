@@ -95,6 +95,60 @@ TEST(BadInput, OneWrongNumberNamesItsLump) {
     }
 }
 
+std::string fault_with(const Damage& damage, Lumps lumps = make_tiny_lumps()) {
+    put_number(lump_of(lumps, damage.lump), damage.offset, damage.size, damage.value);
+    return fault_of(join_lumps(29, lumps));
+}
+
+/// Indices are in range, but the face would be invisible, or its texture would lie askew.
+TEST(BadInput, AFaceThatIsNotClockwiseOnItsPlaneIsRefused) {
+    for (const Damage& damage : {Damage{"the other side", Lump::Faces, 2, 2, 1},
+                                 {"a normal down", Lump::Planes, 8, 4, bits_of(-1)},
+                                 {"a plane below", Lump::Planes, 12, 4, bits_of(6.5F)},
+                                 {"a plane above", Lump::Planes, 12, 4, bits_of(9.5F)},
+                                 {"a corner off the plane", Lump::Vertices, 2 * 12 + 8, 4, bits_of(9.5F)}})
+        EXPECT_TRUE(fault_with(damage).starts_with("lump 'faces', offset ")) << damage.what;
+    Lumps backward = make_tiny_lumps();
+    lump_of(backward, Lump::SurfEdges).clear();
+    ByteWriter(lump_of(backward, Lump::SurfEdges)).i32(-4).i32(-3).i32(2).i32(-1);
+    EXPECT_TRUE(fault_of(join_lumps(29, backward)).starts_with("lump 'faces', offset "));
+    put_number(lump_of(backward, Lump::Faces), 2, 2, 1);
+    put_number(lump_of(backward, Lump::Planes), 8, 4, bits_of(-1));
+    EXPECT_EQ(fault_with({"a normal down", Lump::Planes, 12, 4, bits_of(-8)}, backward).substr(0, 12), "lump 'faces'")
+        << "seen from below again";
+}
+
+TEST(BadInput, FacesAsCompilersLeaveThemAreTaken) {
+    EXPECT_EQ(fault_with({"a rounded corner", Lump::Vertices, 8, 4, bits_of(8.5F)}), "");
+    Lumps narrow = make_tiny_lumps();
+    for (const std::size_t corner : {1u, 3u})
+        put_number(lump_of(narrow, Lump::Vertices), corner * 12 + 4, 4, bits_of(0.25F));
+    EXPECT_EQ(fault_with({"a face too narrow to tell", Lump::Faces, 2, 2, 1}, narrow), "");
+    for (const std::size_t corner : {1u, 3u})
+        put_number(lump_of(narrow, Lump::Vertices), corner * 12 + 4, 4, bits_of(2.F));
+    EXPECT_NE(fault_with({"two units", Lump::Faces, 2, 2, 1}, narrow), "");
+}
+
+TEST(BadInput, TreesOfModelsAreTheirOwn) {
+    const auto with_model = [](std::int32_t root, Lumps lumps = make_tiny_lumps()) {
+        ByteWriter(lump_of(lumps, Lump::Models)).number(36, 0).i32(root).i32(0).i32(0).i32(0).number(12, 0);
+        return fault_of(join_lumps(29, lumps));
+    };
+    EXPECT_EQ(with_model(-1), "") << "a leaf";
+    EXPECT_TRUE(with_model(0).starts_with("lump 'models', offset ")) << "the world's tree";
+    Lumps two = make_tiny_lumps();
+    ByteWriter(lump_of(two, Lump::Nodes)).i32(0).i16(-1).i16(-1).number(16, 0);
+    EXPECT_EQ(with_model(1, two), "");
+    put_number(lump_of(two, Lump::Nodes), 6, 2, 1);
+    EXPECT_TRUE(with_model(1, two).starts_with("lump 'models', offset ")) << "a node of the world's tree";
+    EXPECT_TRUE(fault_with({"the world begins at its second node", Lump::Models, 36, 4, 1}, two)
+                    .starts_with("lump 'models', offset "));
+    EXPECT_TRUE(fault_with({"a node's face of no model", Lump::Models, 60, 4, 0}).starts_with("lump 'nodes', offset "));
+    Lumps planes = make_tiny_lumps();
+    ByteWriter(lump_of(planes, Lump::Planes)).f32(0).f32(0).f32(1).f32(9).i32(2);
+    EXPECT_TRUE(fault_with({"a node's plane", Lump::Nodes, 0, 4, 1}, planes).starts_with("lump 'nodes', offset "));
+}
+
 /// Its lit surface would take as much memory as the numbers of the file ask for, 64 GiB for some.
 TEST(BadInput, HugeLitFacesAreRefusedInLevelsWithoutLightAsWell) {
     Lumps lumps = make_tiny_lumps();

@@ -109,13 +109,12 @@ TEST_P(RealSides, EveryPlaneAgreesWithTheExactSide) {
 
 OBLONG_FOR_REAL_LEVELS(RealSides);
 
-/// The level of one plane, through the reader.
+/// A plane, through the reader, in a level whose face has another.
 LevelPlane read_plane(const FilePlane& plane) {
     test::Lumps lumps = test::make_tiny_lumps();
     test::Bytes& lump = test::lump_of(lumps, Lump::Planes);
-    lump.clear();
     test::ByteWriter(lump).f32(plane.normal[0]).f32(plane.normal[1]).f32(plane.normal[2]).f32(plane.distance).i32(3);
-    return read_bsp(test::join_lumps(29, lumps)).planes.front();
+    return read_bsp(test::join_lumps(29, lumps)).planes.back();
 }
 
 FilePlane random_plane(std::mt19937& random) {
