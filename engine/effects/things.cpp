@@ -9,6 +9,7 @@
 #include "engine/effects/shadows.h"
 #include "engine/fixed/arithmetic.h"
 #include "engine/fixed/trig.h"
+#include "engine/level/entities.h"
 #include "engine/level/entity_classes.h"
 #include "engine/scene/placed_models.h"
 
@@ -52,11 +53,22 @@ class ThingReader {
     }
 
   private:
+    /// Quake adds the origin to the place of the brushes.
+    void warn_of_moved_brushes(const Entity& entity, const EntityValues& values) {
+        const ClassRole role = role_of(entity);
+        const std::string origin = values.text("origin");
+        const bool is_ignored = role != ClassRole::Rotating && role != ClassRole::TurningDoor && !origin.empty();
+        if (is_ignored && brush_model_of(entity, level_) && parse_world_vector(origin) != Vec3<World>{})
+            values.warn("origin is \"" + origin +
+                        "\", expected none with brushes: they stay where they are in the level");
+    }
+
     void read(const Entity& entity, std::size_t index) {
         const EntityValues values(entity, index, things_.warnings);
         if (values.text("model").starts_with('*') && !brush_model_of(entity, level_))
             values.warn("model is \"" + values.text("model") + "\", expected one of the level's " +
                         std::to_string(level_.models.count() - 1) + " brush models: its brushes are left out");
+        warn_of_moved_brushes(entity, values);
         switch (role_of(entity)) {
             case ClassRole::Rain:
                 return read_emitter(ParticleKind::Rain, values, index);

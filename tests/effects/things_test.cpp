@@ -47,6 +47,23 @@ ThingsInView seen_from(const Level& level, Angle yaw, std::int64_t time_ms = 0) 
 
 }  // namespace
 
+TEST(Things, AnOriginThatDoesNotMoveItsBrushesIsNamed) {
+    Level level = level_with("");
+    level.models.push_back({});
+    const auto said_of = [&](const std::string& class_name, const std::string& more) {
+        level.entities = parse_entities(entity(class_name, more), "entities");
+        return read_things(level).warnings;
+    };
+    EXPECT_EQ(
+        said_of("func_door", "\"model\" \"*1\" \"origin\" \"64 0 0\""),
+        std::vector<std::string>{"entity 0 (func_door): origin is \"64 0 0\", expected none with brushes: they stay "
+                                 "where they are in the level"});
+    EXPECT_EQ(said_of("func_wall", "\"model\" \"*1\" \"origin\" \"nan 0 0\"").size(), 1u);
+    EXPECT_TRUE(said_of("func_wall", "\"model\" \"*1\" \"origin\" \"0 -0 0.0\"").empty());
+    EXPECT_TRUE(said_of("func_rotating", "\"model\" \"*1\" \"origin\" \"64 0 0\"").empty()) << "its axis";
+    EXPECT_TRUE(said_of("func_door_rotating", "\"model\" \"*1\" \"origin\" \"64 0 0\"").empty());
+}
+
 TEST(Things, AreReadFromEntities) {
     const Level level = level_with(
         entity("misc_rain",
