@@ -45,6 +45,7 @@ Camera camera_of(const Pose& eye, std::int32_t field_of_view);
 
 struct Model::State {
     std::shared_ptr<Mesh> mesh;  ///< never null; shared with level scenes that will show it
+    std::vector<std::string> warnings;
 };
 
 /// Places a mesh by a pose and a frame of its motion.

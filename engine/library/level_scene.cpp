@@ -143,11 +143,15 @@ struct LevelScene::State {
     std::vector<std::shared_ptr<const Mesh>> shown_meshes;
     Settings settings;
     FrameWorkspace work;  // of the level above
+    std::vector<std::string> warnings;
 };
 
 LevelScene::LevelScene(const std::string& bsp_file, const Palette& palette, ScreenMode mode)
     : state_(new State(bsp_file, palette, mode)) {
     State& state = *state_;
+    LevelCache& cache = state.work.cache;
+    for (const auto* found : {&cache.effects.warnings, &cache.things.warnings, &state.models.warnings})
+        state.warnings.insert(state.warnings.end(), found->begin(), found->end());
     for (const Entity& entity : state.level.entities) {
         const std::optional<ModelIndex> model = brush_model_of(entity, state.level);
         const auto shown = std::find_if(state.brushes.begin(), state.brushes.end(),
@@ -264,6 +268,10 @@ Settings& LevelScene::settings() {
 
 const Level& LevelScene::level() const {
     return state_->level;
+}
+
+const std::vector<std::string>& LevelScene::warnings() const {
+    return state_->warnings;
 }
 
 }  // namespace oblong

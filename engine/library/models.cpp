@@ -12,13 +12,15 @@ namespace {
 constexpr std::array<std::array<std::uint32_t, 3>, 1> kOneTriangle{{{0, 1, 2}}};
 constexpr std::int32_t kMostScale_256 = 4096 * 256;
 
-Mesh read_mesh(const std::string& file, const Palette& palette, std::int32_t scale_256) {
+ObjModel read_model(const std::string& file, const Palette& palette, std::int32_t scale_256) {
     if (scale_256 < 1 || scale_256 > kMostScale_256)
         throw FileError(file, "scale", std::to_string(scale_256) + " 256ths, expected 1 to 1048576");
-    if (!file.ends_with(".mdl") && !file.ends_with(".MDL")) return read_obj(file, palette, scaled_256(scale_256)).mesh;
-    return read_parsed(file, [&](std::span<const std::uint8_t> bytes) {
-        return read_mdl(bytes, convert<World>(Fixed<std::int32_t, 8>::from_raw(scale_256)));
-    });
+    if (!file.ends_with(".mdl") && !file.ends_with(".MDL")) return read_obj(file, palette, scaled_256(scale_256));
+    return {read_parsed(file,
+                        [&](std::span<const std::uint8_t> bytes) {
+                            return read_mdl(bytes, convert<World>(Fixed<std::int32_t, 8>::from_raw(scale_256)));
+                        }),
+            {}};
 }
 
 // Adds a vertex of a triangle. Triangles do not share vertices, so that they are flat.
@@ -44,12 +46,14 @@ PlacedMesh placed_at(const Mesh& mesh, const Pose& pose, std::int32_t frame) {
     return placed;
 }
 
-Model::Model() : state_(new State{std::make_shared<Mesh>()}) {
+Model::Model() : state_(new State{std::make_shared<Mesh>(), {}}) {
     state_->mesh->frames.emplace_back();
 }
 
-Model::Model(const std::string& file, const Palette& palette, std::int32_t scale_256)
-    : state_(new State{std::make_shared<Mesh>(read_mesh(file, palette, scale_256))}) {}
+Model::Model(const std::string& file, const Palette& palette, std::int32_t scale_256) {
+    ObjModel read = read_model(file, palette, scale_256);
+    state_ = new State{std::make_shared<Mesh>(std::move(read.mesh)), std::move(read.warnings)};
+}
 
 Model::~Model() {
     delete state_;
@@ -80,6 +84,10 @@ void Model::add_triangle(const Corner& a, const Corner& b, const Corner& c, std:
 
 std::int32_t Model::frame_count() const {
     return static_cast<std::int32_t>(state_->mesh->frames.size());
+}
+
+const std::vector<std::string>& Model::warnings() const {
+    return state_->warnings;
 }
 
 struct Stage::State {

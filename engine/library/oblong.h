@@ -214,6 +214,8 @@ class Model {
     void add_triangle(const Corner& a, const Corner& b, const Corner& c, std::int32_t picture);
     /// The number of frames of motion; 1 without motion.
     std::int32_t frame_count() const;
+    /// What its file names and does not have, and what is shown instead: materials, pictures.
+    const std::vector<std::string>& warnings() const;
 
   private:
     friend class Stage;
@@ -283,6 +285,8 @@ class LevelScene {
     Settings& settings();
     /// The contents of the file (engine/level/level.h).
     const Level& level() const;
+    /// What of its file is left out or shown otherwise: entities with wrong values, missing models.
+    const std::vector<std::string>& warnings() const;
 
   private:
     struct State;

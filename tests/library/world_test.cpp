@@ -326,6 +326,24 @@ constexpr bool can_none_be_copied =
     !(std::is_copy_assignable_v<Each> || ...) && !(std::is_copy_constructible_v<Each> || ...);
 static_assert(can_none_be_copied<Window, Speaker, Model, Stage, LevelScene>);
 
+TEST(LibraryModel, WarningsOfItsFileAndOfALevelsAreTold) {
+    const TemporaryFolder folder;
+    const std::string file =
+        folder.write("odd.obj", std::string("mtllib none.mtl\nv 0 0 0\nv 9 0 0\nv 0 9 0\nusemtl red\nf 1 2 3\n"));
+    const Model odd(file, red_palette());
+    ASSERT_FALSE(odd.warnings().empty());
+    EXPECT_NE(odd.warnings().front().find("none.mtl"), std::string::npos) << odd.warnings().front();
+    EXPECT_TRUE(Model().warnings().empty());
+    EXPECT_TRUE(Hall().level.warnings().empty());
+    const Hall hall("", entity("func_wall", {{"origin", "8 0 0"}}, box({0, 0, 0}, {8, 8, 8})) +
+                            entity_at("misc_model", {64, 0, 24}, {{"model", "none.obj"}}) +
+                            entity_at("misc_rain", {0, 0, 100}, {{"count", "many"}}));
+    std::string said;
+    for (const std::string& warning : hall.level.warnings()) said += warning + "\n";
+    for (const char* part : {"(func_wall): origin is", "none.obj", "(misc_rain): count"})
+        EXPECT_NE(said.find(part), std::string::npos) << part << ": " << said;
+}
+
 TEST(LibraryModel, WrongNumbersAreRefused) {
     Model model;
     for (const Picture& picture : {Picture{2, 2, {1, 2, 3}}, Picture{2, 1, {1, 2, 3}}, Picture{-1, -1, {1}}})
