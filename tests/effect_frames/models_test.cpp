@@ -2,9 +2,11 @@
 // them.
 
 #include <cmath>
+#include <numeric>
 
 #include "engine/accuracy/accuracy.h"
 #include "tests/effect_frames/effect_stage.h"
+#include "tests/mesh/mesh_picture.h"
 #include "tools/gallery/mesh_scene.h"
 
 namespace oblong::test::models_test {
@@ -113,6 +115,41 @@ TEST(Models, BehindAWallAreNotOnThePlan) {
         stage.meshes = {ball_at(place_of_ball)};
         EXPECT_EQ(stage.draw(), picture);
         EXPECT_FALSE(stage.has("models"));
+    }
+}
+
+/// A carpet that goes from the eye, a colour for each unit of its length.
+TEST(Models, HaveTexelsOutOfPlaceOnlyIfTexturingIsAffine) {
+    constexpr int kLength = 200, kHalfWidth = 60, kHeight = 8;
+    MeshBuilder builder;
+    const auto corner = [&](int x, int y) { return builder.add(point_at(x, y, kHeight), 0.5, x); };
+    const std::uint32_t a = corner(0, kHalfWidth), b = corner(kLength, kHalfWidth), c = corner(kLength, -kHalfWidth),
+                        d = corner(0, -kHalfWidth);
+    builder.triangle(a, b, c);
+    builder.triangle(a, c, d);
+    std::vector<std::uint8_t> colours(kLength);
+    std::iota(colours.begin(), colours.end(), std::uint8_t{0});
+    builder.mesh.skins = {{"", 1, kLength, std::move(colours)}};
+    EffectStage stage(room_with(""), before_pillar());
+    stage.meshes = {placed_at(builder.done())};
+    const TrueCamera camera(stage.camera);
+    for (const Texturing texturing : {Texturing::Affine, Texturing::Every16, Texturing::Bounded, Texturing::Exact}) {
+        stage.settings.accuracy.texturing = texturing;
+        const Picture picture = stage.draw();
+        double largest = 0;
+        std::int64_t pixels = 0;
+        for_each_pixel([&](std::int32_t column, std::int32_t row, std::size_t pixel) {
+            const Point ray = camera.through_pixel(column, row);
+            const Point hit = camera.eye + ray * ((kHeight - camera.eye[2]) / ray[2]);
+            if (ray[2] >= 0 || hit[0] < 5 || hit[0] > kLength - 5 || std::abs(hit[1]) > kHalfWidth - 2) return;
+            largest = std::max(largest, std::abs(picture[pixel] + 0.5 - hit[0]));
+            ++pixels;
+        });
+        EXPECT_GT(pixels, 1000);
+        if (texturing == Texturing::Affine)
+            EXPECT_GT(largest, 20);
+        else
+            EXPECT_LT(largest, 0.6);  // half a texel, and corners rounded to 1/256 pixel
     }
 }
 
