@@ -245,5 +245,32 @@ TEST(Models, AreLitByTheFloorBelowAndByWhatMoves) {
     EXPECT_GT(dim, torch + 3);
 }
 
+/// A ball in a room without lightmaps, whose floor has full light: 5/8 of it comes from everywhere, 5/8 from one side.
+TEST(Models, HaveFiveEighthsOfTheFloorsLightFromEverywhereAndAsMuchFromAbove) {
+    constexpr double kRadius = 40;
+    const Mesh plain = ball_mesh(kRadius, 40, plain_skin(8));
+    EffectStage stage(room_with(""), camera_at(point_at(-200, 0, 90), 0), shades_as_colours());
+    stage.meshes = {ball_at(point_at(0, 0, 90))};
+    stage.meshes[0].mesh = &plain;
+    stage.meshes[0].least_light = 0;
+    const Picture picture = stage.draw();
+    const TrueCamera camera(stage.camera);
+    const Point middle = to_point(stage.meshes[0].position) - camera.eye,
+                toward = Point{2, 1, 4} * (1 / std::sqrt(21.0));
+    std::int64_t lit = 0, unlit = 0;
+    for_each_pixel([&](std::int32_t column, std::int32_t row, std::size_t pixel) {
+        const Point ray = camera.through_pixel(column, row);
+        const double along = dot(ray, middle) / dot(ray, ray),
+                     inside = kRadius * kRadius - dot(middle - ray * along, middle - ray * along);
+        if (inside < 100) return;  // beside the ball, or on its rim
+        const Point normal = (ray * (along - std::sqrt(inside / dot(ray, ray))) - middle) * (1 / kRadius);
+        const double cosine = dot(normal, toward);
+        ASSERT_NEAR(picture[pixel] + 0.5, exact_shade(kFullLight * 5.0 / 8 * (1 + std::max(cosine, 0.0))), 1);
+        ++(cosine > 0.1 ? lit : unlit);
+    });
+    EXPECT_GT(lit, 200);
+    EXPECT_GT(unlit, 200);
+}
+
 }  // namespace
 }  // namespace oblong::test::models_test

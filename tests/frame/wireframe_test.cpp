@@ -17,12 +17,30 @@ namespace {
 
 constexpr std::uint8_t kLine = 77;
 
+/// Where the brush model of a face is.
+Point offset_of(FaceIndex face, const Stage& stage) {
+    for (const PlacedModel& placed : stage.models) {
+        const IndexRange<Face>& faces = stage.level.models[placed.model].faces;
+        if (face >= faces.first && face.number() < faces.first.number() + faces.count) return to_point(placed.offset);
+    }
+    return {};
+}
+
 TEST(WireframeOfTheDemo, IsTheEdgesOfFacesThatOwnPixels) {
     Stage stage = demo_stage();
-    stage.models.clear();
+    for (PlacedModel& placed : stage.models) placed.offset = point_at(5, -3, 11);
+    EffectSet& effects = stage.settings.allowed_effects;  // but those whose faces own no pixels of the record
+    effects = effects.without(Effect::Fence).without(Effect::Translucency);
     ObservedWorkspace work(stage.level, stage.mode);
-    for (const int degrees : {0, 77, 180, 200, 301}) {
-        const Camera camera = camera_at(point_at(0, -368, 70), degrees, degrees / 23.0);
+    int of_models = 0;
+    struct View {
+        Vec3<World> eye;
+        int degrees;
+    };
+    const Vec3<World> start = point_at(0, -368, 70);
+    for (const auto& [eye, degrees] : {View{start, 0}, View{start, 77}, View{start, 200}, View{start, 301},
+                                       View{point_at(950, 144, 60), 0}, View{point_at(480, 1250, 90), 115}}) {
+        const Camera camera = camera_at(eye, degrees, degrees / 23.0);
         const TrueCamera truth(camera);
         work.keep_record();
         stage.draw(camera, work);
@@ -42,11 +60,13 @@ TEST(WireframeOfTheDemo, IsTheEdgesOfFacesThatOwnPixels) {
         std::vector<bool> is_near_edge(stage.pixels.size());
         std::int64_t missing = 0, samples = 0;
         constexpr int kSteps = 3'000;
-        for (const FaceIndex face : faces)
+        for (const FaceIndex face : faces) {
+            const Point offset = offset_of(face, stage);
+            of_models += offset.z != 0;
             for (const SurfEdge& step : stage.level.edges_of(stage.level.faces[face])) {
                 const Edge& edge = stage.level.edges[step.edge()];
-                const Point from = to_point(stage.level.vertices[edge.from]),
-                            to = to_point(stage.level.vertices[edge.to]);
+                const Point from = to_point(stage.level.vertices[edge.from]) + offset,
+                            to = to_point(stage.level.vertices[edge.to]) + offset;
                 for (int i = 0; i <= kSteps; ++i) {
                     const Point seen = truth.shown(along(from, to, i / double{kSteps}));
                     // What lies on the border of the screen, or beyond it by rounding, is near its last pixels.
@@ -64,12 +84,14 @@ TEST(WireframeOfTheDemo, IsTheEdgesOfFacesThatOwnPixels) {
                     samples += is_on_screen;
                 }
             }
+        }
         EXPECT_GT(samples, 10'000) << degrees;
         EXPECT_EQ(missing, 0) << degrees;
         std::int64_t beside = 0;
         for (std::size_t i = 0; i < stage.pixels.size(); ++i) beside += stage.pixels[i] != 0 && !is_near_edge[i];
         EXPECT_EQ(beside, 0) << degrees;
     }
+    EXPECT_GT(of_models, 20);
 }
 
 // The eye of a player who stands where a leak's path begins looks along it: 4 units aside, 32 ahead, are 4 / 32 of half
