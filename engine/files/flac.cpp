@@ -35,7 +35,7 @@ class BitReader {
     }
     void skip(std::size_t bits) {
         position_ += bits;
-        expect(position_ <= bytes_.size() * 8, "the file ends within a number, expected more of it");
+        expect(position_ <= bytes_.size() * 8, "the file ends within a number");
     }
     void align() { position_ = (position_ + 7) / 8 * 8; }
 
@@ -45,7 +45,9 @@ class BitReader {
         return bytes_.subspan(offset, this->offset() - offset);
     }
     void expect(bool is_so, const char* what) const {
-        if (!is_so) throw InputError("offset " + std::to_string(offset()), what);
+        if (!is_so)
+            throw InputError("offset " + std::to_string(offset()),
+                             what + std::string(", expected a whole FLAC file of one channel of 16 bits"));
     }
 
   private:
@@ -179,8 +181,7 @@ void read_frame(BitReader& bits, std::vector<std::int16_t>& samples) {
     bits.skip(1);  // the numbering of frames
     const std::uint32_t size_code = bits.take(4), rate_code = bits.take(4), channels = bits.take(4),
                         depth = bits.take(3);
-    bits.expect(channels == 0 && (depth == 0 || depth == 4) && bits.take(1) == 0,
-                "a frame that is not of one channel of 16 bits");
+    bits.expect(channels == 0 && (depth == 0 || depth == 4) && bits.take(1) == 0, "a frame of other channels or bits");
     const int more_bytes_of_number = std::countl_one(static_cast<std::uint8_t>(bits.take(8)));
     bits.skip(more_bytes_of_number > 1 ? 8 * as_size(more_bytes_of_number - 1) : 0);
     std::vector<std::int32_t> block(block_size(bits, size_code));
@@ -205,13 +206,13 @@ SoundSamples decode_flac(std::span<const std::uint8_t> file) {
         is_last = bits.take(1) != 0;
         const std::uint32_t type = bits.take(7);
         const std::size_t end = bits.offset() + 3 + bits.take(24);
-        bits.expect((type == 0) == is_first, "metadata out of order, expected the stream's first");
+        bits.expect((type == 0) == is_first, "metadata out of order");
         if (is_first) {
             bits.skip(16 + 16 + 24 + 24);  // least and greatest sizes of blocks and frames
             sound.rate_hz = static_cast<std::int32_t>(bits.take(20));
             const std::uint32_t channels = bits.take(3) + 1, depth = bits.take(5) + 1;
             bits.expect(sound.rate_hz > 0, "a rate of no samples a second");
-            bits.expect(channels == 1 && depth == 16, "not one channel of 16 bits a sample");
+            bits.expect(channels == 1 && depth == 16, "other channels or bits a sample");
             sample_count = std::uint64_t{bits.take(4)} << 32 | bits.take(32);
         }
         bits.skip((end - bits.offset()) * 8);

@@ -217,14 +217,16 @@ std::string fault_in(const Bytes& file) {
 TEST(Flac, NamesWhatItDoesNotTake) {
     EXPECT_NE(fault_in({}).find("fLaC"), std::string::npos);
     EXPECT_EQ(fault_in({'R', 'I', 'F', 'F', 0, 0, 0, 0}), "offset 0: no \"fLaC\", expected a FLAC or WAV file");
-    EXPECT_NE(fault_in(file_of(write_constant, 2)).find("one channel"), std::string::npos);
+    EXPECT_NE(fault_in(file_of(write_constant, 2)).find("other channels"), std::string::npos);
     EXPECT_NE(fault_in(file_of(write_constant, 1, 9)).find("samples"), std::string::npos);
 }
 
 TEST(Flac, NoPartOfAFileIsAFile) {
     const Bytes whole = file_of(write_constant);
     for (std::size_t size = 0; size < whole.size(); ++size)
-        EXPECT_NE(fault_in({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)}), "") << size;
+        EXPECT_NE(fault_in({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)}).find(", expected "),
+                  std::string::npos)
+            << size;
 }
 
 TEST(Flac, NoBitOfAFrameCanBeWrong) {
