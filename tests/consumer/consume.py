@@ -159,7 +159,7 @@ class Consumer:
         with open(self.folder + '/headers.cpp', 'w') as file:
             file.write(''.join('#include <%s>\n' % name for name in headers) + '#include <oblong/oblong.h>\n')
         run('sh', '-c', '"$@" $(pkg-config --cflags oblong)', 'sh', compiler, '-std=c++20', '-fsyntax-only', '-Wall', '-Wextra',
-            '-Werror', self.folder + '/headers.cpp', PKG_CONFIG_PATH=prefix + '/lib/pkgconfig')
+            '-Wconversion', '-Wsign-conversion', '-Werror', self.folder + '/headers.cpp', PKG_CONFIG_PATH=prefix + '/lib/pkgconfig')
 
     def demand_engine_alone(self, build):
         """Beneath another project nothing else is compiled, with optimisation, and no warning is an error."""
