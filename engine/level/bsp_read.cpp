@@ -167,6 +167,8 @@ void check_node_tree(const BspFile& file, const Level& level) {
         if (parents[node] > 1) fail_in_record(file, Lump::Nodes, node, "child of two nodes, expected one at most");
     check_depths(file, Lump::Nodes, level.nodes);
     for (const ModelIndex model : level.models.indices()) {
+        // For a brush model without faces, which shows nothing, Quake's qbsp names the next model's first node.
+        if (model.number() > 0 && level.models[model].faces.count == 0) continue;
         const NodeChild root = level.models[model].root;
         if (!root.is_leaf() && parents[root.node()]++ > 0)
             fail_in_record(file, Lump::Models, model,

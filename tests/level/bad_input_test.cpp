@@ -130,12 +130,13 @@ TEST(BadInput, FacesAsCompilersLeaveThemAreTaken) {
 }
 
 TEST(BadInput, TreesOfModelsAreTheirOwn) {
-    const auto with_model = [](std::int32_t root, Lumps lumps = make_tiny_lumps()) {
-        ByteWriter(lump_of(lumps, Lump::Models)).number(36, 0).i32(root).i32(0).i32(0).i32(0).number(12, 0);
+    const auto with_model = [](std::int32_t root, Lumps lumps = make_tiny_lumps(), std::int32_t faces = 1) {
+        ByteWriter(lump_of(lumps, Lump::Models)).number(36, 0).i32(root).number(16, 0).i32(0).i32(faces);
         return fault_of(join_lumps(29, lumps));
     };
     EXPECT_EQ(with_model(-1), "") << "a leaf";
     EXPECT_TRUE(with_model(0).starts_with("lump 'models', offset ")) << "the world's tree";
+    EXPECT_EQ(with_model(0, make_tiny_lumps(), 0), "") << "without faces, as qbsp writes it";
     Lumps two = make_tiny_lumps();
     ByteWriter(lump_of(two, Lump::Nodes)).i32(0).i16(-1).i16(-1).number(16, 0);
     EXPECT_EQ(with_model(1, two), "");
