@@ -37,7 +37,7 @@ class Display:
         os.close(write)
         with os.fdopen(read) as pipe:
             number = pipe.readline().strip()
-        self.environment = dict(os.environ, DISPLAY=':' + number, SDL_AUDIODRIVER='dummy', LC_ALL='C')
+        self.environment = dict(os.environ, DISPLAY=':' + number, SDL_AUDIODRIVER='dummy', LC_ALL='C.UTF-8')
         self.environment.pop('WAYLAND_DISPLAY', None)
         self.environment.pop('SDL_VIDEODRIVER', None)
         self.started = []
@@ -112,7 +112,7 @@ class Game:
             time.sleep(0.2)
             if self.process.poll() is not None:
                 raise SystemExit('look.py: the game ended with %d before it had a window' % self.process.returncode)
-            found = subprocess.run(['xdotool', 'search', '--onlyvisible', '--name', 'Oblong'],
+            found = subprocess.run(['xdotool', 'search', '--onlyvisible', '--class', 'oblong'],
                                    env=self.display.environment, stdout=subprocess.PIPE).stdout.split()
             if found and subprocess.run(['xdotool', 'windowfocus', found[0]], env=self.display.environment).returncode == 0:
                 return found[0].decode()
@@ -289,7 +289,7 @@ def main():
         try:
             def start(*options):
                 config = os.path.join(folder, '%d.cfg' % len(display.started))  # each starts with the usual options
-                return Game(display, build + '/bin/oblong', level, '--palette', build + '/assets/palette.lmp',
+                return Game(display, 'env', 'LC_ALL=C', build + '/bin/oblong', level, '--palette', build + '/assets/palette.lmp',
                             '--fov', FIELD_OF_VIEW, '--config', config, '--window', '%dx%d' % SIZES[0],
                             '--flashes', 'off', *options)  # else the sphere's colour takes turns with others
             game = start()

@@ -66,8 +66,11 @@ WindowSize comfortable_size() {
 }
 
 // libX11 converts titles by the locale: in that of C, a title with a dash or some others of Unicode's letters is
-// refused.
+// refused; in that of UTF-8, tools that know only the old property WM_NAME can't read any.
 void set_title_of(SDL_Window* window, const char* title) {
+    const std::string_view letters = title;
+    if (std::all_of(letters.begin(), letters.end(), [](char letter) { return (letter & 0x80) == 0; }))
+        return SDL_SetWindowTitle(window, title);
     const std::string before = std::setlocale(LC_CTYPE, nullptr);
     std::setlocale(LC_CTYPE, "C.UTF-8");
     SDL_SetWindowTitle(window, title);
