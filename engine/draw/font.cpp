@@ -206,9 +206,9 @@ Glyph composed(char32_t letter, char32_t mark) {
 }  // namespace
 
 Glyph glyph_of(char32_t letter) {
-    for (std::size_t i = 0; i < kDrawnAs.size(); i += 2)
-        if (kDrawnAs[i] == letter) letter = kDrawnAs[i + 1];
     if (const std::size_t index = letter - char32_t{kFirstGlyph}; index < kAscii.size()) return placed(kAscii[index]);
+    for (std::size_t i = 0; i < kDrawnAs.size(); i += 2)
+        if (kDrawnAs[i] == letter) return glyph_of(kDrawnAs[i + 1]);
     for (const auto& [own, rows] : kOwn)
         if (own == letter) return placed(rows);
     if (const std::size_t index = letter - kFirstComposed; index < kComposed.size() / 2)
