@@ -109,7 +109,7 @@ constexpr std::array<Rows, kGlyphCount> kAscii{{
     {0b00000, 0b00000, 0b01001, 0b10101, 0b10010, 0b00000, 0b00000, 0b00000},  // ~
 }};
 
-constexpr std::array kOwn = std::to_array<std::pair<char32_t, Rows>>({
+constexpr std::array kOwnLetters = std::to_array<std::pair<char32_t, Rows>>({
     {0x00a1, {0b00100, 0b00000, 0b00100, 0b00100, 0b00100, 0b00100, 0b00100, 0b00000}},  // ¡
     {0x00a3, {0b00110, 0b01001, 0b01000, 0b11110, 0b01000, 0b01000, 0b11111, 0b00000}},  // £
     {0x00a7, {0b01111, 0b10000, 0b01110, 0b10001, 0b01110, 0b00001, 0b11110, 0b00000}},  // §
@@ -209,7 +209,7 @@ Glyph glyph_of(char32_t letter) {
     if (const std::size_t index = letter - char32_t{kFirstGlyph}; index < kAscii.size()) return placed(kAscii[index]);
     for (std::size_t i = 0; i < kDrawnAs.size(); i += 2)
         if (kDrawnAs[i] == letter) return glyph_of(kDrawnAs[i + 1]);
-    for (const auto& [own, rows] : kOwn)
+    for (const auto& [own, rows] : kOwnLetters)
         if (own == letter) return placed(rows);
     if (const std::size_t index = letter - kFirstComposed; index < kComposed.size() / 2)
         return composed(kComposed[index * 2], kComposed[index * 2 + 1]);

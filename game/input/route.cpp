@@ -55,7 +55,7 @@ std::int32_t in_range(std::optional<std::int32_t> value, std::int32_t otherwise,
 }
 
 std::int32_t bam_of(std::int32_t degrees) {
-    return degrees * 65'536 / 360;
+    return static_cast<std::int32_t>(std::int64_t{degrees} * 65'536 / 360);
 }
 
 Waypoint waypoint_of(const std::string& text, std::size_t line) {

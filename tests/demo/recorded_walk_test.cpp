@@ -145,8 +145,9 @@ std::vector<Waypoint> route_of(const std::string& text) {
 }
 
 TEST(Route, IsReadFromACsvFile) {
-    const auto route = route_of("x,y,z,speed,wait,yaw,pitch,jump\n-10,20,,,,,,\n1,2,3,100,20,90,-45,1\n");
-    ASSERT_EQ(route.size(), 2u);
+    const auto route =
+        route_of("x,y,z,speed,wait,yaw,pitch,jump\n-10,20,,,,,,\n1,2,3,100,20,90,-45,1\n0,0,,,,32768,,\n");
+    ASSERT_EQ(route.size(), 3u);
     EXPECT_EQ(route[0].x, -10);
     EXPECT_EQ(route[0].speed_100, 50);
     EXPECT_FALSE(route[0].least_feet || route[0].yaw || route[0].jumps);
@@ -156,6 +157,7 @@ TEST(Route, IsReadFromACsvFile) {
     EXPECT_EQ(route[1].pitch, -8192);
     EXPECT_TRUE(route[1].jumps);
     EXPECT_EQ(route[1].line, 3u);
+    EXPECT_EQ(route[2].yaw, Angle::from_bam(8 * 65536 / 360)) << "after 91 turns";
 }
 
 TEST(Route, NamesTheLineThatIsWrong) {
