@@ -13,3 +13,5 @@ foreach(WHAT integers qemu memory dosbox saves sound)
     set_tests_properties(dos.${WHAT} PROPERTIES LABELS slow COST 200 TIMEOUT 36000 SKIP_RETURN_CODE 77 RESOURCE_LOCK dos_build
                          FIXTURES_REQUIRED "walk_hashes;walk_sounds;saved_place;arithmetic_hash")
 endforeach()
+# Beside other work QEMU's sound falls behind.
+set_tests_properties(dos.sound PROPERTIES RUN_SERIAL ON)
