@@ -87,8 +87,7 @@ std::int32_t text_width_px(std::string_view line);
 /// they refer to the text.
 std::vector<std::string_view> lines_of(std::string_view text, std::int32_t width_px);
 
-/// Draws a line with its upper left corner at (x, y), and a dark shadow to the lower right; clipped to the
-/// canvas.
+/// Draws a line with its upper left corner at (x, y), and a dark shadow to the lower right; clipped to the canvas.
 void draw_text(Framebuffer canvas, std::int32_t x, std::int32_t y, std::string_view line, TextColours colours);
 
 /// Draws a text from row `y` down, wrapped between the canvas's margins.

@@ -37,6 +37,13 @@ bool is_known(const std::string& name, const std::span<const KeptValue* const> v
     return std::any_of(values.begin(), values.end(), [&](const KeptValue* value) { return value->name == name; });
 }
 
+// Behind an unknown name.
+std::string what_is_expected(const ConfigLine& line) {
+    const std::string expected =
+        line.has_value ? " is unknown, expected a name that this version writes" : ", expected NAME = VALUE";
+    return expected + "; the line is kept";
+}
+
 std::vector<ReadLine> read_lines(const std::string& text, std::vector<LineFault>& faults) {
     const std::span<const KeptValue* const> values = all_kept_values();
     std::vector<ReadLine> read;
@@ -45,14 +52,11 @@ std::vector<ReadLine> read_lines(const std::string& text, std::vector<LineFault>
         ++number;
         try {
             const std::optional<ConfigLine> set = parse_config_line(line);
-            if (set && !is_known(set->name, values) && !set->has_value)
-                faults.push_back({number, printable("'" + set->name + "', expected NAME = VALUE; the line is kept")});
-            else if (set && !is_known(set->name, values))
-                faults.push_back({number, printable("'" + set->name +
-                                                    "' is unknown, expected a name that this "
-                                                    "version writes; the line is kept")});
-            else if (set)
+            if (!set) continue;
+            if (is_known(set->name, values))
                 read.push_back({number, *set});
+            else
+                faults.push_back({number, printable("'" + set->name + "'" + what_is_expected(*set))});
         } catch (const InputError& error) {
             faults.push_back({number, error.what()});
         }

@@ -12,6 +12,7 @@
 #include "engine/scene/face_table.h"
 #include "tests/frame/frame_fixture.h"
 #include "tests/frame/holes.h"
+#include "tests/support/palettes.h"
 #include "tests/support/pictures.h"
 #include "tests/support/point.h"
 #include "tests/support/random.h"
@@ -55,9 +56,7 @@ std::set<int> shades_around(const Level& level, const Face& face, double u, doub
             for (std::size_t style = 0; style < 4 && face.styles[style] != 255; ++style)
                 light += level.lighting[static_cast<std::size_t>(
                     face.light_offset + (static_cast<int>(style) * rows + row) * columns + column)];
-            light = std::min(light, 2.0 * kFullLight);
-            shades.insert(static_cast<int>(light < kFullLight ? 32 + (kFullLight - light) * 31 / kFullLight
-                                                              : (2 * kFullLight - light) * 32 / kFullLight));
+            shades.insert(static_cast<int>(shade_in_doubles(light)));
         }
     return shades;
 }
@@ -98,9 +97,9 @@ Camera random_level_camera(const Level& level, std::mt19937& random) {
     return {random_open_point(level, random), random_angle(random), {}, {}};
 }
 
-/// How far a face is from a wall, for the choice of the face that goes on there: the distance of its nearest corner
+/// By what the face that goes on where one is missing is chosen, the least counts: the distance of its nearest corner
 /// from the middle of the leaf in front, 256 units more on another plane; infinite if it is unsuitable.
-double farness(const Level& level, const Face& face, const TornSpan& torn, const Point& middle) {
+double choice_distance(const Level& level, const Face& face, const TornSpan& torn, const Point& middle) {
     const bool is_on_plane = face.plane == torn.plane && face.is_back == torn.is_back;
     const Point normal = to_point(level.planes[face.plane].normal), of_wall = to_point(level.planes[torn.plane].normal);
     if (level.texinfos[face.texinfo].material != Material::Lit) return INFINITY;
@@ -118,10 +117,10 @@ bool is_nearest_face(const Level& level, const TornSpan& torn, const Point& plac
     const LevelBox& box = level.leaves[find_leaf(level, level.world(), to_world(place + normal))].box;
     const Point middle =
         Point{box.mins[0] + box.maxs[0] + 0.0, box.mins[1] + box.maxs[1] + 0.0, box.mins[2] + box.maxs[2] + 0.0} * 0.5;
-    const double found = farness(level, level.faces[torn.face], torn, middle);
+    const double found = choice_distance(level, level.faces[torn.face], torn, middle);
     for (const Node& node : level.nodes)
         for (const FaceIndex face : node.faces)
-            if (farness(level, level.faces[face], torn, middle) < found - 0.01) return false;
+            if (choice_distance(level, level.faces[face], torn, middle) < found - 0.01) return false;
     return true;
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "engine/view/views.h"
@@ -26,6 +27,56 @@ Point offset_of(FaceIndex face, const Stage& stage) {
     return {};
 }
 
+/// Holds a picture of lines, 320x200 on black, against edges in doubles.
+class EdgesOnScreen {
+  public:
+    EdgesOnScreen(const std::vector<std::uint8_t>& lines, const Camera& camera)
+        : lines_(lines), camera_(camera), is_near_edge_(lines.size()) {}
+
+    void follow(const Point& from, const Point& to) {
+        constexpr int kSteps = 3'000;
+        for (int i = 0; i <= kSteps; ++i) pass(camera_.shown(along(from, to, i / double{kSteps})));
+    }
+    /// Pixels of lines beside all edges.
+    std::int64_t beside() const {
+        std::int64_t count = 0;
+        for (std::size_t i = 0; i < lines_.size(); ++i) count += lines_[i] != 0 && !is_near_edge_[i];
+        return count;
+    }
+
+    std::int64_t samples = 0, missing = 0;  ///< places of edges; those of them without a line near by
+
+  private:
+    static bool is_on_screen(int x, int y) { return x >= 0 && y >= 0 && x < 320 && y < 200; }
+
+    void pass(const Point& seen) {
+        // What lies on the border of the screen, or beyond it by rounding, is near its last pixels.
+        if (seen.z < 0.0625 || seen.x < -1 || seen.y < -1 || seen.x >= 321 || seen.y >= 201) return;
+        const int x = static_cast<int>(std::floor(seen.x)), y = static_cast<int>(std::floor(seen.y));
+        bool is_drawn = false;
+        for (int row = y - 1; row <= y + 1; ++row)
+            for (int column = x - 1; column <= x + 1; ++column) {
+                if (!is_on_screen(column, row)) continue;
+                const auto pixel = static_cast<std::size_t>(row * 320 + column);
+                is_drawn |= lines_[pixel] != 0;
+                is_near_edge_[pixel] = true;
+            }
+        missing += is_on_screen(x, y) && !is_drawn;
+        samples += is_on_screen(x, y);
+    }
+
+    const std::vector<std::uint8_t>& lines_;
+    TrueCamera camera_;
+    std::vector<bool> is_near_edge_;
+};
+
+std::set<FaceIndex> faces_of(const FrameRecord& record) {
+    std::set<FaceIndex> faces;
+    for (const PixelRecord& pixel : record.pixels)
+        if (!pixel.face.is_none()) faces.insert(pixel.face);
+    return faces;
+}
+
 TEST(WireframeOfTheDemo, IsTheEdgesOfFacesThatOwnPixels) {
     Stage stage = demo_stage();
     for (PlacedModel& placed : stage.models) placed.offset = point_at(5, -3, 11);
@@ -33,63 +84,33 @@ TEST(WireframeOfTheDemo, IsTheEdgesOfFacesThatOwnPixels) {
     effects = effects.without(Effect::Fence).without(Effect::Translucency);
     ObservedWorkspace work(stage.level, stage.mode);
     int of_models = 0;
-    struct View {
-        Vec3<World> eye;
-        int degrees;
-    };
     const Vec3<World> start = point_at(0, -368, 70);
-    for (const auto& [eye, degrees] : {View{start, 0}, View{start, 77}, View{start, 200}, View{start, 301},
-                                       View{point_at(950, 144, 60), 0}, View{point_at(480, 1250, 90), 115}}) {
+    for (const auto& [eye, degrees] : {std::pair{start, 0},
+                                       {start, 77},
+                                       {start, 200},
+                                       {start, 301},
+                                       {point_at(950, 144, 60), 0},
+                                       {point_at(480, 1250, 90), 115}}) {
         const Camera camera = camera_at(eye, degrees, degrees / 23.0);
-        const TrueCamera truth(camera);
         work.keep_record();
         stage.draw(camera, work);
-        const FrameRecord& record = work.record;
         std::fill(stage.pixels.begin(), stage.pixels.end(), std::uint8_t{0});
         draw_wireframe(stage.level, first_person_view(camera), stage.mode, stage.settings, work,
                        {LineMethod::Bresenham, kLine},
                        {stage.pixels.data(), stage.mode.width_px, stage.mode.height_px, stage.mode.width_px});
-
-        std::set<FaceIndex> faces;
-        for (const PixelRecord& pixel : record.pixels)
-            if (!pixel.face.is_none()) faces.insert(pixel.face);
-        const auto is_line = [&](std::int32_t x, std::int32_t y) {
-            return x >= 0 && y >= 0 && x < 320 && y < 200 &&
-                   stage.pixels.at(static_cast<std::size_t>(y * 320 + x)) != 0;
-        };
-        std::vector<bool> is_near_edge(stage.pixels.size());
-        std::int64_t missing = 0, samples = 0;
-        constexpr int kSteps = 3'000;
-        for (const FaceIndex face : faces) {
+        EdgesOnScreen edges(stage.pixels, camera);
+        for (const FaceIndex face : faces_of(work.record)) {
             const Point offset = offset_of(face, stage);
             of_models += offset.z != 0;
             for (const SurfEdge& step : stage.level.edges_of(stage.level.faces[face])) {
                 const Edge& edge = stage.level.edges[step.edge()];
-                const Point from = to_point(stage.level.vertices[edge.from]) + offset,
-                            to = to_point(stage.level.vertices[edge.to]) + offset;
-                for (int i = 0; i <= kSteps; ++i) {
-                    const Point seen = truth.shown(along(from, to, i / double{kSteps}));
-                    // What lies on the border of the screen, or beyond it by rounding, is near its last pixels.
-                    if (seen.z < 0.0625 || seen.x < -1 || seen.y < -1 || seen.x >= 321 || seen.y >= 201) continue;
-                    const int x = static_cast<int>(std::floor(seen.x)), y = static_cast<int>(std::floor(seen.y));
-                    const bool is_on_screen = x >= 0 && y >= 0 && x < 320 && y < 200;
-                    bool is_drawn = false;
-                    for (int row = y - 1; row <= y + 1; ++row)
-                        for (int column = x - 1; column <= x + 1; ++column) {
-                            is_drawn |= is_line(column, row);
-                            if (row >= 0 && column >= 0 && row < 200 && column < 320)
-                                is_near_edge.at(static_cast<std::size_t>(row * 320 + column)) = true;
-                        }
-                    missing += is_on_screen && !is_drawn;
-                    samples += is_on_screen;
-                }
+                edges.follow(to_point(stage.level.vertices[edge.from]) + offset,
+                             to_point(stage.level.vertices[edge.to]) + offset);
             }
         }
-        EXPECT_GT(samples, 10'000) << degrees;
-        EXPECT_EQ(missing, 0) << degrees;
-        std::int64_t beside = 0;
-        for (std::size_t i = 0; i < stage.pixels.size(); ++i) beside += stage.pixels[i] != 0 && !is_near_edge[i];
-        EXPECT_EQ(beside, 0) << degrees;
+        EXPECT_GT(edges.samples, 10'000) << degrees;
+        EXPECT_EQ(edges.missing, 0) << degrees;
+        EXPECT_EQ(edges.beside(), 0) << degrees;
     }
     EXPECT_GT(of_models, 20);
 }

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <numeric>
 
 #include "engine/surface/colormap.h"
+#include "engine/surface/lit_surface.h"
 
 namespace oblong::test {
 
@@ -28,6 +30,12 @@ inline Colormap numbered_shades() {
     std::uint8_t number = 0;
     for (auto& shade : colormap.shades) shade.fill(number++);
     return colormap;
+}
+
+/// The shade of a lightmap value: twice full light is shade 0, full light 32, none 63.
+inline double shade_in_doubles(double light) {
+    return light < kFullLight ? 32 + (kFullLight - light) * 31 / kFullLight
+                              : std::max(2 * kFullLight - light, 0.0) * 32 / kFullLight;
 }
 
 }  // namespace oblong::test

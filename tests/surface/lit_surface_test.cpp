@@ -16,12 +16,6 @@ namespace oblong::test {
 
 namespace {
 
-/// Twice full light is shade 0, full light 32, none 63.
-double shade_of(double light) {
-    return light < kFullLight ? 32 + (kFullLight - light) * 31 / kFullLight
-                              : std::max(2 * kFullLight - light, 0.0) * 32 / kFullLight;
-}
-
 struct Patch {
     std::int32_t columns, rows;
     std::vector<std::uint8_t> samples;
@@ -80,7 +74,7 @@ TEST(LitSurface, BrightnessMultipliesAllLightUpToTheBrightestShade) {
             patch.samples.assign(4, static_cast<std::uint8_t>(light));
             LightQuality quality;
             quality.brightness_100 = brightness_100;
-            const double shade = shade_of(std::floor(light * 256.0 * brightness_100 / 100) / 256);
+            const double shade = shade_in_doubles(std::floor(light * 256.0 * brightness_100 / 100) / 256);
             EXPECT_EQ(patch.build(numbered_shades(), 0, texture, 256, quality)[0], std::floor(shade))
                 << light << " at " << brightness_100;
         }
@@ -113,7 +107,7 @@ TEST(LitSurface, WithoutExtentIsOneColourAndWritesAllOfIt) {
         std::vector<std::uint8_t> out(static_cast<std::size_t>(stride * height), 0xa5);
         build_lit_surface({patch.texels.data(), 64, 64, 16, 16}, light, map, {}, 0, stride, patch.scratch.data(),
                           out.data());
-        const int shade = static_cast<int>(shade_of(patch.samples[0]));
+        const int shade = static_cast<int>(shade_in_doubles(patch.samples[0]));
         EXPECT_EQ(std::count(out.begin(), out.end(), static_cast<std::uint8_t>(shade)), stride * height);
     }
 }
@@ -197,7 +191,7 @@ TEST(LightQuality, DitheredLightIsRightOnAverage) {
                 patch.build(numbered_shades(), 0, texture, 256, {LightSampling::Interpolated, 64, dithers});
             return std::accumulate(lit.begin(), lit.end(), 0.0) / static_cast<double>(lit.size());
         };
-        const double shade = shade_of(light);
+        const double shade = shade_in_doubles(light);
         EXPECT_NEAR(mean_of(true), shade, 1.0 / 16) << light;
         EXPECT_EQ(mean_of(false), std::floor(shade)) << light;
     }
