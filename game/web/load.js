@@ -61,8 +61,9 @@ const readSaves = () => new Promise(resolve => {
   globalThis.indexedDB ? FS.syncfs(true, done) : done("this browser has none");
 });
 const keepSaves = hasDatabase => {
-  let isWriting = false;
+  let isWriting = false, isDue = true;
   const changed = new Set();
+  const note = path => { changed.add(path); isDue = true; };
   for (const key of Object.keys(storage || {}).filter(key => key.startsWith(RESCUED))) {
     const path = key.slice(RESCUED.length);
     FS.mkdirTree(path.slice(0, path.lastIndexOf("/")));
@@ -74,18 +75,22 @@ const keepSaves = hasDatabase => {
     FS[change] = function (what, ...more) {
       const path = typeof what === "string" ? what : what.path || "";
       const isRead = change === "close" && (what.flags & 3) === 0;
-      if (path.startsWith("/save/") && !isRead) changed.add(path);
-      if (change === "rename" && path.startsWith("/save/")) changed.add(more[0]);
+      if (path.startsWith("/save/") && !isRead) note(path);
+      if (change === "rename" && path.startsWith("/save/")) note(more[0]);
       return before.call(FS, what, ...more);
     };
   }
   const write = () => {
-    if (changed.size === 0 || isWriting || !hasDatabase) return;
+    if (changed.size === 0 || isWriting || !isDue || !hasDatabase) return;
     const written = [...changed];
     isWriting = true;
+    isDue = false;
     FS.syncfs(false, error => {
       isWriting = false;
-      if (error) return console.error("not saved: " + error);
+      if (error) {  // tried again after the next change
+        console.warn("not saved: " + error);
+        return Page.warn("This browser stores no more for this page: what is saved now is lost when it is closed.");
+      }
       for (const path of written) {
         changed.delete(path);
         if (storage) storage.removeItem(RESCUED + path);
@@ -94,16 +99,21 @@ const keepSaves = hasDatabase => {
   };
   const rescue = () => {
     for (const path of storage ? changed : []) {
-      if (FS.analyzePath(path).exists)
-        storage[RESCUED + path] = btoa(Array.from(FS.readFile(path), byte => String.fromCharCode(byte)).join(""));
-      else
-        storage.removeItem(RESCUED + path);
+      try {
+        if (FS.analyzePath(path).exists)
+          storage[RESCUED + path] = btoa(Array.from(FS.readFile(path), byte => String.fromCharCode(byte)).join(""));
+        else
+          storage.removeItem(RESCUED + path);
+      } catch (error) {
+        console.warn("not kept: " + error);  // there is no room for it
+      }
     }
   };
   setInterval(write, 500);
   document.addEventListener("visibilitychange", () => {
     if (!document.hidden || Page.hasEnded || !Page.whenHidden) return;
     Page.whenHidden();
+    isDue = true;
     rescue();
     write();
   });

@@ -251,6 +251,42 @@ const rest = async (open, address) => {
   return tab;
 };
 
+// A browser with no room left, in either store: the player is told, once for each save, and what has room again is saved.
+const full = async (open, address) => {
+  const tab = await open(address + "?/assets/demo.bsp", {width: 1280, height: 960}, () => {
+    const put = IDBObjectStore.prototype.put;
+    IDBObjectStore.prototype.put = function (...what) {
+      if (globalThis.isFull) throw new DOMException("full", "QuotaExceededError");
+      return put.apply(this, what);
+    };
+  });
+  await tab.shows();
+  await tab.until("Page.isCaptured", "a walk");
+  await tab.evaluate(() => {
+    globalThis.isFull = true;
+    for (let size = 1 << 22, number = 0; size > 0;)
+      try { localStorage["filler" + number++] = "x".repeat(size); } catch (error) { size >>= 1; }
+  });
+  await tab.press("Insert");
+  await tab.until("document.body.innerText.includes('stores no more')", "a word on the full store");
+  await tab.shot(file("full"));
+  await tab.evaluate("new Promise(resolve => setTimeout(resolve, 2000))");
+  assert.deepStrictEqual(tab.said.splice(0), ["not saved: QuotaExceededError: full"], "on the console, once");
+  await tab.behind(() => tab.evaluate("new Promise(resolve => setTimeout(resolve, 1000))"));
+  const said = tab.said.splice(0);
+  assert.ok(said.length > 1 && said.every(line => line.startsWith("not kept: QuotaExceededError") || line === "not saved: QuotaExceededError: full"),
+            "what cannot be kept is no error of the page: " + said);
+  await tab.evaluate("isFull = false, localStorage.clear()");
+  await tab.press("Escape");
+  await tab.until("Page.isCaptured", "the walk goes on");
+  await tab.press("Insert");
+  await tab.evaluate("new Promise(resolve => setTimeout(resolve, 2000))");
+  await tab.page.reload();
+  await tab.shows();
+  assert.ok((await savesOf(tab)).some(name => name.endsWith("quick1.save")), "no quick save after there is room again");
+  return tab;
+};
+
 // A browser that refuses all that it may: the game does without.
 const refusals = async (open, address) => {
   const tab = await open(address, {width: 1280, height: 960}, () => {
@@ -283,7 +319,7 @@ const refusals = async (open, address) => {
 
 run(async open => {
   const address = await serve(site);
-  for (const test of [touch, replay, rest, refusals, play]) {
+  for (const test of [touch, replay, rest, refusals, full, play]) {
     console.log(test.name);
     const tab = await test(open, address);
     assert.deepStrictEqual(tab.said, [], "on the console");
