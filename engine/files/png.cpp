@@ -74,8 +74,8 @@ std::vector<std::uint8_t> encode_indexed_png(std::span<const std::uint8_t> pixel
                                              std::int32_t height_px, const Palette& palette) {
     const bool is_sane = width_px > 0 && height_px > 0;
     if (!is_sane || pixels.size() != pixel_count(width_px, height_px)) {
-        throw InputError("image", std::to_string(pixels.size()) + " pixels given for a picture of " +
-                                      std::to_string(width_px) + "x" + std::to_string(height_px));
+        throw InputError("image", std::to_string(pixels.size()) + " pixels of " + std::to_string(width_px) + "x" +
+                                      std::to_string(height_px) + ", expected all, and one or more a side");
     }
     std::vector<std::uint8_t> colormap;
     for (const Rgb8& colour : palette.colours) colormap.insert(colormap.end(), {colour.red, colour.green, colour.blue});

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "engine/base/input_error.h"
 #include "engine/files/arguments.h"
 #include "engine/files/frame_log.h"
 
@@ -32,6 +31,10 @@ const char* version() {
 int report(const std::exception& error) {
     standard_error_lines()(message_of(error));
     return 1;
+}
+
+std::runtime_error argument_error(const std::string& name, const std::string& what_is_wrong) {
+    return std::runtime_error(name + ": " + what_is_wrong);
 }
 
 std::int32_t sine_65536(std::int64_t degrees_256) {
@@ -65,14 +68,14 @@ Pose moved(const Pose& pose, std::int32_t ahead_256, std::int32_t right_256, std
 const ScreenMode& checked(const ScreenMode& mode) {
     const auto is_side = [](std::int32_t side_px) { return side_px >= 1 && side_px <= kLargestMode_px; };
     if (!is_side(mode.width_px) || !is_side(mode.height_px))
-        throw InputError("mode", size_of(mode.width_px, mode.height_px) + " pixels, expected 1 to " +
-                                     std::to_string(kLargestMode_px) + " a side");
+        throw argument_error("mode", size_of(mode.width_px, mode.height_px) + " pixels, expected 1 to " +
+                                         std::to_string(kLargestMode_px) + " a side");
     const auto [width, height] = mode.display;
     constexpr std::int64_t kMostNumber = 10'000, kMostShape = 100;  // as of --display
     if (width < 1 || height < 1 || std::max(width, height) > kMostNumber ||
         std::max(width, height) > kMostShape * std::min(width, height))
-        throw InputError("mode", "a display of " + std::to_string(width) + ":" + std::to_string(height) +
-                                     ", expected numbers from 1 to 10000, and 1:100 to 100:1");
+        throw argument_error("mode", "a display of " + std::to_string(width) + ":" + std::to_string(height) +
+                                         ", expected numbers from 1 to 10000, and 1:100 to 100:1");
     return mode;
 }
 
@@ -80,17 +83,17 @@ const Picture& checked(const Picture& picture) {
     if (picture.width_px >= 0 && picture.height_px >= 0 &&
         picture.pixels.size() == pixel_count(picture.width_px, picture.height_px))
         return picture;
-    throw InputError("picture", std::to_string(picture.pixels.size()) + " pixels, expected " +
-                                    size_of(picture.width_px, picture.height_px));
+    throw argument_error("picture", std::to_string(picture.pixels.size()) + " pixels, expected " +
+                                        size_of(picture.width_px, picture.height_px));
 }
 
 void check_size(const Framebuffer& canvas, const ScreenMode& mode) {
     if (canvas.width_px != mode.width_px || canvas.height_px != mode.height_px)
-        throw InputError("canvas", "has " + size_of(canvas.width_px, canvas.height_px) + " pixels, expected " +
-                                       size_of(mode.width_px, mode.height_px) + ", those of the mode");
+        throw argument_error("canvas", "has " + size_of(canvas.width_px, canvas.height_px) + " pixels, expected " +
+                                           size_of(mode.width_px, mode.height_px) + ", those of the mode");
     if (canvas.pitch < canvas.width_px)
-        throw InputError("canvas", "has a pitch of " + std::to_string(canvas.pitch) + ", expected " +
-                                       std::to_string(canvas.width_px) + " or more");
+        throw argument_error("canvas", "has a pitch of " + std::to_string(canvas.pitch) + ", expected " +
+                                           std::to_string(canvas.width_px) + " or more");
 }
 
 Camera camera_of(const Pose& eye, std::int32_t field_of_view) {

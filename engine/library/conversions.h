@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <stdexcept>
+#include <string>
 
 #include "engine/fixed/trig.h"
 #include "engine/library/oblong.h"
@@ -34,11 +36,14 @@ constexpr Angle angle_from_256(std::int64_t degrees_256) {
     return Angle::from_bam((turned * 65536 + kTurn_256 / 2) / kTurn_256);
 }
 
-/// Throws InputError unless the engine can draw in a mode.
+/// Of an argument, or the object that it is for, by its name: what() has it, as oblong.h says.
+std::runtime_error argument_error(const std::string& name, const std::string& what_is_wrong);
+
+/// Throws such an error unless the engine can draw in a mode.
 const ScreenMode& checked(const ScreenMode& mode);
-/// Throws InputError unless a picture has as many pixels as its size says.
+/// Throws such an error unless a picture has as many pixels as its size says.
 const Picture& checked(const Picture& picture);
-/// Throws InputError if a canvas does not have the mode's size, or rows that overlap.
+/// Throws such an error if a canvas does not have the mode's size, or rows that overlap.
 void check_size(const Framebuffer& canvas, const ScreenMode& mode);
 
 Camera camera_of(const Pose& eye, std::int32_t field_of_view);

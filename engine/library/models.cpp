@@ -68,8 +68,8 @@ std::int32_t Model::add_picture(const Picture& picture) {
 void Model::add_triangle(const Corner& a, const Corner& b, const Corner& c, std::int32_t picture) {
     Mesh& mesh = *state_->mesh;
     if (picture < 0 || as_size(picture) >= mesh.skins.size())
-        throw InputError("model", "picture " + std::to_string(picture) + ", expected 0 to " +
-                                      std::to_string(std::int64_t(mesh.skins.size()) - 1) + ", from add_picture()");
+        throw argument_error("model",
+                             "picture " + std::to_string(picture) + ", expected a number that add_picture() returned");
     const std::uint32_t first = add_corner(mesh, a);
     add_corner(mesh, b);
     add_corner(mesh, c);

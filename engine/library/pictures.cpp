@@ -13,8 +13,8 @@ constexpr std::size_t kPaletteFile_bytes = 768;
 
 void check(int first, int last) {
     if (first < 0 || last > 255 || first > last)
-        throw InputError("palette", "colours " + std::to_string(first) + " to " + std::to_string(last) +
-                                        ", expected a part of 0 to 255");
+        throw argument_error("palette", "colours " + std::to_string(first) + " to " + std::to_string(last) +
+                                            ", expected a part of 0 to 255");
 }
 
 Palette palette_of(const PngImage& image) {
@@ -56,8 +56,8 @@ void cycle_colours(Palette& palette, int first, int last, std::int64_t places) {
 
 Picture Picture::of_size(std::int32_t width_px, std::int32_t height_px) {
     if (width_px < 1 || height_px < 1 || width_px > kLargestMode_px || height_px > kLargestMode_px)
-        throw InputError("picture", std::to_string(width_px) + "x" + std::to_string(height_px) +
-                                        " pixels, expected 1 to " + std::to_string(kLargestMode_px) + " a side");
+        throw argument_error("picture", std::to_string(width_px) + "x" + std::to_string(height_px) +
+                                            " pixels, expected 1 to " + std::to_string(kLargestMode_px) + " a side");
     return {width_px, height_px, std::vector<std::uint8_t>(pixel_count(width_px, height_px))};
 }
 
@@ -78,7 +78,8 @@ void save_picture(const std::string& file, Framebuffer canvas, const Palette& pa
     std::vector<std::uint8_t> pixels;
     for (std::int32_t y = 0; y < canvas.height_px; ++y)
         pixels.insert(pixels.end(), canvas.row(y), canvas.row(y) + canvas.width_px);
-    write_file(file, encode_indexed_png(pixels, canvas.width_px, canvas.height_px, palette));
+    naming_file(file,
+                [&] { write_file(file, encode_indexed_png(pixels, canvas.width_px, canvas.height_px, palette)); });
 }
 
 std::uint32_t checksum(Framebuffer canvas) {

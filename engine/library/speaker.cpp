@@ -3,10 +3,9 @@
 #include <memory>
 #include <stdexcept>
 
-#include "engine/base/input_error.h"
 #include "engine/files/files.h"
 #include "engine/files/sound_file.h"
-#include "engine/library/oblong.h"
+#include "engine/library/conversions.h"
 #include "engine/platform/sdl/sdl.h"
 
 namespace oblong {
@@ -40,16 +39,16 @@ std::int32_t Speaker::load(const std::string& file) {
 
 std::int32_t Speaker::add(const std::vector<std::int16_t>& samples, std::int32_t rate_hz) {
     if (samples.empty() || rate_hz < 1)
-        throw InputError("sound", std::to_string(samples.size()) + " samples at " + std::to_string(rate_hz) +
-                                      " Hz, expected one or more of each");
+        throw argument_error("sound", std::to_string(samples.size()) + " samples at " + std::to_string(rate_hz) +
+                                          " Hz, expected one or more of each");
     if (state_->output) state_->output->add_sound(samples, rate_hz);
     return state_->sounds++;
 }
 
 void Speaker::play(std::int32_t sound, std::int32_t volume_256, std::int32_t pan_256) {
     if (sound < 0 || sound >= state_->sounds)
-        throw InputError("sound", "number " + std::to_string(sound) + ", expected 0 to " +
-                                      std::to_string(state_->sounds - 1) + ", from load() or add()");
+        throw argument_error("sound",
+                             "number " + std::to_string(sound) + ", expected one that load() or add() returned");
     if (!state_->output) return;
     const std::int32_t volume = std::clamp(volume_256, 0, 256), pan = std::clamp(pan_256, -256, 256);
     state_->output->start(sound, false,

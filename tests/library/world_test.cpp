@@ -223,6 +223,24 @@ TEST(LibraryLevel, TurningDoorIsInTheWayWhileItIsShut) {
     EXPECT_THROW(hall.level.turn_entity(1000, 0), std::runtime_error);
 }
 
+// In what() alone, as a program of its own prints it.
+TEST(Library, ErrorsOfArgumentsNameThem) {
+    const auto said = [](auto work) { return refusal<std::runtime_error>(work); };
+    Picture empty;
+    Palette palette;
+    EXPECT_EQ(said([] { Picture::of_size(0, 5); }), "picture: 0x5 pixels, expected 1 to 4096 a side");
+    EXPECT_EQ(said([&] { set_ramp(palette, 9, 3, {}, {}); }), "palette: colours 9 to 3, expected a part of 0 to 255");
+    EXPECT_EQ(said([] { Window("", {0, 1}); }), "mode: 0x1 pixels, expected 1 to 4096 a side");
+    EXPECT_EQ(said([] { Speaker().add({}, 9); }), "sound: 0 samples at 9 Hz, expected one or more of each");
+    EXPECT_EQ(said([] { Speaker().play(0); }), "sound: number 0, expected one that load() or add() returned");
+    EXPECT_EQ(said([] { Model().add_triangle({}, {}, {}, 0); }),
+              "model: picture 0, expected a number that add_picture() returned");
+    EXPECT_EQ(said([&] { Stage(grey_palette()).draw(Model(), {}, empty.canvas()); }),
+              "canvas: has 0x0 pixels, expected 320x200, those of the mode");
+    EXPECT_EQ(said([&] { save_picture("a.png", empty.canvas(), palette); }),
+              "a.png: image: 0 pixels of 0x0, expected all, and one or more a side");
+}
+
 TEST(LibraryLevel, ErrorsNameTheFile) {
     const TemporaryFolder folder;
     const std::string file = folder.write("broken.bsp", std::string("nothing"));

@@ -147,8 +147,8 @@ PngImage decode_png(std::span<const std::uint8_t> file) {
 std::vector<std::uint8_t> encode_indexed_png(std::span<const std::uint8_t> pixels, std::int32_t width_px,
                                              std::int32_t height_px, const Palette& palette) {
     if (width_px <= 0 || height_px <= 0 || pixels.size() != pixel_count(width_px, height_px))
-        throw InputError("image", std::to_string(pixels.size()) + " pixels given for a picture of " +
-                                      std::to_string(width_px) + "x" + std::to_string(height_px));
+        throw InputError("image", std::to_string(pixels.size()) + " pixels of " + std::to_string(width_px) + "x" +
+                                      std::to_string(height_px) + ", expected all, and one or more a side");
     Bytes head, colours, rows;
     append_big_endian(head, static_cast<std::uint32_t>(width_px));
     append_big_endian(head, static_cast<std::uint32_t>(height_px));
