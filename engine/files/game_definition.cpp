@@ -214,6 +214,13 @@ Json parsed(const std::string& text) {
     });
 }
 
+// From the parser's "[json.exception.parse_error.101] parse error at line 3, column 8: syntax error while ...".
+InputError syntax_error(const std::string& said) {
+    const std::size_t place = std::min(said.find("line "), said.size()), end = said.find(": ", place);
+    if (end == said.npos) return InputError("JSON", said);
+    return InputError(said.substr(place, end - place), "no JSON: " + said.substr(end + 2));
+}
+
 }  // namespace
 
 std::vector<GameMember> game_members() {
@@ -228,7 +235,7 @@ GameDefinition read_game_definition(const std::string& folder) {
         try {
             return DefinitionReader(folder).read(Value(parsed(text), ""));
         } catch (const Json::parse_error& error) {
-            throw InputError("byte " + std::to_string(error.byte), "no JSON: " + std::string(error.what()));
+            throw syntax_error(error.what());
         } catch (const Json::out_of_range& error) {
             throw InputError("JSON", std::string(error.what()) + ", expected a smaller number");
         }

@@ -71,22 +71,27 @@ LevelFiles level_files_of(const Options& options, const std::string& assets_fold
 
 namespace {
 
-// A missing demo is no error: it is recorded in the game.
-void warn_of_missing_demo(const GameDefinition& game) {
-    if (game.demo.empty() || fs::exists(game.demo)) return;
-    print_warnings("oblong", (fs::path(game.folder) / kGameFile).string(),
-                   {"/demo: there is no file " + game.demo + ", expected one that --record wrote"});
+// A demo that is missing, or was recorded before the level's last change, is no error: it is recorded in the game.
+void warn_of_demo(const GameDefinition& game, std::uint64_t start_hash) {
+    const auto warn = [&](const std::string& what_is_wrong) {
+        print_warnings("oblong", (fs::path(game.folder) / kGameFile).string(), {"/demo: " + what_is_wrong});
+    };
+    if (game.demo.empty()) return;
+    if (!fs::exists(game.demo)) return warn("there is no file " + game.demo + ", expected one that --record wrote");
+    if (read_parsed(game.demo, decode_demo).start_hash != start_hash)
+        warn(game.demo + " is not shown: recorded on another level or by other rules, expected the first level's");
 }
 
 }  // namespace
 
 ProgramFiles load_program_files(const Options& options, const std::string& assets_folder) {
     auto loaded = std::make_shared<const LoadedLevel>(level_files_of(options, assets_folder));
-    if (options.shows_title) warn_of_missing_demo(*loaded->files.game);
     std::optional<Demo> demo;
     if (!options.replay.empty()) demo = read_parsed(options.replay, decode_demo);
     if (!options.record.empty()) check_writable(options.record);
     const GameState start = start_of(loaded->level);
+    const bool shows_first_level = options.shows_title && options.level.empty() && options.map.empty();
+    if (shows_first_level) warn_of_demo(*loaded->files.game, hash_of(start) ^ loaded->data.rules_hash);
     return naming_file(options.replay, [&] {
         return ProgramFiles{assets_folder, loaded,
                             TickInputSource(start, std::move(demo), !options.record.empty(), loaded->data.rules_hash)};

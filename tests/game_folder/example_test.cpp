@@ -179,6 +179,21 @@ TEST_F(ExampleGame, ADemoThatIsNotThereIsAWarningOfTheTitle) {
     EXPECT_EQ(said_, "") << "of one that is being recorded";
 }
 
+TEST_F(ExampleGame, ADemoFromBeforeAChangeIsAWarningOfTheTitle) {
+    const std::string pictures = " --headless 1 --out " + temporary_.path("out"), demo = folder_ + "/a.demo",
+                      title = "oblong --title --game " + folder_ + pictures;
+    EXPECT_EQ(run("oblong --game " + folder_ + pictures + " --record " + demo), 0);
+    replace_in_definition("\"levels\"", "\"demo\": \"a.demo\", \"levels\"");
+    EXPECT_EQ(run(title), 0);
+    EXPECT_EQ(said_, "");
+    replace_in_definition("\"30\"", "\"31\"");
+    EXPECT_EQ(run(title), 0);
+    EXPECT_EQ(said_, "oblong: " + folder_ + "/game.json: warning: /demo: " + demo +
+                         " is not shown: recorded on another level or by other rules, expected the first level's\n");
+    EXPECT_EQ(run(title + " --map second"), 0);
+    EXPECT_EQ(said_, "") << "of a level that it was not recorded for";
+}
+
 TEST_F(ExampleGame, AFolderThatHoldsNoGameIsNoMuseum) {
     const std::string pictures = " --headless 1 --out " + temporary_.path("out");
     for (const std::string other : {"/none", "/game.json", "/maps"}) {
@@ -249,8 +264,8 @@ TEST(GameDefinition, FaultsAreNamedWithTheirPlace) {
     const test::TemporaryFolder folder;
     const std::string file = folder.path("game.json");
     for (const auto& [text, said] : {
-             Fault{"", "byte 1: no JSON"},
-             Fault{"{\"title\": \"x\",", "byte 15: no JSON"},
+             Fault{"", "line 1, column 1: no JSON: syntax error"},
+             Fault{"{\"title\":\n \"x\",", "line 2, column 6: no JSON: syntax error"},
              Fault{"{\"classes\": {\"x\": {}, \"x\": {}}}", "member \"x\": is there twice"},
              Fault{"{\"title\": 1e999}", "JSON: "},
              Fault{"[]", "/: is array, expected members"},
