@@ -89,6 +89,13 @@ std::string name_of(Input input) {
     return std::string(item(kPrefixes, input.device)) + (name.empty() ? std::to_string(input.code) : name);
 }
 
+std::string name_of_letter(std::int32_t code_point) {
+    if (code_point >= 'a' && code_point <= 'z') code_point += 'A' - 'a';
+    if (code_point > ' ' && code_point <= '~') return {static_cast<char>(code_point)};
+    if (code_point < 0xc0 || code_point > 0x17f) return {};
+    return {static_cast<char>(0xc0 | code_point >> 6), static_cast<char>(0x80 | (code_point & 0x3f))};  // UTF-8
+}
+
 Input input_named(std::string_view name) {
     const auto [input, known] = find_named([&](Input each, std::string_view its_name) {
         std::string_view rest = name;

@@ -81,6 +81,9 @@ bool is_reserved(Input input);
 /// "W", "Left Shift", "Keypad 5", "Key 135", "Mouse 1", "Wheel Up", "Pad A", "Pad Left Stick Up". Keys are named after
 /// a US keyboard, so that a name means the same place on every keyboard.
 std::string name_of(Input input);
+/// What a key of the user's keyboard is called that types this character: "W", "[", "ö". Empty if it is none of ASCII's
+/// or Latin's.
+std::string name_of_letter(std::int32_t code_point);
 
 /// The input of such a name, in any case, with hyphens for spaces ("left-shift"). Throws InputError for an unknown
 /// name.

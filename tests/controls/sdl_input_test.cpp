@@ -233,6 +233,14 @@ TEST_F(SdlInputTest, ADeviceThatSdlDoesNotKnowIsIgnoredAndNamed) {
     EXPECT_FALSE(poll().moves.has(Action::Jump));
 }
 
+// Of German, French and Czech keyboards; a Cyrillic one's keys keep their American names.
+TEST(KeyLetters, AreThoseOfTheUsersKeyboard) {
+    for (const auto& [code_point, name] :
+         {std::pair{0x77, "W"}, {0x5b, "["}, {0xf6, "ö"}, {0xdf, "ß"}, {0xe9, "é"}, {0x159, "ř"}})
+        EXPECT_EQ(name_of_letter(code_point), name) << code_point;
+    for (const int other : {0, 0x20, 0x7f, 0xb2, 0x446, int{SDLK_F1}}) EXPECT_EQ(name_of_letter(other), "") << other;
+}
+
 TEST_F(SdlInputTest, LocalNamesArePrintable) {
     EXPECT_EQ(window_.input->local_name_of(input_named("W")), "W");
     EXPECT_EQ(window_.input->local_name_of(input_named("Left Bracket")), "[");

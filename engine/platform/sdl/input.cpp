@@ -66,8 +66,8 @@ void SdlInput::note(InputEvent::Kind kind, Input input) {
 // The letter on the user's keyboard: the key W is Z on a French one.
 std::string SdlInput::local_name_of(Input input) const {
     if (!is_printable_key(input)) return pads_.local_name_of(input);
-    const std::string name = SDL_GetKeyName(SDL_GetKeyFromScancode(static_cast<SDL_Scancode>(input.code)));
-    return name.size() == 1 && name[0] > ' ' && name[0] <= '~' ? name : name_of(input);
+    const std::string name = name_of_letter(SDL_GetKeyFromScancode(static_cast<SDL_Scancode>(input.code)));
+    return name.empty() ? name_of(input) : name;
 }
 
 // Mouse motion before the capture does not turn the view.

@@ -88,8 +88,8 @@ WindowSize PagePlatform::window_size() const {
 
 // The letter on the user's keyboard, if the browser reports it.
 std::string PagePlatform::local_name_of(Input input) const {
-    const int letter = input.device == Device::Key ? page_letter(input.code) : 0;
-    return letter > ' ' && letter <= '~' ? std::string(1, static_cast<char>(letter)) : name_of(input);
+    const std::string name = input.device == Device::Key ? name_of_letter(page_letter(input.code)) : "";
+    return name.empty() ? name_of(input) : name;
 }
 
 void PagePlatform::change_window(const WindowSettings& settings) {

@@ -72,7 +72,7 @@ const Page = globalThis.Page = {
   letter(key) {
     const code = Object.keys(KEYS).find(name => KEYS[name] === key);
     const letter = key <= 56 && this.letters && this.letters.get(code);
-    return letter && letter.length === 1 ? letter.toUpperCase().charCodeAt(0) : 0;
+    return letter && letter.length === 1 ? letter.charCodeAt(0) : 0;
   },
 
   // In pixels of the device, whatever the browser's zoom.
