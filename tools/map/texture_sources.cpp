@@ -101,7 +101,7 @@ std::vector<Wad> read_texture_sources(const TextureSources& sources, const MapEn
     for (const std::string& name : sources.glowing)
         if (std::none_of(wads.begin(), wads.end(),
                          [&](const Wad& wad) { return wad.find(lower_case(name)) != nullptr; }))
-            throw UsageError("--glow: '" + name + "' is not the name of any of the textures");
+            throw UsageError("--glow: '" + name + "', expected the name of one of the textures");
     return wads;
 }
 

@@ -32,8 +32,8 @@ std::string texture_name_of_file(const std::string& path) {
     constexpr std::size_t kLongestName = 15;
     std::string name = std::filesystem::path(path).stem().string();
     if (name.empty() || name.size() > kLongestName) {
-        throw InputError(
-            "name", "'" + name + "' has " + std::to_string(name.size()) + " characters, a texture's name has 1 to 15");
+        throw InputError("name", "'" + name + "' has " + std::to_string(name.size()) +
+                                     " characters, expected 1 to 15 of a texture's name");
     }
     if (name[0] == '#') name[0] = '*';
     return name;
@@ -164,7 +164,7 @@ void pack_textures(const std::vector<std::string>& picture_paths, const std::vec
     const std::map<std::string, std::string> files = files_by_name(picture_paths);
     for (const std::string& name : glowing)
         if (!files.contains(lower_case(name)))
-            throw UsageError("--glow: '" + name + "' is not the name of any of the textures");
+            throw UsageError("--glow: '" + name + "', expected the name of one of the textures");
     check_writable(wad_path);
     check_replaces_only("-o", wad_path, "WAD", {"WAD2"});
     write_file(wad_path, packed_textures(picture_paths, glowing, palette, dither));
