@@ -60,6 +60,12 @@ const readSaves = () => new Promise(resolve => {
   };
   globalThis.indexedDB ? FS.syncfs(true, done) : done("this browser has none");
 });
+// Of two pages, each would remove from the database what the other one saved. A page that is left lets go soon.
+const isAlone = () => new Promise(resolve => {
+  const hold = () => new Promise(() => resolve(true));
+  const refused = error => resolve(error.name !== "TimeoutError");
+  navigator.locks ? navigator.locks.request("/*@program@*/", {signal: AbortSignal.timeout(2000)}, hold).catch(refused) : resolve(true);
+});
 const keepSaves = hasDatabase => {
   let isWriting = false, isDue = true;
   const changed = new Set();
@@ -173,9 +179,10 @@ globalThis.Module = {
     FS.mkdir("/save");
     FS.mount(IDBFS, {}, "/save");
     addRunDependency("data");
-    Promise.all([data, readSaves()]).then(([bytes, hasDatabase]) => {
+    const saves = isAlone().then(async alone => [alone, await readSaves()]);
+    Promise.all([data, saves]).then(([bytes, [alone, hasDatabase]]) => {
       unpack(new Uint8Array(bytes));
-      keepSaves(hasDatabase);
+      alone ? keepSaves(hasDatabase) : Page.warn("The game is open in another tab: what is saved in this one is lost when it is closed.");
       Page.start();
       removeRunDependency("data");
     }).catch(fail);

@@ -287,6 +287,30 @@ const full = async (open, address) => {
   return tab;
 };
 
+// In two tabs: the second one says that it saves nothing, and removes nothing of the first one's.
+const twice = async (open, address) => {
+  const tab = await open(address + "?/assets/demo.bsp"), pause = tab => tab.evaluate("new Promise(resolve => setTimeout(resolve, 2000))");
+  await tab.shows();
+  const second = await open(address + "?/assets/demo.bsp");
+  await second.shows();
+  await second.expect("document.body.innerText.includes('open in another tab')", "a word on the other tab");
+  await second.shot(file("second"));
+  await tab.page.bringToFront();
+  await tab.press("Insert");
+  await pause(tab);
+  await second.page.bringToFront();
+  await second.evaluate("FS.writeFile('/save/second', 'saved')");
+  await pause(second);
+  await second.page.close();
+  await tab.page.bringToFront();
+  await tab.page.reload();
+  await tab.shows();
+  await tab.expect("!document.body.innerText.trim()", "no word on another tab, that has gone, or on what was here before");
+  const kept = await savesOf(tab);
+  assert.ok(kept.some(name => name.endsWith("quick1.save")) && !kept.includes("/save/second"), "the first tab's saves alone: " + kept);
+  return tab;
+};
+
 // A browser that refuses all that it may: the game does without.
 const refusals = async (open, address) => {
   const tab = await open(address, {width: 1280, height: 960}, () => {
@@ -319,7 +343,7 @@ const refusals = async (open, address) => {
 
 run(async open => {
   const address = await serve(site);
-  for (const test of [touch, replay, rest, refusals, full, play]) {
+  for (const test of [touch, replay, rest, refusals, full, twice, play]) {
     console.log(test.name);
     const tab = await test(open, address);
     assert.deepStrictEqual(tab.said, [], "on the console");
