@@ -205,7 +205,7 @@ SoundSamples decode_flac(std::span<const std::uint8_t> file) {
     for (bool is_first = true; !is_last; is_first = false) {
         is_last = bits.take(1) != 0;
         const std::uint32_t type = bits.take(7);
-        const std::size_t end = bits.offset() + 3 + bits.take(24);
+        const std::size_t size = bits.take(24), end = bits.offset() + size;
         bits.expect((type == 0) == is_first, "metadata out of order");
         if (is_first) {
             bits.skip(16 + 16 + 24 + 24);  // least and greatest sizes of blocks and frames
@@ -213,8 +213,10 @@ SoundSamples decode_flac(std::span<const std::uint8_t> file) {
             const std::uint32_t channels = bits.take(3) + 1, depth = bits.take(5) + 1;
             bits.expect(sound.rate_hz > 0, "a rate of no samples a second");
             bits.expect(channels == 1 && depth == 16, "other channels or bits a sample");
-            sample_count = std::uint64_t{bits.take(4)} << 32 | bits.take(32);
+            const std::uint64_t upper = bits.take(4);
+            sample_count = upper << 32 | bits.take(32);
         }
+        bits.expect(bits.offset() <= end, "metadata shorter than its contents");
         bits.skip((end - bits.offset()) * 8);
     }
     while (!bits.is_at_end()) read_frame(bits, sound.samples);

@@ -89,6 +89,9 @@ std::vector<WadTexture> read_wad(std::span<const std::uint8_t> file) {
     if (file.size() < sizeof kSignature || !std::equal(std::begin(kSignature), std::end(kSignature), file.begin()))
         throw InputError("header", "not a WAD2 file, expected it to begin with 'WAD2'");
     const std::uint32_t count = u32_at(file, 4, "header"), start = u32_at(file, 8, "header");
+    if (const std::size_t most = file.size() / kEntryBytes; count > most)
+        throw InputError("directory", std::to_string(count) + " entries, expected at most " + std::to_string(most) +
+                                          " of 32 bytes each");
     const ByteView directory = part_of(file, start, count * kEntryBytes, "directory");
     std::vector<WadTexture> textures;
     for (std::size_t i = 0; i < count; ++i) {

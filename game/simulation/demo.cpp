@@ -15,7 +15,7 @@ constexpr std::size_t kDemoHeaderBytes = 28, kTickBytes = 15;
 
 void check_magic(std::span<const std::uint8_t> bytes) {
     expect_at(0, bytes.size() >= kDemoHeaderBytes,
-              "the file has " + std::to_string(bytes.size()) + " bytes, a demo has 28 or more");
+              "the file has " + std::to_string(bytes.size()) + " bytes, expected 28 or more of a demo");
     expect_at(0, std::equal(kDemoMagic.begin(), kDemoMagic.end(), bytes.begin()), "no demo: expected 'OBLGDEMO'");
 }
 
@@ -68,8 +68,9 @@ Demo decode_demo(std::span<const std::uint8_t> bytes) {
     LittleEndianReader reader(bytes, kDemoMagic.size());
     const std::uint32_t count = read_header(reader, demo);
     const std::size_t there = bytes.size() - kDemoHeaderBytes;
-    expect_at(24, there == std::size_t{count} * kTickBytes,
-              std::to_string(count) + " ticks of 15 bytes announced, " + std::to_string(there) + " bytes follow");
+    expect_at(
+        24, there == std::uint64_t{count} * kTickBytes,
+        std::to_string(count) + " ticks announced, expected 15 bytes for each, " + std::to_string(there) + " follow");
     demo.ticks.reserve(count);
     for (std::uint32_t i = 0; i < count; ++i) demo.ticks.push_back(read_tick(reader));
     return demo;

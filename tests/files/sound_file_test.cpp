@@ -219,6 +219,9 @@ TEST(Flac, NamesWhatItDoesNotTake) {
     EXPECT_EQ(fault_in({'R', 'I', 'F', 'F', 0, 0, 0, 0}), "offset 0: no \"fLaC\", expected a FLAC or WAV file");
     EXPECT_NE(fault_in(file_of(write_constant, 2)).find("other channels"), std::string::npos);
     EXPECT_NE(fault_in(file_of(write_constant, 1, 9)).find("samples"), std::string::npos);
+    Bytes short_head = file_of(write_constant);
+    short_head[7] = 17;  // of 34, or 18 that are read
+    EXPECT_NE(fault_in(short_head).find("metadata shorter than"), std::string::npos);
 }
 
 TEST(Flac, NoPartOfAFileIsAFile) {

@@ -4,6 +4,7 @@
 
 #include "engine/base/input_error.h"
 #include "engine/base/text.h"
+#include "tests/support/refusal.h"
 
 namespace oblong::test {
 namespace {
@@ -49,6 +50,14 @@ TEST(Wad, NoPrefixIsTakenForAWhole) {
     const auto miptex = read_wad(whole)[0].miptex;
     for (std::size_t size = 0; size < miptex.size(); ++size)
         EXPECT_THROW(parse_miptex(miptex.first(size)), InputError) << size;
+}
+
+// The size in bytes of so many entries is 32 in 32 bits.
+TEST(Wad, MoreEntriesThanTheFileHoldsAreRefused) {
+    const MipTexture texture = texture_of("wall", 16, 16);
+    auto file = write_wad(std::span(&texture, 1));
+    file[7] = 8;
+    EXPECT_EQ(refusal([&] { read_wad(file); }), "directory: 134217729 entries, expected at most 13 of 32 bytes each");
 }
 
 TEST(Wad, MipLevelInTheHeaderIsRefused) {
