@@ -47,8 +47,8 @@ MenuEvent Menu::handle(const Controls& controls, CanvasSize canvas, std::int32_t
 
 MenuEvent Menu::take_press(const Controls& controls) {
     const MenuPage waiting = page();
-    if (controls.has(Action::Menu)) return go_back(waiting);
-    if (!controls.pressed || is_reserved(*controls.pressed)) return MenuEvent::None;
+    if (controls.pressed ? is_reserved(*controls.pressed) : controls.has(Action::Menu)) return go_back(waiting);
+    if (!controls.pressed) return MenuEvent::None;
     waiting.press(*controls.pressed);
     return MenuEvent::Accepted;
 }

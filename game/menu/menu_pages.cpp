@@ -63,10 +63,11 @@ MenuPage MenuPages::title_page() {
     MenuPage page{host_.game_title()};
     page.is_title = true;
     page.back = [this] { ask("Quit", "Quit Oblong?", "Yes", [this] { host_.leave(); }); };
-    if (const auto last = host_.last_walk())
-        page.rows.push_back(menu_row(
-            "Continue", closing([this] { host_.continue_walk(); }),
-            last->has_game ? "continue in " + last->content : last->content + ". " + host_.key_names().in(last->help)));
+    if (const auto last = host_.last_walk()) {
+        const std::string help = last->help.empty() ? "" : ". " + last->help;
+        page.rows.push_back(menu_row("Continue", closing([this] { host_.continue_walk(); }),
+                                     last->has_game ? "continue in " + last->content + help : last->content));
+    }
     page.rows.push_back(menu_row("Walk", closing([this] { host_.walk(); }), "a new walk, from the beginning"));
     page.rows.push_back(menu_row(
         "Levels", [this] { open_levels(); }, "other levels"));

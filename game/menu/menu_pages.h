@@ -17,7 +17,7 @@ namespace oblong {
 struct SaveEntry {
     std::string name;                    ///< "Slot 1"
     std::string content;                 ///< "demo 3:12, 5 of 12 lenses"; "empty"
-    std::string help;                    ///< a line, for KeyNames::in()
+    std::string help;                    ///< a line; may be empty
     bool is_saved_to_by_player = false;  ///< not only by keys or by the game itself
     bool is_empty = true, has_game = false;
     bool is_of_this_walk = false;  ///< of the current walk: loading it goes back to an earlier state
@@ -55,7 +55,7 @@ class MenuHost {
     virtual std::string figures() const = 0;            ///< of the gallery's current row
 
     virtual std::vector<LevelEntry> levels() const = 0;
-    virtual std::vector<SaveEntry> saves() const = 0;
+    virtual std::vector<SaveEntry> saves() = 0;  ///< save(), load() and remove_save() take an index of the last ones
     virtual EndFigures end_figures() const = 0;
     virtual std::string credits() const = 0;
 
@@ -66,7 +66,7 @@ class MenuHost {
     /// Whether the current walk has unsaved progress.
     virtual bool has_unsaved_progress() const = 0;
 
-    virtual void walk() = 0;  ///< the demo level, from its start
+    virtual void walk() = 0;  ///< a new walk from the game's first level
     virtual void continue_walk() = 0;
     virtual void restart() = 0;
     virtual void play_level(const std::string& file) = 0;

@@ -6,7 +6,7 @@
 namespace oblong {
 
 MenuRow MenuPages::save_row(const SaveEntry& save, std::function<void()> accept) const {
-    return {save.name, save.content, host_.key_names().in(save.help), std::move(accept), nullptr, save.picture};
+    return {save.name, save.content, save.help, std::move(accept), nullptr, save.picture};
 }
 
 void MenuPages::open_load() {
@@ -33,9 +33,14 @@ void MenuPages::open_load() {
     });
 }
 
+// The page below has an older list, whose entries the program no longer knows.
 void MenuPages::open_delete() {
     menu_.open([this, saves = host_.saves()] {
         MenuPage page{"Delete"};
+        page.back = [this] {
+            for (int pages = 2; pages > 0; --pages) menu_.close();  // this one, and the list before it
+            open_load();
+        };
         for (std::size_t i = 0; i < saves.size(); ++i) {
             const SaveEntry& save = saves[i];
             if (save.is_empty) continue;
@@ -51,7 +56,7 @@ void MenuPages::open_delete() {
             };
             page.rows.push_back(save_row(save, accept));
         }
-        page.rows.push_back(back_row());
+        page.rows.push_back(menu_row("Back", page.back));
         return page;
     });
 }

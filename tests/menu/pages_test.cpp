@@ -28,7 +28,11 @@ class FakeHost final : public MenuHost {
     std::vector<LevelEntry> levels() const override {
         return {{"demo", "", "The museum"}, {"e1m1", "maps/e1m1.bsp", "the Slipgate Complex"}};
     }
-    std::vector<SaveEntry> saves() const override {
+    std::vector<SaveEntry> saves() override {
+        ++lists;
+        return list();
+    }
+    static std::vector<SaveEntry> list() {
         const auto pixels = std::make_shared<std::vector<Rgb8>>(std::vector<Rgb8>{{255, 0, 0}, {0, 255, 0}});
         const SaveEntry empty{"Slot 1", "empty", "", true, true, false, false, std::nullopt};
         const SaveEntry full{"Slot 2", "demo 1:23", "", true, false, true, false, MenuPicture{2, 1, pixels}};
@@ -37,7 +41,7 @@ class FakeHost final : public MenuHost {
         const SaveEntry damaged_slot{"Slot 3", "damaged", "", true, false, false, false, std::nullopt};
         return {own, empty, full, damaged, damaged_slot};
     }
-    std::optional<SaveEntry> last_walk() const override { return saves()[3]; }
+    std::optional<SaveEntry> last_walk() const override { return last ? *last : list()[3]; }
     EndFigures end_figures() const override {
         return {"You have seen the museum.", "12:34", "Lenses found: 12 of 12", end_fault.empty() ? "e1m2" : "",
                 end_fault};
@@ -65,8 +69,10 @@ class FakeHost final : public MenuHost {
 
     const HeadlessPlatform platform{1, 35, nullptr, nullptr};
     Preferences kept;
+    std::optional<SaveEntry> last;
     std::string end_fault, save_fault;
     std::vector<std::string> done;
+    int lists = 0;  // how often they were asked for
     bool has_folder = true, is_unsaved = true;
 };
 
@@ -253,7 +259,7 @@ TEST_F(Pages, AfterAFailedSaveAnotherSlotCanBeChosen) {
 TEST_F(Pages, ADamagedWalkIsChosenToLearnWhy) {
     pages_.open_title();
     EXPECT_EQ(menu_.page().rows[0].label, "Continue");
-    EXPECT_EQ(menu_.page().rows[0].help.substr(0, 7), "Damaged");
+    EXPECT_EQ(menu_.page().rows[0].help, "Damaged");
     choose("Continue");
     EXPECT_EQ(host_.done.back(), "continue");
     pages_.open_title();
@@ -266,6 +272,14 @@ TEST_F(Pages, ADamagedWalkIsChosenToLearnWhy) {
     choose("Save");
     EXPECT_EQ(menu_.page().rows[2].label, "Slot 3");
     EXPECT_EQ(menu_.page().rows[2].help, "") << "is replaced there";
+}
+
+TEST_F(Pages, TheTitleSaysThatAnEarlierSaveIsContinued) {
+    host_.last = FakeHost::list()[2];
+    pages_.open_title();
+    EXPECT_EQ(menu_.page().rows[0].help, "Continue in demo 1:23");
+    host_.last->help = "The save before the last";
+    EXPECT_EQ(menu_.page().rows[0].help, "Continue in demo 1:23. The save before the last");
 }
 
 // Of the walk that is on: its later part is lost then, though it would be saved on leaving.
@@ -292,6 +306,22 @@ TEST_F(Pages, WhatIsSavedIsDeletedAfterAQuestion) {
     EXPECT_EQ(host_.done, std::vector<std::string>{"remove 3"});
     EXPECT_EQ(menu_.page().title, "Load");
     EXPECT_EQ(menu_.depth(), 2u);
+}
+
+// Each list replaces the one before it in the program: what is loaded is an entry of the last.
+TEST_F(Pages, TheListOfLoadIsANewOneAfterThatOfDelete) {
+    host_.is_unsaved = false;
+    for (const bool by_key : {false, true}) {
+        pages_.open_title();
+        choose("Load");
+        choose("Delete");
+        host_.lists = 0;
+        by_key ? escape() : choose("Back");
+        EXPECT_EQ(host_.lists, 1);
+        EXPECT_EQ(menu_.page().title, "Load");
+        EXPECT_EQ(menu_.depth(), 2u);
+        menu_.close_all();
+    }
 }
 
 TEST_F(Pages, TheEndLeadsOn) {
