@@ -108,14 +108,16 @@ std::int32_t Lab::draw_panel(const LabOptions& options, const GameView& view, co
         measures_.measure(view, settings, options.before, renderer_, meter(), data_.palette);
         bottom = draw_lab_panel(options, measures_.figures(), colours_, is_short, canvas);
     }
-    if (options.maps_errors && meter_->problem().empty())
+    if (options.maps_errors && meter().problem_of(view).empty())
         bottom = error_map_.draw_legend(bottom, colours_.bright, canvas);
     return bottom;
 }
 
-std::vector<std::string> Lab::notes(const LabOptions& options, const Accuracy& accuracy, std::uint64_t now_us) const {
+std::vector<std::string> Lab::notes(const LabOptions& options, const GameView& view, const Accuracy& accuracy,
+                                    std::uint64_t now_us) {
     std::vector<std::string> notes;
-    if (options.maps_errors && !meter_->problem().empty()) notes.push_back("No error: " + meter_->problem());
+    const std::string problem = options.maps_errors ? meter().problem_of(view) : "";
+    if (!problem.empty()) notes.push_back("No error: " + problem);
     if (options.splits) notes.push_back(split_text(setting_name(shown_setting(options, accuracy, now_us))));
     if (options.flips) notes.push_back(flip_text(options, accuracy, now_us));
     return notes;

@@ -72,7 +72,8 @@ class Lab {
                             Framebuffer canvas);
 
     /// Notes on what is drawn, for KeyNames::in().
-    std::vector<std::string> notes(const LabOptions& options, const Accuracy& accuracy, std::uint64_t now_us) const;
+    std::vector<std::string> notes(const LabOptions& options, const GameView& view, const Accuracy& accuracy,
+                                   std::uint64_t now_us);
 
   private:
     ErrorMeter& meter();

@@ -23,8 +23,12 @@ ErrorMeter::ErrorMeter(const std::string& level_file, const GameLevel& level) : 
     }
 }
 
+std::string ErrorMeter::problem_of(const GameView& view) const {
+    return problem_.empty() && view.other ? "only the player's own view is measured" : problem_;
+}
+
 std::vector<TexelError> ErrorMeter::measure(const GameView& view, const Settings& settings, GameRenderer& renderer) {
-    if (!problem_.empty()) return {};
+    if (!problem_of(view).empty()) return {};
     const std::vector<PlacedModel> models = placed_models(level_, view.state);
     TexelErrorMeter meter(reference_, models, view.camera, renderer.mode(), settings.correct_aspect);
     return meter.measure(renderer.draw_and_record(view, settings));
@@ -63,7 +67,7 @@ void LabMeasures::measure(const GameView& view, const Settings& now, const Accur
     follow(now.accuracy, before);
     const std::size_t turn = turn_++ % kTurns;
     if (turn == kCount) return count(view, now, renderer);
-    if (turn == kErrors) return note_errors(meter.measure(view, now, renderer), meter.problem());
+    if (turn == kErrors) return note_errors(meter.measure(view, now, renderer), meter.problem_of(view));
     if (turn == kColours) return compare_colours(view, now, renderer, palette);
     TimedSetting& setting = turn == 0   ? figures_.now
                             : turn == 1 ? figures_.before

@@ -20,15 +20,15 @@ class ErrorMeter {
     /// Reads the level's file a second time, as the reference does. `level` outlives the meter.
     ErrorMeter(const std::string& level_file, const GameLevel& level);
 
-    /// The error of each pixel; empty if the file could not be read.
+    /// The error of each pixel; empty if there is a problem.
     std::vector<TexelError> measure(const GameView& view, const Settings& settings, GameRenderer& renderer);
-    /// Why nothing can be measured; empty if it can.
-    const std::string& problem() const { return problem_; }
+    /// Why nothing can be measured in a view; empty if it can.
+    std::string problem_of(const GameView& view) const;
 
   private:
     const GameLevel& level_;
     reference::Level reference_;
-    std::string problem_;
+    std::string problem_;  // with the file
 };
 
 /// A setting and the times of frames with it.
@@ -66,10 +66,10 @@ class LabMeasures {
     /// Takes the next turn. A time is of the second of two renderings, whose surfaces are lit already.
     void measure(const GameView& view, const Settings& now, const Accuracy& before, GameRenderer& renderer,
                  ErrorMeter& meter, const Palette& palette);
-    void note_errors(const std::vector<TexelError>& errors, const std::string& problem);
     const LabFigures& figures() const { return figures_; }
 
   private:
+    void note_errors(const std::vector<TexelError>& errors, const std::string& problem);
     void follow(const Accuracy& now, const Accuracy& before);
     void time(TimedSetting& setting, const GameView& view, Settings settings, GameRenderer& renderer);
     void count(const GameView& view, const Settings& now, GameRenderer& renderer);

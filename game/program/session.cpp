@@ -120,7 +120,8 @@ GameView Session::shown_view() const {
     Camera camera = ticks_.camera(preferences.field_of_view);
     if (preferences.view_bob_100 != 0 || preferences.view_roll_100 != 0) sway(state, preferences, camera);
     const Overlays& on = overlays_.on();
-    return {state, camera, on.has_torch, other_view(on.is_isometric, on.zoom_degrees, camera, loaded_->data.level)};
+    return {state, camera, on.has_torch,
+            other_view(on.is_isometric, on.zoom_degrees, camera, preferences.mode, loaded_->data.level)};
 }
 
 Palette Session::palette_of(const GameView& view, const PaletteEffects& effects) const {

@@ -102,7 +102,7 @@ PanelText ShownOverlays::draw_panels(const GameView& view, const Settings& setti
     if (map_) map_->draw(view, on_.map, on_.line_method, mode, settings, canvas);
     if (lab_) {
         text.bottom = lab_->draw_panel(on_.lab, view, settings, cost_ != nullptr, canvas);
-        for (const std::string& note : lab_->notes(on_.lab, settings.accuracy, now_us))
+        for (const std::string& note : lab_->notes(on_.lab, view, settings.accuracy, now_us))
             text.notes.push_back(view_options_.key_names(platform_).in(note));
     }
     if (on_.inspects && !view.other) {

@@ -33,6 +33,13 @@ ViewSpec isometric_view(const Camera& camera) {
     return view;
 }
 
+ViewSpec zoomed_view(const Camera& camera, std::int32_t zoom_degrees, const Level& level) {
+    const Degrees zoom = Degrees::from_int(zoom_degrees);
+    ViewSpec view = first_person_view(dolly_zoomed(camera, distance_ahead(camera, level), zoom));
+    if (zoom < camera.field_of_view) cut_front(view, camera.eye, World{});
+    return view;
+}
+
 constexpr std::int64_t kCycle_ticks = 21;  // 0.6 s
 static_assert(kCycle_ticks * 10 == 6 * kTicksPerSecond);
 constexpr World kHighest = World::from_int(4), kLowest = World::from_int(-7);
@@ -107,13 +114,10 @@ Camera camera_at(const InterpolatedState& state, LookOffset offset, Degrees fiel
 }
 
 std::optional<ViewSpec> other_view(bool is_isometric, std::int32_t zoom_degrees, const Camera& camera,
-                                   const Level& level) {
-    if (is_isometric) return isometric_view(camera);
-    if (zoom_degrees == 0) return std::nullopt;
-    const Degrees zoom = Degrees::from_int(zoom_degrees);
-    ViewSpec view = first_person_view(dolly_zoomed(camera, distance_ahead(camera, level), zoom));
-    if (zoom < camera.field_of_view) cut_front(view, camera.eye, World{});
-    return view;
+                                   const ScreenMode& mode, const Level& level) {
+    if (!is_isometric && zoom_degrees == 0) return std::nullopt;
+    const ViewSpec view = is_isometric ? isometric_view(camera) : zoomed_view(camera, zoom_degrees, level);
+    return problem_of(view, mode) ? std::nullopt : std::optional(view);
 }
 
 void sway(const InterpolatedState& state, const ComfortPreferences& preferences, Camera& camera) {

@@ -36,7 +36,7 @@ class LabMeasure : public testing::Test {
     }
     GameView view() const {
         const InterpolatedState state{state_, state_};
-        return {state, camera_at(state, {}, Degrees::from_int(90))};
+        return {state, camera_at(state, {}, Degrees::from_int(90)), false, other_};
     }
     void round(const Accuracy& now, const Accuracy& before) {
         Settings settings;
@@ -56,6 +56,7 @@ class LabMeasure : public testing::Test {
     std::optional<GameRenderer> renderer_;
     std::optional<ErrorMeter> meter_;
     LabMeasures measures_{standing};
+    std::optional<ViewSpec> other_;
 };
 
 TEST_F(LabMeasure, ARoundMeasuresEverythingOnce) {
@@ -170,6 +171,17 @@ TEST_F(LabMeasure, SaysWhyThereAreNoErrors) {
     round({}, {});
     EXPECT_FALSE(measures_.figures().errors);
     EXPECT_NE(measures_.figures().problem.find("/no/such.bsp"), std::string::npos) << measures_.figures().problem;
+}
+
+// The reference sees by the player's eye: the errors of another view's texels would be those between the two views.
+TEST_F(LabMeasure, AnotherViewThanThePlayersHasNoErrors) {
+    round({}, {});
+    ASSERT_TRUE(measures_.figures().errors);
+    other_ = orthographic_view(view().camera.eye, axonometric_axes(Axonometry::Isometric), View::from_int(1024));
+    round({}, {});
+    EXPECT_FALSE(measures_.figures().errors);
+    EXPECT_EQ(measures_.figures().problem, "only the player's own view is measured");
+    EXPECT_TRUE(meter_->measure(view(), {}, *renderer_).empty());
 }
 
 }  // namespace

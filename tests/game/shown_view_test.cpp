@@ -37,11 +37,11 @@ double size_at(const ViewSpec& spec, int y) {
 }
 
 TEST(ShownView, IsTheCamerasUntilAKeyIsPressed) {
-    EXPECT_FALSE(other_view(false, 0, camera_before_sphere(), demo_level()));
+    EXPECT_FALSE(other_view(false, 0, camera_before_sphere(), {}, demo_level()));
 }
 
 TEST(ShownView, IsIsometricAroundThePlayerWithoutWhatIsAbove) {
-    const auto view = other_view(true, 30, camera_before_sphere(), demo_level());
+    const auto view = other_view(true, 30, camera_before_sphere(), {}, demo_level());
     ASSERT_TRUE(view);
     EXPECT_TRUE(view->is_parallel);
     EXPECT_EQ(view->eye, camera_before_sphere().eye);
@@ -57,7 +57,7 @@ TEST(ShownView, KeepsTheSizeOfWhatIsInTheMiddleWhileItZooms) {
     const Camera camera = camera_before_sphere();
     double far_before = 0;
     for (const std::int32_t degrees : {120, 60, 30, 10}) {
-        const auto view = other_view(false, degrees, camera, level);
+        const auto view = other_view(false, degrees, camera, {}, level);
         ASSERT_TRUE(view);
         EXPECT_EQ(view->cuts.empty(), degrees > 90);
         double least = 1e9;
@@ -68,6 +68,16 @@ TEST(ShownView, KeepsTheSizeOfWhatIsInTheMiddleWhileItZooms) {
         EXPECT_GT(far, far_before);
         far_before = far;
     }
+}
+
+// A unit at depth 1 would be 0.29 pixels there.
+TEST(ShownView, ThatCannotBeDrawnIsTheCameras) {
+    const ScreenMode narrow{160, 100, {1, 100}};
+    Camera camera = camera_before_sphere();
+    camera.field_of_view = Degrees::from_int(30);
+    EXPECT_TRUE(other_view(false, 80, camera, narrow, demo_level()));
+    EXPECT_FALSE(other_view(false, 120, camera, narrow, demo_level()));
+    EXPECT_TRUE(other_view(false, 120, camera, {}, demo_level()));
 }
 
 TEST(ShownView, ZoomsBetweenItsLimitsAndIsOffAt90Degrees) {
