@@ -41,7 +41,8 @@ class PlayedGame {
     /// The figures of a walk that ended.
     EndFigures end_figures(const LoadedLevel& played, const GameState& state) const;
 
-    /// A level by its file; "": the one that the options name. The current level is not read again. Throws FileError.
+    /// A level by its file; "": the game's first level, or the demo level. The current level is not read again. Throws
+    /// FileError.
     std::shared_ptr<const LoadedLevel> load(const std::string& file,
                                             const std::shared_ptr<const LoadedLevel>& played) const;
     /// The museum's level; `played`, if it is that. Throws FileError.

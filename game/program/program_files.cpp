@@ -1,10 +1,12 @@
 #include "game/program/program_files.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "engine/base/checksum.h"
 #include "engine/base/input_error.h"
 #include "engine/base/table.h"
 #include "engine/files/arguments.h"
@@ -36,13 +38,18 @@ bool is_plain(char letter) {
 
 }  // namespace
 
+// The museum has its saves beside the games' folders, with a file "lock".
 std::string game_name(const std::string& folder) {
     if (folder.empty()) return kQuake;
     std::string name = fs::absolute(folder).lexically_normal().filename().string();
     if (name.empty()) name = fs::absolute(folder).lexically_normal().parent_path().filename().string();
-    for (char& letter : name)
-        if (!is_plain(letter)) letter = '_';
-    return name == kMuseum || name.empty() ? "_" + name : name;
+    const std::uint64_t hash = fnv1a_of({reinterpret_cast<const std::uint8_t*>(name.data()), name.size()});
+    if (!std::all_of(name.begin(), name.end(), is_plain)) {
+        for (char& letter : name)
+            if (!is_plain(letter)) letter = '_';
+        name += "-" + std::to_string(hash);
+    }
+    return name == kMuseum || name == "lock" || name.empty() ? "_" + name : name;
 }
 
 LevelFiles files_of_game(const LoadedLevel& first, const Options& options) {

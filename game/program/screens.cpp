@@ -40,7 +40,7 @@ Screens::Screens(const Options& options, ProgramFiles files, PreferencesStore& s
     if (options_.shows_gallery)
         show_only(std::make_unique<Gallery>(std::move(files.loaded), view_options_, platform_));
     else if (options_.shows_title) {
-        if (!(options_.replay + options_.record).empty())
+        if (!(options_.replay + options_.record + options_.level + options_.map).empty())
             first_walk_ = std::make_unique<FirstWalk>(FirstWalk{files.loaded, std::move(files.input)});
         start_title(std::move(files.loaded));
     } else
@@ -68,7 +68,7 @@ void Screens::close_gallery() {
 }
 
 void Screens::follow_map() {
-    if (!watch_ || !walk_) return;
+    if (!watch_ || !walk_ || &up() != walk_) return;
     const std::uint64_t now_us = platform_.now_us();
     try {
         if (const auto news = watch_->poll(now_us)) {
@@ -82,14 +82,18 @@ void Screens::follow_map() {
     if (const std::string fault = watch_->due_reminder(now_us); !fault.empty()) walk_->show(fault);
 }
 
-// The player stays in place; all else is at the level's start.
+// The player stays in place, and the walk keeps its number; all else is at the level's start.
 void Screens::show_changed_level() {
+    auto loaded = load_level(watch_->level_file());
     const Player player = walk_->state().player;
-    start_walk(load_level(watch_->level_file()));
+    saves_.finish_autosave();
+    std::optional<HeldWalk> held = saves_.release();
+    start_walk(std::move(loaded));
     GameState state = walk_->state();
     state.player = player;
     state.player.ground = Player::kNoGround;
     walk_->restore(state);
+    saves_.begin(walk_, std::move(held));
     walk_->show("The level as it is now");
 }
 
@@ -123,9 +127,11 @@ void Screens::start(std::shared_ptr<const LoadedLevel> loaded, TickInputSource i
     name_window();
 }
 
+// A damaged demo is found before the current walk ends.
 void Screens::start_title(std::shared_ptr<const LoadedLevel> loaded) {
+    auto title = std::make_unique<Title>(loaded, game_.definition().demo, workers_, view_options_, platform_);
     finish_walk(*loaded);
-    show_only(std::make_unique<Title>(std::move(loaded), game_.definition().demo, workers_, view_options_, platform_));
+    show_only(std::move(title));
     sound_.play_music(game_.definition().music);
     name_window();
     last_walk_ = saves_.is_kept() ? saves_.slots().last_walk() : std::nullopt;

@@ -60,7 +60,7 @@ class Screens final : public MenuHost {
     std::vector<std::string> told() const override { return walk_ ? walk_->told() : std::vector<std::string>(); }
     std::string figures() const override { return screens_.back()->figures(); }
     std::vector<LevelEntry> levels() const override { return game_.levels(level_below()); }
-    std::vector<SaveEntry> saves() const override;
+    std::vector<SaveEntry> saves() override;
     EndFigures end_figures() const override { return game_.end_figures(walk_->loaded(), walk_->state()); }
     std::string credits() const override { return game_.credits(); }
     bool can_save() const override { return saves_.can_save(); }
@@ -79,7 +79,7 @@ class Screens final : public MenuHost {
     void leave() override;
 
   private:
-    /// The first walk from a title on --title: a replay, or a recorded walk.
+    /// The first walk from a title on --title: a replay, a recorded walk, or one in a level that the options name.
     struct FirstWalk {
         std::shared_ptr<const LoadedLevel> loaded;
         TickInputSource input;
@@ -122,8 +122,8 @@ class Screens final : public MenuHost {
     std::unique_ptr<Demo> recorded_;                    // of a recorded walk that has ended
     Menu menu_;
     MenuPages pages_;
-    std::optional<ListedSlot> last_walk_;     // offered by the title
-    mutable std::vector<ListedSlot> listed_;  // as last shown by the menu
+    std::optional<ListedSlot> last_walk_;  // offered by the title
+    std::vector<ListedSlot> listed_;       // as last shown by the menu
     bool has_left_ = false, has_changed_ = true, is_first_game_ = true;
 };
 

@@ -42,7 +42,7 @@ SaveEntry entry_of(const ListedSlot& content, const std::string& lenses) {
 
 }  // namespace
 
-std::vector<SaveEntry> Screens::saves() const {
+std::vector<SaveEntry> Screens::saves() {
     std::vector<SaveEntry> entries;
     if (!saves_.is_kept()) return entries;
     listed_ = saves_.slots().list();
@@ -100,8 +100,8 @@ void Screens::continue_walk() {
     load_from(last_walk_->slot);
 }
 
-// A walk held by another program, one in a folder that cannot be written to, and a save in a numbered slot continue as
-// new walks.
+// A walk held by another program, one in a folder that cannot be written to, a quick save of another walk, and a save
+// in a numbered slot continue as new walks.
 void Screens::load_from(SaveSlot slot) {
     try_with_files("Load", [&] {
         saves_.finish_autosave();
@@ -133,7 +133,7 @@ void Screens::go_on_with(const SlotContent& content, std::optional<HeldWalk> hel
     naming_file(game.level.name, [&] { check_level(game, loaded->data.level_hash, loaded->level); });
     const std::string gone = what_is_gone(game.level, saved_level_of(*loaded));
     if (saves_.is_own(content.slot)) held = saves_.release();
-    start(loaded, TickInputSource(start_of(loaded->level), std::nullopt, false), SessionKind::Walk);
+    start_walk(loaded);
     walk_->restore(game.state);
     const bool is_elsewhere = content.slot.kind == SaveKind::Walk && !held;
     saves_.begin(walk_, std::move(held));

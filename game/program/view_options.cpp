@@ -55,11 +55,8 @@ std::string describe_projection(const Preferences& preferences, WindowSize windo
 }
 
 std::string describe_display(const Preferences& preferences, WindowSize window) {
-    const auto shape = [&]() -> std::string {
-        if (preferences.shown_as == ShownAs::OnDisplay) return "as " + display_name(preferences.mode);
-        return preferences.shown_as == ShownAs::SquarePixels ? "with square pixels" : "in the window's shape";
-    };
-    return "{display-aspect} Shown " + shape() + ": " + describe_sphere(preferences, window);
+    return "{display-aspect} Shown " + shown_name(preferences.shown_as, preferences.mode) + ": " +
+           describe_sphere(preferences, window);
 }
 
 std::string describe_scaling(const Preferences& preferences, WindowSize window) {
@@ -72,10 +69,9 @@ std::string describe_scaling(const Preferences& preferences, WindowSize window) 
 
 // Changes an option by `steps`, as the options menu does; returns the message to the player.
 std::string change(const std::string& name, int steps, Preferences& preferences) {
-    const std::span<const Preference> rows = all_preferences();
-    const auto row = std::find_if(rows.begin(), rows.end(), [&](const Preference& of) { return of.name == name; });
-    row->change(preferences, steps);
-    return row->label + " " + row->shown(preferences);
+    const Preference& row = preference_named(name);
+    row.change(preferences, steps);
+    return row.label + " " + row.shown(preferences);
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ bool has_threads() {
 void WalkSaves::begin(Session* walk, std::optional<HeldWalk> held) {
     walk_ = walk;
     held_ = std::move(held);
-    saved_tick_ = autosave_tick_ = walk ? walk->state().tick : 0;
+    saved_tick_ = walk_saved_tick_ = autosave_tick_ = walk ? walk->state().tick : 0;
     autosave_items_ = walk ? taken_items(walk->state()) : 0;
 }
 
@@ -63,6 +63,7 @@ SavedGame WalkSaves::saved_now() {
 void WalkSaves::save(SaveSlot slot) {
     slots_.save(slot, saved_now());
     saved_tick_ = walk_->state().tick;
+    if (slot.kind == SaveKind::Walk) walk_saved_tick_ = saved_tick_;
 }
 
 void WalkSaves::autosave_when_due(bool may_begin) {
@@ -96,16 +97,16 @@ void WalkSaves::finish_autosave() {
     if (!autosave_.valid()) return;
     Autosave done = autosave_.get();
     if (done.taken) held_ = std::move(done.taken);
-    if (done.fault.empty())
-        saved_tick_ = std::max(saved_tick_, autosave_tick_);
-    else
-        walk_->show("Not saved: " + done.fault);
+    if (!done.fault.empty()) return walk_->show("Not saved: " + done.fault);
+    saved_tick_ = std::max(saved_tick_, autosave_tick_);
+    walk_saved_tick_ = std::max(walk_saved_tick_, autosave_tick_);
 }
 
-// A walk that has hardly begun gets no place.
+// A walk that has hardly begun gets no place. What was saved to another slot is saved here, too: the title continues
+// walks only.
 std::string WalkSaves::save_on_leaving() {
     finish_autosave();
-    if (!can_save() || walk_->state().tick <= saved_tick_ || !(held_ || has_unsaved_progress())) return "";
+    if (!can_save() || walk_->state().tick <= walk_saved_tick_ + (held_ ? 0 : kNothing_ticks)) return "";
     try {
         save(own_slot(SaveKind::Walk));
         return "";

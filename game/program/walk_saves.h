@@ -57,7 +57,7 @@ class WalkSaves {
     std::optional<HeldWalk> held_;                         // the walk's place, once it has saves
     std::future<Autosave> autosave_;                       // in progress
     std::int64_t autosave_tick_ = 0, autosave_items_ = 0;  // at the start of the last one
-    std::int64_t saved_tick_ = 0;                          // up to which the walk is saved
+    std::int64_t saved_tick_ = 0, walk_saved_tick_ = 0;    // up to which the walk is saved: in any slot, as a walk
 };
 
 }  // namespace oblong

@@ -165,8 +165,11 @@ SavedGame decode_save(std::span<const std::uint8_t> bytes) {
 void check_level(const SavedGame& game, std::uint64_t level_hash, const GameLevel& level) {
     if (game.level.file_hash != level_hash)
         throw InputError("level", "saved in another level, another version of it or by other rules, expected this one");
-    if (game.level.start_hash != hash_of(start_of(level)) || !find_inconsistency(level, game.state).empty())
-        throw InputError("state", "not one of this level, expected one saved by this version of the game");
+    const std::string expected = "expected one saved by this version of the game";
+    if (game.level.start_hash != hash_of(start_of(level)))
+        throw InputError("state", "of another start of this level, " + expected);
+    if (const std::string wrong = find_inconsistency(level, game.state); !wrong.empty())
+        throw InputError("state", wrong + "; " + expected);
 }
 
 Thumbnail make_thumbnail(Framebuffer picture, const Palette& palette) {

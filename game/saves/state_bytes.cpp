@@ -58,7 +58,8 @@ class FieldReader {
     void operator()(std::vector<Element>& list) {
         const auto length = bytes_.next<std::uint32_t>();
         expect_at(bytes_.offset() - 4, length <= bytes_.rest(),
-                  "a list of " + std::to_string(length) + " in the last " + std::to_string(bytes_.rest()) + " bytes");
+                  "a list of " + std::to_string(length) + " in the last " + std::to_string(bytes_.rest()) +
+                      " bytes, expected one that fits there");
         list.resize(length);
         for (Element& element : list) (*this)(element);
     }

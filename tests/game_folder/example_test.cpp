@@ -5,6 +5,7 @@
 #include "engine/files/files.h"
 #include "engine/platform/headless.h"
 #include "game/program/program.h"
+#include "game/program/program_files.h"
 #include "game/simulation/items.h"
 #include "tests/support/programs.h"
 #include "tests/support/refusal.h"
@@ -254,6 +255,16 @@ TEST_F(ExampleGame, ACaptionOfNoSoundIsNamed) {
     replace_in_definition("\"lenses\"", "\"lense\\n\"");
     EXPECT_EQ(run("oblong --game " + folder_ + " --headless 1 --out " + temporary_.path("out")), 1);
     EXPECT_TRUE(said_.starts_with("oblong: " + folder_ + "/game.json: /captions/lense?: is no sound")) << said_;
+}
+
+TEST(GameName, IsOfPlainLettersAndDiffersWhereFoldersDo) {
+    EXPECT_EQ(game_name(""), kQuake);
+    EXPECT_EQ(game_name("/games/three-rooms.2/"), "three-rooms.2");
+    EXPECT_EQ(game_name("/games/museum"), "_museum");
+    EXPECT_EQ(game_name("/games/lock"), "_lock") << "which the museum's saves have a file for";
+    const std::string one = game_name("/games/дом"), other = game_name("/games/сад");
+    EXPECT_NE(one, other);
+    EXPECT_EQ(one.find_first_not_of("_-0123456789abcdef"), std::string::npos) << one;
 }
 
 struct Fault {

@@ -5,10 +5,13 @@
 #include <thread>
 
 #include "engine/files/files.h"
+#include "engine/platform/headless.h"
 #include "game/program/map_watch.h"
+#include "game/program/program.h"
 #include "tests/map/map_source.h"
 #include "tests/support/folders.h"
 #include "tests/support/refusal.h"
+#include "tests/support/scripted_input.h"
 #include "tools/map/tree/bsp_file.h"
 
 namespace oblong::test::parts_test {
@@ -111,8 +114,64 @@ class MapWatchTest : public testing::Test {
     int saves_ = 0;
 
   protected:
-    MapWatch watch{path("my.map"), build_folder() + "/bin/oblong-map"};
+    const std::shared_ptr<MapWatch> shared_watch_ =
+        std::make_shared<MapWatch>(path("my.map"), build_folder() + "/bin/oblong-map");
+    MapWatch& watch = *shared_watch_;
 };
+
+// A walk in such a level, with a quick save before the level changes.
+class WatchedWalk : public MapWatchTest {
+  protected:
+    static constexpr std::int64_t kSaved = 10, kChanged = 20, kEnd = 400;
+
+    // The first walk as it was saved at the end. `script`: other inputs of the player.
+    SlotContent played(const std::map<std::int64_t, Controls>& script) {
+        write_file(path("t.wad"), wad_bytes({"wall"}));
+        write_file(path("my.map"), with_wad(two_rooms(kLamp)));
+        watch.compile_first(false);
+        first_ = level_bytes();
+        Options options;
+        options.level = watch.level_file();
+        options.folders.data = path("data");
+        HeadlessPlatform platform(
+            kEnd, 35, [&](std::int64_t poll) { return input_at(poll, script); }, [](Framebuffer, const Palette&) {});
+        PreferencesStore store;
+        ProgramFiles files = load_program_files(options, build_folder() + "/assets");
+        files.watch = shared_watch_;
+        oblong::Program(options, std::move(files), store, platform, nullptr).run();
+        return SaveSlots(path("data")).load({SaveKind::Walk, 1});
+    }
+
+  private:
+    PlatformInput input_at(std::int64_t poll, const std::map<std::int64_t, Controls>& script) {
+        Controls controls;
+        if (script.contains(poll)) controls = script.at(poll);
+        if (poll == kSaved) controls.commands.push_back(Action::QuickSave);
+        if (poll == kChanged) write_file(path("my.map"), with_wad(two_rooms(kLamp + kLens)));
+        if (poll > kChanged + 10 && level_bytes() == first_)  // the compiler is at work
+            std::this_thread::sleep_for(std::chrono::milliseconds(15));
+        return scripted_input(controls);
+    }
+
+    std::string first_;
+};
+
+TEST_F(WatchedWalk, KeepsItsNumberInTheChangedLevel) {
+    const SlotContent walk = played({});
+    ASSERT_TRUE(walk.game);
+    EXPECT_EQ(walk.game->lenses.all, 1);
+    EXPECT_LT(walk.game->state.tick, kEnd - kChanged);
+}
+
+TEST_F(WatchedWalk, IsNotGoneOnWithWhileTheGalleryIsOverIt) {
+    Controls menu, gallery;
+    menu.commands = {Action::Menu};
+    gallery.menu = {MenuAction::Up, MenuAction::Up, MenuAction::Up, MenuAction::Accept};
+    const SlotContent walk = played({{14, menu}, {15, gallery}});
+    ASSERT_TRUE(walk.game);
+    EXPECT_LT(walk.game->state.tick, kChanged);
+    EXPECT_EQ(walk.game->lenses.all, 0);
+}
 
 // As a mapper saves: a lamp moves, a wall goes, and comes back.
 TEST_F(MapWatchTest, FollowsTheSource) {

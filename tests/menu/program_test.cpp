@@ -219,6 +219,43 @@ TEST_F(ProgramOfTheDemo, AWalkThatIsBegunAgainIsKept) {
     EXPECT_GT(SaveSlots(path("data")).load({SaveKind::Walk, 2}).game->state.tick, 190);
 }
 
+TEST_F(ProgramOfTheDemo, AWalkSavedToASlotIsSavedOnLeavingAllTheSame) {
+    const ByPoll script{{100, pressing(Action::Menu)},
+                        {101, acting({MenuAction::Down, MenuAction::Accept})},  // "Save"
+                        {102, acting({MenuAction::Accept})},                    // "Slot 1"
+                        {110, pressing(Action::Menu)},
+                        {111, acting({MenuAction::Up, MenuAction::Accept})}};  // "Quit"
+    EXPECT_LT(play(200, keeping(), script), 115);
+    ASSERT_TRUE(SaveSlots(path("data")).load({SaveKind::Numbered, 1}).game);
+    ASSERT_TRUE(SaveSlots(path("data")).last_walk()) << "\"Continue\" resumes it";
+    EXPECT_GT(saved_tick(), 103);
+}
+
+// The title's demo is read when the player goes there.
+TEST_F(ProgramOfTheDemo, AWalkGoesOnIfTheTitleCannotBeShown) {
+    Options options = recording();
+    options.game = path("game");
+    std::filesystem::create_directories(path("game/maps"));
+    std::filesystem::copy_file(assets_ + "/demo.bsp", path("game/maps/hall.bsp"));
+    folder_.write("game/game.json", R"({"title": "Hall", "levels": ["hall"], "demo": "damaged.demo"})");
+    folder_.write("game/damaged.demo", "damaged");
+    play(100, options,
+         {{20, pressing(Action::Menu)},
+          {21, acting({MenuAction::Up, MenuAction::Up, MenuAction::Accept})},  // "Title"
+          {22, acting({MenuAction::Accept})}});                                // "OK"
+    EXPECT_EQ(recorded_ticks(), polls_ - 3) << "of the menu";
+}
+
+TEST_F(ProgramOfTheDemo, ATitleOverALevelLeadsToThatLevel) {
+    std::filesystem::copy_file(assets_ + "/demo.bsp", path("other.bsp"));
+    Options options = keeping();
+    options.shows_title = true;
+    options.level = path("other.bsp");
+    play(150, options, {{5, acting({MenuAction::Accept})}});  // "Walk"
+    ASSERT_TRUE(SaveSlots(path("data")).last_walk());
+    EXPECT_EQ(SaveSlots(path("data")).last_walk()->game->level.name, path("other.bsp"));
+}
+
 TEST_F(ProgramOfTheDemo, TheTitleLeadsToAWalkAndTheMenuBackToIt) {
     Options options = keeping();
     options.shows_title = true;

@@ -96,7 +96,12 @@ TEST(SavedGame, OfAnotherLevelOrVersionIsRefused) {
               "level: saved in another level, another version of it or by other rules, expected this one");
     ToyGame other(ToyLevel().add_model(floor_and({})));
     EXPECT_EQ(refusal([&] { check_level(saved, kToyLevelHash, other.level); }),
-              "state: not one of this level, expected one saved by this version of the game");
+              "state: of another start of this level, expected one saved by this version of the game");
+    SavedGame impossible = saved;
+    impossible.state.player.ground = 99;
+    EXPECT_EQ(refusal([&] { check_level(impossible, kToyLevelHash, walk.game.level); }),
+              "state: player: stands on model 99, which the level does not have; expected one saved by this version of "
+              "the game");
 
     Bytes later = encode_save(saved);
     later[8] = 1;
