@@ -39,6 +39,14 @@ void fill_area(Framebuffer canvas, const Area& area, std::uint8_t colour) {
     for (std::int32_t row = 0; row < part.height_px; ++row) std::fill_n(part.row(row), part.width_px, colour);
 }
 
+void draw_border(Framebuffer canvas, const Area& area, std::uint8_t colour) {
+    if (area.width <= 0 || area.height <= 0) return;
+    for (const Area& side :
+         {Area{area.x, area.y, area.width, 1}, Area{area.x, area.y + area.height - 1, area.width, 1},
+          Area{area.x, area.y, 1, area.height}, Area{area.x + area.width - 1, area.y, 1, area.height}})
+        fill_area(canvas, side, colour);
+}
+
 void recolour_area(Framebuffer canvas, const Area& area, const ColourTable& table) {
     const Framebuffer part = part_of(canvas, area);
     for (std::int32_t row = 0; row < part.height_px; ++row)

@@ -26,6 +26,8 @@ Framebuffer part_of(Framebuffer canvas, const Area& area);
 /// Sets a pixel. This and the functions below ignore pixels outside the canvas.
 void set_pixel(Framebuffer canvas, std::int32_t x, std::int32_t y, std::uint8_t colour);
 void fill_area(Framebuffer canvas, const Area& area, std::uint8_t colour);
+/// Fills the outermost pixels of an area.
+void draw_border(Framebuffer canvas, const Area& area, std::uint8_t colour);
 /// Maps colours to colours.
 using ColourTable = std::array<std::uint8_t, 256>;
 /// Replaces each colour by its entry in a table.

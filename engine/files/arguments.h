@@ -14,8 +14,6 @@
 
 namespace oblong {
 
-struct Dial;
-
 /// An invalid argument: programs print the message and exit with 2.
 class UsageError : public std::runtime_error {
   public:

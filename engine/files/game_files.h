@@ -60,7 +60,6 @@ class GameFiles {
     /// Reads nothing yet: pak files are read when a file is not found beside them.
     explicit GameFiles(std::vector<std::string> folders) : folders_(std::move(folders)) {}
 
-    const std::vector<std::string>& folders() const { return folders_; }
     /// True if one of the folders has a pak file.
     bool has_paks() const;
 

@@ -98,12 +98,7 @@ void fill_rectangle(Framebuffer canvas, std::int32_t x, std::int32_t y, std::int
 
 void draw_rectangle(Framebuffer canvas, std::int32_t x, std::int32_t y, std::int32_t width, std::int32_t height,
                     std::int32_t colour) {
-    const Area area = area_of(x, y, width, height);
-    if (area.width == 0 || area.height == 0) return;
-    for (const Area& side :
-         {Area{area.x, area.y, area.width, 1}, Area{area.x, area.y + area.height - 1, area.width, 1},
-          Area{area.x, area.y, 1, area.height}, Area{area.x + area.width - 1, area.y, 1, area.height}})
-        fill_area(canvas, side, as_index(colour));
+    draw_border(canvas, area_of(x, y, width, height), as_index(colour));
 }
 
 void fill_circle(Framebuffer canvas, const ScreenMode& mode, std::int32_t x, std::int32_t y, std::int32_t radius_px,

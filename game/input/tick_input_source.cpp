@@ -143,7 +143,7 @@ TickReport TickInputSource::play_tick(const GameLevel& level, GameState& state) 
     const std::uint64_t hash = hash_of(state);
     if (records_) recorded_.ticks.push_back({last_, hash});
     if (was_replayed_ && replayed_->ticks[next_++].state_hash != hash)
-        throw InputError("tick " + std::to_string(next_), "leads to another state than when it was recorded");
+        throw InputError("tick " + std::to_string(next_), "leads to another state, expected the recorded one");
     return report;
 }
 

@@ -30,18 +30,6 @@ std::int64_t percent_less(std::int64_t shorter, std::int64_t longer) {
     return (200 * (longer - shorter) + longer) / (2 * longer);
 }
 
-std::string name_of(ShownAs shown_as, const ScreenMode& mode) {
-    if (shown_as == ShownAs::OnDisplay) return "on " + display_name(mode);
-    return shown_as == ShownAs::SquarePixels ? "with square pixels" : "in the window's shape";
-}
-
-void draw_frame_of(const Area& area, std::uint8_t colour, Framebuffer canvas) {
-    fill_area(canvas, {area.x, area.y, area.width, 1}, colour);
-    fill_area(canvas, {area.x, area.y + area.height - 1, area.width, 1}, colour);
-    fill_area(canvas, {area.x, area.y, 1, area.height}, colour);
-    fill_area(canvas, {area.x + area.width - 1, area.y, 1, area.height}, colour);
-}
-
 }  // namespace
 
 Ratio shown_pixel(const PresentRect& shown, const ScreenMode& mode) {
@@ -65,11 +53,16 @@ std::string display_name(const ScreenMode& mode) {
     return std::to_string(mode.display.numerator) + ":" + std::to_string(mode.display.denominator);
 }
 
+std::string shown_name(ShownAs shown_as, const ScreenMode& mode) {
+    if (shown_as == ShownAs::OnDisplay) return "on " + display_name(mode);
+    return shown_as == ShownAs::SquarePixels ? "with square pixels" : "in the window's shape";
+}
+
 std::string aspect_caption(const ScreenMode& mode, bool corrects_projection, ShownAs shown_as, Scaling scaling,
                            WindowSize window) {
     const Ratio pixel = shown_pixel(layout(window, mode, shown_as, scaling), mode);
     return "Drawn for " + (corrects_projection ? display_name(mode) : "square pixels") + ", shown " +
-           name_of(shown_as, mode) + ":\nspheres " + describe_shape(sphere_shape(mode, corrects_projection, pixel)) +
+           shown_name(shown_as, mode) + ":\nspheres " + describe_shape(sphere_shape(mode, corrects_projection, pixel)) +
            ", the circle " + describe_shape(pixel * mode.pixel().inverse());
 }
 
@@ -102,9 +95,9 @@ void draw_aspect_guide(const ScreenMode& mode, TextColours colours, Framebuffer 
     const std::vector<Pixel> circle = circle_outline(mode);
     const Area square = true_square(mode);
     for (const Pixel& at : circle) set_pixel(canvas, at.x + 1, at.y + 1, colours.dark);
-    draw_frame_of({square.x + 1, square.y + 1, square.width, square.height}, colours.dark, canvas);
+    draw_border(canvas, {square.x + 1, square.y + 1, square.width, square.height}, colours.dark);
     for (const Pixel& at : circle) set_pixel(canvas, at.x, at.y, colours.bright);
-    draw_frame_of(square, colours.bright, canvas);
+    draw_border(canvas, square, colours.bright);
 }
 
 namespace {

@@ -24,6 +24,8 @@ std::string describe_shape(Ratio width_to_height);
 
 /// The shape of the display that the mode is for: "4:3".
 std::string display_name(const ScreenMode& mode);
+/// What follows "shown": "on 4:3", "with square pixels", "in the window's shape".
+std::string shown_name(ShownAs shown_as, const ScreenMode& mode);
 
 /// "Drawn for 4:3, shown with square pixels:\nspheres 17 % too flat, the circle 17 % too flat".
 std::string aspect_caption(const ScreenMode& mode, bool corrects_projection, ShownAs shown_as, Scaling scaling,

@@ -11,9 +11,9 @@ std::string label_of(Action action) {
 }
 
 // The other actions of an action's input: "Jump, Map"; empty if none.
-std::string others_of(const Bindings& bindings, Action action, Input input) {
+std::string others_of(const std::vector<Conflict>& conflicts, Action action, Input input) {
     std::string others;
-    for (const Conflict& conflict : conflicts_of(bindings)) {
+    for (const Conflict& conflict : conflicts) {
         if (conflict.input != input ||
             std::find(conflict.actions.begin(), conflict.actions.end(), action) == conflict.actions.end())
             continue;
@@ -23,10 +23,10 @@ std::string others_of(const Bindings& bindings, Action action, Input input) {
     return others;
 }
 
-bool has_conflict(const Bindings& bindings, Action action) {
-    const auto inputs = bindings.inputs_of(action);
-    return std::any_of(inputs.begin(), inputs.end(),
-                       [&](Input input) { return !others_of(bindings, action, input).empty(); });
+bool has_conflict(const std::vector<Conflict>& conflicts, Action action) {
+    return std::any_of(conflicts.begin(), conflicts.end(), [&](const Conflict& conflict) {
+        return std::find(conflict.actions.begin(), conflict.actions.end(), action) != conflict.actions.end();
+    });
 }
 
 // The pages of keys. It is copied into their functions.
@@ -59,9 +59,10 @@ class KeyPages {
     MenuPage list_page() const {
         MenuPage page{"Keys"};
         page.help = host_->key_names().in("{accept} changes what is chosen");
+        const std::vector<Conflict> conflicts = conflicts_of(host_->preferences().bindings);
         for (const ActionRow& names : all_actions()) {
             const Action action = names.action;
-            const bool is_doubled = has_conflict(host_->preferences().bindings, action);
+            const bool is_doubled = has_conflict(conflicts, action);
             page.rows.push_back({std::string(names.label), (is_doubled ? "! " : "") + inputs_text(*host_, action),
                                  is_doubled ? "! A key here has another use too" : "",
                                  [*this, action] { menu_->open([*this, action] { return action_page(action); }); }});
@@ -94,8 +95,9 @@ class KeyPages {
 
     MenuPage action_page(Action action) const {
         MenuPage page{label_of(action)};
+        const std::vector<Conflict> conflicts = conflicts_of(host_->preferences().bindings);
         for (const Input input : host_->preferences().bindings.inputs_of(action)) {
-            const std::string others = others_of(host_->preferences().bindings, action, input);
+            const std::string others = others_of(conflicts, action, input);
             page.rows.push_back(
                 {host_->local_name_of(input), "remove", others.empty() ? "" : "Also does: " + others,
                  [*this, action, input] { change([&](Bindings& bindings) { bindings.unbind(action, input); }); }});
@@ -123,7 +125,7 @@ class KeyPages {
     std::string others_if_bound(Action action, Input input) const {
         Bindings tried = host_->preferences().bindings;
         tried.bind(action, input);
-        return others_of(tried, action, input);
+        return others_of(conflicts_of(tried), action, input);
     }
 
     MenuPage conflict_page(Action action, Input input, const std::string& others) const {

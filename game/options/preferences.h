@@ -77,7 +77,7 @@ struct LightPreferences {
 struct WindowPreferences {
     bool fills_screen = false;        ///< the whole screen instead of a window
     bool waits_for_display = true;    ///< vsync, where the system offers it
-    std::int32_t frame_cap_hz = 144;  ///< the most frames a second, 10 to 1,000; 0: no limit
+    std::int32_t frame_cap_hz = 144;  ///< the most frames a second, 1 to 1,000; 0: no limit
     bool operator==(const WindowPreferences&) const = default;
 };
 

@@ -47,10 +47,10 @@ class PreferencesStore {
     /// Sets the preferences that the game begins with: kept(), changed by the command line.
     void begin_with(const Preferences& preferences) { shown_ = settled_ = preferences; }
 
-    /// Writes what has changed since the game began, if anything has. Returns "", or the error; then it tries again
-    /// only after another change.
+    /// Writes what has changed since the game began, if anything has. Returns "", or the error; the next call tries
+    /// again.
     std::string save(const Preferences& now);
-    /// The same once nothing has changed for a second. Call it each frame.
+    /// The same once nothing has changed for a second; after an error only once more has changed. Call it each frame.
     std::string save_when_settled(const Preferences& now, std::uint64_t now_us);
 
   private:

@@ -94,9 +94,8 @@ std::vector<std::uint32_t> Activations::touched(const BoxTree& boxes, const Box&
 }
 
 void Activations::end_tick() {
-    std::vector<WaitingFiring>& waiting = state_.backlog.waiting;
-    waiting.insert(waiting.begin(), late_.rbegin(), late_.rend());
-    report_.has_left_activations |= !waiting.empty();
+    state_.backlog.waiting.assign(late_.rbegin(), late_.rend());
+    report_.has_left_activations |= !late_.empty();
     std::stable_sort(delayed_.begin(), delayed_.end(), is_earlier);
     const auto middle = static_cast<std::ptrdiff_t>(state_.delayed.size());
     state_.delayed.insert(state_.delayed.end(), delayed_.begin(), delayed_.end());
@@ -121,7 +120,7 @@ void Activations::fire_now(const Firing& firing) {
 }
 
 void Activations::push(const WaitingFiring& firing) {
-    if (pending_.size() + late_.size() + state_.backlog.waiting.size() < kMost)
+    if (pending_.size() + late_.size() < kMost)
         pending_.push_back(firing);
     else
         report_.has_dropped_firings = true;

@@ -172,8 +172,8 @@ struct GameLevel {
 /// game code does:
 /// - info_player_start, info_teleport_destination;
 /// - func_door, func_door_rotating, func_door_secret, func_button, func_plat, func_train with its path_corners; what
-///   would have to be shot
-///   ("health", an untargeted secret door) answers to touch; so does a door whose name nothing activates;
+///   would have to be shot ("health", an untargeted secret door) answers to touch; so does a door whose name nothing
+///   activates;
 /// - func_wall, func_illusionary; func_episodegate and func_bossgate are open; any other func_ stands still;
 /// - trigger_once, trigger_multiple, trigger_secret, trigger_onlyregistered (every copy is), trigger_counter,
 ///   trigger_relay, trigger_push, trigger_teleport, trigger_changelevel; trigger_hurt, trigger_setskill and
@@ -181,8 +181,9 @@ struct GameLevel {
 /// - lights with a targetname and a style from 32 on;
 /// - item_key1, item_key2; of monsters and other items only what they fire is left: see entity_specs.h. Of Oblong's
 ///   own there are item_lens and info_checkpoint ("origin", "angle", "size" of its volume, 128 128 112): the respawn
-///   button leads back to the one passed last. Throws InputError for more than kMostMovers movers: doors that overlap
-///   are compared in pairs.
+///   button leads back to the one passed last.
+///
+/// Throws InputError for more than kMostMovers movers: doors that overlap are compared in pairs.
 GameLevel make_game_level(const Level& bsp);
 
 /// The state in which a level begins.

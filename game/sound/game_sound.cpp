@@ -198,10 +198,7 @@ void GameSound::play_music(const std::string& file) {
 void GameSound::start_music() {
     if (std::exchange(plays_music_, true)) return output_->set_music_volume(music_256());
     try {
-        read_parsed(music_file_, [&](std::span<const std::uint8_t> bytes) {
-            output_->play_music(bytes, music_256());
-            return true;
-        });
+        naming_file(music_file_, [&] { output_->play_music(read_file(music_file_), music_256()); });
     } catch (const FileError& error) {
         print_fault("oblong", error.what());
     }

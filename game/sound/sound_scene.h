@@ -69,7 +69,6 @@ class Ambience {
 
     /// Appends the sources within range of a point.
     void collect(const Position& ear, std::vector<SoundSource>& sources) const;
-    const std::vector<SoundSource>& all() const { return sources_; }
 
   private:
     std::vector<SoundSource> sources_;

@@ -16,7 +16,7 @@ namespace {
 constexpr View kMapWidth = View::from_int(2048), kMapFarthest = View::from_int(1 << 21);
 constexpr int kPictureBrightness = 56;  // of 256, behind the map
 constexpr World kBeside = World::from_int(2), kStepHeight = World::from_int(18), kFlatWithin = World::from_int(1);
-constexpr World kRim = World::from_int(700), kMark = World::from_int(36);  // of the squares of missing lenses
+constexpr World kRim = World::from_int(700), kMark = World::from_int(36);  // of the diamonds of missing lenses
 constexpr World kArrowLength = World::from_int(64), kArrowHead = World::from_int(40);
 constexpr Unit kRootOfHalf = Unit::from_raw(759'250'125);
 

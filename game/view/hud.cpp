@@ -93,6 +93,11 @@ double palette_time_ns(const Palette& palette, const PaletteEffects& effects, st
     return static_cast<double>(steady_clock_ns() - began_ns);
 }
 
+// How long a text is shown: 60 ms a letter, at least 2.5 s.
+std::uint64_t reading_time_us(const std::string& text) {
+    return std::max(kLeast_us, letters_in(text) * kLetter_us);
+}
+
 }  // namespace
 
 CostTable lay_out_cost(const CostText& text, std::int32_t room_px, TextColours colours, Framebuffer canvas) {
@@ -158,10 +163,6 @@ void FrameCost::note(const GameView& view, const Settings& settings, const Palet
     text_.effects = other_lines(times.effect_lines(renderer.plan(), counts), text_.passes);
     if (!effects.is_plain())
         text_.effects.push_back({"palette", 0, palette_time_ns(palette, effects, time_ms_at(view.state))});
-}
-
-std::uint64_t Messages::reading_time_us(const std::string& text) {
-    return std::max(kLeast_us, letters_in(text) * kLetter_us);
 }
 
 void Messages::show(std::string text) {

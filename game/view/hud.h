@@ -65,9 +65,6 @@ class Messages {
     /// All messages, the newest first, each text once; only the last 32 are kept.
     const std::vector<std::string>& told() const { return told_; }
 
-    /// How long a text is shown: 60 ms a letter, at least 2.5 s.
-    static std::uint64_t reading_time_us(const std::string& text);
-
   private:
     struct Part {
         std::string text;

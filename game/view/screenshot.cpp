@@ -8,6 +8,7 @@
 
 #include "engine/files/files.h"
 #include "engine/files/picture.h"
+#include "engine/view/present_rect.h"
 #include "engine/view/screen.h"
 
 namespace oblong {
@@ -59,19 +60,15 @@ void save(const std::string& file, Framebuffer picture, Multiples by, const Pale
 
 }  // namespace
 
-WindowSize exact_size(const ScreenMode& mode) {
-    const Multiples by = exact_multiples(mode);
-    return {mode.width_px * by.x, mode.height_px * by.y};
-}
-
 std::string save_screenshots(Framebuffer picture, const Palette& palette, const ScreenMode& mode) {
     try {
         const std::string name = stem(first_free_number());
         save(name + ".png", picture, {1, 1}, palette);
-        const WindowSize size = exact_size(mode);
-        if (size == WindowSize{}) return "{screenshot} Saved " + name + ".png";
-        const std::string exact = "-" + std::to_string(size.width_px) + "x" + std::to_string(size.height_px) + ".png";
-        save(name + exact, picture, exact_multiples(mode), palette);
+        const Multiples by = exact_multiples(mode);
+        if (by.x == 0) return "{screenshot} Saved " + name + ".png";
+        const std::string exact =
+            "-" + std::to_string(mode.width_px * by.x) + "x" + std::to_string(mode.height_px * by.y) + ".png";
+        save(name + exact, picture, by, palette);
         return "{screenshot} Saved " + name + ".png and " + exact;
     } catch (const std::exception& error) {
         return std::string("{screenshot} Not saved: ") + error.what();
