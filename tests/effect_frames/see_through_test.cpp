@@ -96,8 +96,11 @@ TEST(Shadows, FallOnTheirFloorAndOnNothingElse) {
     const MapText text = room_with(box({10, -100, 0}, {60, 100, 40}, "other"),
                                    entity_at("misc_sprite", {0, 0, 40}, {{"texture", "{lamp"}, {"shadow", "40"}}) +
                                        entity("func_wall", {}, box({-30, 0, -8}, {-10, 30, 0}, "floor")));
-    EffectStage stage(text, camera_at(point_at(-150, 3, 120), 0, 30));
+    const Camera camera = camera_at(point_at(-150, 3, 120), 0, 30);
+    EffectStage stage(text, camera_at(point_at(-150, 3, 120), 0, 10));
     stage.models.at(0).offset = point_at(0, 0, 16);  // its upper side has the floor's plane in the level
+    stage.draw();                                    // in other rows
+    stage.camera = camera;
     const Picture with = stage.draw();
     EXPECT_TRUE(stage.has("shadows"));
     EXPECT_TRUE(stage.has(Effect::Shadows));
@@ -115,6 +118,7 @@ TEST(Shadows, FallOnTheirFloorAndOnNothingElse) {
     }
     EXPECT_GT(dark, 300);
     EXPECT_LE(dark, owned);
+    EXPECT_LE(owned, dark + count_of(with, kLamp));
 }
 
 // What faces hide is not computed: not a particle, not the depth of a pixel.

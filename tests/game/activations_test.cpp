@@ -33,6 +33,13 @@ constexpr test::Scenario kActivations[] = {
         stand 720 0: phase0 = start
         stand 900 0: keys = 0, item0 = removed
     )"},
+    {"ADoorActivatesItsTargetsAfterItsWholeGroupHasSetOut", R"(
+        + func_door 200 -64 0 216 0 128 angle=-1 target=relay
+        + func_door 200 0 0 216 64 128 angle=-1 target=count targetname=second
+        + trigger_relay targetname=relay killtarget=second
+        + trigger_counter targetname=count count=100
+        stand 150 0: phase0 = leaving, phase1 = removed, counted = 1
+    )"},
     {"AWallShowsItsOtherFramesByTurns", R"(
         + trigger_multiple 100 -50 0 150 50 64 target=wall wait=1
         + func_wall 300 -50 0 310 50 100 targetname=wall

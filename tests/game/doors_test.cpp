@@ -31,6 +31,7 @@ constexpr test::Scenario kDoors[] = {
     {"OpenAgainRatherThanCloseOnThePlayer", R"(
         + func_door 200 -64 0 216 64 128 angle=-1 wait=0.1 speed=400 spawnflags=4
         untouchable 0; activate 0; play 12; at 208 0 1
+        play 14: phase0 = end, travelled0 = 120     # it turned back at the tick that would have been its sixth down
         each 200: travelled0 >= 55      # the player is 56 high
         : x = 208 +- 0.01
     )"},
@@ -45,6 +46,7 @@ constexpr test::Scenario kDoors[] = {
     {"OnAHingeOpenAgainRatherThanShutOnThePlayer", R"(
         + func_door_rotating 200 -64 0 216 64 128 origin="208 -64 0" speed=700 wait=0.1 spawnflags=4
         untouchable 0; activate 0; play 3; at 208 0 1
+        play 17: phase0 = end, travelled0 = 90      # it turned back before it was shut
         each 100: travelled0 > 0
         : x = 208 +- 0.01
         at -200 0 1; play 30: phase0 = start, travelled0 = 0

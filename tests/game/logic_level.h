@@ -96,7 +96,7 @@ struct ToyGame {
     ToyGame(const ToyGame&) = delete;  // `level` points into `toy`
 
     void play(int ticks, const TickInput& input) {
-        for (int i = 0; i < ticks; ++i) step(level, state, input);
+        for (int i = 0; i < ticks; ++i) has_left_work |= !step(level, state, input).left().empty();
     }
     double x() const { return state.player.position.x.raw / 4096.0; }
     double y() const { return state.player.position.y.raw / 4096.0; }
@@ -106,6 +106,7 @@ struct ToyGame {
     ToyLevel toy;
     GameLevel level;
     GameState state;
+    bool has_left_work = false;  ///< in any tick of play()
 };
 
 inline constexpr TickInput kStand{}, kAhead{127, 0, 0, 0, 0}, kJump{0, 0, 0, 0, kJumpButton};

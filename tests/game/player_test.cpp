@@ -74,6 +74,10 @@ constexpr Scenario kPlayers[] = {
         play 70 ahead: vx < 230
         at 0 0 100; play 35 jump: feet > 150
     )"},
+    {"StaysWhereRockIsAllAround", R"(
+        + solid -500 -500 0 500 500 500
+        at 0 0 100; play 35 ahead: x = 0, y = 0, feet = 100, vx = 0
+    )"},
     {"BeginsAnewWhoFallsOutOfTheWorld", R"(
         + no_floor
         + solid 5000 5000 0 5001 5001 1

@@ -244,6 +244,7 @@ class Run {
         for (const Words& action : line.actions) act(action, line.checks);
         check_all(line.checks);
         EXPECT_EQ(find_inconsistency(game_.level, game_.state), "");
+        EXPECT_FALSE(game_.has_left_work);
     }
     int checks() const { return checks_; }
 

@@ -204,6 +204,30 @@ TEST(Leak, ThePathLeadsThroughTheHole) {
     EXPECT_FALSE(leak_of(level(closed, start)));
 }
 
+TEST(Leak, ThePathGoesThroughNoWall) {
+    const std::string closed = room({0, 0, 0}, {256, 256, 128});
+    const std::string open = closed.substr(0, closed.rfind("{"));
+    const std::array<std::array<Whole, 2>, 2> baffles{
+        {{{{0, 180, 0}, {200, 200, 128}}}, {{{56, 220, 0}, {256, 240, 128}}}}};
+    const auto is_solid = [&](const Point& p) {
+        if (p.y < 256 && (p.x < 0 || p.x > 256 || p.y < 0 || p.z < 0 || p.z > 128)) return true;
+        return std::any_of(baffles.begin(), baffles.end(), [&](const auto& baffle) {
+            const auto& [mins, maxs] = baffle;
+            return p.x > mins[0] && p.x < maxs[0] && p.y > mins[1] && p.y < maxs[1];
+        });
+    };
+    std::string brushes = open;
+    for (const auto& [mins, maxs] : baffles) brushes += box(mins, maxs);
+    const auto leak = leak_of(level(brushes, entity_at("info_player_start", {128, 128, 32})));
+    ASSERT_TRUE(leak);
+    for (std::size_t i = 1; i < leak->path.size(); ++i)
+        for (int part = 0; part <= 100; ++part) {
+            const Point& from = leak->path[i - 1];
+            const Point p = from + (leak->path[i] - from) * (part / 100.0);
+            ASSERT_FALSE(is_solid(p)) << p.x << ' ' << p.y << ' ' << p.z;
+        }
+}
+
 // The room's walls reach from -16 to 272, 272 and 144.
 TEST(Leak, OnTheOuterSurfaceOfAWallIsInside) {
     const auto leaks = [](const Whole& origin) {

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include "game/simulation/game_level.h"
 #include "tests/saves/saved_walk.h"
+#include "tests/support/folders.h"
 #include "tests/support/refusal.h"
 
 namespace oblong::test {
@@ -140,6 +142,36 @@ TEST(SavedGame, AnyOtherValueOfAnyByteOfTheHeaderAndABitOfAnyOtherIsRefused) {
             bytes[at] ^= static_cast<std::uint8_t>(flip);
         }
     EXPECT_EQ(refusal_of(bytes), "");
+}
+
+// The program was started for another game than the one that a save is of.
+TEST(SavedGame, IsLoadedFromItsOwnFilesUnlessTheyAreGoneOrTheDemoLevels) {
+    const TemporaryFolder folder;
+    const std::string there = folder.write("there", "any"), gone = folder.path("gone"),
+                      demo = folder.write("demo.bsp", "any"), moved_demo = gone + "/demo.bsp";
+    const std::vector<std::string> its_game{"/its"}, own_game{"/own"};
+    const LevelFiles own{"own.bsp", "own.lmp", folder.path(), "own models", own_game};
+    struct Case {
+        std::string level, palette, models;                 // that were saved
+        std::string from_level, from_palette, from_models;  // that are loaded
+        std::vector<std::string> from_game;
+    };
+    for (const Case& each : {Case{there, there, there, there, there, there, its_game},
+                             {gone, there, gone, gone, there, "own models", its_game},
+                             {there, gone, there, there, "own.lmp", there, its_game},
+                             {there, "", "", there, "", "", its_game},
+                             {demo, "", there, "own.bsp", "", there, own_game},
+                             {moved_demo, there, "", "own.bsp", there, "", own_game}}) {
+        SavedLevel saved;
+        saved.name = each.level, saved.palette = each.palette, saved.models = each.models;
+        saved.game_folders = its_game;
+        const LevelFiles files = files_of(saved, own);
+        EXPECT_EQ(files.level, each.from_level);
+        EXPECT_EQ(files.palette, each.from_palette) << each.level;
+        EXPECT_EQ(files.models, each.from_models) << each.level;
+        EXPECT_EQ(files.game_folders, each.from_game) << each.level;
+        EXPECT_EQ(files.assets, own.assets);
+    }
 }
 
 }  // namespace
