@@ -50,6 +50,12 @@ def as_letters(content):
     return ''.join(LETTERS[int(bits[at:at + 7].ljust(7, '0'), 2)] for at in range(0, len(bits), 7))
 
 
+def need(maker, *path):
+    file = os.path.join(*path)
+    if not os.path.isfile(file):
+        sys.exit('pack.py: there is no %s, expected what %s' % (file, maker))
+
+
 def under_own_name(page, game):
     """The page with a game's title and icon. What else is wrong with the game it says itself."""
     try:
@@ -59,9 +65,7 @@ def under_own_name(page, game):
     except (OSError, ValueError, KeyError, TypeError) as error:
         sys.exit('pack.py: %s: %s: %s, expected a game' % (os.path.join(game, 'game.json'), type(error).__name__, error))
     for level in levels:
-        file = os.path.join(game, 'maps', '%s.bsp' % level)
-        if not os.path.isfile(file):
-            sys.exit('pack.py: there is no %s, expected what oblong-map makes of its source' % file)
+        need('oblong-map makes of its source', game, 'maps', '%s.bsp' % level)
     if icon:
         kind = mimetypes.guess_type(icon)[0]
         page = page.replace('href="data:,"', 'href="data:%s;base64,%s"' % (kind, base64.b64encode(picture).decode()))
@@ -76,6 +80,8 @@ def main(build, assets, site, game=None):
         page = page.replace('<title>Oblong<', '<title>Examples<')
     if game:
         page = under_own_name(page, game)
+    need('tools/build --web makes', build, program + '.wasm')
+    need('tools/build --web makes', assets, 'demo.bsp')
     files = {program + '.wasm': read(build, program + '.wasm'), program + '.data': packed_data(assets, game)}
     sizes = ', '.join('"%s": %d' % (name, len(content)) for name, content in files.items())
     for name in ('page.js', 'screen.js', 'pads.js', 'touch.js', 'sound.js'):
