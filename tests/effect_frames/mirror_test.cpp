@@ -82,6 +82,32 @@ TEST(Mirrors, ShowLowFogBelowAllThatTheFrameItselfShows) {
     EXPECT_FALSE(stage.has(Effect::Fog));
 }
 
+/// Two alcoves behind doorways in the east wall: a mirror round the corner of one, a lamp round that of the other. The
+/// lamp is in sight from a mirror in the north wall, and not from the first one.
+TEST(Mirrors, ShowWhatIsInSightFromEachOfTwo) {
+    const auto alcoves = [](const char* round_the_corner) {
+        MapText text =
+            room_with("", entity("func_wall", {}, box({120, 250, 30}, {250, 256, 160}, "mirror")) +
+                              entity("func_wall", {}, box({490, -118, 30}, {496, -62, 160}, round_the_corner)) +
+                              entity_at("misc_sprite", {350, 70, 90}, {{"texture", "{lamp"}}));
+        text.brushes = room({-256, -256, 0}, {496, 256, 192}) + box({256, -256, 0}, {300, -180, 192}) +
+                       box({256, -120, 0}, {300, 100, 192}) + box({300, -60, 0}, {496, 40, 192}) +
+                       box({256, 200, 0}, {300, 256, 192});
+        return text;
+    };
+    const Camera camera = camera_at(point_at(-200, -230, 90), 30);
+    EffectStage both(alcoves("mirror"), camera), one(alcoves("other"), camera);
+    const Picture with_both = both.draw(), with_one = one.draw();
+    EXPECT_GT(both.pixels(Effect::Mirror), one.pixels(Effect::Mirror));
+    std::int64_t lamp = 0;
+    for (std::size_t i = 0; i < with_both.size(); ++i) {
+        if (one.texture_at(i) != "mirror" || with_both[i] == kMirror) continue;  // in a mirror, another is a wall
+        ASSERT_EQ(with_both[i], with_one[i]);
+        lamp += with_both[i] == kLamp;
+    }
+    EXPECT_GT(lamp, 20);
+}
+
 TEST(Mirrors, BuildNoSurfaceAgainAndCountLightOnce) {
     const std::string lantern =
         entity_at("misc_lantern", {100, 0, 80}, {{"texture", "{lamp"}, {"light", "300"}, {"scale", "0.25"}});
