@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "game/simulation/collision.h"
 #include "tests/game/logic_level.h"
@@ -134,6 +135,41 @@ TEST(Player, StartInTheFloorIsLiftedOut) {
     ToyGame game(room(), -10);
     game.play(5, kStand);
     EXPECT_NEAR(game.feet(), 0, 0.1);
+}
+
+/// Water up to 100 units, and a bank from x = 100 on.
+ToyLevel bank(std::int32_t height) {
+    ToyLevel toy(100);
+    toy.add_model(floor_and({{100, -500, 0, 900, 500, height}}));
+    const auto add_node = [&](PlaneIndex plane, NodeChild front, NodeChild back) {
+        Node node;
+        node.plane = plane;
+        node.children = {front, back};
+        toy.level.nodes.push_back(node);
+        return NodeChild(NodeIndex(toy.level.nodes.count() - 1));
+    };
+    const Node surface = toy.level.nodes[NodeIndex(0)];
+    const NodeChild open = add_node(surface.plane, surface.children[0], surface.children[1]),
+                    beyond = add_node(add_plane(toy.level, 2, height), surface.children[0], NodeChild(LeafIndex(0)));
+    toy.level.nodes[NodeIndex(0)].plane = add_plane(toy.level, 0, 100);
+    toy.level.nodes[NodeIndex(0)].children = {beyond, open};
+    return toy;
+}
+
+TEST(Player, LeapsOutOfTheWaterOntoABankThatEndsJustAboveIt) {
+    const TickInput back{-127, 0, 0, 0, 0};
+    for (const auto& [height, input, leaps] :
+         {std::tuple{110, kAhead, true}, {150, kAhead, false}, {110, back, false}, {110, kStand, false}}) {
+        ToyGame game(bank(height));
+        game.state.player.position = world_vector(70, 0, 85);  // the waist is wet, the eyes are not
+        double fastest = 0;
+        for (int tick = 0; tick < 40; ++tick) {
+            game.play(1, input);
+            fastest = std::max(fastest, game.state.player.velocity.z.raw / 4096.0);
+        }
+        EXPECT_EQ(fastest > 200, leaps) << height;
+        EXPECT_EQ(game.x() > 110 && std::abs(game.feet() - height) < 0.1, leaps) << height << ' ' << game.feet();
+    }
 }
 
 TEST(Player, HostileInputsStayInTheRoom) {
