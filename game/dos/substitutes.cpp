@@ -78,7 +78,7 @@ std::vector<std::uint8_t> encode_indexed_png(std::span<const std::uint8_t>, std:
 }
 
 /// No maps are watched.
-std::optional<MapWatch::News> MapWatch::poll(std::uint64_t) {
+std::optional<MapWatch::Result> MapWatch::poll(std::uint64_t) {
     return std::nullopt;
 }
 std::string MapWatch::due_reminder(std::uint64_t) {

@@ -94,9 +94,9 @@ MenuPage MenuPages::game_page() {
             goal.hint.empty() ? "which are found, and which are missing" : goal.hint));
         page.rows.back().value = goal.count;
     }
-    if (!host_.told().empty())
+    if (!host_.messages().empty())
         page.rows.push_back(menu_row(
-            "Messages", [this] { open_told(); }, "texts shown in this walk"));
+            "Messages", [this] { open_messages(); }, "texts shown in this walk"));
     page.rows.push_back(menu_row("Options", [this] { open_options(); }));
     page.rows.push_back(menu_row("Restart level", [this] { open_restart(); }));
     page.rows.push_back(menu_row("Levels", [this] { open_levels(); }));
@@ -186,9 +186,9 @@ void MenuPages::open_text(std::string title, std::string text, std::optional<Act
     });
 }
 
-void MenuPages::open_told() {
+void MenuPages::open_messages() {
     std::string text;
-    for (const std::string& message : host_.told()) text += (text.empty() ? "" : "\n\n") + message;
+    for (const std::string& message : host_.messages()) text += (text.empty() ? "" : "\n\n") + message;
     open_text("Messages", text, {});
 }
 

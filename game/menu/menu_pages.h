@@ -48,11 +48,11 @@ class MenuHost {
     virtual Preferences& preferences() = 0;
     virtual KeyNames key_names() const = 0;
     virtual std::string local_name_of(Input input) const = 0;
-    virtual std::vector<KeyHelp> key_help() const = 0;  ///< of the screen behind the menu
-    virtual std::string game_title() const = 0;         ///< in capitals
-    virtual Goal goal() const = 0;                      ///< of the walk
-    virtual std::vector<std::string> told() const = 0;  ///< the messages of a walk, the newest first
-    virtual std::string figures() const = 0;            ///< of the gallery's current row
+    virtual std::vector<KeyHelp> key_help() const = 0;      ///< of the screen behind the menu
+    virtual std::string game_title() const = 0;             ///< in capitals
+    virtual Goal goal() const = 0;                          ///< of the walk
+    virtual std::vector<std::string> messages() const = 0;  ///< the messages of a walk, the newest first
+    virtual std::string figures() const = 0;                ///< of the gallery's current row
 
     virtual std::vector<LevelEntry> levels() const = 0;
     virtual std::vector<SaveEntry> saves() = 0;  ///< save(), load() and remove_save() take an index of the last ones
@@ -120,7 +120,7 @@ class MenuPages {
     void open_load();
     void open_delete();
     void open_save();
-    void open_told();
+    void open_messages();
     void open_text(std::string title, std::string text, std::optional<Action> closed_by);
 
     MenuPage title_page();

@@ -127,7 +127,7 @@ void add_comfort(Rows& rows) {
         whole_number({"view-bob", "View bob", "the view moves up and down while walking; 100: as in Quake", kPage},
                      &Preferences::view_bob_100, 0, 200, sways, " %"));
     rows.push_back(
-        whole_number({"view-roll", "View roll", "the view tilts while stepping sideways; 100: as in Quake", kPage},
+        whole_number({"view-roll", "View roll", "the view rolls while stepping sideways; 100: as in Quake", kPage},
                      &Preferences::view_roll_100, 0, 200, sways, " %"));
     rows.push_back(
         whole_number({"game-speed", "Game speed", "in per cent; below 100 the same happens more slowly", kPage},

@@ -84,7 +84,7 @@ struct WindowPreferences {
 struct ComfortPreferences {
     Flashes flashes = Flashes::Full;
     std::int32_t view_bob_100 = 0;      ///< vertical motion of the view in walking, 0 to 200, 100: as in Quake
-    std::int32_t view_roll_100 = 0;     ///< lean in walking sideways; likewise
+    std::int32_t view_roll_100 = 0;     ///< roll in stepping sideways; likewise
     std::int32_t game_speed_100 = 100;  ///< game time per real time, 25 to 1,600
     std::int32_t text_scale = 1;        ///< pixels of the picture for a pixel of a letter, 1 or 2
     ColourScheme colours = ColourScheme::Standard;

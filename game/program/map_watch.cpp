@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kBetweenLooks_us = 200'000, kBetweenReminders_us = 3'000'000;
+constexpr std::uint64_t kPollEvery_us = 200'000, kBetweenReminders_us = 3'000'000;
 
 // The parts of a source that need different recompilation.
 struct MapParts {
@@ -101,7 +101,7 @@ MapWatch::MapWatch(std::string map_file, std::string compiler)
     : map_file_(std::move(map_file)), compiler_(std::move(compiler)) {
     const std::string base = fs::path(map_file_).replace_extension().string() + kDraftEnding;
     level_file_ = base + ".bsp";
-    said_file_ = base + ".log";
+    log_file_ = base + ".log";
     points_file_ = base + ".pts";
     reads_file_ = base + ".reads";
 }
@@ -127,20 +127,20 @@ bool MapWatch::others_have_changed() {
     return have;
 }
 
-std::optional<MapWatch::News> MapWatch::poll(std::uint64_t now_us) {
+std::optional<MapWatch::Result> MapWatch::poll(std::uint64_t now_us) {
     if (running_) {
         int status = 0;
         if (waitpid(*running_, &status, WNOHANG) == 0) return std::nullopt;
         running_.reset();
-        News news = finish(status);
-        if (news.has_level || running_change_ == MapChange::All) {
-            remind_of(news.fault);
-            return news;
+        Result result = finish(status);
+        if (result.has_level || running_change_ == MapChange::All) {
+            remind_of(result.fault);
+            return result;
         }
         begin(MapChange::All);  // more has changed than assumed
         return std::nullopt;
     }
-    if (now_us < looked_us_ + kBetweenLooks_us) return std::nullopt;
+    if (now_us < looked_us_ + kPollEvery_us) return std::nullopt;
     looked_us_ = now_us;
     std::error_code ignored;
     if (!fs::exists(map_file_, ignored)) return std::nullopt;
@@ -171,10 +171,10 @@ void MapWatch::compile_first(bool waits) {
     tried_text_ = read_text(map_file_);
     begin(MapChange::All);
     for (std::uint64_t now_us = 0;; now_us += kBetweenPolls_us) {
-        const auto news = poll(now_us);
-        if (news && news->has_level) break;
-        if (news) {
-            const FileError fault(map_file_, "oblong-map", news->fault);
+        const auto result = poll(now_us);
+        if (result && result->has_level) break;
+        if (result) {
+            const FileError fault(map_file_, "oblong-map", result->fault);
             if (!waits) throw fault;
             print_fault("oblong", std::string(fault.what()) + "; tried again after a change");
         }
@@ -191,11 +191,11 @@ void MapWatch::begin(MapChange change) {
     arguments.push_back(nullptr);
     std::error_code ignored;
     fs::remove(points_file_, ignored);
-    write_file(said_file_, std::string());  // names the folder if it is read-only: below, the compiler would be blamed
+    write_file(log_file_, std::string());  // names the folder if it is read-only: below, the compiler would be blamed
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
     posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_addopen(&files, STDERR_FILENO, said_file_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+    posix_spawn_file_actions_addopen(&files, STDERR_FILENO, log_file_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
     pid_t process = 0;
     const int error = posix_spawn(&process, compiler_.c_str(), &files, nullptr, arguments.data(), environ);
     posix_spawn_file_actions_destroy(&files);
@@ -217,28 +217,28 @@ void MapWatch::look_for_others() {
     others_ = std::move(others);
 }
 
-MapWatch::News MapWatch::finish(int status) {
+MapWatch::Result MapWatch::finish(int status) {
     look_for_others();
-    News news;
-    news.has_level = WIFEXITED(status) && WEXITSTATUS(status) == 0;
-    has_failed_ = !news.has_level;
-    std::istringstream lines(read_text(said_file_));
+    Result result;
+    result.has_level = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    has_failed_ = !result.has_level;
+    std::istringstream lines(read_text(log_file_));
     for (std::string line; std::getline(lines, line);) {
         if (line.find(": warning: ") != std::string::npos)
             std::cerr << line << '\n';
         else if (line.find("% ") == std::string::npos)
-            news.fault = line;
+            result.fault = line;
     }
-    if (news.has_level) {
+    if (result.has_level) {
         text_ = tried_text_;
-        news.fault.clear();
-        return news;
+        result.fault.clear();
+        return result;
     }
     const std::string named = "oblong-map: " + map_file_ + ": ";
-    if (news.fault.starts_with(named)) news.fault.erase(0, named.size());
-    if (news.fault.empty()) news.fault = "oblong-map ended without a message";
-    news.leak_path = read_points(points_file_);
-    return news;
+    if (result.fault.starts_with(named)) result.fault.erase(0, named.size());
+    if (result.fault.empty()) result.fault = "oblong-map ended without a message";
+    result.leak_path = read_points(points_file_);
+    return result;
 }
 
 }  // namespace oblong

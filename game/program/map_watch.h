@@ -30,7 +30,7 @@ class MapWatch {
     const std::string& level_file() const { return level_file_; }
 
     /// The result of a compilation.
-    struct News {
+    struct Result {
         bool has_level = false;              ///< level_file() is new
         std::string fault;                   ///< the compiler's message, if it failed
         std::vector<Vec3<World>> leak_path;  ///< from an entity to the void, if the level leaks
@@ -38,7 +38,7 @@ class MapWatch {
 
     /// Starts a due compilation, or returns the result of one that has ended, without delay. Reads files at most five
     /// times a second.
-    std::optional<News> poll(std::uint64_t now_us);
+    std::optional<Result> poll(std::uint64_t now_us);
     /// The level's fault, every few seconds until it is fixed; empty: none, or not due.
     std::string due_reminder(std::uint64_t now_us);
     /// Sets a fault that the compiler does not know of.
@@ -58,9 +58,9 @@ class MapWatch {
     bool others_have_changed();
     void look_for_others();
     void begin(MapChange change);
-    News finish(int status);
+    Result finish(int status);
 
-    std::string map_file_, compiler_, level_file_, said_file_, points_file_, reads_file_;
+    std::string map_file_, compiler_, level_file_, log_file_, points_file_, reads_file_;
     std::string text_;        // of the current level
     std::string tried_text_;  // of the compilation
     Stamp seen_;

@@ -71,10 +71,11 @@ void Screens::follow_map() {
     if (!watch_ || !walk_ || &up() != walk_) return;
     const std::uint64_t now_us = platform_.now_us();
     try {
-        if (const auto news = watch_->poll(now_us)) {
-            if (!news->has_level) print_fault("oblong", FileError(options_.watch, "oblong-map", news->fault).what());
-            if (news->has_level) show_changed_level();
-            walk_->show_path(news->leak_path);
+        if (const auto result = watch_->poll(now_us)) {
+            if (!result->has_level)
+                print_fault("oblong", FileError(options_.watch, "oblong-map", result->fault).what());
+            if (result->has_level) show_changed_level();
+            walk_->show_path(result->leak_path);
         }
     } catch (const FileError& error) {  // an editor may remove a file while it is read
         watch_->remind_of(error.what());

@@ -57,7 +57,9 @@ class Screens final : public MenuHost {
     std::vector<KeyHelp> key_help() const override { return screens_.back()->key_help(key_names()); }
     std::string game_title() const override { return game_.title(); }
     Goal goal() const override;
-    std::vector<std::string> told() const override { return walk_ ? walk_->told() : std::vector<std::string>(); }
+    std::vector<std::string> messages() const override {
+        return walk_ ? walk_->messages() : std::vector<std::string>();
+    }
     std::string figures() const override { return screens_.back()->figures(); }
     std::vector<LevelEntry> levels() const override { return game_.levels(level_below()); }
     std::vector<SaveEntry> saves() override;
@@ -102,8 +104,8 @@ class Screens final : public MenuHost {
     /// Runs work with files; shows its error on a page of the menu.
     void try_with_files(const std::string& what, const std::function<void()>& work);
     void load_from(SaveSlot slot);
-    /// `unheld`: why a walk is not held, if it is not.
-    void go_on_with(const SlotContent& content, std::optional<HeldWalk> held, const std::string& unheld);
+    /// `why_new`: why the game goes on as a new walk, if it does.
+    void go_on_with(const SlotContent& content, std::optional<HeldWalk> held, const std::string& why_new);
     /// Saves the walk, then calls `go`; if saving fails, asks first.
     void leave_walk(const std::function<void()>& go);
 

@@ -67,7 +67,7 @@ void Screens::quick_save() {
 }
 
 void Screens::quick_load() {
-    if (!saves_.has_place()) return walk_->show("Nothing was saved in this walk: the menu loads others");
+    if (!saves_.holds_number()) return walk_->show("Nothing was saved in this walk: the menu loads others");
     load_from(saves_.own_slot(SaveKind::Quick));
 }
 
@@ -106,11 +106,11 @@ void Screens::load_from(SaveSlot slot) {
     try_with_files("Load", [&] {
         saves_.finish_autosave();
         auto held = std::make_shared<std::optional<HeldWalk>>();
-        std::string unheld = "another running Oblong uses this walk's saves.";
+        std::string why_new = "another running Oblong uses this walk's saves.";
         try {
             if (slot.kind == SaveKind::Walk && !saves_.is_own(slot)) *held = saves_.slots().hold(slot.number);
         } catch (const FileError& error) {
-            unheld = error.what();
+            why_new = error.what();
         }
         const SlotContent content = saves_.slots().load(slot);
         if (!content.game) {
@@ -118,14 +118,14 @@ void Screens::load_from(SaveSlot slot) {
             if (content.refusal.empty() && walk_) return walk_->show(nothing);
             return pages_.open_message("Load", content.refusal.empty() ? nothing : content.refusal);
         }
-        if (saves_.is_own(slot)) return go_on_with(content, {}, unheld);
-        leave_walk([this, content, held, unheld] {
-            try_with_files("Load", [&] { go_on_with(content, std::move(*held), unheld); });
+        if (saves_.is_own(slot)) return go_on_with(content, {}, why_new);
+        leave_walk([this, content, held, why_new] {
+            try_with_files("Load", [&] { go_on_with(content, std::move(*held), why_new); });
         });
     });
 }
 
-void Screens::go_on_with(const SlotContent& content, std::optional<HeldWalk> held, const std::string& unheld) {
+void Screens::go_on_with(const SlotContent& content, std::optional<HeldWalk> held, const std::string& why_new) {
     const SavedGame& game = *content.game;
     const bool is_here = saved_level_of(level_below()) == game.level;
     auto loaded = is_here ? screens_.front()->shared_level()
@@ -138,7 +138,7 @@ void Screens::go_on_with(const SlotContent& content, std::optional<HeldWalk> hel
     const bool is_elsewhere = content.slot.kind == SaveKind::Walk && !held;
     saves_.begin(walk_, std::move(held));
     walk_->show("Loaded: " + name_of(content.slot));
-    if (is_elsewhere) pages_.open_message("Load", "The game goes on as a new walk: " + unheld);
+    if (is_elsewhere) pages_.open_message("Load", "The game goes on as a new walk: " + why_new);
     if (!gone.empty()) pages_.open_message("Load", gone);
     if (content.is_former) pages_.open_message("Load", "The save before the last was loaded. " + content.refusal);
 }

@@ -93,7 +93,7 @@ class Session final : public GameScreen {
     /// Shows a path in the level, through walls too; empty: none.
     void show_path(std::vector<Vec3<World>> points);
     /// All messages to the player, the newest first.
-    const std::vector<std::string>& told() const { return messages_.told(); }
+    const std::vector<std::string>& messages() const { return messages_.all(); }
     /// The game's current picture, without text.
     Thumbnail thumbnail();
 

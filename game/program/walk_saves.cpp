@@ -45,7 +45,7 @@ bool WalkSaves::has_unsaved_progress() const {
 }
 
 SaveSlot WalkSaves::own_slot(SaveKind kind) {
-    if (!held_) finish_autosave();  // which may take a place
+    if (!held_) finish_autosave();  // which may take a number
     if (!held_) held_ = slots_.hold_new();
     return {kind, held_->number};
 }
@@ -102,7 +102,7 @@ void WalkSaves::finish_autosave() {
     walk_saved_tick_ = std::max(walk_saved_tick_, autosave_tick_);
 }
 
-// A walk that has hardly begun gets no place. What was saved to another slot is saved here, too: the title continues
+// A walk that has hardly begun gets no number. What was saved to another slot is saved here, too: the title continues
 // walks only.
 std::string WalkSaves::save_on_leaving() {
     finish_autosave();

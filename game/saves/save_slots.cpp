@@ -22,24 +22,24 @@ namespace oblong {
 namespace {
 
 // Open file description locks: two locks in one program exclude each other too.
-bool is_held_by_another(int descriptor, std::int64_t place) {
+bool is_held_by_another(int descriptor, std::int64_t byte) {
     struct flock lock = {};
     lock.l_type = F_WRLCK;
     lock.l_whence = SEEK_SET;
-    lock.l_start = static_cast<off_t>(place);
+    lock.l_start = static_cast<off_t>(byte);
     lock.l_len = 1;
     return fcntl(descriptor, F_OFD_SETLK, &lock) != 0 && (errno == EAGAIN || errno == EACCES || errno == EINTR);
 }
 
 }  // namespace
 
-std::unique_ptr<FileLock> FileLock::take(const std::string& file, std::int64_t place, int longest_wait_ms) {
+std::unique_ptr<FileLock> FileLock::take(const std::string& file, std::int64_t byte, int longest_wait_ms) {
     constexpr int kPause_ms = 5;
     const int descriptor = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0666);
     if (descriptor < 0)
         throw FileError(file, "open", std::strerror(errno) + std::string(", expected a place for a lock"));
     std::unique_ptr<FileLock> lock(new FileLock(descriptor));
-    for (int waited_ms = 0; is_held_by_another(descriptor, place); waited_ms += kPause_ms) {
+    for (int waited_ms = 0; is_held_by_another(descriptor, byte); waited_ms += kPause_ms) {
         if (waited_ms >= longest_wait_ms) return nullptr;
         std::this_thread::sleep_for(std::chrono::milliseconds(kPause_ms));
     }
@@ -57,7 +57,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kLargestSave_bytes = std::size_t{1} << 24;
 constexpr std::string_view kExtension = ".save", kFormerExtension = ".old";
 constexpr std::array<std::string_view, 3> kPrefixes{"auto", "quick", "slot"};  // by SaveKind
-constexpr const char* kLockFile = "lock";  // place 0: the folder; place n + 1: walk n
+constexpr const char* kLockFile = "lock";                                      // byte 0: the folder; byte n + 1: walk n
 constexpr int kLongestWait_ms = 3000, kMostWalks = 1'000'000;
 
 std::string former_of(const std::string& file) {
@@ -161,9 +161,9 @@ std::string SaveSlots::file_of(SaveSlot slot) const {
     return end_of_links(link_of(slot));
 }
 
-std::unique_ptr<FileLock> SaveSlots::lock(std::int64_t place, int longest_wait_ms) const {
+std::unique_ptr<FileLock> SaveSlots::lock(std::int64_t byte, int longest_wait_ms) const {
     make_folder(folder_);
-    return FileLock::take((fs::path(folder_) / kLockFile).string(), place, longest_wait_ms);
+    return FileLock::take((fs::path(folder_) / kLockFile).string(), byte, longest_wait_ms);
 }
 
 // Also removes unfinished files of programs that ended while they saved: no other program saves now.

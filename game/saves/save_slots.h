@@ -11,13 +11,13 @@
 
 namespace oblong {
 
-/// An exclusive lock on a byte position of a file, among all programs; it is released when its holder ends, in any way.
+/// An exclusive lock on a byte of a file, among all programs; it is released when its holder ends, in any way.
 /// The file's bytes are not used. On a file system without locks, all locks are granted.
 class FileLock {
   public:
     /// Waits for at most `longest_wait_ms`; null if the lock is still held. Creates the file. Throws FileError if it
     /// cannot be opened.
-    static std::unique_ptr<FileLock> take(const std::string& file, std::int64_t place, int longest_wait_ms);
+    static std::unique_ptr<FileLock> take(const std::string& file, std::int64_t byte, int longest_wait_ms);
     ~FileLock();
     FileLock(const FileLock&) = delete;
     FileLock& operator=(const FileLock&) = delete;
@@ -97,7 +97,7 @@ class SaveSlots {
     std::string file_of(SaveSlot slot) const;
     /// The most recent first.
     std::vector<SaveSlot> walks_and_quick_saves() const;
-    std::unique_ptr<FileLock> lock(std::int64_t place, int longest_wait_ms) const;
+    std::unique_ptr<FileLock> lock(std::int64_t byte, int longest_wait_ms) const;
     std::unique_ptr<FileLock> lock_folder() const;
 
     std::string folder_;

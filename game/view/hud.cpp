@@ -13,7 +13,7 @@ namespace oblong {
 namespace {
 
 constexpr std::uint64_t kLeast_us = 2'500'000, kLetter_us = 60'000;
-constexpr std::size_t kMostTold = 32;
+constexpr std::size_t kMostKept = 32;
 
 std::vector<std::string_view> wrapped(const std::string& text, std::int32_t columns) {
     return lines_of(text, columns * kGlyphAdvance_px);
@@ -166,9 +166,9 @@ void FrameCost::note(const GameView& view, const Settings& settings, const Palet
 }
 
 void Messages::show(std::string text) {
-    std::erase(told_, text);
-    told_.insert(told_.begin(), text);
-    if (told_.size() > kMostTold) told_.pop_back();
+    std::erase(all_, text);
+    all_.insert(all_.begin(), text);
+    if (all_.size() > kMostKept) all_.pop_back();
     const std::uint64_t time_us = reading_time_us(text);
     parts_.assign(1, {std::move(text), time_us});
     is_up_ = false;

@@ -63,7 +63,7 @@ class Messages {
     bool is_empty() const { return parts_.empty(); }
 
     /// All messages, the newest first, each text once; only the last 32 are kept.
-    const std::vector<std::string>& told() const { return told_; }
+    const std::vector<std::string>& all() const { return all_; }
 
   private:
     struct Part {
@@ -74,7 +74,7 @@ class Messages {
     void split_first(std::int32_t columns, std::size_t most_lines);
 
     std::vector<Part> parts_;  // of the newest message; the first is shown now or next
-    std::vector<std::string> told_;
+    std::vector<std::string> all_;
     bool is_up_ = false;
     std::uint64_t last_us_ = 0;
 };

@@ -43,8 +43,8 @@ ViewSpec zoomed_view(const Camera& camera, std::int32_t zoom_degrees, const Leve
 constexpr std::int64_t kCycle_ticks = 21;  // 0.6 s
 static_assert(kCycle_ticks * 10 == 6 * kTicksPerSecond);
 constexpr World kHighest = World::from_int(4), kLowest = World::from_int(-7);
-constexpr World kLeanSpeed = World::from_int(200);  // at which the lean is kLean
-constexpr std::int64_t kLean = 364;                 // 2 degrees, 65,536 to the circle
+constexpr World kRollSpeed = World::from_int(200);  // at which the roll is kRoll
+constexpr std::int64_t kRoll = 364;                 // 2 degrees, 65,536 to the circle
 
 Velocity velocity_at(const InterpolatedState& state) {
     const Velocity &before = state.before.player.velocity, &after = state.after.player.velocity;
@@ -59,8 +59,8 @@ World bob(World speed, const InterpolatedState& state) {
     return std::clamp(scaled(most, 3, 10) + times(scaled(most, 7, 10), wave), kLowest, kHighest);
 }
 
-std::int64_t lean(World sideways) {
-    return std::int64_t{floor_of<12>(std::clamp(sideways, -kLeanSpeed, kLeanSpeed))} * kLean / floor_of<12>(kLeanSpeed);
+std::int64_t roll_of(World sideways) {
+    return std::int64_t{floor_of<12>(std::clamp(sideways, -kRollSpeed, kRollSpeed))} * kRoll / floor_of<12>(kRollSpeed);
 }
 
 }  // namespace
@@ -127,7 +127,7 @@ void sway(const InterpolatedState& state, const ComfortPreferences& preferences,
         camera.eye.z = camera.eye.z + scaled(bob(length_of(velocity), state), preferences.view_bob_100, 100);
     if (preferences.view_roll_100 == 0) return;
     const World sideways = component_along(velocity, view_basis(camera.yaw, {}, {}).right);
-    camera.roll = Angle::from_bam(lean(sideways) * preferences.view_roll_100 / 100);
+    camera.roll = Angle::from_bam(roll_of(sideways) * preferences.view_roll_100 / 100);
 }
 
 namespace {

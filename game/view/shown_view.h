@@ -51,9 +51,9 @@ Camera camera_at(const InterpolatedState& state, LookOffset offset, Degrees fiel
 std::optional<ViewSpec> other_view(bool is_isometric, std::int32_t zoom_degrees, const Camera& camera,
                                    const ScreenMode& mode, const Level& level);
 
-/// Moves and leans the camera in walking, as Quake does, but in integers. Depends only on the states and the fraction
+/// Moves and rolls the camera in walking, as Quake does, but in integers. Depends only on the states and the fraction
 /// between them. The eye goes up and down once in 0.6 s, by at most 0.02 s times the speed, between 7 units below and 4
-/// above its place; the view leans by 2 degrees at 200 units a second sideways, and no further. Both are multiplied by
+/// above its place; the view rolls by 2 degrees at 200 units a second sideways, and no further. Both are multiplied by
 /// their preferences.
 void sway(const InterpolatedState& state, const ComfortPreferences& preferences, Camera& camera);
 

@@ -98,7 +98,7 @@ class MapWatchTest : public testing::Test {
 
     std::string level_bytes() const { return read_text(watch.level_file()); }
 
-    MapWatch::News news_after(const std::string& name, const std::string& text) {
+    MapWatch::Result news_after(const std::string& name, const std::string& text) {
         write_file(path(name), text);
         fs::last_write_time(path(name), fs::file_time_type::clock::now() + std::chrono::seconds(++saves_));
         for (int tries = 0; tries < 3000; ++tries) {
@@ -236,7 +236,7 @@ TEST_F(MapWatchTest, ReturnsALevelAsSoonAsItIsCompiled) {
     watch.compile_first(false);
     write_file(path("my.map"), with_wad(two_rooms(kLamp + kLens)));
     const std::uint64_t saved_us = 1'000'000;
-    std::optional<MapWatch::News> news = watch.poll(saved_us);
+    std::optional<MapWatch::Result> news = watch.poll(saved_us);
     for (int tries = 0; tries < 3000 && !news; ++tries) {
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
         news = watch.poll(saved_us + 1);

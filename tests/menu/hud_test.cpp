@@ -117,13 +117,13 @@ TEST(Messages, WhatHasNoRoomLosesNoTime) {
 TEST(Messages, AllThatWasToldIsKeptOnceTheNewestFirst) {
     Messages messages;
     for (const char* text : {"one", "two", "one", "three"}) messages.show(text);
-    EXPECT_EQ(messages.told(), (Lines{"three", "one", "two"}));
+    EXPECT_EQ(messages.all(), (Lines{"three", "one", "two"}));
     messages.lines(0, 50, 1);
     messages.lines(90 * kSecond_us, 50, 1);
-    EXPECT_EQ(messages.told().size(), 3u) << "also what is no longer up";
+    EXPECT_EQ(messages.all().size(), 3u) << "also what is no longer up";
     for (int i = 0; i < 1000; ++i) messages.show(std::to_string(i));
-    EXPECT_LT(messages.told().size(), 100u);
-    EXPECT_EQ(messages.told().front(), "999");
+    EXPECT_LT(messages.all().size(), 100u);
+    EXPECT_EQ(messages.all().front(), "999");
 }
 
 TEST(Messages, ALongOneIsShownInParts) {

@@ -23,7 +23,7 @@ class FakeHost final : public MenuHost {
     Goal goal() const override {
         return {"Lenses", "11 of 12", "Missing: FOG (north)", "RAIN: found\nFOG: missing (north)"};
     }
-    std::vector<std::string> told() const override { return {"You carry a lens.", std::string(300, 'm')}; }
+    std::vector<std::string> messages() const override { return {"You carry a lens.", std::string(300, 'm')}; }
     std::string figures() const override { return "12 figures"; }
     std::vector<LevelEntry> levels() const override {
         return {{"demo", "", "The museum"}, {"e1m1", "maps/e1m1.bsp", "the Slipgate Complex"}};

@@ -56,8 +56,8 @@ struct ElfPart {
 };
 
 // An entry of the auxiliary vector that Linux passes to a program: elf.h's AT_...
-struct Told {
-    std::uint32_t what, value;
+struct AuxiliaryEntry {
+    std::uint32_t type, value;
 };
 
 // Splits a command line into words, each terminated by 0, in `room`; returns their number.
@@ -107,20 +107,20 @@ std::uint32_t split_words(const char* line, char* room, std::uint32_t room_size,
     *at++ = reinterpret_cast<std::uint32_t>(folder);
     if (const char* const card = dos_variable("BLASTER")) *at++ = reinterpret_cast<std::uint32_t>(card);
     *at++ = 0;
-    const Told told[] = {{3, headers},
-                         {4, sizeof(ElfPart)},
-                         {5, elf.header_count},
-                         {6, kPage},
-                         {9, elf.entry},
-                         {11, 0},
-                         {12, 0},
-                         {13, 0},
-                         {14, 0},
-                         {17, 100},
-                         {23, 0},
-                         {25, reinterpret_cast<std::uint32_t>(random)},
-                         {0, 0}};
-    memcpy(at, told, sizeof told);
+    const AuxiliaryEntry entries[] = {{3, headers},
+                                      {4, sizeof(ElfPart)},
+                                      {5, elf.header_count},
+                                      {6, kPage},
+                                      {9, elf.entry},
+                                      {11, 0},
+                                      {12, 0},
+                                      {13, 0},
+                                      {14, 0},
+                                      {17, 100},
+                                      {23, 0},
+                                      {25, reinterpret_cast<std::uint32_t>(random)},
+                                      {0, 0}};
+    memcpy(at, entries, sizeof entries);
     asm volatile("movl %0, %%esp; sti; xorl %%edx, %%edx; xorl %%ebp, %%ebp; jmp *%1" ::"r"(first), "r"(elf.entry)
                  : "memory");
     for (;;) {
