@@ -18,6 +18,11 @@ void append_little_endian(std::vector<std::uint8_t>& bytes, Int number) {
         bytes.push_back(static_cast<std::uint8_t>(static_cast<std::uint64_t>(number) >> (8 * byte)));
 }
 
+constexpr std::uint32_t little_endian_u32(const std::uint8_t* four) {
+    return std::uint32_t{four[0]} | std::uint32_t{four[1]} << 8 | std::uint32_t{four[2]} << 16 |
+           std::uint32_t{four[3]} << 24;
+}
+
 /// Throws InputError naming the offset unless `is_right`.
 inline void expect_at(std::size_t offset, bool is_right, const std::string& what_is_wrong) {
     if (!is_right) throw InputError("offset " + std::to_string(offset), what_is_wrong);

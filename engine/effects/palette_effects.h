@@ -10,7 +10,7 @@
 
 namespace oblong {
 
-/// Effects on the palette only: no pixel is read or written.
+// Effects on the palette only: no pixel is read or written.
 
 /// The most steps a second of a cycle if flashes are reduced. WCAG 2.2, success criterion 2.3.1, allows three flashes a
 /// second; a flash is a pair of opposite changes, so this is half of that.

@@ -34,22 +34,14 @@ struct SkyPosition {
     std::int64_t u_16, v_16;
 };
 
-/// A direction of view, of any length.
-struct Direction {
-    DirectionPart x, y, z;
-};
-
-Direction direction_at(const ViewDirections& directions, std::int32_t column, std::int32_t row) {
-    return {directions.x.at(column, row), directions.y.at(column, row), directions.z.at(column, row)};
-}
-
 /// Maps directions to texels of a sky.
 class Dome {
   public:
     Dome(std::int32_t size, std::int64_t offset_16)
         : radius_texels_(kDomeRadius_texels * size / 128), offset_16_(offset_16) {}
 
-    SkyPosition at(const Direction& direction) const {
+    /// Of a direction of view, of any length.
+    SkyPosition at(const Vec3<DirectionPart>& direction) const {
         const std::int64_t x_16 = floor_of<16>(direction.x), y_16 = floor_of<16>(direction.y);
         const std::int64_t z_16 = floor_of<16>(direction.z) * 3;
         const auto square = static_cast<std::uint64_t>(x_16 * x_16 + y_16 * y_16 + z_16 * z_16);
@@ -91,7 +83,7 @@ class CellLengths {
     }
 
     int log2_of(std::int32_t row) const {
-        const Direction middle = direction_at(directions_, middle_column_, row);
+        const Vec3<DirectionPart> middle = directions_.at(middle_column_, row);
         const Parts a{floor_of<15>(middle.x), floor_of<15>(middle.y), floor_of<15>(middle.z) * 3};
         const Parts& b = along_15_;
         const std::int64_t square_30 = squared_length_30(
@@ -102,9 +94,7 @@ class CellLengths {
     }
 
   private:
-    struct Parts {
-        std::int64_t x, y, z;
-    };
+    using Parts = Vec3<std::int64_t>;
     static std::int64_t squared_length_30(const Parts& parts_15) {
         return parts_15.x * parts_15.x + parts_15.y * parts_15.y + parts_15.z * parts_15.z;
     }
@@ -125,13 +115,13 @@ class CellWalk {
           per_cell_{directions.x.per_column * (std::int64_t{1} << cell_log2),
                     directions.y.per_column * (std::int64_t{1} << cell_log2),
                     directions.z.per_column * (std::int64_t{1} << cell_log2)},
-          direction_(direction_at(directions, column, row)),
+          direction_(directions.at(column, row)),
           to_(dome.at(direction_)) {}
 
     /// The next cell's pixels from `first` on.
     TexelBlock next(std::uint32_t pixel, std::int32_t first, std::int32_t count) {
         const SkyPosition from = to_;
-        direction_ = {direction_.x + per_cell_.x, direction_.y + per_cell_.y, direction_.z + per_cell_.z};
+        direction_ = direction_ + per_cell_;
         to_ = dome_.at(direction_);
         const std::int64_t u_step = floor_shift(to_.u_16 - from.u_16, cell_log2_);
         const std::int64_t v_step = floor_shift(to_.v_16 - from.v_16, cell_log2_);
@@ -146,8 +136,8 @@ class CellWalk {
   private:
     const Dome dome_;
     const int cell_log2_;
-    const Direction per_cell_;
-    Direction direction_;
+    const Vec3<DirectionPart> per_cell_;
+    Vec3<DirectionPart> direction_;
     SkyPosition to_;
 };
 

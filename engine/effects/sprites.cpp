@@ -4,6 +4,7 @@
 
 #include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"
+#include "engine/raster/kernels/effect_kernels.h"
 #include "engine/view/project.h"
 
 namespace oblong {
@@ -11,7 +12,6 @@ namespace oblong {
 namespace {
 
 constexpr View kNearestSprite = View::from_int(4);
-constexpr std::uint8_t kTransparent = 255;
 
 /// The sprite's borders along one axis of the screen.
 struct SpriteExtent {
@@ -81,7 +81,7 @@ void draw_row(const ScreenSprite& sprite, const std::uint8_t* texels, const std:
     std::int64_t u_16 = sprite.u_16;
     for (std::int32_t x = sprite.pixels.first_column; x < sprite.pixels.end_column; ++x, u_16 += sprite.u_step_16) {
         const std::uint8_t texel = texels[u_16 >> 16];
-        if (texel == kTransparent || depths[x] > inverse) continue;
+        if (texel == kHoleTexel || depths[x] > inverse) continue;
         depths[x] = inverse;
         pixels[x] = shade[texel];
     }

@@ -16,10 +16,6 @@
 namespace oblong {
 namespace {
 
-World half_of(World size) {
-    return size / 2;
-}
-
 /// A box of places, enlarged by 8 units, as things are drawn around their places.
 LevelBox box_between(const Vec3<World>& mins, const Vec3<World>& maxs) {
     const std::array low{mins.x, mins.y, mins.z}, high{maxs.x, maxs.y, maxs.z};
@@ -94,7 +90,7 @@ class ThingReader {
         const std::optional<Vec3<World>> size = values.vector("size", kLeastSize, kMostSize);
         ParticleEmitter emitter;
         emitter.kind = kind;
-        emitter.half_size = {half_of(size->x), half_of(size->y), half_of(size->z)};
+        emitter.half_size = {size->x / 2, size->y / 2, size->z / 2};
         emitter.middle = *origin;
         // Quake's air_bubbles has no size: bubbles rise from its origin.
         if (emitter.kind == ParticleKind::Bubbles && values.text("size").empty())

@@ -14,7 +14,7 @@ namespace oblong {
 
 namespace {
 
-/// The corners of a face of the world, with those at T-junctions if the settings mend them.
+/// The corners of a face of the world, with those at T-junctions if the dial mends them.
 [[gnu::always_inline]] inline std::span<const VertexIndex> corners_of(FaceIndex index, const FrameContext& frame,
                                                                       CornerScratch& scratch) {
     if (frame.accuracy().mends_t_junctions) return frame.cache.faces.corners_of(index);
@@ -122,7 +122,7 @@ FacesInView::FacesInView(const FrameContext& frame, ViewScratch& scratch)
 
 FacesInView::~FacesInView() {
     if (FrameCounts* const counts = frame_.observers.counts)
-        count_walk(walk_.nodes_entered(), scratch_.vertices.count(), counts->stages);
+        count_walk(walk_.nodes_tested(), scratch_.vertices.count(), counts->stages);
 }
 
 bool FacesInView::next(VisibleFace& found) {

@@ -75,7 +75,7 @@ inline FaceList list_for(EffectSet needs, EffectSet allowed) {
 /// The pixels of a list's faces.
 std::int64_t pixels_of(const Claims& claims, FaceList list);
 
-/// The corners of a face in the world, with those at T-junctions if the settings mend them; in `scratch.world`.
+/// The corners of a face in the world, with those at T-junctions if the dial mends them; in `scratch.world`.
 std::span<const Vec3<World>> world_corners(const VisibleFace& face, const FrameContext& frame, CornerScratch& scratch);
 
 /// The faces in view, front to back. next() finds a face, projects it to `polygon` of the view's ClaimScratch and scans

@@ -2,6 +2,7 @@
 
 #include "engine/frame/frame_context.h"
 #include "engine/frame/frame_light.h"
+#include "engine/frame/mirror_pass.h"
 #include "engine/frame/torn_pixels.h"
 #include "engine/frame/workspace.h"
 #include "engine/view/views.h"
@@ -81,8 +82,8 @@ void start_sharing(const FrameContext& frame, ViewScratch& scratch) {
 
 /// Whether the underwater effect applies in a leaf.
 bool is_under_liquid(const FrameContext& frame, LeafIndex leaf) {
-    const std::int32_t inside = frame.scene.level.leaves[leaf].contents;
-    return inside <= contents::kWater && inside >= contents::kLava && frame.allows(Effect::Underwater);
+    const std::int32_t contents = frame.scene.level.leaves[leaf].contents;
+    return contents <= contents::kWater && contents >= contents::kLava && frame.allows(Effect::Underwater);
 }
 
 /// Finds the face that owns each pixel.
@@ -93,6 +94,7 @@ void claim_pixels(const FrameContext& frame, ViewScratch& scratch) {
     else
         claim_faces(frame, scratch);
     if (!scratch.claiming->span_buffer.is_full()) claim_torn_pixels(frame, scratch);
+    if (!scratch.claims.list(FaceList::Mirror).empty()) limit_mirrors(frame, scratch.claims);
 }
 
 }  // namespace

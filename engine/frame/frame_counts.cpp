@@ -21,12 +21,6 @@ void count_runs(std::span<const Span> spans, std::int32_t pitch, std::vector<std
 
 }  // namespace
 
-std::int64_t FrameCounts::of(std::string_view pass) const {
-    const auto found =
-        std::find_if(kPasses.begin(), kPasses.end(), [pass](const Pass& one) { return one.name == pass; });
-    return item(pass_pixels, found - kPasses.begin());
-}
-
 std::vector<NamedCount> named_counts(const FrameCounts& counts) {
     const StageCounts& stages = counts.stages;
     return {{"faces_visited", counts.faces_visited},

@@ -18,7 +18,7 @@ namespace oblong {
 
 /// Counts of the stages of a frame, from which its operations are computed.
 struct StageCounts {
-    std::int64_t nodes = 0;            ///< entered
+    std::int64_t nodes = 0;            ///< tested
     std::int64_t vertices = 0;         ///< transformed
     std::int64_t projected = 0;        ///< vertices projected
     std::int64_t clipped_corners = 0;  ///< after clipping
@@ -48,8 +48,6 @@ struct FrameCounts {
 
     std::int64_t& of(Effect effect) { return item(effect_pixels, effect); }
     std::int64_t of(Effect effect) const { return item(effect_pixels, effect); }
-    /// Of a pass of kPasses, by name.
-    std::int64_t of(std::string_view pass) const;
 };
 
 /// For reports.

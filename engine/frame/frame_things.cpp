@@ -86,7 +86,7 @@ void keep_visible(const FrameContext& frame, ViewScratch& scratch) {
 }
 
 void colour_by_fog(const FrameFog& fog, const Vec3<World>& eye, ViewScratch& scratch) {
-    std::vector<FogRun>& runs = scratch.effects->thing_runs;
+    std::vector<FogRun>& runs = scratch.effects->fog_runs;
     FrameThings& things = scratch.claims.things;
     for (VisibleThing& thing : things.visible) {
         if (is_clear(thing.lowest_z, fog, eye)) continue;

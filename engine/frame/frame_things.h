@@ -53,6 +53,8 @@ void draw_thing(const VisibleThing& thing, const FrameContext& frame, ViewScratc
 /// Darkens the floors under shadows.
 void draw_shadows(const FrameContext& frame, ViewScratch& scratch);
 
+// In mesh_pass.cpp.
+
 /// Finds the meshes that may be visible, and requests depth for them. Meshes are skipped if they are out of view, in no
 /// leaf of the visible set, or hidden by nearer faces in their whole rectangle, and in a mirror's view if their origin
 /// is behind it.
@@ -66,7 +68,7 @@ void keep_seen_meshes(const FrameContext& frame, ViewScratch& scratch);
 void draw_meshes(const FrameContext& frame, ViewScratch& scratch);
 
 /// Draws what does not claim pixels, back to front: see-through faces, in the reverse order of the walk, and things
-/// among them. A thing is drawn before the farthest of these faces that is in front of it.
+/// among them. A thing is drawn before the farthest of these faces that is in front of it. In see_through_pass.cpp.
 void draw_see_through(const FrameContext& frame, ViewScratch& scratch);
 
 }  // namespace oblong

@@ -16,25 +16,10 @@ namespace {
 /// The direction of a model's directional light: from above, a little from one side (world axes).
 constexpr Vec3<WorldWide> kTowardLight{WorldWide::from_int(2), WorldWide::from_int(1), WorldWide::from_int(4)};
 
-ScreenRectangle intersection(const ScreenRectangle& a, const ScreenRectangle& b) {
-    return {std::max(a.first_column, b.first_column), std::min(a.end_column, b.end_column),
-            std::max(a.first_row, b.first_row), std::min(a.end_row, b.end_row)};
-}
-
 /// The pixels that a box may cover, in the part of the screen that is drawn; null: all of it.
 ScreenRectangle pixels_of(const LevelBox& box, const ViewContext& view, const ScreenRectangle* drawn_part) {
     const ScreenRectangle pixels = rectangle_of(box, view);
     return drawn_part ? intersection(pixels, *drawn_part) : pixels;
-}
-
-bool is_empty(const ScreenRectangle& pixels) {
-    return pixels.first_column >= pixels.end_column || pixels.first_row >= pixels.end_row;
-}
-
-ScreenRectangle joined(const ScreenRectangle& a, const ScreenRectangle& b) {
-    if (is_empty(a)) return b;
-    return {std::min(a.first_column, b.first_column), std::max(a.end_column, b.end_column),
-            std::min(a.first_row, b.first_row), std::max(a.end_row, b.end_row)};
 }
 
 /// Finds the parts of a mesh that may be visible, and sets its pixels to theirs; empty if there are none. `sides` are
@@ -49,7 +34,7 @@ void find_parts(const WorldBoxes& boxes, std::uint8_t sides, const Sight& sight,
         if (sight.culler.sides_crossed(box, sides) == kOutside) continue;
         const ScreenRectangle pixels = pixels_of(box, sight.view, sight.drawn_part);
         if (is_empty(pixels) || !sight.may_show(pixels, nearest_inverse_depth_of(box, sight.view))) continue;
-        mesh.pixels = joined(mesh.pixels, pixels);
+        mesh.pixels = is_empty(mesh.pixels) ? pixels : joined(mesh.pixels, pixels);
         parts.push_back(part);
     }
     mesh.part_count = parts.size() - mesh.first_part;
@@ -74,7 +59,7 @@ const PlacedBox& place_of(std::size_t number, const FrameContext& frame) {
     return known.place;
 }
 
-/// Half of a box's diagonal, in whole units.
+/// Half of a box's diagonal.
 WorldWide reach_of(const LevelBox& box) {
     const Vec3<World> diagonal{World::from_raw((box.maxs[0] - box.mins[0]) * 2048),
                                World::from_raw((box.maxs[1] - box.mins[1]) * 2048),
@@ -113,7 +98,7 @@ const std::uint8_t* fog_over(const MeshInView& mesh, const FrameContext& frame, 
     const ScreenRectangle& pixels = mesh.box_pixels;
     const ColourRow& colours =
         fog_colours((pixels.first_column + pixels.end_column) / 2, (pixels.first_row + pixels.end_row) / 2,
-                    reciprocal<InverseZ>(std::max(z, View::from_int(1))), frame.fog, scratch.effects->thing_runs);
+                    reciprocal<InverseZ>(std::max(z, View::from_int(1))), frame.fog, scratch.effects->fog_runs);
     return &colours == &frame.fog.tables->colours(0) ? nullptr : colours.data();
 }
 

@@ -51,7 +51,7 @@ ViewContext mirrored(const ViewContext& view, const MirrorView& mirror, const Le
     turned.axes = reflected(view.axes, plane.normal);
     turned.rays = reflected(view.rays, plane.normal);
     turned.frustum = make_frustum(turned.axes, turned.projection);
-    narrow_cull_planes(turned.axes, turned.projection, {}, mirror.pixels, turned.frustum);
+    narrow_cull_planes(turned.axes, turned.projection, mirror.pixels, turned.frustum);
     return turned;
 }
 
@@ -117,7 +117,22 @@ void draw_mirrored_view(const MirrorView& mirror, LeafIndex leaf, std::span<cons
 
 bool is_behind(const MirrorView& mirror, const Vec3<World>& place, const Level& level) {
     const MirrorPlane& plane = mirror.plane;
-    return (plane_distance(level.planes[plane.plane], place - plane.offset) > PlaneDistance{}) == plane.is_back;
+    return distance_before(level.planes[plane.plane], plane.is_back, place - plane.offset) <= PlaneDistance{};
+}
+
+void limit_mirrors(const FrameContext& frame, Claims& claims) {
+    std::vector<MirrorPlane> planes;
+    const auto is_mirror = [&](const VisibleFace& face) {
+        const MirrorPlane plane = plane_of(face, frame);
+        if (std::find(planes.begin(), planes.end(), plane) != planes.end()) return true;
+        if (planes.size() == kMostMirrors) return false;
+        planes.push_back(plane);
+        return true;
+    };
+    std::vector<VisibleFace> mirrors;
+    for (const VisibleFace& face : claims.list(FaceList::Mirror))
+        (is_mirror(face) ? mirrors : claims.list(FaceList::Walls)).push_back(face);
+    claims.list(FaceList::Mirror) = std::move(mirrors);
 }
 
 void draw_mirrors(const FrameContext& frame, ViewScratch& scratch) {
@@ -128,7 +143,7 @@ void draw_mirrors(const FrameContext& frame, ViewScratch& scratch) {
     mirrors.picture.resize(pixel_count(out.width_px, out.height_px));
 
     std::vector<VisibleFace> remaining = scratch.claims.list(FaceList::Mirror);
-    for (std::size_t drawn = 0; drawn < kMostMirrors && !remaining.empty(); ++drawn) {
+    while (!remaining.empty()) {
         const MirrorPlane mirror = plane_of(remaining.front(), frame);
         const LeafIndex leaf = leaf_in_front_of(remaining.front(), mirror, frame, scratch.claiming->corners);
         const auto others = std::stable_partition(remaining.begin(), remaining.end(), [&](const VisibleFace& face) {
@@ -142,7 +157,6 @@ void draw_mirrors(const FrameContext& frame, ViewScratch& scratch) {
     }
     if (scratch.effects->meshes) scratch.effects->meshes->begun = nullptr;  // the mirrored views used its scratch
     restore_light(frame, scratch);
-    draw_surfaces(remaining, {}, frame, scratch);
 }
 
 }  // namespace oblong

@@ -9,6 +9,7 @@
 
 namespace oblong {
 
+struct Claims;
 struct FrameContext;
 struct ViewScratch;
 
@@ -35,8 +36,11 @@ struct MirrorScratch {
     std::vector<std::uint8_t> picture;  ///< flipped
 };
 
-/// The most mirror planes of a frame; further ones are drawn as walls.
+/// The most mirror planes of a frame; further ones are walls.
 inline constexpr std::size_t kMostMirrors = 4;
+
+/// Moves the faces of all mirror planes but the first kMostMirrors to the walls.
+void limit_mirrors(const FrameContext& frame, Claims& claims);
 
 /// Draws the frame's mirrors, one level deep: mirrors in a mirror are walls. For each plane a picture is drawn from the
 /// mirrored eye, only at the pixels that its faces own. Reflection reverses the handedness of the axes; with `right`

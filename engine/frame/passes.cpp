@@ -117,12 +117,6 @@ const std::array<Pass, kPassCount> kPasses{{
      pixels_of_effect<Effect::Underwater>, draw_waves},
 }};
 
-bool FramePlan::has(std::string_view pass) const {
-    for (std::size_t i = 0; i < kPassCount; ++i)
-        if (kPasses[i].name == pass) return passes[i];
-    return false;
-}
-
 FramePlan plan_frame(const Claims& claims) {
     FramePlan plan;
     plan.effects = claims.effects;

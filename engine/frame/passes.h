@@ -31,9 +31,6 @@ extern const std::array<Pass, kPassCount> kPasses;
 struct FramePlan {
     std::bitset<kPassCount> passes;  ///< by index in kPasses
     EffectSet effects;               ///< effects that own pixels
-
-    /// Whether a pass runs; false if there is none of this name.
-    bool has(std::string_view pass) const;
 };
 
 FramePlan plan_frame(const Claims& claims);

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <utility>
 
 #include "engine/base/table.h"
 #include "engine/frame/frame_context.h"
@@ -16,8 +15,7 @@ namespace {
 bool is_behind(const Vec3<World>& place, const VisibleFace& claimed, const FrameContext& frame) {
     const Level& level = frame.scene.level;
     const Face& face = level.faces[claimed.face];
-    return (plane_distance(level.planes[face.plane], place - frame.offset_of(claimed)) > PlaneDistance{}) ==
-           face.is_back;
+    return distance_before(level.planes[face.plane], face.is_back, place - frame.offset_of(claimed)) <= PlaneDistance{};
 }
 
 /// Draws the waiting things; if there is a face, only those behind it.
@@ -41,20 +39,22 @@ const BlendTable& blend_of(LiquidKind kind, const FrameContext& frame) {
 /// Draws a face's spans where no model is nearer; in fog, level by level with its colours.
 void draw_in_fog(const VisibleFace& claimed, SurfaceOptions drawing, const FrameContext& frame, ViewScratch& scratch) {
     drawing.colours = &frame.scene.colormap.shades[Colormap::kOwnShade];
-    std::vector<Span> in_front;
+    EffectScratch& own = *scratch.effects;
     std::span<const Span> spans = scratch.claims.spans_of(claimed);
     if (!scratch.claims.things.meshes.empty() && scratch.depth.touches(spans, claimed.bounds)) {
-        scratch.depth.append_seen(spans, inverse_z_of(claimed, frame), in_front);
-        spans = in_front;
+        own.in_front_spans.clear();
+        scratch.depth.append_seen(spans, inverse_z_of(claimed, frame), own.in_front_spans);
+        spans = own.in_front_spans;
     }
     if (spans.empty()) return;
     const FrameFog& fog = frame.fog;
     if (fog.tables) drawing.colours = &fog.tables->colours(0);
     if (!may_have_fog(claimed, spans, frame)) return draw_surface(claimed, spans, drawing, frame, scratch);
-    std::vector<FogRun> runs;
+    std::vector<FogRun>& runs = own.fog_runs;
+    runs.clear();
     append_runs(spans, inverse_z_of(claimed, frame), fog, runs);
     std::stable_sort(runs.begin(), runs.end(), [](const FogRun& a, const FogRun& b) { return a.level < b.level; });
-    std::vector<Span> of_level;
+    std::vector<Span>& of_level = own.fog_level_spans;
     for (auto run = runs.begin(); run != runs.end();) {
         const std::int32_t level = run->level;
         of_level.clear();
@@ -80,7 +80,7 @@ void draw_face(const VisibleFace& claimed, const FrameContext& frame, ViewScratc
 }  // namespace
 
 void draw_see_through(const FrameContext& frame, ViewScratch& scratch) {
-    std::vector<VisibleThing> waiting = std::move(scratch.claims.things.visible);
+    std::vector<VisibleThing>& waiting = scratch.claims.things.visible;
     const std::vector<VisibleFace>& faces = scratch.claims.list(FaceList::SeeThrough);
     for (auto face = faces.rbegin(); face != faces.rend(); ++face) {
         if (!waiting.empty()) draw_waiting(&*face, waiting, frame, scratch);

@@ -23,7 +23,7 @@ class SharedDrawing final : public SharedWork {
     void begin(const FrameContext& frame, bool takes_walls);
     /// Hands over spans of a face.
     void add(const TexturedFace& face, std::span<const Span> spans);
-    /// Hands over spans of the sky, which must live until end().
+    /// Hands over spans of the sky. They are copied; its texels must live until end().
     void add_sky(const SkyNow& sky, std::span<const Span> spans);
     /// Draws until everything handed over is drawn, and ends the frame. May be called again.
     void end();

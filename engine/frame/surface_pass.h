@@ -15,7 +15,7 @@
 
 namespace oblong {
 
-/// The accuracy settings for texturing spans, computed once a frame.
+/// The dials for texturing spans, computed once a frame.
 struct SpanTexturing {
     Texturing texturing = Texturing::Bounded;
     BlockRule rule;
@@ -46,7 +46,7 @@ struct TexturedFace {
     VisibleFace face;
     FaceSurface surface;
     SurfaceEffect effect;
-    BlockCutting cutting;           ///< gradients are rounded to the settings' bits
+    BlockCutting cutting;           ///< gradients are rounded to the dials' bits
     TexelDensity texels_per_pixel;  ///< a lower bound at its nearest pixel, of mip level 0
 };
 
@@ -78,7 +78,7 @@ struct SpanTarget {
 };
 
 /// Draws all or some of the spans for which face.cutting was set: as blocks, or with a division at each pixel if the
-/// settings say so or bounded blocks would be too short. Changes only pixels, scratch and observers, so threads may
+/// dials say so or bounded blocks would be too short. Changes only pixels, scratch and observers, so threads may
 /// call it concurrently.
 void draw_textured(const TexturedFace& face, std::span<const Span> spans, const SpanTarget& target);
 
@@ -101,7 +101,7 @@ void draw_surfaces(std::span<const VisibleFace> faces, const SurfaceOptions& opt
 /// Draws the walls claimed since the last call. With several threads it is also called while faces claim (claim_faces).
 void draw_walls(const FrameContext& frame, ViewScratch& scratch);
 
-/// 1/z of a face that owns pixels, rounded to the settings' bits.
+/// 1/z of a face that owns pixels, rounded to the dials' bits.
 LinearQuantity<InverseZ> inverse_z_of(const VisibleFace& face, const FrameContext& frame);
 
 }  // namespace oblong

@@ -17,10 +17,6 @@ namespace oblong {
 
 namespace {
 
-bool is_open(const Level& level, LeafIndex leaf) {
-    return level.leaves[leaf].contents != contents::kSolid && level.leaves[leaf].contents != contents::kSky;
-}
-
 /// Traces rays through pixels.
 class Rays {
   public:
@@ -38,7 +34,7 @@ class Rays {
         WallHit hit;
         walk_line(level_, level_.world().root, start(to), to, {},
                   [&](LeafIndex leaf, std::optional<NodeIndex> entered, const Vec3<World>& place) {
-                      if (is_open(level_, leaf)) {
+                      if (level_.leaves[leaf].is_open()) {
                           hit.open_leaf = leaf;
                           return false;
                       }
@@ -54,8 +50,7 @@ class Rays {
 
   private:
     Vec3<World> far_end(std::int32_t column, std::int32_t row) const {
-        const Vec3<DirectionPart> way{directions_.x.at(column, row), directions_.y.at(column, row),
-                                      directions_.z.at(column, row)};
+        const Vec3<DirectionPart> way = directions_.at(column, row);
         const DirectionPart longest = std::max({absolute(way.x), absolute(way.y), absolute(way.z)});
         const auto part = [&](DirectionPart along) { return product_over<World>(along, reach_, longest); };
         return frame_.view.eye + Vec3<World>{part(way.x), part(way.y), part(way.z)};
@@ -112,9 +107,7 @@ Face wall_of(const TornSpan& torn, const Level& level) {
 
 /// A multiple of a texture's size about 32,768 texels before the place, so that texels counted from there are positive.
 std::int32_t origin_near(const Vec3<TexelAxis>& axis, Texel offset, const Vec3<World>& place, std::int32_t size) {
-    const Texel at =
-        product<Texel>(axis.x, place.x) + product<Texel>(axis.y, place.y) + product<Texel>(axis.z, place.z) + offset;
-    return static_cast<std::int32_t>(floor_of(at) / size - 32'768 / size) * size;
+    return static_cast<std::int32_t>(floor_of(texel_along(axis, place) + offset) / size - 32'768 / size) * size;
 }
 
 /// Draws texels of a wall without a face: the texture repeats, and the light is that at the face's border.

@@ -30,7 +30,7 @@ using ContinuedFaces = std::map<std::pair<std::int32_t, std::int32_t>, FaceIndex
 
 /// The face whose texture is continued on a wall without a face: among faces on this side of the wall's plane, the
 /// nearest to the open leaf in front, unless a face on another plane is nearer by 256 units. None if no face is
-/// suitable. As a search walks the tree, results are kept in `kept`.
+/// suitable. As a search walks the tree, results are kept in `kept`. In continued_face.cpp.
 FaceIndex continued_face(const WallHit& hit, bool is_back, const Level& level, ContinuedFaces& kept);
 
 /// Finds what is behind pixels that no face covers, in a frame from the open, with the tree, which is complete even if

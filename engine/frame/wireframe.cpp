@@ -33,7 +33,7 @@ std::vector<WireEdge> edges_of_claims(const Level& level, const FrameWorkspace& 
     return edges;
 }
 
-// Draws lines of the world.
+/// Draws lines of the world.
 class WirePen {
   public:
     WirePen(const ViewSpec& view, const ScreenMode& mode, const Settings& settings)

@@ -38,8 +38,9 @@ struct EffectScratch {
     ShadowScratch shadows;
     std::unique_ptr<MeshScratch> meshes;   ///< null until a frame shows a mesh
     std::vector<MovingLight> mesh_lights;  ///< that reach the current mesh
-    std::vector<FogRun> thing_runs;        ///< of fog on a thing
+    std::vector<FogRun> fog_runs;          ///< on a thing or on what is seen through
     std::vector<Span> sky_spans;
+    std::vector<Span> in_front_spans, fog_level_spans;  ///< of what is seen through: in front of models; in one fog
     UnderwaterScratch underwater;
 };
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "engine/base/little_endian.h"
 #include "engine/base/table.h"
 #include "engine/level/bsp_floats.h"
 #include "engine/level/level.h"
@@ -83,11 +84,6 @@ inline constexpr std::array<BspFormat, 3> kBspFormats = {{
 
 /// Bits of a texinfo's flags.
 inline constexpr std::uint32_t kTexInfoSpecial = 1;  ///< sky or liquid: no lightmap
-
-constexpr std::uint32_t little_endian_u32(const std::uint8_t* four) {
-    return std::uint32_t{four[0]} | std::uint32_t{four[1]} << 8 | std::uint32_t{four[2]} << 16 |
-           std::uint32_t{four[3]} << 24;
-}
 
 /// Throws an InputError for an error in a lump; `file_offset` is where the wrong field starts in the file.
 [[noreturn]] void fail_in_lump(Lump lump, std::int64_t file_offset, const std::string& what_is_wrong);

@@ -195,14 +195,8 @@ Face read_face(LumpReader& in, const BspFile& file, const Level& level) {
     return face;
 }
 
-/// One lightmap for each style before the first kNoStyle.
 std::int64_t lightmaps_size(const Face& face) {
-    std::int64_t maps = 0;
-    for (const std::uint8_t style : face.styles) {
-        if (style == kNoStyle) break;
-        ++maps;
-    }
-    return maps * (face.texel_extent_u / 16 + 1) * (face.texel_extent_v / 16 + 1);
+    return std::ssize(face.used_styles()) * face.sample_columns() * face.sample_rows();
 }
 
 /// Sky, liquids and all faces of a level without lighting get no lightmap, whatever their offset. The extent of lit

@@ -54,13 +54,13 @@ MipTexture read_texture(LumpReader& in, std::int64_t start, std::int64_t& texels
     for (std::uint32_t& offset : offsets) offset = in.read_u32();
     if (offsets == std::array<std::uint32_t, 4>{}) return make_checkerboard(texture.name);
 
-    for (int level = 0; level < 4; ++level) {
-        const auto i = as_size(level);
-        const std::int64_t size = std::int64_t{texture.width >> level} * (texture.height >> level);
+    for (int mip = 0; mip < 4; ++mip) {
+        const auto i = as_size(mip);
+        const std::int64_t size = std::int64_t{texture.width >> mip} * (texture.height >> mip);
         if (offsets[i] < kHeaderSize) {
-            in.seek(start + kOffsetsStart + 4 * level);
-            in.fail("mip level " + std::to_string(level) + " at offset " + std::to_string(offsets[i]) +
-                    " of texture '" + texture.name + "', expected 40 or more, behind its header");
+            in.seek(start + kOffsetsStart + 4 * mip);
+            in.fail("mip level " + std::to_string(mip) + " at offset " + std::to_string(offsets[i]) + " of texture '" +
+                    texture.name + "', expected 40 or more, behind its header");
         }
         in.seek(start + offsets[i]);
         const auto texels = in.read_bytes(size);

@@ -40,16 +40,15 @@ std::int32_t read_float_bound(LumpReader& in, bool is_maximum) {
 
 /// The faces of a node or a model; `read` reads numbers of its width.
 template <class Read>
-IndexRange<Face> read_faces(const LumpReader& in, const BspFile& file, Read read) {
+IndexRange<Face> read_face_range(const LumpReader& in, const BspFile& file, Read read) {
     const std::int32_t first = read(), count = read();
     return in.check_range<Face>(first, count, file.count(Lump::Faces), "faces");
 }
 
-/// Clamps a box to the world, so that its middle fits World; no face is outside.
+/// Clamps a box to the world; no face is outside.
 LevelBox within_world(LevelBox box) {
-    constexpr std::int32_t kFarthest = (1 << 19) - 1;
     for (auto* const corner : {&box.mins, &box.maxs})
-        for (std::int32_t& bound : *corner) bound = std::clamp(bound, -kFarthest, kFarthest);
+        for (LevelNumber& bound : *corner) bound = box_coordinate(bound);
     return box;
 }
 
@@ -58,7 +57,7 @@ Node read_node(LumpReader& in, const BspFile& file) {
     node.plane = check_index<LevelPlane>(in, in.read_i32(), file, Lump::Planes, "plane");
     for (NodeChild& child : node.children) child = check_node_child(in, file, in.read_child(file.count(Lump::Nodes)));
     node.box = within_world(read_box(in, file.format.has_float_boxes));
-    node.faces = read_faces(in, file, [&in] { return in.read_index(); });
+    node.faces = read_face_range(in, file, [&in] { return in.read_index(); });
     return node;
 }
 
@@ -96,7 +95,7 @@ SubModel read_model(LumpReader& in, const BspFile& file) {
     model.root = check_node_child(in, file, in.read_i32());
     for (ClipChild& root : model.clip_roots) root = read_clip_root(in, file);
     model.visible_leaf_count = in.check_index(in.read_i32(), file.count(Lump::Leaves), "count of visible leaves");
-    model.faces = read_faces(in, file, [&in] { return in.read_i32(); });
+    model.faces = read_face_range(in, file, [&in] { return in.read_i32(); });
     return model;
 }
 

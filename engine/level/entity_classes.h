@@ -167,7 +167,7 @@ const ClassModel* find_class_model(const EntityClass& its_class, std::int64_t fl
 const EntityKey* find_entity_key(const EntityClass& its_class, std::string_view key);
 
 /// What a value of a key should be, such as "a whole number"; empty if it is. Values that name other entities, files or
-/// textures without holes are not checked.
+/// textures without holes are not checked. In key_values.cpp.
 std::string expected_instead_of(const std::string& value, const EntityKey& key);
 
 /// " (since 0.2)"; empty for the first release.

@@ -70,17 +70,17 @@ struct LevelPlane {
     bool operator==(const LevelPlane&) const = default;
 };
 
-/// An axis-aligned box in whole world units, rounded outward; for nodes and leaves within +-524,287.
+/// An axis-aligned box in whole world units, rounded outward.
 struct LevelBox {
     std::array<LevelNumber, 3> mins{}, maxs{};
 
     bool operator==(const LevelBox&) const = default;
 };
 
-/// A coordinate of a box, clamped to what it can store: no level reaches beyond.
+/// A coordinate of a box, clamped to the world, so that a box's middle fits World, and to what a box can store.
 constexpr LevelNumber box_coordinate(std::int64_t units) {
-    using Limits = std::numeric_limits<LevelNumber>;
-    return static_cast<LevelNumber>(std::clamp<std::int64_t>(units, Limits::min(), Limits::max()));
+    constexpr std::int64_t kFarthest = std::min<std::int64_t>((1 << 19) - 1, std::numeric_limits<LevelNumber>::max());
+    return static_cast<LevelNumber>(std::clamp(units, -kFarthest, kFarthest));
 }
 
 /// How a face is drawn. Only lit faces have a lightmap and a limited extent.
@@ -112,8 +112,15 @@ struct Face {
     std::array<std::uint8_t, 4> styles{};  ///< light styles, ended by kNoStyle
     std::int32_t light_offset = -1;        ///< in Level::lighting; -1: no lightmap (special faces; others are black)
     LevelNumber texel_min_u = 0, texel_min_v = 0;        ///< multiples of 16, rounded outward as in light compilers
-    LevelNumber texel_extent_u = 0, texel_extent_v = 0;  ///< multiples of 16; a lightmap has extent / 16 + 1 samples
+    LevelNumber texel_extent_u = 0, texel_extent_v = 0;  ///< multiples of 16
 
+    /// Light samples along u and v: one every 16 texels.
+    constexpr std::int32_t sample_columns() const { return texel_extent_u / 16 + 1; }
+    constexpr std::int32_t sample_rows() const { return texel_extent_v / 16 + 1; }
+    /// The styles before kNoStyle; a lit face has one lightmap for each.
+    std::span<const std::uint8_t> used_styles() const {
+        return {styles.begin(), std::find(styles.begin(), styles.end(), kNoStyle)};
+    }
     bool operator==(const Face&) const = default;
 };
 
@@ -149,6 +156,8 @@ struct Leaf {
     LevelBox box;
     IndexRange<MarkFace> mark_faces;  ///< faces that border it
 
+    /// Neither solid nor sky.
+    constexpr bool is_open() const { return contents != contents::kSolid && contents != contents::kSky; }
     bool operator==(const Leaf&) const = default;
 };
 
@@ -267,6 +276,8 @@ struct Level {
 
     bool operator==(const Level&) const = default;
 };
+
+// In pvs.cpp.
 
 /// Bytes of a set of the world's leaves: one bit each, without leaf 0 (the solid outside).
 std::size_t visible_set_size(const Level& level);

@@ -17,6 +17,17 @@ inline PlaneDistance plane_distance(const LevelPlane& plane, const Vec3<World>& 
     return distance;
 }
 
+/// How far a point is in front of a face, or of one side of its plane.
+inline PlaneDistance distance_before(const LevelPlane& plane, bool is_back, const Vec3<World>& p) {
+    const PlaneDistance distance = plane_distance(plane, p);
+    return is_back ? -distance : distance;
+}
+
+/// s . p with each product rounded: for some p an exact sum would overflow.
+inline Texel texel_along(const Vec3<TexelAxis>& axis, const Vec3<World>& p) {
+    return product<Texel>(axis.x, p.x) + product<Texel>(axis.y, p.y) + product<Texel>(axis.z, p.z);
+}
+
 /// The exact side of a point, from all bits of LevelPlane: +1 in front (normal . p > distance), 0 on the plane, -1
 /// behind.
 int plane_side(const LevelPlane& plane, Vec3<World> p);
@@ -26,7 +37,7 @@ LeafIndex find_leaf(const Level& level, const SubModel& model, Vec3<World> p);
 
 /// Calls visit(leaf, entered, place) for each leaf along a line, in order, until one returns true; returns whether one
 /// did. `place` is where the line enters the leaf, `entered` the node on whose plane that is, none for the first leaf.
-/// The ends are up to 2^18 units apart.
+/// The ends are at most 2^20 units apart, so that the difference of two distances fits.
 template <class Visit>
 bool walk_line(const Level& level, NodeChild at, Vec3<World> from, const Vec3<World>& to,
                std::optional<NodeIndex> entered, const Visit& visit) {

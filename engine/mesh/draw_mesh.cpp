@@ -77,23 +77,24 @@ Fixed<std::int64_t, 16> flat_light(const MeshTriangle& triangle, const MeshConte
     return rounded_shade(light_at({third(sum.x), third(sum.y), third(sum.z)}, normal, light), light);
 }
 
-void see_vertex(std::uint32_t number, const MeshPlacement& mesh, MeshScratch& scratch) {
+void transform_vertex(std::uint32_t number, const MeshPlacement& mesh, MeshScratch& scratch) {
     view_vertex(mesh.object_vertices[number].position, mesh.transform, mesh.to_view, mesh.view,
                 item(scratch.view_vertices, number));
-    item(scratch.stages, number) = VertexStage::Seen;
+    item(scratch.stages, number) = VertexStage::Transformed;
 }
 
 /// A vertex in the view, computed on first use.
-inline const ViewVertex& seen_vertex(std::uint32_t number, const MeshPlacement& mesh, MeshScratch& scratch) {
+inline const ViewVertex& transformed_vertex(std::uint32_t number, const MeshPlacement& mesh, MeshScratch& scratch) {
     if (!mesh.places.empty()) number = mesh.places[number];
-    if (item(scratch.stages, number) == VertexStage::Unknown) see_vertex(number, mesh, scratch);
+    if (item(scratch.stages, number) == VertexStage::Unknown) transform_vertex(number, mesh, scratch);
     return item(scratch.view_vertices, number);
 }
 
-std::array<const ViewVertex*, 3> seen_vertices(const MeshTriangle& triangle, const MeshPlacement& mesh,
-                                               MeshScratch& scratch) {
+std::array<const ViewVertex*, 3> transformed_vertices(const MeshTriangle& triangle, const MeshPlacement& mesh,
+                                                      MeshScratch& scratch) {
     const auto& [a, b, c] = triangle.vertices;
-    return {&seen_vertex(a, mesh, scratch), &seen_vertex(b, mesh, scratch), &seen_vertex(c, mesh, scratch)};
+    return {&transformed_vertex(a, mesh, scratch), &transformed_vertex(b, mesh, scratch),
+            &transformed_vertex(c, mesh, scratch)};
 }
 
 /// Whether all of a triangle is inside the view.
@@ -161,7 +162,7 @@ bool find_triangle(const std::array<const ScreenPlace*, 3>& corners, const MeshT
 MeshPaint paint_of(const MeshTriangle& triangle, const MeshContext& mesh) {
     const MeshDrawing& drawing = mesh.drawing;
     return {skin_of(triangle, mesh), drawing.colormap, drawing.light,    mesh.placed.shading,
-            drawing.is_affine,       mesh.halfway,     &mesh.highlights, drawing.after};
+            drawing.is_affine,       mesh.halfway,     &mesh.highlights, drawing.colours};
 }
 
 /// Draws the triangle of find_triangle().
@@ -193,8 +194,8 @@ void draw_clipped(const MeshTriangle& triangle, const std::array<const ViewVerte
     }
 }
 
-void draw_polygon(const MeshTriangle& triangle, const MeshContext& mesh, MeshScratch& scratch, MeshCounts& counts) {
-    const std::array<const ViewVertex*, 3> vertices = seen_vertices(triangle, mesh, scratch);
+void draw_if_in_view(const MeshTriangle& triangle, const MeshContext& mesh, MeshScratch& scratch, MeshCounts& counts) {
+    const std::array<const ViewVertex*, 3> vertices = transformed_vertices(triangle, mesh, scratch);
     if (is_outside(vertices)) return;
     if (!is_inside(vertices)) return draw_clipped(triangle, vertices, mesh, scratch, counts);
     if (may_cover_centre(vertices)) draw_whole(triangle, vertices, mesh, scratch, counts);
@@ -202,7 +203,7 @@ void draw_polygon(const MeshTriangle& triangle, const MeshContext& mesh, MeshScr
 
 /// Whether a triangle has a pixel at which nothing is nearer.
 bool is_seen(const MeshTriangle& triangle, const MeshPlacement& mesh, MeshScratch& scratch, MeshCounts& counts) {
-    const auto vertices = seen_vertices(triangle, mesh, scratch);
+    const auto vertices = transformed_vertices(triangle, mesh, scratch);
     TriangleScratch& work = scratch.triangle;
     if (is_outside(vertices)) return false;
     if (is_inside(vertices)) {
@@ -262,7 +263,8 @@ CornerValues corner_values(const PlacedMesh& placed, std::size_t number, const W
     const auto& [position, normal] = vertex;
     CornerValues corner{within_skins(texel.u), within_skins(texel.v), {}, normal};
     if (placed.shading == Shading::Phong)
-        corner.light = Fixed<std::int64_t, 16>::from_raw(std::int64_t{even_light(position, normal, light)} * 256);
+        corner.light =
+            Fixed<std::int64_t, 16>::from_raw(std::int64_t{ambient_and_point_light(position, normal, light)} * 256);
     if (placed.shading == Shading::Gouraud) corner.light = rounded_shade(light_at(position, normal, light), light);
     return corner;
 }
@@ -300,7 +302,7 @@ MeshCounts draw_mesh(const PlacedMesh& placed, const MeshDrawing& drawing, const
                            halfway(drawing.light.directional.toward, toward_eye(placed, drawing.view)),
                            {"", 1, 1, {placed.colour}}};
     any_facing(mesh, drawing.parts, scratch, [&](const MeshTriangle& triangle) {
-        draw_polygon(triangle, mesh, scratch, counts);
+        draw_if_in_view(triangle, mesh, scratch, counts);
         ++counts.facing;
         return false;
     });

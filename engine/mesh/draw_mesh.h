@@ -10,7 +10,7 @@
 namespace oblong {
 
 /// Which stages a vertex has passed.
-enum class VertexStage : std::uint8_t { Unknown, Seen, Complete };
+enum class VertexStage : std::uint8_t { Unknown, Transformed, Complete };
 
 /// The results of one triangle's stages.
 struct TriangleScratch {
@@ -54,8 +54,8 @@ struct MeshDrawing {
     const ViewContext& view;
     const Colormap& colormap;
     MeshLight light;
-    const std::uint8_t* after = nullptr;  ///< MeshPaint::after
-    bool is_affine = false;               ///< texture mapping without perspective, as in Quake's models
+    const std::uint8_t* colours = nullptr;  ///< MeshPaint::after
+    bool is_affine = false;                 ///< texture mapping without perspective, as in Quake's models
     MeshParts parts = {};
 };
 

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "engine/base/input_error.h"
+#include "engine/base/little_endian.h"
 #include "engine/base/table.h"
 #include "engine/level/bsp_floats.h"
 #include "engine/mesh/mesh.h"
@@ -11,7 +12,7 @@ namespace oblong {
 namespace {
 
 constexpr std::int32_t kMostSkins = 1024, kLargestSkinSide = 4096, kMostMdlFrames = 65536;
-constexpr std::int32_t kLongestTurn_s = 3600;
+constexpr std::int32_t kLongestGroup_s = 3600;
 constexpr int kMdlBits = 32;  ///< fraction bits of coordinates before rounding
 constexpr std::size_t kMdlNameSize = 16;
 constexpr std::uint32_t kTurningFlag = 8;
@@ -32,11 +33,7 @@ class MdlBytes {
         position_ += size;
         return bytes_.subspan(field_, size);
     }
-    std::uint32_t read_u32() {
-        const auto four = read_bytes(4);
-        return std::uint32_t{four[0]} | std::uint32_t{four[1]} << 8 | std::uint32_t{four[2]} << 16 |
-               std::uint32_t{four[3]} << 24;
-    }
+    std::uint32_t read_u32() { return little_endian_u32(read_bytes(4).data()); }
     std::int32_t read_i32() { return static_cast<std::int32_t>(read_u32()); }
 
     std::int32_t read_number(const char* what, std::int32_t least, std::int32_t most) {
@@ -149,7 +146,7 @@ class MdlReader {
         in_.expect_records(count, 4, "times");
         std::vector<std::int32_t> ends_ms;
         for (std::int32_t i = 0; i < count; ++i) {
-            const std::int64_t seconds_20 = in_.read_fixed("time", 20, kLongestTurn_s);
+            const std::int64_t seconds_20 = in_.read_fixed("time", 20, kLongestGroup_s);
             const auto end_ms =
                 static_cast<std::int32_t>(rounded_shift(seconds_20 * 1000, 20, Rounding::NearestHalfUp));
             if (end_ms < 1 || (i > 0 && end_ms < ends_ms.back()))

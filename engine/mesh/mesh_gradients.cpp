@@ -10,10 +10,10 @@ namespace oblong {
 
 namespace {
 
-struct Way {
+struct Side {
     Screen x, y;
 
-    Way(const ScreenPlace& from, const ScreenPlace& to)
+    Side(const ScreenPlace& from, const ScreenPlace& to)
         : x(to.screen.x - from.screen.x), y(to.screen.y - from.screen.y) {}
     Screen size() const { return std::max(absolute(x), absolute(y)); }
 };
@@ -34,20 +34,20 @@ WeightStep step_of(Screen part, ScreenArea whole) {
     return WeightStep::from_raw(part < Screen{} ? -quotient : quotient);
 }
 
-/// 1 / way.
-WeightStep step_along(Screen way) {
-    return step_of(Screen::from_int(way < Screen{} ? -1 : 1), convert<ScreenArea>(absolute(way)));
+/// 1 / side.
+WeightStep step_along(Screen side) {
+    return step_of(Screen::from_int(side < Screen{} ? -1 : 1), convert<ScreenArea>(absolute(side)));
 }
 
 /// Makes it change along the side from corner `from` to `to` only.
 void set_along(const std::array<const ScreenPlace*, 3>& corners, std::uint8_t from, std::uint8_t to,
                Barycentric& weights) {
-    const Way way(*corners[from], *corners[to]);
-    const bool is_across = absolute(way.x) >= absolute(way.y);
+    const Side side(*corners[from], *corners[to]);
+    const bool is_across = absolute(side.x) >= absolute(side.y);
     weights.corners = {corners[from], corners[to], corners[from]};
     weights.order = {from, to, from};
-    weights.b_per_column = is_across ? step_along(way.x) : WeightStep{};
-    weights.b_per_row = is_across ? WeightStep{} : step_along(way.y);
+    weights.b_per_column = is_across ? step_along(side.x) : WeightStep{};
+    weights.b_per_row = is_across ? WeightStep{} : step_along(side.y);
     weights.c_per_column = weights.c_per_row = WeightStep{};
 }
 
@@ -73,24 +73,25 @@ std::int32_t least_column(std::span<const Span> spans) {
 
 /// The part of a quantity's step that a difference of its values at two corners makes.
 template <class Value, class Difference>
-[[gnu::always_inline]] inline Value part_of(Difference way, const StoredStep& step) {
+[[gnu::always_inline]] inline Value part_of(Difference side, const StoredStep& step) {
 #if defined(__i386__)
     static_assert(WeightStep::kFractionBits == 48);
-    if (const auto short_way = static_cast<std::int32_t>(way.raw);
-        short_way == way.raw && Difference::kFractionBits == Value::kFractionBits) {
-        std::int64_t product;  // floor((way (high * 2^32 + low) + 2^47) / 2^48), from the lower product's upper half on
+    if (const auto short_way = static_cast<std::int32_t>(side.raw);
+        short_way == side.raw && Difference::kFractionBits == Value::kFractionBits) {
+        std::int64_t
+            product;  // floor((side (high * 2^32 + low) + 2^47) / 2^48), from the lower product's upper half on
         std::int32_t low, high;
-        asm("movl %[way], %%eax\n\timull %[step_low]\n\tleal 0x8000(%%edx), %%eax\n\tcltd\n\t"
+        asm("movl %[side], %%eax\n\timull %[step_low]\n\tleal 0x8000(%%edx), %%eax\n\tcltd\n\t"
             "movl %%eax, %[low]\n\tmovl %%edx, %[high]\n\t"
-            "movl %[way], %%eax\n\timull %[step_high]\n\taddl %[low], %%eax\n\tadcl %[high], %%edx\n\t"
+            "movl %[side], %%eax\n\timull %[step_high]\n\taddl %[low], %%eax\n\tadcl %[high], %%edx\n\t"
             "shrdl $16, %%edx, %%eax\n\tsarl $16, %%edx"
             : "=&A"(product), [low] "=&r"(low), [high] "=&r"(high)
-            : [way] "rm"(short_way), [step_low] "m"(step.low), [step_high] "m"(step.high)
+            : [side] "rm"(short_way), [step_low] "m"(step.low), [step_high] "m"(step.high)
             : "cc");
         return Value::from_raw(product);
     }
 #endif
-    return product<Value>(way, WeightStep(step));
+    return product<Value>(side, WeightStep(step));
 }
 
 /// A quantity from its values at the corners. Those may have fewer fraction bits: their differences then mostly fit 32
@@ -100,8 +101,8 @@ template <class Value, class AtCorner>
 LinearQuantity<Value> quantity_of(const Barycentric& weights, AtCorner a, AtCorner b, AtCorner c) {
     if (a == b && a == c) return {convert<Value>(a), {}, {}};
     if (weights.has_one_pixel) {
-        const auto part = [](AtCorner way, PixelWeight weight) {
-            return wrapping_product<Value>(weight, convert<Value>(way));
+        const auto part = [](AtCorner side, PixelWeight weight) {
+            return wrapping_product<Value>(weight, convert<Value>(side));
         };
         return {convert<Value>(a) + part(b - a, weights.b) + part(c - a, weights.c), {}, {}};
     }
@@ -126,7 +127,7 @@ bool make_barycentric(const std::array<const ScreenPlace*, 3>& corners, std::spa
                       Barycentric& weights) {
     constexpr Screen kThinnest = Screen::from_raw(16);
     const auto& [a, b, c] = corners;
-    const Way ab(*a, *b), ac(*a, *c), bc(*b, *c);
+    const Side ab(*a, *b), ac(*a, *c), bc(*b, *c);
     const ScreenArea area = widening_product(ab.x, ac.y) - widening_product(ac.x, ab.y);
     if (area <= ScreenArea{}) return false;
     weights.corners = corners;

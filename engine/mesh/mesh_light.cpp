@@ -37,14 +37,14 @@ Light8 diffuse_light(const Vec3<World>& position, const Vec3<Unit>& normal, cons
                   dot(normal, normalised(way)));
 }
 
-Light8 even_light(const Vec3<World>& position, const Vec3<Unit>& normal, const MeshLight& light) {
+Light8 ambient_and_point_light(const Vec3<World>& position, const Vec3<Unit>& normal, const MeshLight& light) {
     std::int64_t sum = within_limits(light.ambient);
     for (const MovingLight& point : light.points) sum += diffuse_light(position, normal, point);
     return static_cast<Light8>(std::min<std::int64_t>(sum, MeshLight::kMostLight * 256));
 }
 
 Light8 light_at(const Vec3<World>& position, const Vec3<Unit>& normal, const MeshLight& light) {
-    return even_light(position, normal, light) + diffuse_light(normal, light.directional);
+    return ambient_and_point_light(position, normal, light) + diffuse_light(normal, light.directional);
 }
 
 HighlightTable make_highlight_table(std::int32_t brightest) {

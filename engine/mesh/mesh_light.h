@@ -34,7 +34,7 @@ Light8 diffuse_light(const Vec3<Unit>& normal, const DirectionalLight& light);
 /// The same for a light at a point: full at the light, falling linearly to 0 at its radius (as in Quake).
 Light8 diffuse_light(const Vec3<World>& position, const Vec3<Unit>& normal, const MovingLight& light);
 /// The part interpolated with Shading::Phong: ambient light and point lights.
-Light8 even_light(const Vec3<World>& position, const Vec3<Unit>& normal, const MeshLight& light);
+Light8 ambient_and_point_light(const Vec3<World>& position, const Vec3<Unit>& normal, const MeshLight& light);
 /// All light on a vertex.
 Light8 light_at(const Vec3<World>& position, const Vec3<Unit>& normal, const MeshLight& light);
 

@@ -15,7 +15,7 @@ namespace {
 
 /// Template parameters of the loop over a span, chosen once a triangle.
 struct MeshTraits {
-    bool is_phong, is_affine, has_after;
+    bool is_phong, is_affine, has_colours;
 };
 
 /// The interpolated values at one pixel.
@@ -118,7 +118,7 @@ std::int64_t draw_span(const Span& span, const MeshGradients& gradients, const M
         std::int64_t shade = floor_of(pixel.light);
         if constexpr (kTraits.is_phong) shade = phong_shade_16(pixel, paint) >> 16;
         const std::uint8_t lit = item(paint.colormap.shades, shade)[texel_at<kTraits.is_affine>(pixel, paint.skin)];
-        pixels[x] = kTraits.has_after ? paint.after[lit] : lit;
+        pixels[x] = kTraits.has_colours ? paint.colours[lit] : lit;
         ++drawn;
     }
     return drawn;
@@ -180,7 +180,7 @@ DrawSpan choose_loop(const MeshTraits& traits) {
         draw_span<MeshTraits{false, true, false}>,  draw_span<MeshTraits{false, true, true}>,
         draw_span<MeshTraits{true, false, false}>,  draw_span<MeshTraits{true, false, true}>,
         draw_span<MeshTraits{true, true, false}>,   draw_span<MeshTraits{true, true, true}>};
-    return item(kLoops, traits.is_phong * 4 + traits.is_affine * 2 + traits.has_after);
+    return item(kLoops, traits.is_phong * 4 + traits.is_affine * 2 + traits.has_colours);
 }
 
 }  // namespace
@@ -220,7 +220,7 @@ bool is_covered(std::span<const Span> spans, const Barycentric& weights, const L
 
 std::int64_t draw_mesh_spans(std::span<const Span> spans, const MeshGradients& gradients, const MeshPaint& paint,
                              const MeshTarget& target) {
-    const DrawSpan draw = choose_loop({paint.shading == Shading::Phong, paint.is_affine, paint.after != nullptr});
+    const DrawSpan draw = choose_loop({paint.shading == Shading::Phong, paint.is_affine, paint.colours != nullptr});
     std::int64_t drawn = 0;
     for (const Span& span : spans) drawn += draw(span, gradients, paint, target);
     return drawn;

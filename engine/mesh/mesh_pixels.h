@@ -18,7 +18,7 @@ struct MeshPaint {
     bool is_affine = false;                     ///< the gradients are affine
     Vec3<Unit> halfway;                         ///< for Shading::Phong: of the directional light
     const HighlightTable* highlight = nullptr;  ///< for Shading::Phong
-    const std::uint8_t* after = nullptr;        ///< maps the lit colours to 256 others, for fog; or null
+    const std::uint8_t* colours = nullptr;      ///< maps the lit colours to 256 others, for fog; or null
 };
 
 /// The part of a picture that a mesh may write, with its depth.

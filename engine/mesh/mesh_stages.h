@@ -25,8 +25,8 @@ inline constexpr InverseZ kGreatestMeshInverseZ = InverseZ::from_int(128);
 /// The largest texture coordinate; larger ones are clamped.
 inline constexpr std::int32_t kMostTexel = 8'191;
 
-/// The values at a corner that are interpolated over the screen. `light` is even_light() with Shading::Phong, otherwise
-/// a row of the colormap plus 1/2, so that its floor is the nearest row.
+/// The values at a corner that are interpolated over the screen. `light` is ambient_and_point_light() with
+/// Shading::Phong, otherwise a row of the colormap plus 1/2, so that its floor is the nearest row.
 struct CornerValues {
     Texel u, v;
     Fixed<std::int64_t, 16> light;

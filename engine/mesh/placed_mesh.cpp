@@ -11,9 +11,6 @@ namespace oblong {
 
 namespace {
 
-/// The largest coordinate of a box before one unit is added: a level's boxes reach to 524,287.
-constexpr std::int64_t kMostUnits = 524'285;
-
 /// Object space to world.
 Matrix4 matrix_of(const PlacedMesh& placed) {
     return model_matrix(placed.position, EulerAngles{placed.yaw, placed.pitch, placed.roll}, placed.scale);
@@ -51,11 +48,6 @@ struct Interval {
           half(std::max(convert<Entry>(high) - convert<Entry>(low), Entry{}) / 2) {}
 };
 
-/// The floor in whole units within a box's limits.
-std::int32_t whole_units(Entry entry) {
-    return static_cast<std::int32_t>(std::clamp(floor_of(entry), -kMostUnits, kMostUnits));
-}
-
 /// The box in the world that holds both boxes.
 LevelBox world_box(const Matrix4& to_world, const MeshBox& from, const MeshBox& to) {
     const std::array sides{Interval(std::min(from.mins.x, to.mins.x), std::max(from.maxs.x, to.maxs.x)),
@@ -70,8 +62,8 @@ LevelBox world_box(const Matrix4& to_world, const MeshBox& from, const MeshBox& 
             const Entry reach = multiply(row[side], sides[side].half);
             half = saturating_sum(half, reach < Entry{} ? -std::max(reach, -Entry::highest()) : reach);
         }
-        box.mins[axis] = box_coordinate(whole_units(saturating_sum(middle, -half)) - 1);
-        box.maxs[axis] = box_coordinate(whole_units(saturating_sum(middle, half)) + 2);
+        box.mins[axis] = box_coordinate(floor_of(saturating_sum(middle, -half)) - 1);
+        box.maxs[axis] = box_coordinate(floor_of(saturating_sum(middle, half)) + 2);
     }
     return box;
 }
@@ -127,13 +119,13 @@ LevelBox turning_box(const TurningShape& shape) {
                           farthest(from.mins.y, from.maxs.y, to.mins.y, to.maxs.y) +
                           farthest(from.mins.z, from.maxs.z, to.mins.z, to.maxs.z);
     const Entry scale = std::max({shape.scale.x, shape.scale.y, shape.scale.z});
-    const std::int64_t reach = whole_units(multiply(scale, convert<Entry>(sum))) + 3;
+    const std::int64_t reach = floor_of(multiply(scale, convert<Entry>(sum))) + 3;
     const std::array position{shape.position.x, shape.position.y, shape.position.z};
     LevelBox box;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const std::int64_t middle = floor_of(position[axis]);
-        box.mins[axis] = box_coordinate(std::max(middle - reach, -kMostUnits - 1));
-        box.maxs[axis] = box_coordinate(std::min(middle + reach + 1, kMostUnits + 2));
+        box.mins[axis] = box_coordinate(middle - reach);
+        box.maxs[axis] = box_coordinate(middle + reach + 1);
     }
     return box;
 }

@@ -18,9 +18,8 @@ void set_plane(const FrameContext& frame, ScannedFace& scanned) {
     const Level& level = frame.scene.level;
     const Face& face = level.faces[scanned.face];
     const LevelPlane& plane = level.planes[face.plane];
-    const PlaneDistance distance = plane_distance(plane, frame.view.eye - frame.offset_of(scanned));
     scanned.normal = face.is_back ? -plane.normal : plane.normal;
-    scanned.eye_distance = face.is_back ? -distance : distance;
+    scanned.eye_distance = distance_before(plane, face.is_back, frame.view.eye - frame.offset_of(scanned));
     scanned.inverse_z =
         make_face_inverse_z(level, face, frame.offset_of(scanned), frame.view, frame.inverse_projection);
     scanned.inverse_z = {inverse_z_of(scanned, frame), {}};

@@ -249,11 +249,8 @@ void find_owners_by_rays(const ScannedFaces& scanned, const ViewDirections& dire
     std::vector<Vec3<Unit>> corners;
     for (std::int32_t face = 0; face < std::ssize(scanned.faces); ++face) add_target(face, scanned, corners, targets);
     for (std::int32_t row = 0; row < owners.height_px; ++row)
-        for (std::int32_t column = 0; column < owners.width_px; ++column) {
-            const Vec3<DirectionPart> through_centre{directions.x.at(column, row), directions.y.at(column, row),
-                                                     directions.z.at(column, row)};
-            cast(normalised(through_centre), column, row, targets, owners);
-        }
+        for (std::int32_t column = 0; column < owners.width_px; ++column)
+            cast(normalised(directions.at(column, row)), column, row, targets, owners);
 }
 
 }  // namespace oblong

@@ -12,7 +12,6 @@ namespace oblong {
 
 BlockRule make_block_rule(const Accuracy& accuracy) {
     BlockRule rule;
-    rule.texturing = accuracy.texturing;
     rule.pixel_bound_256 = accuracy.pixel_bound_256;
     rule.texel_bound_256 = accuracy.texel_bound_256;
     const std::int64_t error_4096 = accuracy.pixel_bound_256 * std::int64_t{15};  // E: 15/16 of the bound

@@ -11,9 +11,8 @@ namespace oblong {
 /// Blocks are 1, 2, 4 ... 512 pixels long.
 inline constexpr int kBlockSizes = 10;
 
-/// The accuracy settings for block lengths, computed once a frame.
+/// The dials for block lengths, computed once a frame.
 struct BlockRule {
-    Texturing texturing = Texturing::Bounded;
     std::int32_t pixel_bound_256 = 0;  ///< Bounded: the largest error on the screen, 1/256 pixel
     std::int32_t texel_bound_256 = 0;  ///< BoundedTexels: the largest error of u and v, 1/256 texel
     /// Bounded: a block of n = 2^k pixels has an error below E pixels, 15/16 of the bound, if 1/z >= |its step| * (n -

@@ -15,11 +15,6 @@ std::int64_t area_of(const ScreenRectangle& rectangle) {
     return std::int64_t{rectangle.end_column - rectangle.first_column} * (rectangle.end_row - rectangle.first_row);
 }
 
-ScreenRectangle joined(const ScreenRectangle& a, const ScreenRectangle& b) {
-    return {std::min(a.first_column, b.first_column), std::max(a.end_column, b.end_column),
-            std::min(a.first_row, b.first_row), std::max(a.end_row, b.end_row)};
-}
-
 /// The pixels that joining two rectangles adds to them; negative where they overlap more than that.
 std::int64_t added_area(const ScreenRectangle& a, const ScreenRectangle& b) {
     return area_of(joined(a, b)) - area_of(a) - area_of(b);

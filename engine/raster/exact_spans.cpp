@@ -93,7 +93,8 @@ constexpr std::int32_t kShortestPiece = 4, kLongestPiece = 32;
 struct PieceLengths {
     std::int32_t next = kShortestPiece;  ///< pixels; doubled after a piece with a small error
     std::int32_t divided = 0;            ///< pixels to divide one by one before the next piece is tried
-    std::int32_t patience = 32;  ///< next `divided`, if even the shortest piece is not almost linear; doubled each time
+    std::int32_t next_divided =
+        32;  ///< next `divided`, if even the shortest piece is not almost linear; doubled each time
 };
 
 /// Draws the same bytes as a division at each pixel would, with two divisions for each piece that is almost linear.
@@ -121,12 +122,12 @@ std::int64_t draw_octave(const Octave& octave, const OctaveRow& row, BlockKernel
         if (error_16 <= kMost_16) {
             pieces.add(piece, pixel, error_16);
             pixel += count;
-            lengths.patience = PieceLengths{}.patience;
+            lengths.next_divided = PieceLengths{}.next_divided;
             if (error_16 < kMost_16 / 8) lengths.next = std::min(lengths.next * 2, kLongestPiece);
         } else if (count / 2 >= kShortestPiece) {
             lengths.next = count / 2;
         } else {
-            lengths = {kShortestPiece, lengths.patience, std::min(lengths.patience * 2, 128)};
+            lengths = {kShortestPiece, lengths.next_divided, std::min(lengths.next_divided * 2, 128)};
         }
     }
     pieces.draw();

@@ -43,8 +43,8 @@ struct DividedTexel {
     std::int64_t u_46, v_46;
 };
 
-/// Values shared by the pixels of a column, for surfaces whose 1/z is the same in all rows, as on walls in a level
-/// view.
+/// Values shared by the pixels of a column, for surfaces whose 1/z is the same in all rows, as on walls in a
+/// view without pitch and roll.
 struct ColumnTexel {
     std::int64_t depth;  ///< DividedTexel's
     std::uint64_t u;     ///< column of texels, if u is also the same in all rows
@@ -149,7 +149,7 @@ class OctaveRow {
         return draw_divided(first, end, out, kPlain);
     }
 
-    /// Whether 1/z is the same in all columns, as on floors in a level view.
+    /// Whether 1/z is the same in all columns, as on floors in a view without pitch and roll.
     bool is_constant() const { return inverse_z_.step == 0; }
 
     /// 2^60 / the upper half of 1/z.

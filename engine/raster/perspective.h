@@ -131,12 +131,12 @@ struct TabledReciprocal {
     }
 };
 
-/// z as a reciprocal of 33 bits and a scale. If fits_range(), both ranges give the same values.
+/// z as a reciprocal of 33 bits and a scale. If fits_range(), all ranges give the same values.
 template <class Reciprocal, PerspectiveRange Range>
 struct Depth {
     static constexpr bool kClamps = Range == PerspectiveRange::MayOverflow;
 
-    /// The mantissa is only what it is above DividedReciprocal::kLeast.
+    /// Whether only what the mantissa is above DividedReciprocal::kLeast is stored.
 #if defined(__i386__)
     static constexpr bool kIsShort = !kClamps && std::is_same_v<Reciprocal, DividedReciprocal>;
 #else

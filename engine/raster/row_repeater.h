@@ -10,8 +10,8 @@
 
 namespace oblong {
 
-/// Cuts rows of a surface whose 1/z and u are the same in all rows, as on walls in a level view. In a row with the same
-/// columns as one above, blocks have the same lengths, depths and u; only v differs.
+/// Cuts rows of a surface whose 1/z and u are the same in all rows, as on walls in a view without pitch and roll. In a
+/// row with the same columns as one above, blocks have the same lengths, depths and u; only v differs.
 template <class Reciprocal>
 class RowRepeater {
   public:

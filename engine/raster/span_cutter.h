@@ -159,8 +159,8 @@ class SpanEnds {
     FittingDepth depth_;
 };
 
-/// The same if 1/z and u are the same in all rows (RowRepeater), as on walls in a level view: an end in the same column
-/// as in the row above differs in v only.
+/// The same if 1/z and u are the same in all rows (RowRepeater), as on walls in a view without pitch and roll: an end
+/// in the same column as in the row above differs in v only.
 template <class Reciprocal, PerspectiveRange Range>
 class RepeatedSpanEnds {
   public:

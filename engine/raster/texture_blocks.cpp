@@ -51,19 +51,19 @@ template <class Cutter>
     if (cutter.remaining() == 1) cutter.cut_rest();
 }
 
-template <Texturing Way, class Cutter>
+template <Texturing How, class Cutter>
 [[gnu::always_inline]] inline void cut_span(Cutter& cutter, const BlockCutting& cutting, std::ptrdiff_t& log2) {
-    if constexpr (Way == Texturing::Affine) cutter.cut_rest();
-    if constexpr (Way == Texturing::Every32) cut_every(cutter, 5);
-    if constexpr (Way == Texturing::Every16) cut_every(cutter, 4);
-    if constexpr (Way == Texturing::Every8) cut_every(cutter, 3);
-    if constexpr (Way == Texturing::Bounded) cut_bounded(cutter, cutting.thresholds, log2);
-    if constexpr (Way == Texturing::BoundedTexels) cut_bounded_texels(cutter, cutting.texel_bound_256);
-    if constexpr (Way == Texturing::Exact) cut_every(cutter, 0);
+    if constexpr (How == Texturing::Affine) cutter.cut_rest();
+    if constexpr (How == Texturing::Every32) cut_every(cutter, 5);
+    if constexpr (How == Texturing::Every16) cut_every(cutter, 4);
+    if constexpr (How == Texturing::Every8) cut_every(cutter, 3);
+    if constexpr (How == Texturing::Bounded) cut_bounded(cutter, cutting.thresholds, log2);
+    if constexpr (How == Texturing::BoundedTexels) cut_bounded_texels(cutter, cutting.texel_bound_256);
+    if constexpr (How == Texturing::Exact) cut_every(cutter, 0);
 }
 
 /// Returns the remaining spans.
-template <Texturing Way, PerspectiveRange Range, class Reciprocal>
+template <Texturing How, PerspectiveRange Range, class Reciprocal>
 [[gnu::always_inline]] inline std::span<const Span> cut_spans(std::span<const Span> spans, std::int32_t pitch,
                                                               const BlockCutting& cutting, Reciprocal reciprocal,
                                                               BlockList& blocks) {
@@ -74,10 +74,10 @@ template <Texturing Way, PerspectiveRange Range, class Reciprocal>
     const Span* const end = span + spans.size();
     for (; span != end && cutter.end() <= last_start; ++span) {
         cutter.start(*span, pitch);
-        cut_span<Way>(cutter, cutting, log2);
+        cut_span<How>(cutter, cutting, log2);
     }
     blocks.set_end(cutter.end());
-    if constexpr (Way == Texturing::BoundedTexels) blocks.add_divisions(cutter.tries());
+    if constexpr (How == Texturing::BoundedTexels) blocks.add_divisions(cutter.tries());
     return {span, end};
 }
 
@@ -143,11 +143,11 @@ template <class Ends>
 }
 
 /// cut_in_range() of a range that fits.
-template <Texturing Way, PerspectiveRange Range, class Reciprocal>
+template <Texturing How, PerspectiveRange Range, class Reciprocal>
 [[gnu::always_inline]] inline std::span<const Span> cut_fitting(std::span<const Span> spans, std::int32_t pitch,
                                                                 const BlockCutting& cutting, Reciprocal reciprocal,
                                                                 BlockList& blocks) {
-    constexpr bool kIsBounded = Way == Texturing::Bounded, kIsAffine = Way == Texturing::Affine;
+    constexpr bool kIsBounded = How == Texturing::Bounded, kIsAffine = How == Texturing::Affine;
     const bool repeats_rows = (kIsBounded || kIsAffine) && RowRepeater<Reciprocal>::serves(cutting.gradients);
     if (kIsAffine || (kIsBounded && cutting.takes_whole_spans)) {
         if (repeats_rows)
@@ -163,7 +163,7 @@ template <Texturing Way, PerspectiveRange Range, class Reciprocal>
         };
         return cut_repeating_rows<Range>(spans, pitch, cutting, reciprocal, repeat, blocks);
     }
-    return cut_spans<Way, Range>(spans, pitch, cutting, reciprocal, blocks);
+    return cut_spans<How, Range>(spans, pitch, cutting, reciprocal, blocks);
 }
 
 #if defined(__i386__)
@@ -176,34 +176,34 @@ bool has_short_steps(const TextureGradients& gradients) {
 }
 #endif
 
-template <Texturing Way, class Reciprocal>
+template <Texturing How, class Reciprocal>
 [[gnu::always_inline]] inline std::span<const Span> cut_in_range(std::span<const Span> spans, std::int32_t pitch,
                                                                  const BlockCutting& cutting, Reciprocal reciprocal,
                                                                  BlockList& blocks) {
     using enum PerspectiveRange;
-    if (!cutting.fits_range) return cut_spans<Way, MayOverflow>(spans, pitch, cutting, reciprocal, blocks);
+    if (!cutting.fits_range) return cut_spans<How, MayOverflow>(spans, pitch, cutting, reciprocal, blocks);
 #if defined(__i386__)
     if (has_short_steps(cutting.gradients))
-        return cut_fitting<Way, FitsWithShortSteps>(spans, pitch, cutting, reciprocal, blocks);
+        return cut_fitting<How, FitsWithShortSteps>(spans, pitch, cutting, reciprocal, blocks);
 #endif
-    return cut_fitting<Way, Fits>(spans, pitch, cutting, reciprocal, blocks);
+    return cut_fitting<How, Fits>(spans, pitch, cutting, reciprocal, blocks);
 }
 
 /// One function for all tables: choosing the method costs nothing compared with a reciprocal.
-template <Texturing Way>
+template <Texturing How>
 [[gnu::noinline]] std::span<const Span> cut_by_table(std::span<const Span> spans, std::int32_t pitch,
                                                      const BlockCutting& cutting, TabledReciprocal reciprocal,
                                                      BlockList& blocks) {
-    return cut_in_range<Way>(spans, pitch, cutting, reciprocal, blocks);
+    return cut_in_range<How>(spans, pitch, cutting, reciprocal, blocks);
 }
 
-template <Texturing Way, ReciprocalMethod Method>
+template <Texturing How, ReciprocalMethod Method>
 std::span<const Span> append_blocks(std::span<const Span> spans, std::int32_t pitch, const BlockCutting& cutting,
                                     BlockList& blocks) {
     if constexpr (Method == ReciprocalMethod::Exact)
-        return cut_in_range<Way>(spans, pitch, cutting, DividedReciprocal{}, blocks);
+        return cut_in_range<How>(spans, pitch, cutting, DividedReciprocal{}, blocks);
     else
-        return cut_by_table<Way>(spans, pitch, cutting, TabledReciprocal{Method}, blocks);
+        return cut_by_table<How>(spans, pitch, cutting, TabledReciprocal{Method}, blocks);
 }
 
 /// The same code for processors with BMI2, whose shifts take their count from any register. For the default settings
@@ -229,14 +229,15 @@ OBLONG_TARGET_BMI2 std::span<const Span> append_bounded_avx512(std::span<const S
     return cut_repeating_rows<PerspectiveRange::Fits>(spans, pitch, cutting, DividedReciprocal{}, repeat, blocks);
 }
 
-constexpr std::size_t kWays = as_size(Texturing::Exact) + 1;
+constexpr std::size_t kTexturingCount = as_size(Texturing::Exact) + 1;
 
 /// append_blocks() by method, then by way.
 template <std::size_t... kCells>
 constexpr std::array<BlockCutter, sizeof...(kCells)> make_cutters(std::index_sequence<kCells...>) {
-    return {append_blocks<static_cast<Texturing>(kCells % kWays), static_cast<ReciprocalMethod>(kCells / kWays)>...};
+    return {append_blocks<static_cast<Texturing>(kCells % kTexturingCount),
+                          static_cast<ReciprocalMethod>(kCells / kTexturingCount)>...};
 }
-constexpr auto kCutters = make_cutters(std::make_index_sequence<kWays * kReciprocalMethods.size()>());
+constexpr auto kCutters = make_cutters(std::make_index_sequence<kTexturingCount * kReciprocalMethods.size()>());
 
 }  // namespace
 
@@ -282,7 +283,7 @@ BlockCutter block_cutter(const Accuracy& accuracy, Instructions instructions) {
         if (instructions == Instructions::Avx512) return append_bounded_avx512;
         if (instructions == Instructions::Bmi2) return append_bounded_bmi2;
     }
-    return kCutters[as_size(accuracy.reciprocal) * kWays + as_size(accuracy.texturing)];
+    return kCutters[as_size(accuracy.reciprocal) * kTexturingCount + as_size(accuracy.texturing)];
 }
 
 }  // namespace oblong

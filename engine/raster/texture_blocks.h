@@ -68,7 +68,7 @@ struct BlockCutting {
 using BlockCutter = std::span<const Span> (*)(std::span<const Span> spans, std::int32_t pitch,
                                               const BlockCutting& cutting, BlockList& blocks);
 
-/// The cutter for these settings, chosen once a frame.
+/// The cutter for these dials, chosen once a frame.
 BlockCutter block_cutter(const Accuracy& accuracy, Instructions instructions = best_instructions());
 
 /// The number of divisions for cutting these spans into these blocks: one where a span begins, and one at each end of a
@@ -79,6 +79,8 @@ std::int64_t divisions_of(std::span<const Span> spans, const BlockCutting& cutti
 /// The exact texel at the centre of a pixel.
 TexelPosition texel_at(const TextureGradients& gradients, const TexelLimits& limits, std::int32_t column,
                        std::int32_t row);
+
+// In perspective_range.cpp.
 
 /// 1/z is clamped to these: z from 2^-15 unit to beyond any world.
 inline constexpr auto kGreatestInverseZ = InverseZ::from_raw(std::int64_t{1} << 59);

@@ -48,17 +48,10 @@ bool is_wrapped_by_masks(const SurfaceView& tile) {
            std::has_single_bit(static_cast<std::uint32_t>(tile.height));
 }
 
-std::int32_t columns_of(const Face& face) {
-    return face.texel_extent_u / 16 + 1;
-}
-std::int32_t rows_of(const Face& face) {
-    return face.texel_extent_v / 16 + 1;
-}
-
 SurfaceView shape_of(const Face& face, int mip) {
     SurfaceView surface;
-    surface.width = std::max(lit_size(columns_of(face), mip), 1);
-    surface.height = std::max(lit_size(rows_of(face), mip), 1);
+    surface.width = std::max(lit_size(face.sample_columns(), mip), 1);
+    surface.height = std::max(lit_size(face.sample_rows(), mip), 1);
     const std::uint32_t stride = std::bit_ceil(static_cast<std::uint32_t>(surface.width));
     surface.stride_log2 = std::countr_zero(stride);
     surface.u_mask = stride - 1;
@@ -69,15 +62,13 @@ SurfaceView shape_of(const Face& face, int mip) {
 
 LightmapView light_of(const Level& level, const Face& face, const LightStyles& styles) {
     LightmapView light;
-    light.columns = columns_of(face);
-    light.rows = rows_of(face);
-    light.is_fullbright = level.lighting.empty();
-    if (face.light_offset < 0 || light.is_fullbright) return light;
+    light.columns = face.sample_columns();
+    light.rows = face.sample_rows();
+    light.has_no_lightmaps = level.lighting.empty();
+    if (face.light_offset < 0 || light.has_no_lightmaps) return light;
     light.samples = level.lighting.data() + face.light_offset;
-    for (const std::uint8_t style : face.styles) {
-        if (style == 255) break;
+    for (const std::uint8_t style : face.used_styles())
         item(light.style_scale_256, light.style_count++) = styles[style % styles.size()];
-    }
     return light;
 }
 
@@ -92,7 +83,7 @@ std::uint64_t key_of(const LightmapView& light) {
 }
 
 std::size_t light_sample_count(const Face& face) {
-    return as_size(columns_of(face) * rows_of(face));
+    return as_size(face.sample_columns() * face.sample_rows());
 }
 
 std::size_t most_light_samples(const Level& level, const FaceTable& table) {
@@ -117,11 +108,6 @@ constexpr auto kLeastDistance = PlaneDistance::from_raw(std::int64_t{1} << 30);
 /// The normal of a face's plane, on the side that the face faces.
 Vec3<Unit> normal_of(const LevelPlane& plane, bool is_back) {
     return is_back ? -plane.normal : plane.normal;
-}
-
-PlaneDistance distance_before(const LevelPlane& plane, bool is_back, const Vec3<World>& eye) {
-    const PlaneDistance distance = plane_distance(plane, eye);
-    return is_back ? -distance : distance;
 }
 
 }  // namespace
@@ -173,7 +159,7 @@ FaceSurface FaceSurfaces::lit(FaceIndex index, int mip, const SurfaceState& stat
                         kernel};
 
     LightmapView light = light_of(level_, face, state.styles);
-    const bool may_be_touched = !moving_lights_.is_empty() && !light.is_fullbright;
+    const bool may_be_touched = !moving_lights_.is_empty() && !light.has_no_lightmaps;
     const LightTouch touch = may_be_touched ? moving_lights_.touch(index, state.offset) : LightTouch{};
     const std::size_t bytes = as_size(surface.view.height) << surface.view.stride_log2;
     const SurfaceCache::Found found =

@@ -42,7 +42,7 @@ class FaceSurfaces {
 
     /// Sets how light is computed from now on. Texels returned earlier may be overwritten from now on.
     void start_frame(const Accuracy& accuracy, std::int32_t brightness_100, const Colormap& colormap);
-    /// The colormap used for light: the level's, or a copy with fewer shades.
+    /// The colormap used for light: the scene's, or a copy with fewer shades.
     const Colormap& colormap() const { return fewer_shades_ ? *fewer_shades_ : *colormap_; }
     /// The mip level of a lit or liquid face, or a part of one, whose nearest point in view has the depth `nearest_z`.
     int mip_level(FaceIndex face, View nearest_z, const ProjectionAxis& projection_x, std::int32_t bias) const;

@@ -55,10 +55,7 @@ std::array<bool, kLightStyleCount> styles_in_use(const Level& level) {
     std::array<bool, kLightStyleCount> in_use{};
     for (const Face& face : level.faces) {
         if (face.light_offset < 0) continue;
-        for (const std::uint8_t style : face.styles) {
-            if (style == kNoStyle) break;
-            item(in_use, style % kLightStyleCount) = true;
-        }
+        for (const std::uint8_t style : face.used_styles()) item(in_use, style % kLightStyleCount) = true;
     }
     return in_use;
 }
@@ -92,8 +89,9 @@ bool LightPatterns::has(std::uint8_t style) const {
 
 bool LightPatterns::is_called_for_by(const Face& face) const {
     if (face.light_offset < 0) return false;
-    const auto end = std::find(face.styles.begin(), face.styles.end(), kNoStyle);
-    return std::any_of(face.styles.begin(), end, [this](std::uint8_t style) { return has(style % kLightStyleCount); });
+    const auto styles = face.used_styles();
+    return std::any_of(styles.begin(), styles.end(),
+                       [this](std::uint8_t style) { return has(style % kLightStyleCount); });
 }
 
 std::string_view quake_light_pattern(int style) {
@@ -136,19 +134,13 @@ namespace {
 
 constexpr World kLowest = World::from_int(-524'287);
 
-/// Texels from the face's first one. Products are rounded one by one: for some p, an exact sum of s . p would overflow.
-Texel texel_on(const Vec3<TexelAxis>& axis, Texel offset, std::int32_t least, const Vec3<World>& p) {
-    return product<Texel>(axis.x, p.x) + product<Texel>(axis.y, p.y) + product<Texel>(axis.z, p.z) + offset -
-           Texel::from_int(least);
-}
-
 /// The light of a face's sample at a point of its plane; none outside the face's extents.
 std::optional<std::int32_t> light_8_on(const Level& level, const Face& face, const Vec3<World>& p,
                                        const LightStyles& styles) {
     const TexInfo& texinfo = level.texinfos[face.texinfo];
     if (texinfo.material != Material::Lit) return std::nullopt;
-    const std::int64_t u = floor_of(texel_on(texinfo.s, texinfo.s_offset, face.texel_min_u, p)),
-                       v = floor_of(texel_on(texinfo.t, texinfo.t_offset, face.texel_min_v, p));
+    const std::int64_t u = floor_of(texel_along(texinfo.s, p) + texinfo.s_offset) - face.texel_min_u,
+                       v = floor_of(texel_along(texinfo.t, p) + texinfo.t_offset) - face.texel_min_v;
     if (u < 0 || v < 0 || u > face.texel_extent_u || v > face.texel_extent_v) return std::nullopt;
     return light_8_of_sample(level, face, u, v, styles);
 }
@@ -167,10 +159,9 @@ std::int32_t light_8_of_sample(const Level& level, const Face& face, std::int64_
                                const LightStyles& styles) {
     std::int32_t sum_8 = 0;
     if (face.light_offset < 0) return sum_8;
-    const std::int64_t columns = face.texel_extent_u / 16 + 1, rows = face.texel_extent_v / 16 + 1;
+    const std::int64_t columns = face.sample_columns(), rows = face.sample_rows();
     std::int64_t sample = face.light_offset + v / 16 * columns + u / 16;
-    for (const std::uint8_t style : face.styles) {
-        if (style == 255) break;
+    for (const std::uint8_t style : face.used_styles()) {
         sum_8 += item(level.lighting, sample) * styles[style % styles.size()];
         sample += columns * rows;
     }

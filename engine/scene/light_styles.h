@@ -69,7 +69,6 @@ struct LightPatterns {
     };
     std::vector<Entry> entries;  ///< each style once, in order; only styles used by a lit face
 
-    bool is_empty() const { return entries.empty(); }
     bool has(std::uint8_t style) const;
     /// Whether one of a face's styles is among the entries.
     bool is_called_for_by(const Face& face) const;

@@ -33,21 +33,10 @@ Vec3<World> in_model(const Vec3<World>& position, const Vec3<World>& offset) {
     return offset == Vec3<World>{} ? position : saturating_convert<World>(widening_difference(position, offset));
 }
 
-/// s . p with each product rounded: for some p an exact sum would overflow.
-Texel texel_along(const Vec3<TexelAxis>& axis, const Vec3<World>& p) {
-    return product<Texel>(axis.x, p.x) + product<Texel>(axis.y, p.y) + product<Texel>(axis.z, p.z);
-}
-
 /// The texel that is nearest to a point at this distance from the plane.
 Texel texel_below(const Vec3<TexelAxis>& axis, Texel offset, const LevelPlane& plane, const Vec3<World>& p,
                   PlaneDistance distance) {
     return texel_along(axis, p) + offset - product<Texel>(dot(axis, plane.normal), distance);
-}
-
-/// How far a point is in front of a face.
-PlaneDistance distance_before(const Level& level, const Face& face, const Vec3<World>& p) {
-    const PlaneDistance distance = plane_distance(level.planes[face.plane], p);
-    return face.is_back ? -distance : distance;
 }
 
 LightAtFace light_at_face(const Level& level, const Face& face, const Vec3<World>& p) {
@@ -159,7 +148,7 @@ std::optional<MovingLight> limited(MovingLight light) {
 bool touches(const MovingLight& light, const Level& level, const Face& face, TexelDensity density,
              const Vec3<World>& offset) {
     const Vec3<World> position = in_model(light.position, offset);
-    const PlaneDistance distance = distance_before(level, face, position);
+    const PlaneDistance distance = distance_before(level.planes[face.plane], face.is_back, position);
     if (distance <= PlaneDistance{} || convert<Distance>(distance) >= convert<Distance>(light.radius)) return false;
     const LightAtFace seen = light_at_face(level, face, position);
     const Texel reach = product<Texel>(light.radius, density + TexelDensity::ulp());
@@ -257,7 +246,7 @@ void MovingLights::add_light(FaceIndex index, const Vec3<World>& offset, std::ui
         const MovingLight& light = item(known_, number).light;
         const LightAtFace seen = light_at_face(level_, face, in_model(light.position, offset));
         if (const std::optional<SampleGrid> grid = sample_grid(*ways, seen))
-            add_samples(*grid, seen.distance, light, face.texel_extent_u / kSampleStep + 1, samples_8);
+            add_samples(*grid, seen.distance, light, face.sample_columns(), samples_8);
     });
 }
 

@@ -29,7 +29,7 @@ void add_light(const LightmapView& light, std::span<std::int32_t> sums_8) {
 
 void compute_corner_shades(const LightmapView& light, std::int32_t brightness_100, std::int32_t* corner_shades) {
     const std::span<std::int32_t> corners(corner_shades, as_size(light.columns * light.rows));
-    if (light.is_fullbright) return std::fill(corners.begin(), corners.end(), shade_of(kFull_8));
+    if (light.has_no_lightmaps) return std::fill(corners.begin(), corners.end(), shade_of(kFull_8));
     add_light(light, corners);
     if (brightness_100 == 100) {  // without a test at each corner
         for (std::int32_t& corner : corners) corner = shade_of(std::clamp(corner, 0, kBrightest_8));

@@ -25,7 +25,7 @@ struct LightmapView {
     std::int32_t style_count = 0;
     std::array<std::uint16_t, 4> style_scale_256{};  ///< brightness of each style, 256: as stored
     const std::int32_t* added_8 = nullptr;           ///< light added to each sample, 8 fraction bits; null: none
-    bool is_fullbright = false;  ///< no lightmaps in the level; otherwise a face without styles is black
+    bool has_no_lightmaps = false;  ///< no lightmaps in the level; otherwise a face without styles is black
 };
 
 /// One mip level of a texture, and where a face's surface begins in it. All sizes and positions are multiples of 16 at
@@ -81,7 +81,7 @@ struct LitCells {
 };
 
 /// Lights cells of mip level 0 or 1 with interpolated shades, not dithered, eight texels at a time. Returns false and
-/// writes nothing if the processor does not support it.
+/// writes nothing if the processor does not support it. In lit_cells.cpp.
 bool light_cells_by_eights(const LitCells& cells, int mip, const Colormap& colormap);
 
 }  // namespace oblong

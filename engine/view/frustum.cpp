@@ -38,6 +38,15 @@ CullPlane make_cull_plane(const Vec3<Unit>& across_axis, ClipNormal across, cons
             kMargin - offset};
 }
 
+/// From the slopes of the four sides.
+std::array<CullPlane, 4> make_cull_planes(const Basis& axes, const SideSlope& left, const SideSlope& right,
+                                          const SideSlope& bottom, const SideSlope& top, View parallel_depth) {
+    return {make_cull_plane(axes.right, left.across, axes.forward, left.along, parallel_depth),
+            make_cull_plane(axes.right, -right.across, axes.forward, right.along, parallel_depth),
+            make_cull_plane(axes.up, bottom.across, axes.forward, bottom.along, parallel_depth),
+            make_cull_plane(axes.up, -top.across, axes.forward, top.along, parallel_depth)};
+}
+
 }  // namespace
 
 Frustum make_frustum(const Basis& axes, const Projection& projection, View parallel_depth) {
@@ -49,24 +58,18 @@ Frustum make_frustum(const Basis& axes, const Projection& projection, View paral
     frustum.clip_planes[1] = {{-x.across, {}, x.along}, {}};
     frustum.clip_planes[2] = {{{}, y.across, y.along}, {}};
     frustum.clip_planes[3] = {{{}, -y.across, y.along}, {}};
-    frustum.cull_planes[0] = make_cull_plane(axes.right, x.across, axes.forward, x.along, parallel_depth);
-    frustum.cull_planes[1] = make_cull_plane(axes.right, -x.across, axes.forward, x.along, parallel_depth);
-    frustum.cull_planes[2] = make_cull_plane(axes.up, y.across, axes.forward, y.along, parallel_depth);
-    frustum.cull_planes[3] = make_cull_plane(axes.up, -y.across, axes.forward, y.along, parallel_depth);
+    frustum.cull_planes = make_cull_planes(axes, x, x, y, y, parallel_depth);
     return frustum;
 }
 
-void narrow_cull_planes(const Basis& axes, const Projection& projection, View parallel_depth,
-                        const ScreenRectangle& part, Frustum& frustum) {
+void narrow_cull_planes(const Basis& axes, const Projection& projection, const ScreenRectangle& part,
+                        Frustum& frustum) {
     const std::int32_t width_1 = projection.width_px, height_1 = projection.height_px;
     const SideSlope left = make_slope(projection.x.multiplier, width_1 - 2 * (part.first_column - 1));
     const SideSlope right = make_slope(projection.x.multiplier, 2 * (part.end_column + 1) - width_1);
     const SideSlope bottom = make_slope(projection.y.multiplier, 2 * (part.end_row + 1) - height_1);
     const SideSlope top = make_slope(projection.y.multiplier, height_1 - 2 * (part.first_row - 1));
-    frustum.cull_planes[0] = make_cull_plane(axes.right, left.across, axes.forward, left.along, parallel_depth);
-    frustum.cull_planes[1] = make_cull_plane(axes.right, -right.across, axes.forward, right.along, parallel_depth);
-    frustum.cull_planes[2] = make_cull_plane(axes.up, bottom.across, axes.forward, bottom.along, parallel_depth);
-    frustum.cull_planes[3] = make_cull_plane(axes.up, -top.across, axes.forward, top.along, parallel_depth);
+    frustum.cull_planes = make_cull_planes(axes, left, right, bottom, top, {});
 }
 
 }  // namespace oblong

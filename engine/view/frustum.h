@@ -52,10 +52,9 @@ struct Frustum {
 /// The planes of the view frustum, which is a box if parallel_depth > 0 (ViewContext). A point on a plane is inside.
 Frustum make_frustum(const Basis& axes, const Projection& projection, View parallel_depth = {});
 
-/// Moves the cull planes to the borders of a part of the screen, one pixel outward, for views of which only this part
-/// is drawn. The clip planes stay.
-void narrow_cull_planes(const Basis& axes, const Projection& projection, View parallel_depth,
-                        const ScreenRectangle& part, Frustum& frustum);
+/// Moves the cull planes of a perspective view to the borders of a part of the screen, one pixel outward, for views of
+/// which only this part is drawn. The clip planes stay.
+void narrow_cull_planes(const Basis& axes, const Projection& projection, const ScreenRectangle& part, Frustum& frustum);
 
 /// The outcode of a point in viewspace, a View or one of 32 bits.
 template <class Position>

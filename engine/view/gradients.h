@@ -50,6 +50,10 @@ using DirectionPart = Fixed<std::int64_t, 30>;
 /// The directions through pixel centres in world axes, scaled to a depth of one unit: linear on the screen.
 struct ViewDirections {
     LinearQuantity<DirectionPart> x, y, z;
+
+    Vec3<DirectionPart> at(std::int32_t column, std::int32_t row) const {
+        return {x.at(column, row), y.at(column, row), z.at(column, row)};
+    }
 };
 
 ViewDirections make_view_directions(const Basis& axes, const Projection& projection);

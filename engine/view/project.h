@@ -71,9 +71,7 @@ using ShortView = Fixed<std::int32_t, View::kFractionBits>;
     };
     return is_between(screen.x, projection.width_px) && is_between(screen.y, projection.height_px);
 }
-#endif
 
-#if defined(__i386__)
 /// None for points farther from the eye.
 [[gnu::always_inline]] inline std::optional<Vec3<ShortView>> to_short(const Vec3<View>& p) {
     const Vec3<ShortView> near{ShortView::from_raw(static_cast<std::int32_t>(p.x.raw)),

@@ -38,9 +38,9 @@ Projection make_projection(const ScreenMode& mode, const ViewWindow& window, boo
     const auto distance = product_over<Multiplier>(half_width, window.distance, shown_half_width(window, mode));
 
     using Whole = Fixed<std::int64_t, 0>;
-    const Ratio squeeze = (mode.display * Ratio{mode.height_px, mode.width_px}).reduced();
+    const Ratio pixel = mode.pixel().reduced();
     const auto squeezed =
-        product_over<Multiplier>(distance, Whole::from_int(squeeze.numerator), Whole::from_int(squeeze.denominator));
+        product_over<Multiplier>(distance, Whole::from_int(pixel.numerator), Whole::from_int(pixel.denominator));
 
     Projection projection;
     projection.x = make_axis(distance, mode.width_px);

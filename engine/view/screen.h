@@ -47,6 +47,18 @@ inline bool overlap(const ScreenRectangle& a, const ScreenRectangle& b) {
     return a.first_column < b.end_column && b.first_column < a.end_column && a.first_row < b.end_row &&
            b.first_row < a.end_row;
 }
+inline bool is_empty(const ScreenRectangle& pixels) {
+    return pixels.first_column >= pixels.end_column || pixels.first_row >= pixels.end_row;
+}
+inline ScreenRectangle intersection(const ScreenRectangle& a, const ScreenRectangle& b) {
+    return {std::max(a.first_column, b.first_column), std::min(a.end_column, b.end_column),
+            std::max(a.first_row, b.first_row), std::min(a.end_row, b.end_row)};
+}
+/// The least rectangle that holds two that are not empty.
+inline ScreenRectangle joined(const ScreenRectangle& a, const ScreenRectangle& b) {
+    return {std::min(a.first_column, b.first_column), std::max(a.end_column, b.end_column),
+            std::min(a.first_row, b.first_row), std::max(a.end_row, b.end_row)};
+}
 
 /// Columns or rows [first, end); may be empty.
 struct PixelRange {

@@ -19,9 +19,10 @@ using WidthAtOne = Fixed<std::int64_t, 32>;
 struct InverseProjection {
     InverseMultiplier inverse_x, inverse_y;
     std::int32_t centre_x_1 = 0, centre_y_1 = 0;
-    /// The least width of a pixel on any surface, divided by its depth. On a surface that faces the eye, a pixel at
-    /// angle a from straight ahead is cos^2 a / multiplier wide; a is greatest in a corner. A sheared view is a part of
-    /// a larger one whose middle is straight ahead.
+    /// The least width of a pixel on any surface, divided by its depth. On a surface at right angles to the ray, a
+    /// pixel at angle a from straight ahead is cos^2 a / multiplier of its distance wide, which is depth / cos a: cos a
+    /// / multiplier of its depth; a is greatest in a corner. A sheared view is a part of a larger one whose middle is
+    /// straight ahead.
     WidthAtOne least_pixel_width;
 };
 

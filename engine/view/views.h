@@ -16,7 +16,7 @@ struct ViewCut {
     bool operator==(const ViewCut&) const = default;
 };
 
-/// Any perspective or parallel view. view/views.h has functions that make them.
+/// Any perspective or parallel view. The functions below make them.
 struct ViewSpec {
     bool is_parallel = false;  ///< all rays have one direction, else they meet in the eye
     Vec3<World> eye;           ///< the centre of projection; in a parallel view a point shown in the middle
@@ -76,8 +76,8 @@ Basis axonometric_axes(Axonometry kind, Angle turn = {});
 /// from right). `length` is 0 to 1; 1: cavalier, 1/2: cabinet (Princeton: x + L cos a z, y + L sin a z).
 ViewSpec oblique_view(const Vec3<World>& centre, const Basis& axes, View width, Unit length, Angle angle);
 
-/// A view as defined by PHIGS and the lab: a plane through the view reference point, a window in it, and a centre of
-/// projection; all in world axes.
+/// A view as defined by PHIGS and the lab sheet L (tests/seeds): a plane through the view reference point, a window in
+/// it, and a centre of projection; all in world axes.
 struct WindowView {
     Vec3<World> reference_point;
     Vec3<World> normal;  ///< VPN, of any length and sign: forward is from the centre of projection to the plane
@@ -88,7 +88,7 @@ struct WindowView {
     bool is_parallel = false;          ///< along the line from the centre of projection to the window's middle
 };
 
-/// u is VUP x VPN with a VPN toward the viewer, in right-handed axes (the lab's table; its text does not give the
+/// u is VUP x VPN with a VPN toward the viewer, in right-handed axes (the lab sheet's table; its text does not give the
 /// handedness). The whole window is shown; on a screen of another shape more is visible around it. Throws InputError if
 /// the members do not define a view.
 ViewSpec window_view(const WindowView& window);

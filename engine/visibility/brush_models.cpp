@@ -81,10 +81,6 @@ BrushModels::BrushModels(const Level& level) : face_ranks_(level.faces.size(), -
 
 void BrushModels::start_frame(const Level& level, std::span<const PlacedModel> models, const FaceTable& table) {
     ++frame_;
-    place(level, models, table);
-}
-
-void BrushModels::place(const Level& level, std::span<const PlacedModel> models, const FaceTable& table) {
     const auto has_same_place = [](const PlacedModel& a, const PlacedModel& b) {
         return a.model == b.model && a.offset == b.offset;
     };

@@ -72,7 +72,6 @@ class BrushModels {
         bool is_outside = false;    ///< outside the view or hidden: its faces have no order
     };
 
-    void place(const Level& level, std::span<const PlacedModel> models, const FaceTable& table);
     void link_leaves();
     void add_to_leaf(const Fragment& fragment);
     const FragmentTree& tree_of(LeafModels& leaf, const Level& level);

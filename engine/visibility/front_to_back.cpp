@@ -27,8 +27,7 @@ PlaneDistance corner_within(const WalkLimit& limit, const LevelBox& box, bool is
         const bool is_high = (normal[axis] > Unit{}) != limit.is_back;
         corner[axis] = World::from_int(is_high == is_farthest ? box.maxs[axis] : box.mins[axis]);
     }
-    const PlaneDistance distance = plane_distance(limit.plane, Vec3<World>{corner[0], corner[1], corner[2]});
-    return limit.is_back ? -distance : distance;
+    return distance_before(limit.plane, limit.is_back, {corner[0], corner[1], corner[2]});
 }
 
 bool is_moved(const WalkLimit& limit) {
@@ -134,7 +133,7 @@ void FrontToBackWalk::take_faces(const WalkStep& step, bool of_plane_front) {
 void FrontToBackWalk::descend(NodeChild at, std::uint8_t sides, bool may_reach_limits) {
     while (may_show(at)) {
         if (at.is_leaf()) return enter_leaf(at.leaf(), sides);
-        ++nodes_entered_;
+        ++nodes_tested_;
         const Node& node = level_.nodes[at.node()];
         sides = culler_.sides_crossed(node.box, sides);
         if (sides == kOutside || (may_reach_limits && is_beyond_limits(node.box)) || is_hidden(node)) return;

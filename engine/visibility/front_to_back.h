@@ -15,7 +15,8 @@
 
 namespace oblong {
 
-/// What remains to do at a node after its near side, in this order.
+/// What remains to do at a node after its near side, in this order; in a second walk BackFacing comes before FarSide,
+/// if the node has faces.
 struct WalkStep {
     enum class Next : std::uint8_t { FrontFacing, FarSide, BackFacing };
 
@@ -91,8 +92,8 @@ class FrontToBackWalk {
     bool may_reach_limits() const { return found_may_reach_limits_; }
     /// Whether the second walk has begun.
     bool is_second_walk() const { return is_second_walk_; }
-    /// How many nodes were entered: those visible from the eye's leaf.
-    std::int64_t nodes_entered() const { return nodes_entered_; }
+    /// How many nodes were tested: those visible from the eye's leaf.
+    std::int64_t nodes_tested() const { return nodes_tested_; }
 
   private:
     void start();
@@ -130,7 +131,7 @@ class FrontToBackWalk {
     IndexRange<Face> faces_;                        ///< of the current node, not returned yet
     bool of_plane_front_ = false;                   ///< take those of the plane's front; false: of its back
     bool may_reach_limits_ = false, found_may_reach_limits_ = false;  ///< of the current node; of the last face
-    std::int64_t nodes_entered_ = 0;
+    std::int64_t nodes_tested_ = 0;
 };
 
 }  // namespace oblong

@@ -24,8 +24,7 @@ void VisibleSet::see_from(const Level& level, LeafIndex leaf) {
     seen_from_ = leaf;
     ++mark_;
     leaf_set_.clear();
-    const std::int32_t fills = level.leaves[leaf].contents;
-    is_from_open_ = fills != contents::kSolid && fills != contents::kSky;
+    is_from_open_ = level.leaves[leaf].is_open();
     unpack_visible_set(level, is_from_open_ ? leaf : kSolidOutside, unpacked_);
     for (const LeafIndex other : level.visible_leaves())
         if (is_in_set(unpacked_, other)) mark_upward(other);

@@ -69,7 +69,7 @@ TEST(TakenItems, AreNoPartOfThePictureOrOfItsCost) {
         camera.yaw = kHalfTurn;
         camera.field_of_view = Degrees::from_int(90);
         renderer.draw({both, camera}, Settings{});
-        return renderer.plan().has("models");
+        return renderer.plan().effects.has(Effect::Meshes);
     };
     EXPECT_TRUE(draws_models());
     std::ranges::fill(state.items, ItemState::Taken);

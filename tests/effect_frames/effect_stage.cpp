@@ -1,6 +1,7 @@
 #include "tests/effect_frames/effect_stage.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "tests/support/palettes.h"
 #include "tools/map/compile.h"
@@ -26,6 +27,13 @@ Palette greys() {
     Palette palette = grey_palette();
     for (std::size_t i = kFirstFullbright; i < 256; ++i) palette.colours[i] = {static_cast<std::uint8_t>(i), 0, 0};
     return palette;
+}
+
+std::size_t number_of(std::string_view pass) {
+    const auto found =
+        std::find_if(kPasses.begin(), kPasses.end(), [pass](const Pass& one) { return one.name == pass; });
+    if (found == kPasses.end()) throw std::logic_error("no pass " + std::string(pass));
+    return static_cast<std::size_t>(found - kPasses.begin());
 }
 
 }  // namespace
@@ -91,6 +99,14 @@ Picture EffectStage::draw_without_models() {
     Picture picture = draw();
     models = placed;
     return picture;
+}
+
+bool EffectStage::has(std::string_view pass) const {
+    return work.plan.passes[number_of(pass)];
+}
+
+std::int64_t EffectStage::pixels(std::string_view pass) const {
+    return work.counts.pass_pixels[number_of(pass)];
 }
 
 const Face* EffectStage::face_at(std::size_t pixel) const {

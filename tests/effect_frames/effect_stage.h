@@ -67,9 +67,9 @@ class EffectStage {
     Picture draw_without_models();
     /// Of the frame drawn last, in `work`.
     bool has(Effect effect) const { return work.plan.effects.has(effect); }
-    bool has(std::string_view pass) const { return work.plan.has(pass); }
+    bool has(std::string_view pass) const;
     std::int64_t pixels(Effect effect) const { return work.counts.of(effect); }
-    std::int64_t pixels(std::string_view pass) const { return work.counts.of(pass); }
+    std::int64_t pixels(std::string_view pass) const;
     /// The face that a pixel showed, behind what is seen through; none: the void.
     const Face* face_at(std::size_t pixel) const;
     const std::string& texture_at(std::size_t pixel) const;

@@ -1,6 +1,7 @@
 // Levels that call for far too much: a stated limit with a warning, or a picture, and never worse.
 
 #include <algorithm>
+#include <set>
 
 #include "tests/effect_frames/effect_stage.h"
 
@@ -105,6 +106,25 @@ TEST(Hostile, TwoHundredMirrors) {
     const std::int64_t walls = count_of(stage.draw(), kMirror);
     EXPECT_GT(walls, 1'000);
     EXPECT_LT(walls, stage.pixels(Effect::Mirror)) << "some of them are mirrors";
+}
+
+/// Those that are walls look like walls also in fog, and lit by a moving light.
+TEST(Hostile, MirrorsThatAreWallsAreInFogAndLit) {
+    MapText text = plain_box();
+    text.entities += entity("func_wall", {}, ball({0, 0, 100}, 80, 20, 20, "mirror"));
+    text.world_keys = {{"fog", "0.5 0.9 0.9 0.9"}};
+    EffectStage stage(text, in_room(), shades_as_colours());
+    stage.moving_lights = {{point_at(-120, 0, 100), World::from_int(200)}};
+    const Picture walls = stage.draw_without(Effect::Mirror), with_mirrors = stage.draw();
+    std::set<std::uint32_t> seen, changed;
+    for (std::size_t pixel = 0; pixel < walls.size(); ++pixel) {
+        const Face* const face = stage.face_at(pixel);
+        if (!face || stage.texture_at(pixel) != "mirror") continue;
+        seen.insert(face->plane.number());
+        if (with_mirrors[pixel] != walls[pixel]) changed.insert(face->plane.number());
+    }
+    EXPECT_GT(seen.size(), 50u);
+    EXPECT_EQ(changed.size(), kMostMirrors);
 }
 
 TEST(Hostile, AThousandFacesThatAreSeenThrough) {

@@ -39,7 +39,7 @@ std::uint8_t defined(const EffectTexels& texels, TexelTraits traits, std::int64_
     const std::int64_t u = (u_16 + du) / 65536 % texels.surface.width, v = (v_16 + dv) / 65536 % texels.surface.height;
     const std::uint8_t texel = texels.surface.texels[v * texels.surface.width + u];
     if (traits.has_holes && texel == kHoleTexel) return below;
-    const std::uint8_t shade = traits.has_holes || traits.blends ? (*texels.shades)[texel] : texel;
+    const std::uint8_t shade = traits.has_holes || traits.blends ? (*texels.colours)[texel] : texel;
     return traits.blends ? texels.blend->rows[shade][below] : shade;
 }
 
@@ -58,7 +58,7 @@ void expect_the_definition(std::mt19937& random, const RandomTexels& texels, Tex
     EffectTexels needed = texels.all;  // what the traits do not call for must not be read
     if (!traits.warps) needed.warp = nullptr;
     if (!traits.blends) needed.blend = nullptr;
-    if (!traits.blends && !traits.has_holes) needed.shades = nullptr;
+    if (!traits.blends && !traits.has_holes) needed.colours = nullptr;
     for (const Instructions instructions : {Instructions::Baseline, Instructions::Bmi2, Instructions::Avx512}) {
         if (instructions > best_instructions()) continue;
         const EffectKernel draw = effect_kernel(traits, instructions);

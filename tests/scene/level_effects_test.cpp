@@ -29,7 +29,7 @@ TEST(LevelEffects, APlainLevelCallsForNothing) {
     EXPECT_FALSE(effects.fog);
     EXPECT_EQ(effects.liquid_alpha_256, (std::array<std::uint16_t, 4>{256, 256, 256, 256}));
     EXPECT_TRUE(effects.palette_cycles.empty());
-    EXPECT_TRUE(effects.light_patterns.is_empty());
+    EXPECT_TRUE(effects.light_patterns.entries.empty());
     EXPECT_TRUE(effects.animations.is_empty());
     EXPECT_TRUE(effects.warnings.empty());
 }
@@ -196,7 +196,7 @@ TEST(LevelEffects, PatternsThatCannotBeAreReported) {
                                {{"pattern", "az"}},
                                {{"style", "32"}, {"pattern", std::string(70'000, 'a')}}}) {
         const LevelEffects effects = effects_of_lights({wrong});
-        EXPECT_TRUE(effects.light_patterns.is_empty()) << wrong[0].second;
+        EXPECT_TRUE(effects.light_patterns.entries.empty()) << wrong[0].second;
         ASSERT_EQ(effects.warnings.size(), 1u) << wrong[0].second;
         EXPECT_LT(effects.warnings[0].size(), 200u);
     }

@@ -66,10 +66,10 @@ TEST(LightStyles, OtherStylesOfThatTimeArePlain) {
 }
 
 TEST(LightStyles, OnlyStylesThatALitFaceHasAreCalledFor) {
-    EXPECT_TRUE(patterns_of_style(0).is_empty());
-    EXPECT_TRUE(patterns_of_style(12).is_empty()) << "Quake has no such pattern";
-    EXPECT_TRUE(patterns_of_style(32).is_empty()) << "switchable, and on";
-    EXPECT_TRUE(patterns_of_style(255).is_empty()) << "no style";
+    EXPECT_TRUE(patterns_of_style(0).entries.empty());
+    EXPECT_TRUE(patterns_of_style(12).entries.empty()) << "Quake has no such pattern";
+    EXPECT_TRUE(patterns_of_style(32).entries.empty()) << "switchable, and on";
+    EXPECT_TRUE(patterns_of_style(255).entries.empty()) << "no style";
     ASSERT_EQ(patterns_of_style(11).entries.size(), 1u);
     EXPECT_TRUE(patterns_of_style(11).has(11));
 
@@ -85,7 +85,7 @@ TEST(LightStyles, OnlyStylesThatALitFaceHasAreCalledFor) {
     face.styles = {3, 255, 255, 255};
     face.light_offset = -1;
     EXPECT_FALSE(patterns.is_called_for_by(face));
-    EXPECT_TRUE(make_light_patterns(level, {}).is_empty());
+    EXPECT_TRUE(make_light_patterns(level, {}).entries.empty());
 }
 
 TEST(LightStyles, ALevelsOwnPatternGoesBeforeQuakes) {
@@ -94,7 +94,7 @@ TEST(LightStyles, ALevelsOwnPatternGoesBeforeQuakes) {
     own[33] = "mmm";
     EXPECT_EQ(brightness_at(patterns_of_style(32, own), 32, 0), 533);
     EXPECT_EQ(brightness_at(patterns_of_style(32, own), 32, 100), 0);
-    EXPECT_TRUE(patterns_of_style(33, own).is_empty()) << "plain light needs no pattern";
+    EXPECT_TRUE(patterns_of_style(33, own).entries.empty()) << "plain light needs no pattern";
 }
 
 TEST(LightStyles, PatternsAreSmallLettersUpToALimit) {

@@ -85,7 +85,7 @@ TEST(LitSurface, ALevelWithoutLightShowsItsOwnColours) {
     Patch patch(random, 2, 2);
     LightmapView light;
     light.columns = light.rows = 2;
-    light.is_fullbright = true;
+    light.has_no_lightmaps = true;
     std::vector<std::uint8_t> out(256);
     build_lit_surface({patch.texels.data(), 64, 64, 0, 0}, light, numbered_shades(), {}, 0, 16, patch.scratch.data(),
                       out.data());

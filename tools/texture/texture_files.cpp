@@ -7,6 +7,7 @@
 #include <set>
 
 #include "engine/base/input_error.h"
+#include "engine/base/little_endian.h"
 #include "engine/base/table.h"
 #include "engine/base/text.h"
 #include "engine/files/arguments.h"

@@ -41,7 +41,7 @@ template <TexelTraits Traits>
 [[gnu::always_inline]] inline std::uint8_t seen_through(const EffectTexels& texels, std::uint8_t texel,
                                                         std::uint8_t below) {
     std::uint8_t colour = texel;
-    if constexpr (Traits.has_holes || Traits.blends) colour = (*texels.shades)[texel];
+    if constexpr (Traits.has_holes || Traits.blends) colour = (*texels.colours)[texel];
     if constexpr (Traits.blends) colour = texels.blend->rows[colour][below];
     if constexpr (Traits.has_holes) {
         const auto keeps = static_cast<std::uint8_t>(-static_cast<int>(texel == kHoleTexel));

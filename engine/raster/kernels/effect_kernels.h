@@ -37,9 +37,9 @@ inline constexpr std::uint8_t kHoleTexel = 255;
 /// The arguments of an effect kernel; what its traits do not need may be null.
 struct EffectTexels {
     SurfaceView surface;
-    const WarpTable* warp = nullptr;    ///< for surfaces that warp
-    const ColourRow* shades = nullptr;  ///< for holes and blending: maps texels to fogged ones, or identity
-    const BlendTable* blend = nullptr;  ///< for blending
+    const WarpTable* warp = nullptr;     ///< for surfaces that warp
+    const ColourRow* colours = nullptr;  ///< for holes and blending: maps texels to fogged ones, or identity
+    const BlendTable* blend = nullptr;   ///< for blending
 };
 
 /// The effects of a surface.

@@ -31,7 +31,7 @@ void draw_blocks_bmi2(std::span<const TexelBlock> blocks, const SurfaceView& sur
 /// Wraps by division, for tiles whose sizes are not powers of two; uses width, height and a stride of width.
 void draw_blocks_any_size(std::span<const TexelBlock> blocks, const SurfaceView& surface, std::uint8_t* pixels);
 
-/// Whether this processor has BMI2 with a fast `pext`, and AVX, as all others with BMI2.
+/// Whether this processor has AVX, and BMI2 with a fast `pext`.
 bool has_bmi2();
 
 /// Instruction sets of x86-64 processors; each includes those before it.
