@@ -7,7 +7,7 @@ import subprocess
 import sys
 import tempfile
 
-FAMILIES = {"kernel", "effect_kernel", "sky", "lit_surface", "stage", "frames"}
+FAMILIES = {"kernel", "effect_kernel", "sky", "lit_surface", "stage"}
 STAGES = {"walk", "transform_clip_project", "edge_scan", "coverage", "span_cutting", "spans"}
 
 

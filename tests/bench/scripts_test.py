@@ -1,6 +1,6 @@
 """The measuring scripts on the demo level: their tables account for all that was counted, and they say what is missing.
 
-usage: scripts_test.py ROOT BUILD OBLONG_RENDER stages|peer|scale|compilers
+usage: scripts_test.py ROOT BUILD OBLONG_RENDER stages|peer|scale|compilers|light
 Exit code 77: skipped.
 """
 import importlib

@@ -18,7 +18,7 @@ namespace oblong::test {
 inline constexpr std::uint8_t kWall = 16, kFloor = 48, kOther = 80, kWater = 120, kWaterStripe = 160, kSlime = 200,
                               kLava = 224, kSign0 = 90, kSign1 = 92, kSign2 = 94, kSignOn = 96, kBars = 110,
                               kLamp = 210, kMirror = 9, kHole = 255;
-/// Of the shadows' row of shaded_colours() and of effect_colours().
+/// The shadows' row of effect_colours().
 inline constexpr int kShadowShade = Colormap::kOwnShade + 12;
 
 struct MapText {

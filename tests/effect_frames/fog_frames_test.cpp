@@ -13,7 +13,7 @@ constexpr double kDensity = 0.1;
 constexpr int kHalfWidth = 128, kHeight = 192, kFar = 2000;
 constexpr double kEyeX = -90, kEyeY = 7, kEyeZ = 100;
 
-/// A corridor along +x with pillars that are all alike.
+/// A corridor along +x.
 MapText corridor(const std::string& fog) {
     MapText text;
     text.brushes = room({-100, -kHalfWidth, 0}, {kFar, kHalfWidth, kHeight});

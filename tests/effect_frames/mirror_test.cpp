@@ -6,7 +6,7 @@
 namespace oblong::test::mirror_test {
 namespace {
 
-/// A room with a mirror on its far wall, a lantern near the eye, and lamps at both sides.
+/// A room with a mirror on its far wall, and a light.
 MapText mirror_room(const std::string& entities = "") {
     return room_with("",
                      entity("func_wall", {}, box({248, -100, 30}, {254, 100, 160}, "mirror")) +

@@ -164,7 +164,7 @@ TEST(Models, NotAllowedAreNotDrawn) {
     EXPECT_EQ(stage.draw_without(Effect::Meshes), bare);
 }
 
-/// Water that is half seen through, up to z = 100, whose surface the ball breaks.
+/// Water that is half seen through, up to z = 60, whose surface the ball breaks.
 TEST(Models, StandOutOfTranslucentWater) {
     MapText text = room_with(box({-256, -256, 0}, {256, 256, 60}, "*water"));
     text.world_keys = {{"wateralpha", "0.5"}};

@@ -91,6 +91,15 @@ TEST_F(Program, TexturesComeFromWhatTheWorldspawnNames) {
     EXPECT_EQ(run(path("named.map") + out + " --wad " + path("t.wad")), 0) << said_;
 }
 
+TEST_F(Program, APaletteIsReadOnlyIfLightBounces) {
+    for (const std::string bounces : {"0", "1"}) {
+        write_file(path("named.map"), replaced(level(room({0, 0, 0}, {64, 64, 64})), "\"classname\" \"worldspawn\"",
+                                               "\"classname\" \"worldspawn\"\n\"_bounce\" \"" + bounces + "\""));
+        const std::string command = path("named.map") + " -o " + path("good.bsp") + " --wad " + path("t.wad");
+        EXPECT_EQ(run(command + " --palette " + path("gone.lmp")), bounces == "0" ? 0 : 1) << said_;
+    }
+}
+
 // An external map is looked for from the folder of the map that names it.
 TEST_F(Program, MapsOfOtherFilesAreIncluded) {
     const auto naming = [](const std::string& name) { return entity("misc_external_map", {{"_external_map", name}}); };

@@ -5,13 +5,6 @@
 #include <string>
 #include <thread>
 
-#ifdef __linux__
-#include <linux/perf_event.h>
-#include <sys/ioctl.h>
-#include <sys/syscall.h>
-#include <unistd.h>
-#endif
-
 namespace oblong {
 namespace {
 
@@ -122,31 +115,6 @@ SkyTimes time_sky(const Accuracy& accuracy, std::span<LevelFrames> levels, int r
     return sky;
 }
 
-std::optional<double> instructions_of(const Accuracy& accuracy, std::span<LevelFrames> levels) {
-    InstructionCounter counter;
-    if (!counter.is_available()) return std::nullopt;
-    double sum = 0;
-    for_each_frame(levels, [&](LevelFrames& level, const Camera& camera, std::size_t) {
-        level.draw(camera, accuracy);
-        counter.start();
-        level.draw(camera, accuracy);
-        sum += static_cast<double>(counter.stop().value_or(0));
-    });
-    return sum / static_cast<double>(frame_count(levels));
-}
-
-SettingTimes summarize(std::span<const Rounds> frames, std::span<const LevelFrames> levels) {
-    SettingTimes times;
-    times.frame = mean_of(frames);
-    std::size_t first = 0;
-    for (const LevelFrames& level : levels) {
-        const std::size_t count = level.level().cameras.size();
-        times.by_level.push_back(mean_of(frames.subspan(first, count)).median);
-        first += count;
-    }
-    return times;
-}
-
 }  // namespace
 
 std::string machine_name() {
@@ -170,48 +138,6 @@ std::string compiler_name() {
 #endif
 }
 
-#ifdef __linux__
-
-InstructionCounter::InstructionCounter() {
-    perf_event_attr wanted{};
-    wanted.size = sizeof wanted;
-    wanted.type = PERF_TYPE_HARDWARE;
-    wanted.config = PERF_COUNT_HW_INSTRUCTIONS;
-    wanted.disabled = 1;
-    wanted.exclude_kernel = 1;
-    wanted.exclude_hv = 1;
-    file_ = static_cast<int>(syscall(SYS_perf_event_open, &wanted, 0, -1, -1, PERF_FLAG_FD_CLOEXEC));
-}
-
-InstructionCounter::~InstructionCounter() {
-    if (is_available()) close(file_);
-}
-
-void InstructionCounter::start() {
-    if (!is_available()) return;
-    ioctl(file_, PERF_EVENT_IOC_RESET, 0);
-    ioctl(file_, PERF_EVENT_IOC_ENABLE, 0);
-}
-
-std::optional<std::int64_t> InstructionCounter::stop() {
-    std::int64_t count = 0;
-    if (!is_available()) return std::nullopt;
-    ioctl(file_, PERF_EVENT_IOC_DISABLE, 0);
-    if (read(file_, &count, sizeof count) != sizeof count) return std::nullopt;
-    return count;
-}
-
-#else
-
-InstructionCounter::InstructionCounter() = default;
-InstructionCounter::~InstructionCounter() = default;
-void InstructionCounter::start() {}
-std::optional<std::int64_t> InstructionCounter::stop() {
-    return std::nullopt;
-}
-
-#endif
-
 FrameTimes time_frames(const Configurations& configurations, std::span<LevelFrames> levels, int rounds,
                        const map::WorkSharing& work) {
     const std::size_t settings = configurations.accuracies.size();
@@ -225,10 +151,7 @@ FrameTimes time_frames(const Configurations& configurations, std::span<LevelFram
         time_unlit_round(configurations, own_surfaces, levels, unlit_times);
     work.for_each(as_size(rounds), [&](std::size_t round) { time_round(configurations, timed, levels, round, times); });
 
-    for (const std::size_t i : timed) {
-        result.settings[i] = summarize(times[i], levels);
-        result.settings[i]->instructions = instructions_of(configurations.accuracies[i], levels);
-    }
+    for (const std::size_t i : timed) result.settings[i] = SettingTimes{mean_of(times[i]), {}};
     for (const std::size_t i : own_surfaces) result.settings[i]->unlit = mean_of(unlit_times[i]);
     result.sky = time_sky(configurations.accuracies[configurations.default_index], levels, rounds);
     return result;

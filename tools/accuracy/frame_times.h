@@ -19,29 +19,10 @@ std::string machine_name();
 /// The compiler that built this program.
 std::string compiler_name();
 
-/// Counts the instructions that this thread executes, if the machine has a counter that programs may read (Linux:
-/// perf_event_open). Many virtual machines have none.
-class InstructionCounter {
-  public:
-    InstructionCounter();
-    ~InstructionCounter();
-    InstructionCounter(const InstructionCounter&) = delete;
-
-    bool is_available() const { return file_ >= 0; }
-    void start();
-    /// The instructions since start(); none if they cannot be counted.
-    std::optional<std::int64_t> stop();
-
-  private:
-    int file_ = -1;
-};
-
 /// The times of one setting: medians over the rounds of each frame, then the mean over frames.
 struct SettingTimes {
     TimeSpread frame;                 ///< with surfaces already lit
     std::optional<TimeSpread> unlit;  ///< with all surfaces rebuilt; for settings with other surfaces, and the default
-    std::optional<double> instructions;  ///< a frame
-    std::vector<double> by_level;        ///< nanoseconds a frame, medians
 };
 
 /// The cost of a frame's sky: the default's time with it and with one colour instead.

@@ -62,7 +62,6 @@ void add_times(const SettingTimes& times, Json& cost) {
     cost["nanoseconds"] = std::round(times.frame.median);
     cost["nanoseconds_spread"] = spread_json(times.frame);
     if (times.unlit) cost["nanoseconds_all_surfaces_built"] = spread_json(*times.unlit);
-    if (times.instructions) cost["instructions"] = std::round(*times.instructions);
 }
 
 Json cost_json(const Report& report, std::size_t index, bool is_measured) {
@@ -82,15 +81,11 @@ Json cost_json(const Report& report, std::size_t index, bool is_measured) {
     return cost;
 }
 
-Json levels_json(const Report& report, std::size_t index, Measure measure, bool is_measured) {
+Json levels_json(const Report& report, std::size_t index, Measure measure) {
     Json levels = Json::array();
-    const auto& times = report.times.settings[index];
-    for (std::size_t i = 0; i < report.levels.size(); ++i) {
-        Json level{{"name", report.levels[i].name}, {"error", error_json(report.results[index].by_level[i], measure)}};
-        level["nanoseconds"] = nullptr;
-        if (is_measured && times) level["nanoseconds"] = std::round(times->by_level[i]);
-        levels.push_back(level);
-    }
+    for (std::size_t i = 0; i < report.levels.size(); ++i)
+        levels.push_back(
+            {{"name", report.levels[i].name}, {"error", error_json(report.results[index].by_level[i], measure)}});
     return levels;
 }
 
@@ -103,7 +98,7 @@ Json setting_json(const Report& report, const Configurations::Row& row, Measure 
             {"cost", cost_json(report, row.index, is_measured)},
             {"time", is_measured ? "measured" : "modelled"},
             {"errors", errors_json(errors)},
-            {"levels", levels_json(report, row.index, measure, is_measured)}};
+            {"levels", levels_json(report, row.index, measure)}};
 }
 
 std::string hexadecimal(std::span<const std::uint8_t> bytes) {

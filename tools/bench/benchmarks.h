@@ -28,8 +28,6 @@ struct BenchLevel {
 void register_kernel_benchmarks();
 /// Each stage of a level's frames separately, on the previous stage's results: walk, polygons, scan, coverage, spans.
 void register_stage_benchmarks(const BenchLevel& level, const ScreenMode& mode);
-/// Whole frames of a level, with its surfaces built.
-void register_frame_benchmarks(const BenchLevel& level, const ScreenMode& mode);
 
 /// Shows the time for each of `count` things (pixels, faces), besides that of the whole iteration.
 inline void show_time_per(const char* thing, std::int64_t count, benchmark::State& state) {

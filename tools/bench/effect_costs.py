@@ -1,19 +1,15 @@
-"""What each effect costs: nothing if a scene does not use it, else by the pixels that it covers.
+"""What each effect costs by the pixels that it covers. (A scene that does not ask for it pays nothing: tests.)
 
-1. For each effect, oblong-render is also linked without the effect's files: calls of them stop it. It and the whole
-   program draw the same frames of a scene with all other effects; valgrind counts both programs' instructions. Fails if
-   they differ by more than 0.1 %, or if the effect is on a plan.
-2. Time against covered pixels, from cameras that turn and approach, with a fitted line: a chart for each effect.
-3. The time of frames in which all effects own pixels, while everything moves.
+1. Time against covered pixels, from cameras that turn and approach, with a fitted line: a chart for each effect.
+2. The time of frames in which all effects own pixels, while everything moves.
 
 usage: tools/measure-frames effects [BUILD]     BUILD: a folder built before, with demo_level (default: build)
-Writes BUILD/effects/effect_costs.svg and .json. Needs valgrind. Takes some minutes.
+Writes BUILD/effects/effect_costs.svg and .json. Takes a minute.
 """
 import json
 import math
 import os
 import re
-import shlex
 import statistics
 import subprocess
 import sys
@@ -21,53 +17,17 @@ import sys
 import runs
 
 MAP = os.path.join(runs.ROOT, "tools/effect_costs/all_effects.map")
-LARGEST_DIFFERENCE = 0.001
-
-
-def without_entity(*classes):
-    """Removes entities of these classes from a map."""
-    return lambda text: re.sub(r'\{\n"classname" "(%s)"\n(?:"[^\n]*\n|\{\n(?:\([^\n]*\n)*\}\n)*\}\n' % "|".join(classes), "", text)
 
 
 def without_brush(texture):
     return lambda text: re.sub(r"\{\n(?:\([^\n]* %s 0 0 0 1 1\n)+\}\n" % re.escape(texture), "", text)
 
 
-def retextured(texture, other):
-    return lambda text: text.replace(" %s " % texture, " %s " % other)
-
-
 def without_key(key):
     return lambda text: re.sub(r'"%s" "[^"]*"\n' % key, "", text)
 
 
-# Effects, their files, the functions of these files that are kept because they read a level or also serve mirrors, and
-# the changes that remove the effects from the map.
-PARTS = [
-    (["sky"], "effects/sky", "", [retextured("sky_night", "plaster_ivory")]),
-    (["liquid", "translucency", "underwater"], "effects/warp", "",
-     [without_brush("*water"), without_brush("*lava")]),
-    (["liquid", "fence", "translucency"], "raster/kernels/effect_kernels", "",
-     [without_brush("*water"), without_brush("*lava"), without_entity("func_wall")]),
-    (["translucency", "fog"], "effects/colour_tables effects/fog", "sky_fog",
-     [without_brush("*water"), without_key("fog")]),
-    (["brush_models", "fence"], "visibility/fragments", "polygon_side|append_part",
-     [without_entity("func_wall")]),
-    (["animated_textures"], "scene/texture_animation", "TextureAnimations::TextureAnimations|TextureAnimations::add",
-     [retextured("+0volt", "brick")]),
-    (["light_styles"], "scene/light_styles", "[Pp]attern|make_style_steps", [without_key("style")]),
-    (["moving_lights"], "scene/moving_lights effects/things", "read_things|find_", [without_entity("misc_lantern")]),
-    (["particles"], "effects/particles", "",
-     [without_entity("misc_rain", "misc_dust", "misc_sparks", "air_bubbles")]),
-    (["sprites", "shadows", "moving_lights"], "effects/sprites effects/shadows effects/things", "read_things|find_",
-     [without_entity("misc_sprite", "misc_lantern")]),
-    (["shadows"], "effects/shadows", "", [without_key("shadow")]),
-    (["mirror"], "frame/mirror_pass", "", [retextured("mirror_hall", "brick")]),
-    (["underwater"], "effects/warp", "[Ww]arp", []),
-]
-
 # Cameras outside the tank of water, and in it.
-OUTSIDE = [(-280, 0, 120, 0, 8), (-200, 200, 60, -40, 5), (300, -200, 90, 135, 10)]
 APPROACHES = [(x, y, 110, yaw, pitch) for x in (-280, -120, 20) for y in (-220, 0, 220) for yaw in (-60, -25, 0, 25, 60)
               for pitch in (0, 15)]
 IN_TANK = [(-310, y, z, yaw, pitch) for y in (-60, -30, 0, 30, 60) for z in (100, 120) for yaw in (-6, -3, 0, 3)
@@ -115,76 +75,6 @@ class Costs:
         run = subprocess.run([self.render, *self.arguments(level, cameras, repeat, "--json", "-", *more)],
                              capture_output=True, text=True, check=True)
         return json.loads(run.stdout)
-
-    def instructions(self, program, level, cameras, repeat):
-        run = subprocess.run(["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", program,
-                              *self.arguments(level, cameras, repeat)], capture_output=True, text=True)
-        found = re.search(r"Collected : (\d+)", run.stderr)
-        if run.returncode != 0 or not found:
-            runs.fail("%s stopped (status %d): it runs code of the effect that it was built without"
-                     % (program, run.returncode))
-        return int(found.group(1))
-
-    def instructions_a_frame(self, program, level, cameras, count):
-        few, many = 2, 7
-        return (self.instructions(program, level, cameras, many) -
-                self.instructions(program, level, cameras, few)) / ((many - few) * count)
-
-    def link_without(self, name, files, kept):
-        """Links oblong-render so that every function of these files, except the kept ones, stops the program."""
-        link = subprocess.run(["ninja", "-C", self.build, "-t", "commands", "-s", "bin/oblong-render"],
-                              capture_output=True, text=True, check=True).stdout
-        command = shlex.split(re.search(r"&& (\S*c\+\+ .*?) && :", link).group(1))
-        objects, stubs = [], []
-        for file in files.split():
-            room = file.split("/")[0]
-            whole = os.path.join(self.build, "engine/CMakeFiles/oblong_%s.dir/%s.cpp.o" % (room, file))
-            if not os.path.exists(whole):
-                runs.fail("no %s: it needs a build of files one by one (cmake -D CMAKE_UNITY_BUILD=OFF)" % whole)
-            listing = subprocess.run(["nm", "--defined-only", "-g", whole], capture_output=True, text=True, check=True)
-            symbols = [line.split()[2] for line in listing.stdout.splitlines() if line.split()[1] == "T"]
-            plain = subprocess.run(["c++filt"], input="\n".join(symbols), capture_output=True, text=True).stdout
-            out = [s for s, p in zip(symbols, plain.splitlines()) if not (kept and re.search(kept, p.split("(")[0]))]
-            stubs += out
-            if len(out) == len(symbols):
-                continue  # no function of the file is kept
-            objects.append(self.path("%s_%s.o" % (name, os.path.basename(file))))
-            subprocess.run(["objcopy", *["--weaken-symbol=" + s for s in out], whole, objects[-1]], check=True)
-        assembly = self.path(name + ".s")
-        with open(assembly, "w") as out:
-            for symbol in stubs:
-                out.write(".globl %s\n.type %s, @function\n%s: ud2\n" % (symbol, symbol, symbol))
-            out.write('.section .note.GNU-stack,"",@progbits\n')
-        program = self.path("oblong-render-" + name)
-        command[command.index("-o") + 1] = program
-        first_library = next(i for i, word in enumerate(command) if word.endswith(".a"))
-        command[first_library:first_library] = [assembly, *objects]
-        subprocess.run(command, cwd=self.build, check=True)
-        return program, len(stubs)
-
-
-def table_of_files(costs):
-    print("%-34s %-52s %9s %14s %14s %10s" % ("effects not called for", "files left out", "functions", "instructions",
-                                              "without files", "difference"))
-    cameras, rows = costs.cameras("outside", OUTSIDE), []
-    for number, (effects, files, kept, changes) in enumerate(PARTS):
-        name = "without_%d_%s" % (number, effects[0])
-        level = costs.compile(name, changes)
-        for frame in costs.frames(level, cameras, 1)["frames"]:
-            planned = {line["name"] for line in frame["effects"]}
-            if planned & set(effects):
-                runs.fail("%s on the plan of a scene that does not call for it" % (planned & set(effects)))
-        program, functions = costs.link_without(name, files, kept)
-        whole = costs.instructions_a_frame(costs.render, level, cameras, len(OUTSIDE))
-        without = costs.instructions_a_frame(program, level, cameras, len(OUTSIDE))
-        difference = abs(whole - without) / without
-        rows.append({"effects": effects, "files": files, "functions": functions, "instructions": whole,
-                     "instructions_without": without})
-        print("%-34s %-52s %9d %14.0f %14.0f %9.4f%%" % (" ".join(effects), files, functions, whole, without,
-                                                         100 * difference), flush=True)
-        if difference > LARGEST_DIFFERENCE:
-            runs.fail("the difference is more than %g %%" % (100 * LARGEST_DIFFERENCE))
-    return rows
 
 
 def fitted(points):
@@ -278,6 +168,6 @@ def main():
     subprocess.run(["cmake", "--build", costs.build, "--target", "oblong-render", "oblong-map", "demo_level"],
                    check=True, stdout=subprocess.DEVNULL)
     level = costs.compile("all_effects", [])
-    found = {"all": time_all(costs, level), "files": table_of_files(costs), "areas": report_times(costs, level)}
+    found = {"all": time_all(costs, level), "areas": report_times(costs, level)}
     with open(costs.path("effect_costs.json"), "w") as out:
         json.dump(found, out, indent=1)

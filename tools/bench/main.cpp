@@ -72,7 +72,6 @@ void run_benchmarks(const Options& options) {
                                                    : read_bench_level(options.level, options.cameras, options.palette);
     register_kernel_benchmarks();
     register_stage_benchmarks(level, mode);
-    register_frame_benchmarks(level, mode);
     benchmark::AddCustomContext("level", level.name);
     benchmark::AddCustomContext("mode", options.mode);
     FileReporter file;
@@ -97,7 +96,7 @@ int main(int argc, char** argv) {
 
     CommandLine line(
         "oblong-bench",
-        "Times kernels, stages and frames with Google Benchmark, whose options (--benchmark_filter=...) it takes.");
+        "Times kernels and stages with Google Benchmark, whose options (--benchmark_filter=...) it takes.");
     declare(line, options);
     const auto run = [&] {
         if (!format.empty() && format != "json")

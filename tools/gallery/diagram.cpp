@@ -20,10 +20,6 @@ PlanePoint Diagram::on_canvas(PlanePoint at) const {
     return {middle_px_.x + (at.x - centre_.x) * px_per_unit_x_, middle_px_.y - (at.y - centre_.y) * px_per_unit_y_};
 }
 
-double Diagram::units_wide() const {
-    return canvas_.width_px / px_per_unit_x_;
-}
-
 void Diagram::fill(std::uint8_t colour) {
     oblong::fill(canvas_, colour);
 }

@@ -50,7 +50,6 @@ class Diagram {
 
     /// The canvas's column and row of a point, with fractions.
     PlanePoint on_canvas(PlanePoint at) const;
-    double units_wide() const;  ///< across the canvas
 
   private:
     Framebuffer canvas_;

@@ -10,7 +10,7 @@
 namespace oblong {
 
 /// A canvas in which meshes are drawn by the engine's stages, seen from the origin of the world along its x axis (y
-/// left, z up), in the middle between the gallery's header and footer.
+/// left, z up), in the middle of the canvas.
 class MeshScene {
   public:
     MeshScene(const RowInput& input, Framebuffer canvas, int field_of_view = 60);

@@ -12,6 +12,7 @@
 #include "engine/surface/palette.h"
 #include "tools/map/compile.h"
 #include "tools/map/source/checks.h"
+#include "tools/map/source/entities.h"
 #include "tools/map/source/external_maps.h"
 #include "tools/map/texture_sources.h"
 #include "tools/map/tree/bsp_file.h"
@@ -166,7 +167,7 @@ void compile(const Arguments& arguments, const std::string& text, const char* ca
     map::PortalFile portals;
     portals.has_text = !arguments.portals.empty();
     Palette palette;
-    const bool has_bounce = arguments.has_bounce || entities.front().has("_bounce");
+    const bool has_bounce = arguments.has_bounce || map::number_of(entities.front(), "_bounce", 0) > 0;
     if (has_bounce) palette = read_parsed(map::palette_file(arguments.textures, called_as), read_palette);
     map::CompileOptions options;
     options.is_fast = arguments.is_fast;

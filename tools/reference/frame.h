@@ -103,7 +103,7 @@ struct Frame {
 /// The world's faces and those of the models: for each ray the nearest one that faces the eye. `shift` moves all rays
 /// from the pixels' centres, by half a pixel at most.
 ///
-/// Which rays a face covers is exact: corners are rounded once, to 2^-20, then integers decide (rays.h). Neighbours
+/// Which rays a face covers is exact: corners are rounded once, to 2^-20, then integers decide. Neighbours
 /// share all corners, so that no ray from inside a closed level is missed; a ray through an edge belongs to the face on
 /// its right, or below it. Nothing is clipped. Throws std::range_error for corners too far away for that (2^35 units
 /// times pixels).

@@ -36,7 +36,7 @@ enum class Material { Lit, Liquid, Sky };
 /// A polygon, clockwise seen from its front.
 struct Face {
     Plane plane;               ///< the file's, oriented so that the face is visible where normal . p > offset
-    std::vector<int> corners;  ///< into Level::vertices, with the vertices inside its edges (t_junctions.h)
+    std::vector<int> corners;  ///< into Level::vertices, with the vertices inside its edges (EdgeMender)
     int texinfo = 0;
     Material material = Material::Lit;
     std::array<std::uint8_t, 4> styles{};  ///< a lightmap for each, up to the first 255

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "engine/draw/drawing.h"
 #include "engine/math/matrix.h"
@@ -197,14 +198,6 @@ Figures draw_cameras(const RowInput& input, Framebuffer canvas) {
             number_figure("columns from there to what is above it", 0, above.x - found.x, width / 2000, 2)};
 }
 
-/// One row of a matrix as text.
-std::string row_text(const std::array<Entry, 4>& row) {
-    char text[64];
-    std::snprintf(text, sizeof text, "[%7.3f %7.3f %7.3f %9.2f ]", number_of(row[0]), number_of(row[1]),
-                  number_of(row[2]), number_of(row[3]));
-    return text;
-}
-
 /// The largest difference of a matrix from the identity.
 double flaw_of(const Matrix4& matrix) {
     double flaw = 0;
@@ -215,17 +208,12 @@ double flaw_of(const Matrix4& matrix) {
 }
 
 void write_matrices(const Matrix4& to_world, const Matrix4& to_view, const GalleryAssets& assets, Framebuffer canvas) {
-    std::int32_t y = kHeader_px + (canvas.height_px - kHeader_px - kFooter_px - 126) / 2;
-    const std::int32_t x = std::max(canvas.width_px / 2 - 118, 4);
-    const auto write = [&](std::string_view line) {
-        draw_text(canvas, x, y, line, assets.text);
-        y += 12;
-    };
-    write("The camera's matrix: right, up, forward, eye");
-    for (const auto& row : to_world.rows) write(row_text(row));
-    y += 6;
-    write("Its inverse, the view's: rows, -axis . eye");
-    for (const auto& row : to_view.rows) write(row_text(row));
+    std::vector<std::string> lines{"The camera's matrix: right, up, forward, eye"};
+    for (const auto& row : to_world.rows) lines.push_back(row_text(row, "%8.3f"));
+    lines.insert(lines.end(), {"", "Its inverse, the view's: rows, -axis . eye"});
+    for (const auto& row : to_view.rows) lines.push_back(row_text(row, "%8.3f"));
+    const std::int32_t y = kHeader_px + (canvas.height_px - kHeader_px - kFooter_px - 126) / 2;
+    draw_column(canvas, std::max(canvas.width_px / 2 - 118, 4), y, lines, assets.text);
 }
 
 /// The matrix of a view, from its axes, and its inverse.

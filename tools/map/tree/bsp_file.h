@@ -113,7 +113,7 @@ std::vector<LumpCount> lump_counts(const BspFile& bsp);
 /// Whether a lump is larger than version 29 allows: then it is written as BSP2, which has wider numbers.
 bool needs_bsp2(const BspFile& bsp);
 
-/// "3,412 faces ...": the contents, and the lumps above half of version 29's limits.
+/// "3412 faces ...": the contents, and the lumps above half of version 29's limits.
 std::string summary_of(const BspFile& bsp);
 
 /// Throws InputError if a number exceeds its field's range.
