@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <random>
 #include <set>
 
@@ -236,7 +238,37 @@ class MendedOutlines : public OfLevel {};
 }  // namespace
 
 TEST_P(MendedOutlines, HardCaseE9_NoCornerLiesWithinAnEdge) {
-    EXPECT_EQ(make_face_table(real_stage(GetParam()).level).torn_edges, 0u);
+    const Stage stage = real_stage(GetParam());
+    const FaceTable table = make_face_table(stage.level);
+    const std::vector<VertexIndex> by_x = used_vertices_by_x(stage.level, table);
+    for (const FaceIndex face : stage.level.faces.indices()) {
+        const std::span<const VertexIndex> corners = table.corners_of(face);
+        for (std::size_t i = 0; i < corners.size(); ++i)
+            ASSERT_FALSE(has_vertex_inside(stage.level, by_x, corners[i], corners[(i + 1) % corners.size()]))
+                << face.number();
+    }
+}
+
+/// So that a frame has no hole: FrontToBackWalk (visibility/front_to_back.h).
+TEST_P(MendedOutlines, TheFacesOfTheWorldAreAClosedSurface) {
+    const Stage stage = real_stage(GetParam());
+    const FaceTable table = make_face_table(stage.level);
+    using Place = std::array<std::int32_t, 3>;
+    const auto place_of = [&](VertexIndex vertex) {
+        const Vec3<World>& p = stage.level.vertices[vertex];
+        return Place{p.x.raw, p.y.raw, p.z.raw};
+    };
+    std::map<std::pair<Place, Place>, int> walked;  // of each edge, how often more in its direction than back
+    for (const FaceIndex face : stage.level.world().faces) {
+        const std::span<const VertexIndex> corners = table.corners_of(face);
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const Place from = place_of(corners[i]), to = place_of(corners[(i + 1) % corners.size()]);
+            ++walked[{from, to}];
+            --walked[{to, from}];
+        }
+    }
+    EXPECT_GT(walked.size(), 5000u);
+    EXPECT_EQ(std::count_if(walked.begin(), walked.end(), [](const auto& edge) { return edge.second != 0; }), 0);
 }
 
 TEST_P(MendedOutlines, CornersComeInTheOrderOfTheFaceAndSomeAreNew) {
