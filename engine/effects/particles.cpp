@@ -47,7 +47,7 @@ World swing_in(World half_size, ParticleKind kind) {
 }
 
 /// Along an axis of the box: a random place that leaves room for the swing, and the swing.
-World swinging(World half_size, ParticleKind kind, std::int32_t chance_15, std::uint32_t phase) {
+World swinging_place(World half_size, ParticleKind kind, std::int32_t chance_15, std::uint32_t phase) {
     const World swing = swing_in(half_size, kind);
     return part_of(half_size - swing, chance_15, 15) + wave(swing, phase);
 }
@@ -74,7 +74,7 @@ Vec3<World> rain_at(const Vec3<World>& half_size, const Chance& chance, std::uin
 
 Vec3<World> dust_at(const Vec3<World>& half_size, const Chance& chance, std::uint32_t phase) {
     const auto drift = [&](World half, int which, std::uint32_t at) {
-        return swinging(half, ParticleKind::Dust, chance.signed_15(which), at);
+        return swinging_place(half, ParticleKind::Dust, chance.signed_15(which), at);
     };
     const auto other = static_cast<std::uint32_t>(chance.share_16(0)) << 16;
     return {drift(half_size.x, 0, phase), drift(half_size.y, 1, phase + other), drift(half_size.z, 2, phase * 2)};
@@ -92,7 +92,7 @@ Vec3<World> spark_at(const Vec3<World>& half_size, const Chance& chance, std::ui
 
 Vec3<World> bubble_at(const Vec3<World>& half_size, const Chance& chance, std::uint32_t phase) {
     const auto wobble = [&](World half, int which, std::uint32_t at) {
-        return swinging(half, ParticleKind::Bubbles, chance.signed_15(which), at);
+        return swinging_place(half, ParticleKind::Bubbles, chance.signed_15(which), at);
     };
     const std::int64_t height_15 = static_cast<std::int64_t>(phase >> 16) - 32768;
     return {wobble(half_size.x, 0, phase * 4), wobble(half_size.y, 1, phase * 4 + (1u << 30)),

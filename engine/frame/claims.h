@@ -42,7 +42,8 @@ struct LastPlane {
     PlaneInverseZ inverse_z{};
 };
 
-/// The pixels that faces and things own in a frame: a list of faces for each pass, front to back.
+/// The pixels that faces and things own in a frame: a list of faces for each pass, front to back
+/// (limit_mirrors() appends to the walls).
 struct Claims {
     SpanList spans;
     std::array<std::vector<VisibleFace>, kFaceListCount> lists;

@@ -1,6 +1,7 @@
 #include "engine/frame/mirror_pass.h"
 
 #include <algorithm>
+#include <array>
 
 #include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"
@@ -121,18 +122,19 @@ bool is_behind(const MirrorView& mirror, const Vec3<World>& place, const Level& 
 }
 
 void limit_mirrors(const FrameContext& frame, Claims& claims) {
-    std::vector<MirrorPlane> planes;
-    const auto is_mirror = [&](const VisibleFace& face) {
+    std::array<MirrorPlane, kMostMirrors> planes;
+    std::size_t count = 0;
+    std::erase_if(claims.list(FaceList::Mirror), [&](const VisibleFace& face) {
         const MirrorPlane plane = plane_of(face, frame);
-        if (std::find(planes.begin(), planes.end(), plane) != planes.end()) return true;
-        if (planes.size() == kMostMirrors) return false;
-        planes.push_back(plane);
+        const auto end = planes.begin() + static_cast<std::ptrdiff_t>(count);
+        if (std::find(planes.begin(), end, plane) != end) return false;
+        if (count < planes.size()) {
+            planes[count++] = plane;
+            return false;
+        }
+        claims.list(FaceList::Walls).push_back(face);
         return true;
-    };
-    std::vector<VisibleFace> mirrors;
-    for (const VisibleFace& face : claims.list(FaceList::Mirror))
-        (is_mirror(face) ? mirrors : claims.list(FaceList::Walls)).push_back(face);
-    claims.list(FaceList::Mirror) = std::move(mirrors);
+    });
 }
 
 void draw_mirrors(const FrameContext& frame, ViewScratch& scratch) {

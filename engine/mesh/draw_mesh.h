@@ -54,7 +54,7 @@ struct MeshDrawing {
     const ViewContext& view;
     const Colormap& colormap;
     MeshLight light;
-    const std::uint8_t* colours = nullptr;  ///< MeshPaint::after
+    const std::uint8_t* colours = nullptr;  ///< MeshPaint::colours
     bool is_affine = false;                 ///< texture mapping without perspective, as in Quake's models
     MeshParts parts = {};
 };

@@ -73,25 +73,25 @@ std::int32_t least_column(std::span<const Span> spans) {
 
 /// The part of a quantity's step that a difference of its values at two corners makes.
 template <class Value, class Difference>
-[[gnu::always_inline]] inline Value part_of(Difference side, const StoredStep& step) {
+[[gnu::always_inline]] inline Value part_of(Difference difference, const StoredStep& step) {
 #if defined(__i386__)
     static_assert(WeightStep::kFractionBits == 48);
-    if (const auto short_way = static_cast<std::int32_t>(side.raw);
-        short_way == side.raw && Difference::kFractionBits == Value::kFractionBits) {
-        std::int64_t
-            product;  // floor((side (high * 2^32 + low) + 2^47) / 2^48), from the lower product's upper half on
+    if (const auto short_difference = static_cast<std::int32_t>(difference.raw);
+        short_difference == difference.raw && Difference::kFractionBits == Value::kFractionBits) {
+        // floor((difference (high * 2^32 + low) + 2^47) / 2^48), from the lower product's upper half on
+        std::int64_t product;
         std::int32_t low, high;
-        asm("movl %[side], %%eax\n\timull %[step_low]\n\tleal 0x8000(%%edx), %%eax\n\tcltd\n\t"
+        asm("movl %[difference], %%eax\n\timull %[step_low]\n\tleal 0x8000(%%edx), %%eax\n\tcltd\n\t"
             "movl %%eax, %[low]\n\tmovl %%edx, %[high]\n\t"
-            "movl %[side], %%eax\n\timull %[step_high]\n\taddl %[low], %%eax\n\tadcl %[high], %%edx\n\t"
+            "movl %[difference], %%eax\n\timull %[step_high]\n\taddl %[low], %%eax\n\tadcl %[high], %%edx\n\t"
             "shrdl $16, %%edx, %%eax\n\tsarl $16, %%edx"
             : "=&A"(product), [low] "=&r"(low), [high] "=&r"(high)
-            : [side] "rm"(short_way), [step_low] "m"(step.low), [step_high] "m"(step.high)
+            : [difference] "rm"(short_difference), [step_low] "m"(step.low), [step_high] "m"(step.high)
             : "cc");
         return Value::from_raw(product);
     }
 #endif
-    return product<Value>(side, WeightStep(step));
+    return product<Value>(difference, WeightStep(step));
 }
 
 /// A quantity from its values at the corners. Those may have fewer fraction bits: their differences then mostly fit 32
@@ -101,8 +101,8 @@ template <class Value, class AtCorner>
 LinearQuantity<Value> quantity_of(const Barycentric& weights, AtCorner a, AtCorner b, AtCorner c) {
     if (a == b && a == c) return {convert<Value>(a), {}, {}};
     if (weights.has_one_pixel) {
-        const auto part = [](AtCorner side, PixelWeight weight) {
-            return wrapping_product<Value>(weight, convert<Value>(side));
+        const auto part = [](AtCorner difference, PixelWeight weight) {
+            return wrapping_product<Value>(weight, convert<Value>(difference));
         };
         return {convert<Value>(a) + part(b - a, weights.b) + part(c - a, weights.c), {}, {}};
     }

@@ -93,8 +93,8 @@ constexpr std::int32_t kShortestPiece = 4, kLongestPiece = 32;
 struct PieceLengths {
     std::int32_t next = kShortestPiece;  ///< pixels; doubled after a piece with a small error
     std::int32_t divided = 0;            ///< pixels to divide one by one before the next piece is tried
-    std::int32_t next_divided =
-        32;  ///< next `divided`, if even the shortest piece is not almost linear; doubled each time
+    /// The next `divided`, if even the shortest piece is not almost linear; doubled each time.
+    std::int32_t next_divided = 32;
 };
 
 /// Draws the same bytes as a division at each pixel would, with two divisions for each piece that is almost linear.

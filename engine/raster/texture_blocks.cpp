@@ -231,7 +231,7 @@ OBLONG_TARGET_BMI2 std::span<const Span> append_bounded_avx512(std::span<const S
 
 constexpr std::size_t kTexturingCount = as_size(Texturing::Exact) + 1;
 
-/// append_blocks() by method, then by way.
+/// append_blocks() by method, then by texturing.
 template <std::size_t... kCells>
 constexpr std::array<BlockCutter, sizeof...(kCells)> make_cutters(std::index_sequence<kCells...>) {
     return {append_blocks<static_cast<Texturing>(kCells % kTexturingCount),

@@ -33,22 +33,26 @@ void check_game_folder(const Options& options) {
 
 bool is_plain(char letter) {
     const bool is_letter = (letter | 32) >= 'a' && (letter | 32) <= 'z';
-    return is_letter || (letter >= '0' && letter <= '9') || letter == '.' || letter == '-';
+    return is_letter || (letter >= '0' && letter <= '9') || letter == '.' || letter == '-' || letter == '_';
+}
+
+bool is_ascii(char letter) {
+    return static_cast<unsigned char>(letter) < 128;
 }
 
 }  // namespace
 
-// The museum has its saves beside the games' folders, with a file "lock".
+// The museum has its saves beside the games' folders, with a file "lock". Names in other alphabets would become alike
+// without the number.
 std::string game_name(const std::string& folder) {
     if (folder.empty()) return kQuake;
     std::string name = fs::absolute(folder).lexically_normal().filename().string();
     if (name.empty()) name = fs::absolute(folder).lexically_normal().parent_path().filename().string();
     const std::uint64_t hash = fnv1a_of({reinterpret_cast<const std::uint8_t*>(name.data()), name.size()});
-    if (!std::all_of(name.begin(), name.end(), is_plain)) {
-        for (char& letter : name)
-            if (!is_plain(letter)) letter = '_';
-        name += "-" + std::to_string(hash);
-    }
+    const bool is_plain_enough = std::all_of(name.begin(), name.end(), is_ascii);
+    for (char& letter : name)
+        if (!is_plain(letter)) letter = '_';
+    if (!is_plain_enough) name += "-" + std::to_string(hash);
     return name == kMuseum || name == "lock" || name.empty() ? "_" + name : name;
 }
 

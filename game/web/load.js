@@ -63,12 +63,14 @@ const readSaves = () => new Promise(resolve => {
 // Of two pages, each would remove from the database what the other one saved. A page that is left lets go soon.
 const isAlone = () => new Promise(resolve => {
   const hold = () => new Promise(() => resolve(true));
-  const refused = error => resolve(error.name !== "TimeoutError");
-  navigator.locks ? navigator.locks.request("/*@program@*/", {signal: AbortSignal.timeout(2000)}, hold).catch(refused) : resolve(true);
+  const wait = new AbortController();
+  const refused = error => resolve(error.name !== "AbortError");
+  setTimeout(() => wait.abort(), 2000);
+  navigator.locks ? navigator.locks.request("saves of Oblong", {signal: wait.signal}, hold).catch(refused) : resolve(true);
 });
 const keepSaves = hasDatabase => {
   let isWriting = false, isDue = true;
-  const changed = new Set();
+  const changed = new Set();  // files that the database does not have yet
   const note = path => { changed.add(path); isDue = true; };
   for (const key of Object.keys(storage || {}).filter(key => key.startsWith(RESCUED))) {
     const path = key.slice(RESCUED.length);
@@ -88,19 +90,17 @@ const keepSaves = hasDatabase => {
   }
   const write = () => {
     if (changed.size === 0 || isWriting || !isDue || !hasDatabase) return;
-    const written = [...changed];
     isWriting = true;
     isDue = false;
     FS.syncfs(false, error => {
       isWriting = false;
       if (error) {  // tried again after the next change
         console.warn("not saved: " + error);
-        return Page.warn("This browser stores no more for this page: what is saved now is lost when it is closed.");
+        return Page.warn("This browser stores no more for this page: what is saved now may be lost when it is closed.");
       }
-      for (const path of written) {
-        changed.delete(path);
-        if (storage) storage.removeItem(RESCUED + path);
-      }
+      if (isDue) return;  // a file has changed again meanwhile
+      for (const path of changed) if (storage) storage.removeItem(RESCUED + path);
+      changed.clear();
     });
   };
   const rescue = () => {

@@ -260,6 +260,7 @@ TEST_F(ExampleGame, ACaptionOfNoSoundIsNamed) {
 TEST(GameName, IsOfPlainLettersAndDiffersWhereFoldersDo) {
     EXPECT_EQ(game_name(""), kQuake);
     EXPECT_EQ(game_name("/games/three-rooms.2/"), "three-rooms.2");
+    EXPECT_EQ(game_name("/games/my_game 2"), "my_game_2");
     EXPECT_EQ(game_name("/games/museum"), "_museum");
     EXPECT_EQ(game_name("/games/lock"), "_lock") << "which the museum's saves have a file for";
     const std::string one = game_name("/games/дом"), other = game_name("/games/сад");

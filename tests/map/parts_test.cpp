@@ -98,11 +98,11 @@ class MapWatchTest : public testing::Test {
 
     std::string level_bytes() const { return read_text(watch.level_file()); }
 
-    MapWatch::Result news_after(const std::string& name, const std::string& text) {
+    MapWatch::Result result_after(const std::string& name, const std::string& text) {
         write_file(path(name), text);
         fs::last_write_time(path(name), fs::file_time_type::clock::now() + std::chrono::seconds(++saves_));
         for (int tries = 0; tries < 3000; ++tries) {
-            if (auto news = watch.poll(now_us_ += 300'000)) return *news;
+            if (auto result = watch.poll(now_us_ += 300'000)) return *result;
             std::this_thread::sleep_for(std::chrono::milliseconds(10));
         }
         return {};
@@ -124,8 +124,10 @@ class WatchedWalk : public MapWatchTest {
   protected:
     static constexpr std::int64_t kSaved = 10, kChanged = 20, kEnd = 400;
 
-    // The first walk as it was saved at the end. `script`: other inputs of the player.
-    SlotContent played(const std::map<std::int64_t, Controls>& script) {
+    // The first walk as it was saved at the end. `script`: other inputs of the player. Until the level has changed,
+    // each poll waits up to `patience_ms`.
+    SlotContent played(const std::map<std::int64_t, Controls>& script, int patience_ms) {
+        patience_ms_ = patience_ms;
         write_file(path("t.wad"), wad_bytes({"wall"}));
         write_file(path("my.map"), with_wad(two_rooms(kLamp)));
         watch.compile_first(false);
@@ -148,16 +150,17 @@ class WatchedWalk : public MapWatchTest {
         if (script.contains(poll)) controls = script.at(poll);
         if (poll == kSaved) controls.commands.push_back(Action::QuickSave);
         if (poll == kChanged) write_file(path("my.map"), with_wad(two_rooms(kLamp + kLens)));
-        if (poll > kChanged + 10 && level_bytes() == first_)  // the compiler is at work
-            std::this_thread::sleep_for(std::chrono::milliseconds(15));
+        for (int ms = 0; poll > kChanged + 10 && ms < patience_ms_ && level_bytes() == first_; ms += 10)
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));  // the compiler is at work
         return scripted_input(controls);
     }
 
     std::string first_;
+    int patience_ms_ = 0;
 };
 
 TEST_F(WatchedWalk, KeepsItsNumberInTheChangedLevel) {
-    const SlotContent walk = played({});
+    const SlotContent walk = played({}, 100);
     ASSERT_TRUE(walk.game);
     EXPECT_EQ(walk.game->lenses.all, 1);
     EXPECT_LT(walk.game->state.tick, kEnd - kChanged);
@@ -167,7 +170,7 @@ TEST_F(WatchedWalk, IsNotGoneOnWithWhileTheGalleryIsOverIt) {
     Controls menu, gallery;
     menu.commands = {Action::Menu};
     gallery.menu = {MenuAction::Up, MenuAction::Up, MenuAction::Up, MenuAction::Accept};
-    const SlotContent walk = played({{14, menu}, {15, gallery}});
+    const SlotContent walk = played({{14, menu}, {15, gallery}}, 10);
     ASSERT_TRUE(walk.game);
     EXPECT_LT(walk.game->state.tick, kChanged);
     EXPECT_EQ(walk.game->lenses.all, 0);
@@ -180,19 +183,19 @@ TEST_F(MapWatchTest, FollowsTheSource) {
     write_file(path("my.map"), source(kLamp));
     watch.compile_first(false);
     const std::string first = level_bytes();
-    EXPECT_TRUE(news_after("my.map", source(kOtherLamp)).has_level);
+    EXPECT_TRUE(result_after("my.map", source(kOtherLamp)).has_level);
     EXPECT_FALSE(level_bytes() == first);
-    const auto broken = news_after("my.map", source(kOtherLamp) + "{");
+    const auto broken = result_after("my.map", source(kOtherLamp) + "{");
     EXPECT_FALSE(broken.has_level);
     EXPECT_TRUE(broken.fault.starts_with("line ")) << broken.fault;
     EXPECT_TRUE(broken.leak_path.empty());
-    EXPECT_TRUE(news_after("my.map", source(kOtherLamp)).has_level) << "as it was: the fault is gone";
+    EXPECT_TRUE(result_after("my.map", source(kOtherLamp)).has_level) << "as it was: the fault is gone";
     const std::string leaking = level(box({0, 0, 0}, {64, 64, 64}), entity_at("light", {0, 0, 99}));
-    const auto open = news_after("my.map", with_wad(leaking));
+    const auto open = result_after("my.map", with_wad(leaking));
     EXPECT_FALSE(open.has_level);
     EXPECT_NE(open.fault.find("leaks"), std::string::npos) << open.fault;
     EXPECT_GE(open.leak_path.size(), 2u);
-    EXPECT_TRUE(news_after("my.map", source(kLamp)).has_level);
+    EXPECT_TRUE(result_after("my.map", source(kLamp)).has_level);
     EXPECT_TRUE(level_bytes() == first);
 }
 
@@ -209,7 +212,7 @@ TEST_F(MapWatchTest, WaitsUntilTheFirstLevelCompiles) {
     watch.compile_first(true);
     mapper.join();
     EXPECT_NE(testing::internal::GetCapturedStderr().find("; tried again after a change"), std::string::npos);
-    EXPECT_TRUE(news_after("my.map", with_wad(two_rooms(kOtherLamp))).has_level);
+    EXPECT_TRUE(result_after("my.map", with_wad(two_rooms(kOtherLamp))).has_level);
 }
 
 TEST_F(MapWatchTest, NamesAPlaceWhereNothingCanBeWritten) {
@@ -236,13 +239,13 @@ TEST_F(MapWatchTest, ReturnsALevelAsSoonAsItIsCompiled) {
     watch.compile_first(false);
     write_file(path("my.map"), with_wad(two_rooms(kLamp + kLens)));
     const std::uint64_t saved_us = 1'000'000;
-    std::optional<MapWatch::Result> news = watch.poll(saved_us);
-    for (int tries = 0; tries < 3000 && !news; ++tries) {
+    std::optional<MapWatch::Result> result = watch.poll(saved_us);
+    for (int tries = 0; tries < 3000 && !result; ++tries) {
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
-        news = watch.poll(saved_us + 1);
+        result = watch.poll(saved_us + 1);
     }
-    ASSERT_TRUE(news);
-    EXPECT_TRUE(news->has_level);
+    ASSERT_TRUE(result);
+    EXPECT_TRUE(result->has_level);
 }
 
 // A map within the map, its place, and textures: none of them is in the source's own brushes.
@@ -256,18 +259,18 @@ TEST_F(MapWatchTest, FollowsWhatTheSourceNames) {
     write_file(path("my.map"), source({160, 128, 0}));
     watch.compile_first(false);
     const std::string first = level_bytes();
-    EXPECT_TRUE(news_after("part.map", taller).has_level);
+    EXPECT_TRUE(result_after("part.map", taller).has_level);
     EXPECT_FALSE(level_bytes() == first);
-    EXPECT_FALSE(news_after("part.map", brick + "{").has_level);
-    EXPECT_TRUE(news_after("part.map", brick).has_level);
+    EXPECT_FALSE(result_after("part.map", brick + "{").has_level);
+    EXPECT_TRUE(result_after("part.map", brick).has_level);
     EXPECT_TRUE(level_bytes() == first);
-    EXPECT_TRUE(news_after("t.wad", wad_bytes(std::vector<std::string>{"other", "wall"})).has_level)
+    EXPECT_TRUE(result_after("t.wad", wad_bytes(std::vector<std::string>{"other", "wall"})).has_level)
         << "'wall' has the second colour now";
     EXPECT_FALSE(level_bytes() == first);
-    EXPECT_TRUE(news_after("t.wad", wad_bytes({"wall"})).has_level);
-    EXPECT_TRUE(news_after("my.map", source({160, 64, 0})).has_level);
+    EXPECT_TRUE(result_after("t.wad", wad_bytes({"wall"})).has_level);
+    EXPECT_TRUE(result_after("my.map", source({160, 64, 0})).has_level);
     EXPECT_FALSE(level_bytes() == first) << "it was moved";
-    EXPECT_TRUE(news_after("my.map", source({160, 128, 0})).has_level);
+    EXPECT_TRUE(result_after("my.map", source({160, 128, 0})).has_level);
     EXPECT_TRUE(level_bytes() == first);
 }
 

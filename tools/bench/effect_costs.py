@@ -1,4 +1,5 @@
-"""What each effect costs by the pixels that it covers. (A scene that does not ask for it pays nothing: tests.)
+"""What each effect costs by the pixels that it covers. A scene that does not ask for it pays
+nothing, as Plan.HardCaseP5 and bench.UnseenCostsLittle test.
 
 1. Time against covered pixels, from cameras that turn and approach, with a fitted line: a chart for each effect.
 2. The time of frames in which all effects own pixels, while everything moves.

@@ -167,7 +167,7 @@ void compile(const Arguments& arguments, const std::string& text, const char* ca
     map::PortalFile portals;
     portals.has_text = !arguments.portals.empty();
     Palette palette;
-    const bool has_bounce = arguments.has_bounce || map::number_of(entities.front(), "_bounce", 0) > 0;
+    const bool has_bounce = arguments.has_bounce || map::number_of(entities.front(), "_bounce", 0) >= 1;
     if (has_bounce) palette = read_parsed(map::palette_file(arguments.textures, called_as), read_palette);
     map::CompileOptions options;
     options.is_fast = arguments.is_fast;

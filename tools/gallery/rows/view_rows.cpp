@@ -212,7 +212,8 @@ void write_matrices(const Matrix4& to_world, const Matrix4& to_view, const Galle
     for (const auto& row : to_world.rows) lines.push_back(row_text(row, "%8.3f"));
     lines.insert(lines.end(), {"", "Its inverse, the view's: rows, -axis . eye"});
     for (const auto& row : to_view.rows) lines.push_back(row_text(row, "%8.3f"));
-    const std::int32_t y = kHeader_px + (canvas.height_px - kHeader_px - kFooter_px - 126) / 2;
+    const std::int32_t height_px = static_cast<std::int32_t>(lines.size()) * kLineHeight_px;
+    const std::int32_t y = kHeader_px + (canvas.height_px - kHeader_px - kFooter_px - height_px) / 2;
     draw_column(canvas, std::max(canvas.width_px / 2 - 118, 4), y, lines, assets.text);
 }
 
