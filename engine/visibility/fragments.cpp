@@ -11,7 +11,7 @@ namespace {
 
 /// Corners nearer to a plane than this count as on it: 1/1,024 unit.
 constexpr auto kOnTolerance = PlaneDistance::from_raw(std::int64_t{1} << 32);
-constexpr PlaneDistance kOn{};
+constexpr PlaneDistance kOnPlane{};
 
 /// Where an edge crosses a plane, computed from its front end, so that both pieces and both faces of the edge agree.
 Vec3<World> cross_plane(const Vec3<World>& a, PlaneDistance distance_a, const Vec3<World>& b,
@@ -180,9 +180,9 @@ PolygonSide polygon_side(const LevelPlane& plane, const Vec3<World>& offset, std
     distances.clear();
     for (const Vec3<World>& corner : polygon) {
         const PlaneDistance distance = plane_distance(plane, corner - offset);
-        distances.push_back(absolute(distance) < kOnTolerance ? kOn : distance);
-        any_front |= distances.back() > kOn;
-        any_back |= distances.back() < kOn;
+        distances.push_back(absolute(distance) < kOnTolerance ? kOnPlane : distance);
+        any_front |= distances.back() > kOnPlane;
+        any_back |= distances.back() < kOnPlane;
     }
     if (any_front && any_back) return PolygonSide::Both;
     return any_front ? PolygonSide::Front : any_back ? PolygonSide::Back : PolygonSide::On;
@@ -194,8 +194,8 @@ void append_part(std::vector<Vec3<World>>& corners, std::uint32_t first, std::sp
         const std::size_t next = i + 1 == distances.size() ? 0 : i + 1;
         const Vec3<World> from = corners[first + i], to = corners[first + next];
         const PlaneDistance here = distances[i], there = distances[next];
-        if (in_front ? here >= kOn : here <= kOn) corners.push_back(from);
-        if ((here < kOn && there > kOn) || (here > kOn && there < kOn))
+        if (in_front ? here >= kOnPlane : here <= kOnPlane) corners.push_back(from);
+        if ((here < kOnPlane && there > kOnPlane) || (here > kOnPlane && there < kOnPlane))
             corners.push_back(cross_plane(from, here, to, there));
     }
 }
