@@ -172,7 +172,8 @@ const play = async (open, address) => {
   await tab.page.reload();
   await tab.shows();
   const kept = (await savesOf(tab)).filter(name => !saved.includes(name));
-  assert.ok(kept.some(name => name.endsWith(".save")), "no save among what is new: " + kept);
+  // On a slow machine the walk has a save already, which is kept as .old when it is written anew.
+  assert.ok(kept.some(name => /\.save(\.old)?$/.test(name)), "no save among what is new: " + kept);
   await tab.shot(file("continue"));
   await enter(tab, 1);
   await tab.press("Insert");
