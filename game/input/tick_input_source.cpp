@@ -130,7 +130,7 @@ LookOffset LiveInput::look_offset(std::int32_t fraction_16) const {
 TickInputSource::TickInputSource(const GameState& start, std::optional<Demo> replayed, bool records,
                                  std::uint64_t rules_hash)
     : replayed_(std::move(replayed)), records_(records) {
-    recorded_.start_hash = hash_of(start) ^ rules_hash;
+    recorded_.start_hash = start_hash_of(start, rules_hash);
     if (replayed_ && replayed_->start_hash != recorded_.start_hash)
         throw InputError("start", "recorded on another level or by other rules, expected this one's");
 }

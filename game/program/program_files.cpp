@@ -36,23 +36,18 @@ bool is_plain(char letter) {
     return is_letter || (letter >= '0' && letter <= '9') || letter == '.' || letter == '-' || letter == '_';
 }
 
-bool is_ascii(char letter) {
-    return static_cast<unsigned char>(letter) < 128;
-}
-
 }  // namespace
 
-// The museum has its saves beside the games' folders, with a file "lock". Names in other alphabets would become alike
-// without the number.
+// The museum has its saves beside the games' folders, with a file "lock".
 std::string game_name(const std::string& folder) {
     if (folder.empty()) return kQuake;
     std::string name = fs::absolute(folder).lexically_normal().filename().string();
     if (name.empty()) name = fs::absolute(folder).lexically_normal().parent_path().filename().string();
     const std::uint64_t hash = fnv1a_of({reinterpret_cast<const std::uint8_t*>(name.data()), name.size()});
-    const bool is_plain_enough = std::all_of(name.begin(), name.end(), is_ascii);
+    const bool is_ascii = std::none_of(name.begin(), name.end(), [](char letter) { return (letter & 128) != 0; });
     for (char& letter : name)
         if (!is_plain(letter)) letter = '_';
-    if (!is_plain_enough) name += "-" + std::to_string(hash);
+    if (!is_ascii) name += "-" + std::to_string(hash);  // words of other alphabets have become alike
     return name == kMuseum || name == "lock" || name.empty() ? "_" + name : name;
 }
 
@@ -102,7 +97,7 @@ ProgramFiles load_program_files(const Options& options, const std::string& asset
     if (!options.record.empty()) check_writable(options.record);
     const GameState start = start_of(loaded->level);
     const bool shows_first_level = options.shows_title && options.level.empty() && options.map.empty();
-    if (shows_first_level) warn_of_demo(*loaded->files.game, hash_of(start) ^ loaded->data.rules_hash);
+    if (shows_first_level) warn_of_demo(*loaded->files.game, start_hash_of(start, loaded->data.rules_hash));
     return naming_file(options.replay, [&] {
         return ProgramFiles{assets_folder, loaded,
                             TickInputSource(start, std::move(demo), !options.record.empty(), loaded->data.rules_hash)};

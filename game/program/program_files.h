@@ -30,8 +30,8 @@ ProgramFiles load_program_files(const Options& options, const std::string& asset
 /// The files of later levels: those of the first one, except its palette.
 LevelFiles files_of_game(const LoadedLevel& first, const Options& options);
 
-/// The name of a game for the options file and its saves, from its folder; without a folder: kQuake. Letters, digits,
-/// ".", "-" and "_"; with a number if the folder has others, so that no two folders' names become one.
+/// The name of a game for the options file and its saves, from its folder; without a folder: kQuake. ASCII letters,
+/// digits, ".", "-" and "_", which others become; with a number if the folder's name is not ASCII.
 std::string game_name(const std::string& folder);
 
 /// The folder of a game's saves, separate for each game, so that no title offers walks of another game.

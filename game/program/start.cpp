@@ -46,7 +46,7 @@ void record_route(const Options& options, const std::string& assets) {
     const LoadedLevel loaded(level_files_of(options, assets));
     const std::vector<Waypoint> route = read_parsed(options.route, parse_route);
     Demo demo = naming_file(options.route, [&] { return walk_route(loaded.level, route); });
-    demo.start_hash ^= loaded.data.rules_hash;
+    demo.start_hash = start_hash_of(start_of(loaded.level), loaded.data.rules_hash);
     write_file(options.record, encode_demo(demo));
 }
 

@@ -22,7 +22,7 @@ Title::Title(std::shared_ptr<const LoadedLevel> loaded, const std::string& demo_
 // A demo of another level is ignored.
 void Title::begin() {
     const GameState state = start_of(loaded_->level);
-    if (demo_ && demo_->start_hash != (hash_of(state) ^ loaded_->data.rules_hash)) demo_.reset();
+    if (demo_ && demo_->start_hash != start_hash_of(state, loaded_->data.rules_hash)) demo_.reset();
     walk_ = std::make_unique<Session>(loaded_, settings_, view_options_,
                                       TickInputSource(state, demo_, false, loaded_->data.rules_hash), platform_);
 }

@@ -57,7 +57,8 @@ namespace fs = std::filesystem;
 constexpr std::size_t kLargestSave_bytes = std::size_t{1} << 24;
 constexpr std::string_view kExtension = ".save", kFormerExtension = ".old";
 constexpr std::array<std::string_view, 3> kPrefixes{"auto", "quick", "slot"};  // by SaveKind
-constexpr const char* kLockFile = "lock";                                      // byte 0: the folder; byte n + 1: walk n
+// Byte 0: the folder; byte n + 1: walk n.
+constexpr const char* kLockFile = "lock";
 constexpr int kLongestWait_ms = 3000, kMostWalks = 1'000'000;
 
 std::string former_of(const std::string& file) {

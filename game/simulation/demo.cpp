@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "engine/base/little_endian.h"
+#include "game/simulation/state.h"
 
 namespace oblong {
 namespace {
@@ -44,6 +45,10 @@ DemoTick read_tick(LittleEndianReader& reader) {
 }
 
 }  // namespace
+
+std::uint64_t start_hash_of(const GameState& start, std::uint64_t rules_hash) {
+    return hash_of(start) ^ rules_hash;
+}
 
 std::vector<std::uint8_t> encode_demo(const Demo& demo) {
     std::vector<std::uint8_t> bytes(kDemoMagic.begin(), kDemoMagic.end());
