@@ -127,6 +127,12 @@ FogDepths make_fog_depths(FogDensity density, View start, View end) {
     return depths;
 }
 
+std::int64_t pixels_of(std::span<const FogRun> runs) {
+    std::int64_t pixels = 0;
+    for (const FogRun& run : runs) pixels += run.end - run.first;
+    return pixels;
+}
+
 void append_fog_run(const FogRun& run, std::vector<FogRun>& runs) {
     if (!runs.empty() && runs.back().level == run.level && runs.back().y == run.y && runs.back().end == run.first)
         runs.back().end = run.end;

@@ -53,6 +53,9 @@ struct FogRun {
 };
 static_assert(kLargestMode_px <= std::numeric_limits<std::int16_t>::max());
 
+/// The number of pixels in runs.
+std::int64_t pixels_of(std::span<const FogRun> runs);
+
 /// Appends a run, or extends the last one if the run continues it.
 void append_fog_run(const FogRun& run, std::vector<FogRun>& runs);
 

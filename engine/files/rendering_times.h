@@ -19,7 +19,8 @@ struct TimeSpread {
 };
 /// Of at least one time.
 TimeSpread spread_of(std::vector<double> times_ns);
-/// "+-3%": half of the interquartile range, as a percentage of the median, rounded up.
+/// "+-3%": half of the interquartile range, as a percentage of the median, rounded up. " busy" above 99: other programs
+/// have the processor, and the times tell nothing.
 std::string spread_text(const TimeSpread& times);
 /// Whether the quartile ranges do not overlap.
 inline bool are_apart(const TimeSpread& a, const TimeSpread& b) {
@@ -29,7 +30,7 @@ inline bool are_apart(const TimeSpread& a, const TimeSpread& b) {
 struct PlanLine {
     std::string_view name;
     std::int64_t pixels = 0;
-    double nanoseconds = 0;          ///< the median
+    double nanoseconds = 0;          ///< the part of the frame's median
     double low_ns = 0, high_ns = 0;  ///< quartiles
 };
 
@@ -57,7 +58,8 @@ class RenderingTimes {
 
     /// Requires at least one rendering, as do the following.
     TimeSpread frame_ns() const;
-    /// "walk", "claims", the plan's passes, and "other" for the rest, so that the lines add up to the frame's median.
+    /// "walk", "claims", the plan's passes, and "other" for the rest, so that the lines add up to the frame's median:
+    /// each has its share of the renderings whose times are the middle half.
     std::vector<PlanLine> pass_lines(const FramePlan& plan, const FrameCounts& counts) const;
     /// The plan's effects: each is a part of passes, or a pass.
     std::vector<PlanLine> effect_lines(const FramePlan& plan, const FrameCounts& counts) const;
@@ -69,6 +71,9 @@ class RenderingTimes {
     };
 
     void add(std::int64_t taken_ns);
+    std::vector<const Rendering*> middle_half() const;
+    template <class TimeOf>
+    PlanLine line_of(std::string_view name, std::int64_t pixels, TimeOf time_of) const;
     template <class TimeOf>
     std::vector<double> times_of(TimeOf time_of) const;
 

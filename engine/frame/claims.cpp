@@ -94,6 +94,11 @@ void Claims::clear() {
     effects = {};
 }
 
+void Claims::add(Effect effect, std::int64_t pixels, FrameCounts* counts) {
+    effects = effects.with(effect);
+    if (counts) counts->of(effect) += pixels;
+}
+
 std::int64_t pixels_of(const Claims& claims, FaceList list) {
     std::int64_t pixels = 0;
     for (const VisibleFace& face : claims.list(list)) pixels += pixels_of(claims.spans_of(face));

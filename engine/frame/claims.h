@@ -19,6 +19,7 @@ namespace oblong {
 struct ClaimScratch;
 struct CornerScratch;
 struct FrameContext;
+struct FrameCounts;
 struct ViewScratch;
 
 /// The lists of claimed faces, one for each pass.
@@ -47,7 +48,7 @@ struct LastPlane {
 struct Claims {
     SpanList spans;
     std::array<std::vector<VisibleFace>, kFaceListCount> lists;
-    EffectSet effects;             ///< that own pixels: needed by faces and allowed by the settings, and others
+    EffectSet effects;             ///< allowed ones that own pixels; passes add those that they find as they draw
     std::vector<TornSpan> torn;    ///< pixels of walls whose faces are missing
     SpanList void_spans;           ///< pixels behind which there is neither face nor wall: the void
     std::vector<FogRun> fog_runs;  ///< pixels in fog
@@ -61,6 +62,8 @@ struct Claims {
         return std::span<const Span>(spans).subspan(face.first_span, face.span_count);
     }
     void clear();
+    /// Adds an effect that owns pixels, and counts these.
+    void add(Effect effect, std::int64_t pixels, FrameCounts* counts);
 };
 
 /// The list of a face that needs these effects. If they are not allowed, it is drawn in one colour or as a wall.

@@ -113,8 +113,9 @@ FramePlan draw_view(const FrameContext& frame, ViewScratch& scratch) {
     find_things(frame, scratch);
     find_fog(frame, scratch);
     find_light(frame, scratch);
-    const FramePlan plan = plan_frame(scratch.claims);
+    FramePlan plan = plan_frame(scratch.claims);
     run_passes(plan, frame, scratch);
+    plan.effects = scratch.claims.effects;
     return plan;
 }
 

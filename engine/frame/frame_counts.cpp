@@ -81,7 +81,7 @@ void count_divided_pixels(std::span<const Span> spans, std::int64_t divisions, s
     counts.stages.textured_pixels += pixels;
     counts.stages.divided_pixels += pixels;
     counts.stages.exact_divisions += divisions;
-    counts.divisions += pixels;
+    counts.divisions += divisions;
 }
 
 void count_blocks(std::span<const Span> spans, const BlockCutting& cutting, const BlockList& blocks,

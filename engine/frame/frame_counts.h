@@ -31,20 +31,21 @@ struct StageCounts {
     std::int64_t textured_pixels = 0, flat_pixels = 0, sky_pixels = 0;
     std::int64_t sky_blocks = 0, sky_directions = 0;  ///< draw_sky()
     std::int64_t sky_texels = 0;                      ///< composed of both layers; 0: looked up at each pixel
-    std::int64_t divided_pixels = 0;                  ///< textured by raster/exact_spans.h; one each in `divisions`
-    /// Their real number; less where texels are linear or rows share depths, but not where AVX-512 divides for eight.
-    std::int64_t exact_divisions = 0;
-    std::int64_t particles = 0;   ///< computed, including those out of view
-    std::int64_t lit_texels = 0;  ///< built, as they were not in the cache
+    std::int64_t divided_pixels = 0;                  ///< textured by raster/exact_spans.h
+    std::int64_t exact_divisions = 0;                 ///< for these, in `divisions`; fewer, as it shares divisions
+    std::int64_t particles = 0;                       ///< computed, including those out of view
+    std::int64_t lit_texels = 0;                      ///< built, as they were not in the cache
 };
 
 /// Statistics of one frame, collected on request (FrameObservers).
 struct FrameCounts {
-    std::int64_t faces_visited = 0, faces_drawn = 0, spans = 0, divisions = 0;
+    std::int64_t faces_visited = 0, faces_drawn = 0, spans = 0;
+    std::int64_t divisions = 0;  ///< of 1/z, for texels
     StageCounts stages;
-    std::vector<std::uint8_t> writes;                        ///< to each pixel by faces, including sky; at most 255
-    std::array<std::int64_t, kEffectCount> effect_pixels{};  ///< by Effect: pixels of what needs it
-    std::array<std::int64_t, kPassCount> pass_pixels{};      ///< by index in kPasses
+    std::vector<std::uint8_t> writes;                          ///< to each pixel by faces, including sky; at most 255
+    std::array<std::int64_t, kEffectCount> effect_pixels{};    ///< by Effect: pixels of what needs it
+    std::array<std::int64_t, kPassCount> pass_pixels{};        ///< by index in kPasses
+    std::array<std::int64_t, kEffectCount> mirrored_pixels{};  ///< the part of `effect_pixels` in mirrors
 
     std::int64_t& of(Effect effect) { return item(effect_pixels, effect); }
     std::int64_t of(Effect effect) const { return item(effect_pixels, effect); }

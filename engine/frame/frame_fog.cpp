@@ -94,9 +94,8 @@ void find_fog(const FrameContext& frame, ViewScratch& scratch) {
         for (const VisibleFace& claimed : claims.list(FaceList::Sky))
             for (const Span& span : claims.spans_of(claimed)) claims.fog_runs.emplace_back(span, sky_level);
     std::erase_if(claims.fog_runs, [](const FogRun& run) { return run.level == 0; });
-    if (frame.observers.counts)
-        for (const FogRun& run : claims.fog_runs) frame.observers.counts->of(Effect::Fog) += run.end - run.first;
-    if (!claims.fog_runs.empty()) claims.effects = claims.effects.with(Effect::Fog);
+    if (claims.fog_runs.empty()) return;
+    claims.add(Effect::Fog, pixels_of(claims.fog_runs), frame.observers.counts);
 }
 
 }  // namespace oblong

@@ -77,29 +77,34 @@ void keep_visible(const FrameContext& frame, ViewScratch& scratch) {
         sprite_pixels += pixels;
         if (pixels > 0) things.visible.push_back({sprite.position, World::lowest(), 0, 0, &sprite.screen, own_colours});
     }
-    EffectSet& effects = scratch.claims.effects;
-    if (dot_pixels > 0) effects = effects.with(Effect::Particles);
-    if (sprite_pixels > 0) effects = effects.with(Effect::Sprites);
-    if (!frame.observers.counts) return;
-    frame.observers.counts->of(Effect::Particles) = dot_pixels;
-    frame.observers.counts->of(Effect::Sprites) = sprite_pixels;
+    if (dot_pixels > 0) scratch.claims.add(Effect::Particles, dot_pixels, frame.observers.counts);
+    if (sprite_pixels > 0) scratch.claims.add(Effect::Sprites, sprite_pixels, frame.observers.counts);
 }
 
-void colour_by_fog(const FrameFog& fog, const Vec3<World>& eye, ViewScratch& scratch) {
+/// Gives things the colours of fog, and adds its pixels on them.
+void colour_by_fog(const FrameContext& frame, ViewScratch& scratch) {
+    const FrameFog& fog = frame.fog;
     std::vector<FogRun>& runs = scratch.effects->fog_runs;
     FrameThings& things = scratch.claims.things;
+    std::int64_t pixels = 0;
+    const auto colours_at = [&](std::int32_t column, std::int32_t row, InverseDepth depth, auto visible_pixels_of) {
+        const ColourRow& colours = fog_colours(column, row, inverse_z_of(depth), fog, runs);
+        if (&colours != &fog.tables->colours(0) && (pixels == 0 || frame.observers.counts))
+            pixels += visible_pixels_of();
+        return colours.data();
+    };
     for (VisibleThing& thing : things.visible) {
-        if (is_clear(thing.lowest_z, fog, eye)) continue;
+        if (is_clear(thing.lowest_z, fog, frame.view.eye)) continue;
         for (ParticleDot& dot : dots_of(things, thing.first_dot, thing.dot_count))
-            dot.colour =
-                fog_colours(dot.first_column, dot.first_row, inverse_z_of(dot.inverse_depth), fog, runs)[dot.colour];
+            dot.colour = colours_at(dot.first_column, dot.first_row, dot.inverse_depth,
+                                    [&] { return visible_pixels(dot, scratch.depth); })[dot.colour];
         if (!thing.sprite) continue;
-        const ScreenRectangle& pixels = thing.sprite->pixels;
-        thing.colours =
-            fog_colours((pixels.first_column + pixels.end_column) / 2, (pixels.first_row + pixels.end_row) / 2,
-                        inverse_z_of(middle_inverse_depth(*thing.sprite)), fog, runs)
-                .data();
+        const ScreenRectangle& drawn = thing.sprite->pixels;
+        const InverseDepth depth = middle_inverse_depth(*thing.sprite);
+        thing.colours = colours_at((drawn.first_column + drawn.end_column) / 2, (drawn.first_row + drawn.end_row) / 2,
+                                   depth, [&] { return visible_pixels(drawn, depth, scratch.depth); });
     }
+    if (pixels > 0) scratch.claims.add(Effect::Fog, pixels, frame.observers.counts);
 }
 
 /// The number of pixels of spans inside scanned rows.
@@ -183,7 +188,7 @@ void find_things(const FrameContext& frame, ViewScratch& scratch) {
     fill_depth(frame, scratch);
     keep_visible(frame, scratch);
     timed(Effect::Meshes, [&] { keep_seen_meshes(frame, scratch); });
-    if (frame.fog.tables) timed(Effect::Fog, [&] { colour_by_fog(frame.fog, frame.view.eye, scratch); });
+    if (frame.fog.tables) timed(Effect::Fog, [&] { colour_by_fog(frame, scratch); });
 }
 
 void draw_thing(const VisibleThing& thing, const FrameContext& frame, ViewScratch& scratch) {

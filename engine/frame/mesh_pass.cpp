@@ -78,11 +78,11 @@ void gather_mesh_lights(const MeshInView& mesh, ViewScratch& scratch) {
     }
 }
 
-/// The light on a mesh: 5/8 of the light of the floor below as ambient light, and 5/8 directional; and moving lights.
-MeshLight light_on(const MeshInView& mesh, const FrameContext& frame, const ViewScratch& scratch) {
-    const std::optional<std::int32_t> below_8 =
-        light_8_below(frame.scene.level, middle_of(mesh.box), scratch.light.styles);
-    const std::int32_t light_level = std::min(below_8.value_or(kFullLight * 256) / 256, MeshLight::kMostLight);
+/// The light on a mesh: 5/8 of the light of the floor `below` as ambient light, and 5/8 directional; and moving lights.
+MeshLight light_on(const MeshInView& mesh, const std::optional<LightAt>& below, const FrameContext& frame,
+                   const ViewScratch& scratch) {
+    const std::int32_t light_level =
+        std::min(below ? below->light_8 / 256 : std::int32_t{kFullLight}, MeshLight::kMostLight);
     MeshLight light;
     light.ambient = std::max(light_level * 5 / 8, mesh.placed->least_light);
     light.directional = {normalised(kTowardLight), light_level * 5 / 8};
@@ -100,6 +100,17 @@ const std::uint8_t* fog_over(const MeshInView& mesh, const FrameContext& frame, 
         fog_colours((pixels.first_column + pixels.end_column) / 2, (pixels.first_row + pixels.end_row) / 2,
                     reciprocal<InverseZ>(std::max(z, View::from_int(1))), frame.fog, scratch.effects->fog_runs);
     return &colours == &frame.fog.tables->colours(0) ? nullptr : colours.data();
+}
+
+/// The mesh's own effect, and those of its light and fog, with its pixels.
+void add_effects(const MeshDrawing& drawing, const std::optional<LightAt>& below, std::int64_t pixels,
+                 const FrameContext& frame, Claims& claims) {
+    FrameCounts* const counts = frame.observers.counts;
+    claims.add(Effect::Meshes, pixels, counts);
+    if (!drawing.light.points.empty()) claims.add(Effect::Lights, pixels, counts);
+    if (drawing.colours) claims.add(Effect::Fog, pixels, counts);
+    if (below && frame.allows(Effect::Styles) && frame.cache.faces[below->face].effects.has(Effect::Styles))
+        claims.add(Effect::Styles, pixels, counts);
 }
 
 }  // namespace
@@ -140,20 +151,20 @@ void keep_seen_meshes(const FrameContext& frame, ViewScratch& scratch) {
 }
 
 void draw_meshes(const FrameContext& frame, ViewScratch& scratch) {
-    std::int64_t pixels = 0;
     for (const MeshInView& mesh : scratch.claims.things.meshes) {
         if (is_hidden(mesh, scratch.depth)) continue;  // by earlier meshes
         gather_mesh_lights(mesh, scratch);
+        const std::optional<LightAt> below = light_below(frame.scene.level, middle_of(mesh.box), scratch.light.styles);
         const MeshDrawing drawing{frame.view,
                                   frame.cache.surfaces.colormap(),
-                                  light_on(mesh, frame, scratch),
+                                  light_on(mesh, below, frame, scratch),
                                   fog_over(mesh, frame, scratch),
                                   frame.accuracy().texturing == Texturing::Affine,
                                   scratch.claims.things.parts_of(mesh)};
-        pixels +=
+        const std::int64_t pixels =
             draw_mesh(*mesh.placed, drawing, {scratch.depth, frame.out, mesh.pixels}, *scratch.effects->meshes).pixels;
+        if (pixels > 0) add_effects(drawing, below, pixels, frame, scratch.claims);
     }
-    if (frame.observers.counts) frame.observers.counts->of(Effect::Meshes) += pixels;
 }
 
 }  // namespace oblong

@@ -6,6 +6,7 @@
 #include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"
 #include "engine/frame/frame_context.h"
+#include "engine/frame/frame_counts.h"
 #include "engine/frame/frame_light.h"
 #include "engine/frame/frame_record.h"
 #include "engine/frame/shared_drawing.h"
@@ -90,15 +91,30 @@ std::vector<WalkLimit> limits_of(const MirrorView& mirror, const FrameContext& f
     return limits;
 }
 
-/// Draws the mirrored view in the spans `flipped`.
-void draw_mirrored_view(const MirrorView& mirror, LeafIndex leaf, std::span<const Span> flipped,
-                        const FrameContext& frame, MirrorScratch& scratch) {
+/// Adds the pixels and times of a mirror's effects, its own passes among them, to those of the frame.
+void add_effects(const FrameObservers& mirrored, const FrameObservers& frame) {
+    for (std::size_t i = 0; i < kEffectCount; ++i) {
+        if (frame.counts) frame.counts->mirrored_pixels[i] += mirrored.counts->effect_pixels[i];
+        if (!frame.times) continue;
+        const std::size_t pass = pass_of(static_cast<Effect>(i));
+        frame.times->effects_ns[i] +=
+            mirrored.times->effects_ns[i] + (pass < kPassCount ? mirrored.times->passes_ns[pass] : 0);
+    }
+}
+
+/// Draws the mirrored view in the spans `flipped`. Returns the effects that own pixels of it.
+EffectSet draw_mirrored_view(const MirrorView& mirror, LeafIndex leaf, std::span<const Span> flipped,
+                             const FrameContext& frame, MirrorScratch& scratch) {
+    const FrameObservers& outer = frame.observers;
+    FrameCounts counts = outer.counts ? make_frame_counts(frame.out) : FrameCounts{};
+    PassTimes times{outer.times ? outer.times->clock : nullptr};
+    const FrameObservers own{outer.counts ? &counts : nullptr, nullptr, outer.times ? &times : nullptr};
     Settings settings = frame.settings;
     settings.allowed_effects = settings.allowed_effects.without(Effect::Mirror);
     FrameContext mirrored_frame{frame.scene,
                                 settings,
                                 frame.cache,
-                                {},
+                                own,
                                 mirrored(frame.view, mirror, frame.scene.level),
                                 frame.inverse_projection,
                                 frame.texturing,
@@ -110,8 +126,10 @@ void draw_mirrored_view(const MirrorView& mirror, LeafIndex leaf, std::span<cons
     fill_spans(flipped, 0, mirrored_frame.out);
     start_view(mirrored_frame, leaf, *scratch.view);
     scratch.view->claiming->span_buffer.reset_to(flipped);
-    draw_view(mirrored_frame, *scratch.view);
+    const EffectSet effects = draw_view(mirrored_frame, *scratch.view).effects;
     copy_flipped(flipped, mirrored_frame.out, frame.out);
+    add_effects(own, outer);
+    return effects;
 }
 
 }  // namespace
@@ -144,6 +162,7 @@ void draw_mirrors(const FrameContext& frame, ViewScratch& scratch) {
     if (!mirrors.view) mirrors.view = std::make_unique<ViewScratch>(scratch, ScreenMode{out.width_px, out.height_px});
     mirrors.picture.resize(pixel_count(out.width_px, out.height_px));
 
+    EffectSet effects;
     std::vector<VisibleFace> remaining = scratch.claims.list(FaceList::Mirror);
     while (!remaining.empty()) {
         const MirrorPlane mirror = plane_of(remaining.front(), frame);
@@ -153,12 +172,13 @@ void draw_mirrors(const FrameContext& frame, ViewScratch& scratch) {
         });
         const auto faces = std::span<const VisibleFace>(remaining).first(as_size(others - remaining.begin()));
         const std::vector<Span> flipped = flipped_spans(faces, scratch.claims, out.width_px);
-        draw_mirrored_view({mirror, rectangle_around(flipped)}, leaf, flipped, frame, mirrors);
+        effects = effects | draw_mirrored_view({mirror, rectangle_around(flipped)}, leaf, flipped, frame, mirrors);
         for (const VisibleFace& face : faces) observe_spans(face, scratch.claims.spans_of(face), out, frame.observers);
         remaining.erase(remaining.begin(), others);
     }
     if (scratch.effects->meshes) scratch.effects->meshes->begun = nullptr;  // the mirrored views used its scratch
     restore_light(frame, scratch);
+    scratch.claims.effects = scratch.claims.effects | effects;
 }
 
 }  // namespace oblong

@@ -1,5 +1,8 @@
 #include "engine/frame/passes.h"
 
+#include <algorithm>
+
+#include "engine/base/table.h"
 #include "engine/effects/sky.h"
 #include "engine/effects/warp.h"
 #include "engine/frame/frame_context.h"
@@ -37,6 +40,10 @@ std::int64_t uncovered_pixels(const Claims& claims, const FrameCounts&) {
     std::int64_t pixels = pixels_of(claims.void_spans);
     for (const TornSpan& torn : claims.torn) pixels += torn.span.end - torn.span.first;
     return pixels;
+}
+
+std::int64_t fog_pixels(const Claims& claims, const FrameCounts&) {
+    return pixels_of(claims.fog_runs);
 }
 
 bool has_seen_through(const Claims& claims) {
@@ -108,8 +115,7 @@ const std::array<Pass, kPassCount> kPasses{{
     {"uncovered", true, has_uncovered, uncovered_pixels, draw_torn_pixels},
     {"shadows", false, [](const Claims& claims) { return !claims.things.shadows.empty(); },
      pixels_of_effect<Effect::Shadows>, draw_shadows},
-    {"fog", false, [](const Claims& claims) { return !claims.fog_runs.empty(); }, pixels_of_effect<Effect::Fog>,
-     draw_fog_runs},
+    {"fog", false, [](const Claims& claims) { return !claims.fog_runs.empty(); }, fog_pixels, draw_fog_runs},
     {"models", false, [](const Claims& claims) { return !claims.things.meshes.empty(); },
      pixels_of_effect<Effect::Meshes>, draw_meshes},
     {"see_through", false, has_seen_through, seen_through_pixels, draw_see_through},
@@ -117,9 +123,14 @@ const std::array<Pass, kPassCount> kPasses{{
      pixels_of_effect<Effect::Underwater>, draw_waves},
 }};
 
+std::size_t pass_of(Effect effect) {
+    const auto pass = std::find_if(kPasses.begin(), kPasses.end(),
+                                   [effect](const Pass& one) { return one.name == item(kEffectNames, effect); });
+    return as_size(pass - kPasses.begin());
+}
+
 FramePlan plan_frame(const Claims& claims) {
     FramePlan plan;
-    plan.effects = claims.effects;
     for (std::size_t i = 0; i < kPassCount; ++i) plan.passes[i] = kPasses[i].has_work(claims);
     return plan;
 }
@@ -132,9 +143,10 @@ void run_passes(const FramePlan& plan, const FrameContext& frame, ViewScratch& s
         kPasses[i].run(frame, scratch);
     }
     end_sharing(frame);
-    if (FrameCounts* const counts = frame.observers.counts)
-        for (std::size_t i = 0; i < kPassCount; ++i)
-            counts->pass_pixels[i] = kPasses[i].pixels(scratch.claims, *counts);
+    FrameCounts* const counts = frame.observers.counts;
+    if (!counts) return;
+    for (std::size_t i = 0; i < kPassCount; ++i) counts->pass_pixels[i] = kPasses[i].pixels(scratch.claims, *counts);
+    for (std::size_t i = 0; i < kEffectCount; ++i) counts->effect_pixels[i] += counts->mirrored_pixels[i];
 }
 
 }  // namespace oblong

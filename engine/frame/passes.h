@@ -30,8 +30,11 @@ extern const std::array<Pass, kPassCount> kPasses;
 /// The passes that a frame runs: those with work.
 struct FramePlan {
     std::bitset<kPassCount> passes;  ///< by index in kPasses
-    EffectSet effects;               ///< effects that own pixels
+    EffectSet effects;               ///< that own pixels, also in mirrors; final when the passes have run
 };
+
+/// The pass that draws nothing but an effect, by index in kPasses; kPassCount: none.
+std::size_t pass_of(Effect effect);
 
 FramePlan plan_frame(const Claims& claims);
 void run_passes(const FramePlan& plan, const FrameContext& frame, ViewScratch& scratch);

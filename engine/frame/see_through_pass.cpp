@@ -2,6 +2,7 @@
 
 #include "engine/base/table.h"
 #include "engine/frame/frame_context.h"
+#include "engine/frame/frame_counts.h"
 #include "engine/frame/frame_fog.h"
 #include "engine/frame/frame_things.h"
 #include "engine/frame/surface_pass.h"
@@ -60,6 +61,7 @@ void draw_in_fog(const VisibleFace& claimed, SurfaceOptions drawing, const Frame
         of_level.clear();
         for (; run != runs.end() && run->level == level; ++run) of_level.push_back(run->span());
         drawing.colours = &fog.tables->colours(level);
+        if (level > 0) scratch.claims.add(Effect::Fog, pixels_of(of_level), frame.observers.counts);
         draw_surface(claimed, of_level, drawing, frame, scratch);
     }
 }

@@ -145,11 +145,10 @@ std::optional<std::int32_t> light_8_on(const Level& level, const Face& face, con
     return light_8_of_sample(level, face, u, v, styles);
 }
 
-/// The light of the first of a node's faces whose extents hold `p`.
-std::optional<std::int32_t> light_8_at(const Level& level, NodeIndex node, const Vec3<World>& p,
-                                       const LightStyles& styles) {
+/// Of the first of a node's faces whose extents hold `p`.
+std::optional<LightAt> light_at(const Level& level, NodeIndex node, const Vec3<World>& p, const LightStyles& styles) {
     for (const FaceIndex face : level.nodes[node].faces)
-        if (const auto light_8 = light_8_on(level, level.faces[face], p, styles)) return light_8;
+        if (const auto light_8 = light_8_on(level, level.faces[face], p, styles)) return LightAt{face, *light_8};
     return std::nullopt;
 }
 
@@ -168,15 +167,15 @@ std::int32_t light_8_of_sample(const Level& level, const Face& face, std::int64_
     return sum_8;
 }
 
-std::optional<std::int32_t> light_8_below(const Level& level, const Vec3<World>& from, const LightStyles& styles) {
+std::optional<LightAt> light_below(const Level& level, const Vec3<World>& from, const LightStyles& styles) {
     if (level.lighting.empty()) return std::nullopt;
-    std::optional<std::int32_t> light_8;
+    std::optional<LightAt> light;
     walk_line(level, level.world().root, from, {from.x, from.y, kLowest}, {},
               [&](LeafIndex, std::optional<NodeIndex> entered, const Vec3<World>& place) {
-                  if (entered) light_8 = light_8_at(level, *entered, place, styles);
-                  return light_8.has_value();
+                  if (entered) light = light_at(level, *entered, place, styles);
+                  return light.has_value();
               });
-    return light_8;
+    return light;
 }
 
 }  // namespace oblong

@@ -83,10 +83,15 @@ LightPatterns make_light_patterns(const Level& level, const std::array<std::stri
 /// The light styles at time_ms >= 0.
 LightStyles light_styles_at(const LightPatterns& patterns, std::int64_t time_ms, Flashes flashes);
 
-/// The light on the nearest lit face of the world straight below a point: the lightmap sample there, times the
-/// brightness of the face's styles, with 8 fraction bits. Models are lit like the floor below them (Quake's
+/// The light of a lit face at one place: the lightmap sample there, times the brightness of the face's styles, with 8
+/// fraction bits.
+struct LightAt {
+    FaceIndex face;
+    std::int32_t light_8;
+};
+/// On the nearest lit face of the world straight below a point. Models are lit like the floor below them (Quake's
 /// R_LightPoint). None if no lit face is below or the level has no lightmaps.
-std::optional<std::int32_t> light_8_below(const Level& level, const Vec3<World>& from, const LightStyles& styles);
+std::optional<LightAt> light_below(const Level& level, const Vec3<World>& from, const LightStyles& styles);
 
 /// The light of the sample that holds texel (u, v) of a lit face, counted from the surface's first: 0 to its extents.
 std::int32_t light_8_of_sample(const Level& level, const Face& face, std::int64_t u, std::int64_t v,

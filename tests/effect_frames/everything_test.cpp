@@ -178,8 +178,7 @@ TEST(Plan, HardCaseP5_EffectsThatTheFrameDoesNotCallForTakeNoOperation) {
     empty.draw(2'900);
     EXPECT_EQ(counts_of(empty), all_allowed);
 
-    // Not a mirror, whose own picture calls for what it shows.
-    const EffectSet allowed = EffectSet::all().without(Effect::Mirror);
+    const EffectSet allowed = EffectSet::all();
     EffectStage stage = everything(in_tank());
     std::set<std::size_t> sizes;
     for (int yaw = 0; yaw < 360; yaw += 30) {

@@ -11,6 +11,7 @@
 #include "tests/effect_frames/effect_stage.h"
 #include "tests/frame/frame_fixture.h"
 #include "tests/support/folders.h"
+#include "tools/gallery/mesh_scene.h"
 #include "tools/render/camera_list.h"
 
 namespace oblong::test::plan_test {
@@ -159,6 +160,80 @@ TEST_F(DemoAllAround, NoPassRunsWithoutPixelsAndLittleIsDoneInVain) {
     EXPECT_EQ(sum.frames, 39 * kDirections);
     EXPECT_LE(sum.with_particles, 141);
     EXPECT_LE(sum.with_depth, 130);
+}
+
+TEST_F(DemoAllAround, ThePlansEffectsAloneGiveTheSamePicture) {
+    place_models(models_, 0, {}, meshes_);
+    int mirrored = 0;
+    for (const Camera& camera : cameras_)
+        for (int direction = 0; direction < kDirections; direction += 8) {
+            stage_.settings.allowed_effects = EffectSet::all();
+            draw(camera, direction);
+            const Picture all = stage_.pixels;
+            stage_.settings.allowed_effects = work_.plan.effects;
+            mirrored += work_.plan.effects.has(Effect::Mirror);
+            draw(camera, direction);
+            ASSERT_EQ(changed_pixels(stage_.pixels, all), 0)
+                << "camera " << &camera - cameras_.data() << ", direction " << direction;
+        }
+    EXPECT_GT(mirrored, 10);
+}
+
+/// A view in which only one thing calls for an effect, and no wall.
+struct LoneCall {
+    std::string name;
+    Effect effect;
+    MapText text;
+    Camera camera;
+    bool shows_ball = false, has_torch = false;
+};
+
+/// Below a sky without fog, which alone the camera sees.
+LoneCall under_sky(const std::string& name, const std::string& entities, bool shows_ball = false) {
+    MapText text = room_with(box({-256, -256, 176}, {256, 256, 192}, "sky"), entities);
+    text.world_keys = {{"fog", "0.5 0.9 0.9 0.9"}, {"skyfog", "0"}};
+    return {name, Effect::Fog, text, camera_at(point_at(-40, 0, 4), 0, -78), shows_ball};
+}
+
+const std::vector<LoneCall>& lone_calls() {
+    static const std::vector<LoneCall> calls = [] {
+        const MapText dim = room_with("", entity_at("light", {0, 0, 16}, {{"light", "60"}, {"style", "10"}}));
+        const std::string lamp = entity_at("misc_sprite", {0, 0, 100}, {{"texture", "{lamp"}, {"scale", "2"}});
+        const std::string behind = entity_at("misc_sprite", {-200, 30, 90}, {{"texture", "{lamp"}, {"scale", "2"}});
+        const std::string mirror = entity("func_wall", {}, box({248, -100, 30}, {254, 100, 160}, "mirror"));
+        const Camera up = camera_at(point_at(-100, 0, 64), 0, -20);
+        return std::vector<LoneCall>{
+            {"a sprite in a mirror", Effect::Sprites, room_with("", mirror + behind), camera_at(point_at(0, 3, 90), 0)},
+            {"a model over a flickering floor", Effect::Styles, dim, up, true},
+            {"a model in a torch's light", Effect::Lights,
+             room_with("", entity_at("light", {0, 0, 120}, {{"light", "60"}})), up, true, true},
+            under_sky("a sprite in fog", lamp),
+            under_sky("bars in fog", entity("func_wall", {}, box({-60, -60, 100}, {60, 60, 104}, "{bars"))),
+            under_sky("a model in fog", "", true)};
+    }();
+    return calls;
+}
+
+TEST(Plan, HoldsWhatOneThingAloneCallsFor) {
+    const Mesh ball = ball_mesh(20, 8, plain_skin(60));
+    for (const LoneCall& call : lone_calls()) {
+        SCOPED_TRACE(call.name);
+        const bool is_light = call.effect == Effect::Styles || call.effect == Effect::Lights;
+        EffectStage stage(call.text, call.camera, is_light ? shades_as_colours() : effect_colours());
+        if (call.has_torch) stage.moving_lights = {{point_at(-40, 0, 110), World::from_int(60), 256}};
+        if (call.shows_ball) {
+            stage.meshes.emplace_back().mesh = &ball;
+            stage.meshes[0].position = point_at(0, 0, 100);
+        }
+        const Picture all = stage.draw(200);
+        EXPECT_TRUE(stage.has(call.effect));
+        const std::int64_t owned = stage.pixels(call.effect);
+        stage.settings.allowed_effects = stage.work.plan.effects;
+        EXPECT_EQ(changed_pixels(stage.draw(200), all), 0);
+        const std::int64_t changed = changed_pixels(stage.draw_without(call.effect, 200), all);
+        EXPECT_GT(changed, 0) << "the view does not call for the effect";
+        EXPECT_LE(changed, owned);
+    }
 }
 
 }  // namespace
