@@ -6,7 +6,6 @@
 #include <cstdlib>
 
 #include "engine/raster/block_steps.h"
-#include "engine/raster/kernels/by_eights.h"
 #include "engine/raster/kernels/kernels.h"
 #include "engine/raster/octave_row.h"
 #include "engine/raster/perspective.h"
@@ -100,10 +99,9 @@ struct PieceLengths {
 /// Draws the same bytes as a division at each pixel would, with two divisions for each piece that is almost linear.
 /// `out` is the octave's first pixel. Returns the number of divisions.
 std::int64_t draw_octave(const Octave& octave, const OctaveRow& row, BlockKernel kernel, const SurfaceView& surface,
-                         PieceLengths& lengths, bool by_eights, std::uint8_t* out) {
+                         PieceLengths& lengths, std::uint8_t* out) {
     constexpr std::int64_t kMost_16 = 2048;  // above this, too many pixels are near a border
     const std::int32_t end = octave.end - octave.first;
-    if (by_eights && end >= kFewestByEights) return draw_divided_by_eights(row, end, out);
     if (!kernel || row.is_constant()) return row.draw_divided(0, end, out);
     LinePieces pieces(row, kernel, surface, out);
     std::int64_t divisions = 0;
@@ -216,19 +214,14 @@ std::int64_t draw_with_columns(std::span<const Span> spans, const BlockCutting& 
 }  // namespace
 
 std::int64_t draw_exact_spans(std::span<const Span> spans, const BlockCutting& cutting, const SurfaceView& surface,
-                              BlockKernel kernel, Framebuffer out, Instructions instructions) {
-    const bool by_eights = instructions == Instructions::Avx512;
+                              BlockKernel kernel, Framebuffer out) {
     const TextureGradients& gradients = cutting.gradients;
     const auto colour_at = [&](TexelPosition texel) { return texel_from(surface, texel.u_16 >> 16, texel.v_16 >> 16); };
     if (shares_columns(spans, gradients)) {
         const bool is_upright = gradients.u_over_z.per_row == TexelOverZ{};
         const auto draw = [&](const OctaveRow& row, const ColumnTexel* columns, std::int32_t count,
                               std::uint8_t* pixels) {
-            if (by_eights && count >= kFewestByEights)
-                is_upright ? draw_columns_by_eights(row, columns, count, pixels)
-                           : draw_at_depths_by_eights(row, columns, count, pixels);
-            else
-                is_upright ? row.draw_columns(columns, count, pixels) : row.draw_at_depths(columns, count, pixels);
+            is_upright ? row.draw_columns(columns, count, pixels) : row.draw_at_depths(columns, count, pixels);
         };
         return draw_with_columns(spans, cutting, surface, out, draw, colour_at);
     }
@@ -236,14 +229,13 @@ std::int64_t draw_exact_spans(std::span<const Span> spans, const BlockCutting& c
     SurfaceView wrapping = surface;
     wrapping.holds_blocks = false;  // pieces are not cut to limits
     const auto draw = [&](const Octave& octave, const OctaveRow& row, std::uint8_t* pixels) {
-        return draw_octave(octave, row, kernel, wrapping, lengths, by_eights, pixels);
+        return draw_octave(octave, row, kernel, wrapping, lengths, pixels);
     };
     return draw_octaves(spans, cutting, surface, out, draw, colour_at);
 }
 
 std::int64_t draw_exact_warped_spans(std::span<const Span> spans, const BlockCutting& cutting,
-                                     const EffectTexels& texels, Framebuffer out, Instructions instructions) {
-    const bool by_eights = instructions == Instructions::Avx512;
+                                     const EffectTexels& texels, Framebuffer out) {
     const SurfaceView& surface = texels.surface;
     const WarpTable& warp = *texels.warp;
     const auto colour_at = [&](TexelPosition texel) {
@@ -253,17 +245,12 @@ std::int64_t draw_exact_warped_spans(std::span<const Span> spans, const BlockCut
     if (shares_columns(spans, cutting.gradients)) {
         const auto draw = [&](const OctaveRow& row, const ColumnTexel* columns, std::int32_t count,
                               std::uint8_t* pixels) {
-            if (by_eights && count >= kFewestByEights)
-                draw_warped_at_depths_by_eights(row, texels, columns, count, pixels);
-            else
-                row.draw_at_depths(columns, count, pixels, WarpedColours{warp});
+            row.draw_at_depths(columns, count, pixels, WarpedColours{warp});
         };
         return draw_with_columns(spans, cutting, surface, out, draw, colour_at);
     }
     const auto draw = [&](const Octave& octave, const OctaveRow& row, std::uint8_t* pixels) {
-        const std::int32_t count = octave.end - octave.first;
-        return by_eights && count >= kFewestByEights ? draw_warped_by_eights(row, texels, count, pixels)
-                                                     : row.draw_divided(0, count, pixels, WarpedColours{warp});
+        return row.draw_divided(0, octave.end - octave.first, pixels, WarpedColours{warp});
     };
     return draw_octaves(spans, cutting, surface, out, draw, colour_at);
 }

@@ -8,7 +8,6 @@
 #include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"
 #include "engine/raster/edges.h"
-#include "engine/raster/kernels/by_eights.h"
 
 namespace oblong {
 
@@ -159,8 +158,6 @@ void scan_convex(std::span<const ScreenVertex> vertices, const PolygonShape& sha
     rows.end = within.end;
     rows.columns = {shape.bounds.first_column, shape.bounds.end_column};
     if (within.first >= within.end) return;
-    if (shape.walk == EdgeWalk::OnScreen && rows.instructions == Instructions::Avx512 && is_monotone(vertices))
-        return scan_edges_by_eights(vertices, rows);
     if (shape.walk == EdgeWalk::OnScreen) return scan_edges<ScreenWalker>(vertices, rows);
     if (shape.walk == EdgeWalk::Exact) return scan_edges<ExactWalker>(vertices, rows);
     scan_edges<AccumulatingWalker>(vertices, rows);

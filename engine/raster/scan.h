@@ -7,7 +7,6 @@
 
 #include "engine/accuracy/accuracy.h"
 #include "engine/base/table.h"
-#include "engine/raster/kernels/kernels.h"
 #include "engine/view/screen.h"
 
 namespace oblong {
@@ -17,7 +16,6 @@ struct ScanlineExtents {
     std::vector<std::int32_t> left, right;  ///< one a row of the screen
     std::int32_t first = 0, end = 0;
     PixelRange columns{0, 0};  ///< from PolygonShape::bounds, hold all spans; may be off the screen
-    Instructions instructions = best_instructions();  ///< of scan_convex()
 
     explicit ScanlineExtents(std::int32_t height_px) : left(as_size(height_px)), right(as_size(height_px)) {}
 };

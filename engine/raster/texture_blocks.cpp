@@ -6,7 +6,6 @@
 
 #include "engine/base/table.h"
 #include "engine/raster/block_steps.h"
-#include "engine/raster/kernels/by_eights.h"
 #include "engine/raster/perspective.h"
 #include "engine/raster/row_repeater.h"
 #include "engine/raster/span_cutter.h"
@@ -90,12 +89,11 @@ template <Texturing How, PerspectiveRange Range, class Reciprocal>
     return spans.first(count);
 }
 
-/// cut_spans() for RowRepeater's surfaces. repeat(above, its blocks, spans, out) appends the blocks of rows.
-template <PerspectiveRange Range, class Reciprocal, class Repeat>
+/// cut_spans() for RowRepeater's surfaces.
+template <PerspectiveRange Range, class Reciprocal>
 [[gnu::always_inline]] inline std::span<const Span> cut_repeating_rows(std::span<const Span> spans, std::int32_t pitch,
                                                                        const BlockCutting& cutting,
-                                                                       Reciprocal reciprocal, Repeat repeat,
-                                                                       BlockList& blocks) {
+                                                                       Reciprocal reciprocal, BlockList& blocks) {
     SpanCutter<Reciprocal, Range> cutter(cutting, reciprocal, blocks.end());
     const TexelBlock* const last_start = blocks.last_start();
     std::ptrdiff_t log2 = 0;
@@ -110,7 +108,10 @@ template <PerspectiveRange Range, class Reciprocal, class Repeat>
         if (row.size() >= RowRepeater<Reciprocal>::kMostEnds || cutter.end() > last_start) continue;
         const std::span<const Span> below = spans_in(above, spans, std::ssize(row), last_start - cutter.end());
         if (below.empty()) continue;
-        cutter.set_end(repeat(above, row, below, cutter.end()));
+        const RowRepeater<Reciprocal> repeater(above, row, cutting, reciprocal);
+        TexelBlock* out = cutter.end();
+        for (const Span& span : below) out = repeater.repeat(span.y, pitch, out);
+        cutter.set_end(out);
         divisions_saved += std::ssize(below) * (std::ssize(row) + (row.back().count > 1)) - (std::ssize(row) + 1);
         spans = spans.subspan(below.size());
     }
@@ -154,15 +155,7 @@ template <Texturing How, PerspectiveRange Range, class Reciprocal>
             return cut_whole_spans(spans, pitch, RepeatedSpanEnds<Reciprocal, Range>(cutting, reciprocal), blocks);
         return cut_whole_spans(spans, pitch, SpanEnds<Reciprocal, Range>(cutting, reciprocal), blocks);
     }
-    if (repeats_rows) {
-        const auto repeat = [&](const Span& above, std::span<const TexelBlock> row, std::span<const Span> below,
-                                TexelBlock* out) {
-            const RowRepeater<Reciprocal> repeater(above, row, cutting, reciprocal);
-            for (const Span& span : below) out = repeater.repeat(span.y, pitch, out);
-            return out;
-        };
-        return cut_repeating_rows<Range>(spans, pitch, cutting, reciprocal, repeat, blocks);
-    }
+    if (repeats_rows) return cut_repeating_rows<Range>(spans, pitch, cutting, reciprocal, blocks);
     return cut_spans<How, Range>(spans, pitch, cutting, reciprocal, blocks);
 }
 
@@ -211,22 +204,6 @@ std::span<const Span> append_blocks(std::span<const Span> spans, std::int32_t pi
 OBLONG_TARGET_BMI2 std::span<const Span> append_bounded_bmi2(std::span<const Span> spans, std::int32_t pitch,
                                                              const BlockCutting& cutting, BlockList& blocks) {
     return cut_in_range<Texturing::Bounded>(spans, pitch, cutting, DividedReciprocal{}, blocks);
-}
-
-/// The same for processors with AVX-512, with by_eights.h where it applies.
-OBLONG_TARGET_BMI2 std::span<const Span> append_bounded_avx512(std::span<const Span> spans, std::int32_t pitch,
-                                                               const BlockCutting& cutting, BlockList& blocks) {
-    const bool repeats_rows = RowRepeater<DividedReciprocal>::serves(cutting.gradients);
-    if (!can_cut_by_eights(cutting) || !(cutting.takes_whole_spans || repeats_rows))
-        return append_bounded_bmi2(spans, pitch, cutting, blocks);
-    if (cutting.takes_whole_spans) {
-        const std::size_t count = std::min(spans.size(), as_size(blocks.last_start() - blocks.end() + 1));
-        blocks.set_end(cut_whole_spans_by_eights(spans.first(count), pitch, cutting, blocks.end()));
-        return spans.subspan(count);
-    }
-    const auto repeat = [&](const Span& above, std::span<const TexelBlock> row, std::span<const Span> below,
-                            TexelBlock* out) { return repeat_rows_by_eights(above, row, below, pitch, cutting, out); };
-    return cut_repeating_rows<PerspectiveRange::Fits>(spans, pitch, cutting, DividedReciprocal{}, repeat, blocks);
 }
 
 constexpr std::size_t kTexturingCount = as_size(Texturing::Exact) + 1;
@@ -279,10 +256,8 @@ std::int64_t divisions_of(std::span<const Span> spans, const BlockCutting& cutti
 }
 
 BlockCutter block_cutter(const Accuracy& accuracy, Instructions instructions) {
-    if (accuracy.texturing == Texturing::Bounded && accuracy.reciprocal == ReciprocalMethod::Exact) {
-        if (instructions == Instructions::Avx512) return append_bounded_avx512;
-        if (instructions == Instructions::Bmi2) return append_bounded_bmi2;
-    }
+    const bool is_default = accuracy.texturing == Texturing::Bounded && accuracy.reciprocal == ReciprocalMethod::Exact;
+    if (is_default && instructions == Instructions::Bmi2) return append_bounded_bmi2;
     return kCutters[as_size(accuracy.reciprocal) * kTexturingCount + as_size(accuracy.texturing)];
 }
 

@@ -26,7 +26,7 @@ TexelLimits make_texel_limits(std::int32_t width, std::int32_t height, std::int3
 class BlockList {
   public:
     /// For spans of up to `longest_px` pixels.
-    explicit BlockList(std::int32_t longest_px) : blocks_(as_size(longest_px) + kBatch + kWrittenAtOnce) {}
+    explicit BlockList(std::int32_t longest_px) : blocks_(as_size(longest_px) + kBatch) {}
 
     /// The last place where a span's blocks may begin; from there on those of the longest span fit.
     const TexelBlock* last_start() const { return blocks_.data() + kBatch; }
@@ -46,7 +46,6 @@ class BlockList {
 #else
     static constexpr std::size_t kBatch = 2048;
 #endif
-    static constexpr std::size_t kWrittenAtOnce = 8;  ///< may be written beyond the list's end (by_eights.h)
 
     std::vector<TexelBlock> blocks_;
     std::size_t used_ = 0;

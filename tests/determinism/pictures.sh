@@ -54,9 +54,9 @@ rendered_report() {
 # The CRC-32s of the same, a line for each picture.
 rendered_checksums() { rendered_report "$@" | grep -o '"crc32": "[0-9a-f]*"' | cut -d '"' -f 4; }
 
-# The same, each followed by all counts of the frame but exact_divisions: how many are saved depends on the processor.
+# The same, each followed by all counts of the frame.
 rendered_counts() {
-    rendered_report "$@" | sed -nE '/"exact_divisions"/d; /"crc32"/ { s/.*: "([0-9a-f]+)".*/\1/; h }
+    rendered_report "$@" | sed -nE '/"crc32"/ { s/.*: "([0-9a-f]+)".*/\1/; h }
         /"counts"/,/\}/ { s/^ *"[a-z_]+": ([0-9]+),?$/\1/; T; H }
         /"effects"/ { x; s/\n/ /g; p }'
 }

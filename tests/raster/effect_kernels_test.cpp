@@ -59,7 +59,7 @@ void expect_the_definition(std::mt19937& random, const RandomTexels& texels, Tex
     if (!traits.warps) needed.warp = nullptr;
     if (!traits.blends) needed.blend = nullptr;
     if (!traits.blends && !traits.has_holes) needed.colours = nullptr;
-    for (const Instructions instructions : {Instructions::Baseline, Instructions::Bmi2, Instructions::Avx512}) {
+    for (const Instructions instructions : {Instructions::Baseline, Instructions::Bmi2}) {
         if (instructions > best_instructions()) continue;
         const EffectKernel draw = effect_kernel(traits, instructions);
         std::vector<std::uint8_t> drawn = behind;

@@ -125,7 +125,7 @@ BlockCutting cutting_of(const Case& face, bool knows_range) {
     return cutting;
 }
 
-/// With pieces that are drawn as lines, without them, and by eights: the bytes of blocks of one pixel.
+/// With pieces that are drawn as lines, and without them: the bytes of blocks of one pixel.
 TEST(ExactSpans, DrawTheBytesOfBlocksOfOnePixel) {
     struct Row {
         const char* name;
@@ -143,13 +143,11 @@ TEST(ExactSpans, DrawTheBytesOfBlocksOfOnePixel) {
             const Case face = row.make(random, trial);
             std::vector<std::uint8_t> expected(kWidth * kHeight);
             draw_blocks_plain(blocks_of(face).waiting(), surface.view, expected.data());
-            for (const auto& [kernel, instructions] :
-                 {std::pair(best_block_kernel(), Instructions::Baseline),
-                  std::pair(BlockKernel{}, Instructions::Baseline), std::pair(BlockKernel{}, best_instructions())})
+            for (const BlockKernel kernel : {best_block_kernel(), BlockKernel{}})
                 for (const bool knows_range : {true, false}) {
                     std::vector<std::uint8_t> pixels(kWidth * kHeight);
                     draw_exact_spans(face.spans, cutting_of(face, knows_range), surface.view, kernel,
-                                     {pixels.data(), kWidth, kHeight, kWidth}, instructions);
+                                     {pixels.data(), kWidth, kHeight, kWidth});
                     ASSERT_EQ(pixels, expected) << row.name << ", " << trial << (knows_range ? "" : ", by octaves");
                 }
         }
@@ -166,7 +164,7 @@ TEST(ExactSpans, OnlyClampedPixelsAreDividedOneByOne) {
                   {{0, 0, kWidth}}};
         std::vector<std::uint8_t> pixels(kWidth * kHeight);
         EXPECT_EQ(draw_exact_spans(face.spans, cutting_of(face, true), surface.view, {},
-                                   {pixels.data(), kWidth, kHeight, kWidth}, Instructions::Baseline),
+                                   {pixels.data(), kWidth, kHeight, kWidth}),
                   clamped + 1)
             << beyond;
     }
@@ -192,12 +190,10 @@ TEST(ExactSpans, DrawTheBytesOfWarpedBlocksOfOnePixel) {
         const Case face = trial % 2 == 0 ? any_liquid(random, trial / 2) : wall_or_floor(random, trial / 2);
         std::vector<std::uint8_t> expected(kWidth * kHeight);
         effect_kernel(kWarpsAlone, Instructions::Baseline)(blocks_of(face).waiting(), texels, expected.data());
-        for (const Instructions instructions : {Instructions::Baseline, best_instructions()}) {
-            std::vector<std::uint8_t> drawn(kWidth * kHeight);
-            draw_exact_warped_spans(face.spans, cutting_of(face, trial % 4 < 2), texels,
-                                    {drawn.data(), kWidth, kHeight, kWidth}, instructions);
-            ASSERT_EQ(drawn, expected) << trial;
-        }
+        std::vector<std::uint8_t> drawn(kWidth * kHeight);
+        draw_exact_warped_spans(face.spans, cutting_of(face, trial % 4 < 2), texels,
+                                {drawn.data(), kWidth, kHeight, kWidth});
+        ASSERT_EQ(drawn, expected) << trial;
     }
 }
 

@@ -162,11 +162,8 @@ TEST(Scan, IsTheSameOnTheScreenAndBesideIt) {
         const auto polygon = random_polygon(random, kWidth, kHeight, i % 2 ? 700 : 0);
         ScanlineExtents on(kHeight), beside(kHeight);
         scan_convex(moved(polygon, kAway, 0), beside);
-        for (const Instructions instructions : {Instructions::Baseline, best_instructions()}) {
-            on.instructions = instructions;
-            scan_convex(polygon, on);
-            ASSERT_NO_FATAL_FAILURE(expect_same_rows(on, beside, {on.first, on.end}, kAway)) << i;
-        }
+        scan_convex(polygon, on);
+        ASSERT_NO_FATAL_FAILURE(expect_same_rows(on, beside, {on.first, on.end}, kAway)) << i;
         bent += !is_monotone(polygon);
         covered += on.first < on.end;
     }

@@ -1,12 +1,11 @@
 // The fast ways of cutting spans into blocks, held against the slow ones: divisions by the table, and cutters without
-// clamps, that repeat rows, take whole spans, or are for processors with BMI2 or AVX-512.
+// clamps, that repeat rows, take whole spans, or are for processors with BMI2.
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <tuple>
 
-#include "engine/raster/kernels/eights.h"
 #include "engine/raster/texture_blocks.h"
 #include "tests/support/random.h"
 
@@ -15,7 +14,7 @@ namespace oblong::test::span_cutting_test {
 namespace {
 
 constexpr std::int32_t kWidth = 320, kHeight = 200;
-constexpr Instructions kInstructions[] = {Instructions::Baseline, Instructions::Bmi2, Instructions::Avx512};
+constexpr Instructions kInstructions[] = {Instructions::Baseline, Instructions::Bmi2};
 
 template <class Value>
 double value_at(const LinearQuantity<Value>& quantity, std::int32_t column, std::int32_t row) {
@@ -187,26 +186,6 @@ TEST(SpanCutting, EndsInTheColumnOfAnEndBeforeAreNoDivisions) {
         EXPECT_EQ(divisions_of(spans, wall, blocks), 5);  // at 0 and 49, 5, 6 and 8
     }
 }
-
-#if defined(OBLONG_EIGHTS)
-[[OBLONG_AVX512]] std::array<std::uint64_t, 8> reciprocals_from(std::uint64_t divisor) {
-    std::array<std::uint64_t, 8> reciprocals;
-    store_eight(reciprocals_60(eight_of(static_cast<std::int64_t>(divisor)) + Eight{0, 1, 2, 3, 4, 5, 6, 7}),
-                reciprocals.data());
-    return reciprocals;
-}
-
-TEST(SpanCutting, EightReciprocalsAreThoseOfDivisions) {
-    if (best_instructions() < Instructions::Avx512) GTEST_SKIP() << "a processor without AVX-512";
-    constexpr std::uint64_t kFirst = 1 << 27, kEnd = 1 << 28;
-    for (std::uint64_t divisor = kFirst; divisor < kEnd; divisor += divisor % 1024 < 512 ? 8 : 1001) {
-        divisor = std::min(divisor, kEnd - 8);
-        const auto reciprocals = reciprocals_from(divisor);
-        for (std::uint64_t i = 0; i < 8; ++i)
-            ASSERT_EQ(reciprocals[i], (std::uint64_t{1} << 60) / (divisor + i)) << divisor + i;
-    }
-}
-#endif
 
 TEST(SpanCutting, StopsWhereTheListIsFullAndGoesOnFromThere) {
     const std::vector<Span> rows(3000, Span{0, 0, 4});

@@ -14,12 +14,7 @@ constexpr std::array<NamedKernel, 4> kBlockKernels{{{"bmi2", draw_blocks_bmi2},
 }  // namespace
 
 Instructions best_instructions() {
-#if defined(__x86_64__)
-    const bool has_avx512 =
-        __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq");
-    if (has_bmi2()) return has_avx512 ? Instructions::Avx512 : Instructions::Bmi2;
-#endif
-    return Instructions::Baseline;
+    return has_bmi2() ? Instructions::Bmi2 : Instructions::Baseline;
 }
 
 std::span<const NamedKernel> block_kernels() {

@@ -73,7 +73,6 @@ constexpr auto kKernels = all_kernels(std::make_index_sequence<16>());
 
 EffectKernel effect_kernel(TexelTraits traits, Instructions instructions) {
     const bool warps_alone = traits.warps && traits.is_wrapped_by_masks && !traits.has_holes && !traits.blends;
-    if (warps_alone && instructions == Instructions::Avx512) return draw_warped_blocks_by_eights;
     if (warps_alone && instructions == Instructions::Bmi2) return draw_warped_blocks_bmi2;
     return kKernels[index_of(traits)];
 }

@@ -59,7 +59,5 @@ inline constexpr TexelTraits kWarpsAlone{.warps = true};
 
 /// For kWarpsAlone: u and v in one word, as in draw_blocks_bmi2. Only if has_bmi2().
 void draw_warped_blocks_bmi2(std::span<const TexelBlock> blocks, const EffectTexels& texels, std::uint8_t* pixels);
-/// For kWarpsAlone: eight pixels at a time. Only for processors with Instructions::Avx512.
-void draw_warped_blocks_by_eights(std::span<const TexelBlock> blocks, const EffectTexels& texels, std::uint8_t* pixels);
 
 }  // namespace oblong

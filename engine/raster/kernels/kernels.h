@@ -37,8 +37,7 @@ bool has_bmi2();
 /// Instruction sets of x86-64 processors; each includes those before it.
 enum class Instructions : std::uint8_t {
     Baseline,
-    Bmi2,   ///< has_bmi2()
-    Avx512  ///< vectors of 512 bits: AVX-512 F, CD and DQ
+    Bmi2  ///< has_bmi2()
 };
 /// The last that this processor has.
 Instructions best_instructions();
