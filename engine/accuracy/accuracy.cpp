@@ -124,7 +124,7 @@ constexpr std::array kDials{
                                  "engine/frame/surface_pass.cpp", false, kOverZBits, 4, 30),
     dial<&Accuracy::texturing>("perspective", "perspective",
                                "How often a span of pixels divides by z: at its ends, every so many pixels, as often "
-                               "as a bound of the error asks, or at each pixel.",
+                               "as a bound of the error asks, or as if at each pixel.",
                                "", "engine/raster/texture_blocks.cpp", true, kTexturings),
     dial<&Accuracy::pixel_bound_256>("pixel-bound", "pixel bound",
                                      "The bound of perspective=bounded: how far from its place a texel may show.",

@@ -21,7 +21,7 @@ enum class Texturing {
     Every8,         ///< every 8
     Bounded,        ///< the longest blocks with an error on the screen below Accuracy::pixel_bound_256
     BoundedTexels,  ///< the longest blocks with an error on the texture below Accuracy::texel_bound_256
-    Exact           ///< a division a pixel
+    Exact           ///< at each pixel the texel that a division there gives, most of them found without one
 };
 
 /// How an edge steps from row to row.

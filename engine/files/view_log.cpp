@@ -139,8 +139,9 @@ LogLines matrix_lines(const LoggedFrame& frame) {
                     text_of(view.projection.y.multiplier) + " pixels, centre " + text_of(view.projection.x.centre) +
                     " " + text_of(view.projection.y.centre));
     for (std::size_t i = 0; i < view.frustum.clip_planes.size(); ++i)
-        lines.push_back(std::string("frustum, ") + kSideNames[i] + ": normal in viewspace " +
-                        text_of(view.frustum.clip_planes[i].normal));
+        lines.push_back(std::string("frustum, ") + kSideNames[i] + ": inside if " +
+                        text_of(view.frustum.clip_planes[i].normal) +
+                        " . p >= " + text_of(view.frustum.clip_planes[i].offset) + " in viewspace (not of length 1)");
     return lines;
 }
 

@@ -4,14 +4,15 @@
 #include <exception>
 
 #include "engine/files/files.h"
+#include "engine/view/views.h"
 
 namespace oblong {
 namespace {
 
-// The turns of a round: the current and the previous setting, the presets, operations, errors of places, errors of
-// colours.
+// The turns of a round: the current and the previous setting, the presets, operations, errors of places, wrong faces,
+// errors of colours.
 constexpr std::size_t kFirstPreset = 2, kCount = kFirstPreset + kPresets.size(), kErrors = kCount + 1,
-                      kColours = kErrors + 1, kTurns = kColours + 1;
+                      kFaces = kErrors + 1, kColours = kFaces + 1, kTurns = kColours + 1;
 
 }  // namespace
 
@@ -32,6 +33,22 @@ std::vector<TexelError> ErrorMeter::measure(const GameView& view, const Settings
     const std::vector<PlacedModel> models = placed_models(level_, view.state);
     TexelErrorMeter meter(reference_, models, view.camera, renderer.mode(), settings.correct_aspect);
     return meter.measure(renderer.draw_and_record(view, settings));
+}
+
+std::optional<std::int64_t> ErrorMeter::count_wrong_faces(const GameView& view, const Settings& settings,
+                                                          GameRenderer& renderer) {
+    if (!problem_of(view).empty()) return std::nullopt;
+    std::vector<PlacedModel> models = placed_models(level_, view.state);
+    const ViewSpec shown = first_person_view(view.camera, SineMethod::NearestStep);
+    if (view_ != shown || models_ != models || corrects_aspect_ != settings.correct_aspect) {
+        view_ = shown;
+        models_ = std::move(models);
+        corrects_aspect_ = settings.correct_aspect;
+        faces_.clear();
+        return std::nullopt;
+    }
+    if (faces_.empty()) faces_ = true_faces(reference_, models, view.camera, renderer.mode(), corrects_aspect_);
+    return wrong_faces(renderer.draw_and_record(view, settings), faces_);
 }
 
 Accuracy with_exact_colours(Accuracy accuracy) {
@@ -68,6 +85,8 @@ void LabMeasures::measure(const GameView& view, const Settings& now, const Accur
     const std::size_t turn = turn_++ % kTurns;
     if (turn == kCount) return count(view, now, renderer);
     if (turn == kErrors) return note_errors(meter.measure(view, now, renderer), meter.problem_of(view));
+    if (turn == kFaces) figures_.wrong_faces = meter.count_wrong_faces(view, now, renderer);
+    if (turn == kFaces) return;
     if (turn == kColours) return compare_colours(view, now, renderer, palette);
     TimedSetting& setting = turn == 0   ? figures_.now
                             : turn == 1 ? figures_.before

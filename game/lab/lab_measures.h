@@ -7,6 +7,7 @@
 #include <string>
 
 #include "engine/accuracy/accuracy.h"
+#include "engine/view/views.h"
 #include "game/view/game_renderer.h"
 #include "tools/measure/operations.h"
 #include "tools/measure/texel_error.h"
@@ -22,6 +23,10 @@ class ErrorMeter {
 
     /// The error of each pixel; empty if there is a problem.
     std::vector<TexelError> measure(const GameView& view, const Settings& settings, GameRenderer& renderer);
+    /// The pixels of a wrong face; none if there is a problem, or the view is not the one of the last call: what it
+    /// should show takes too long to find while the player moves.
+    std::optional<std::int64_t> count_wrong_faces(const GameView& view, const Settings& settings,
+                                                  GameRenderer& renderer);
     /// Why nothing can be measured in a view; empty if it can.
     std::string problem_of(const GameView& view) const;
 
@@ -29,6 +34,11 @@ class ErrorMeter {
     const GameLevel& level_;
     reference::Level reference_;
     std::string problem_;  // with the file
+    // Of the last call of count_wrong_faces().
+    ViewSpec view_;
+    std::vector<PlacedModel> models_;
+    bool corrects_aspect_ = false;
+    std::vector<std::int32_t> faces_;  // that pixels should show; empty: not found yet
 };
 
 /// A setting and the times of frames with it.
@@ -45,6 +55,7 @@ struct LabFigures {
     Operations operations;                                 ///< of a frame with the current setting
     std::array<double, kProcessors.size()> frame_rates{};  ///< that the operations allow
     std::optional<ErrorSummary> errors;                    ///< pixels on the screen
+    std::optional<std::int64_t> wrong_faces;               ///< pixels
     std::string problem;                                   ///< why there are no errors
     /// Of light and mip levels: the distance of colours from exact ones at the same texels, RGB, 0 to 442; of the
     /// pixels that differ.
@@ -58,7 +69,8 @@ Accuracy with_exact_colours(Accuracy accuracy);
 ErrorSummary colour_errors(std::span<const std::uint8_t> picture, std::span<const std::uint8_t> exact,
                            const Palette& palette);
 
-/// Measures the view in turns, one a frame: the time of one setting; operations; errors of places; errors of colours.
+/// Measures the view in turns, one a frame: the time of one setting; operations; errors of places; wrong faces; errors
+/// of colours.
 class LabMeasures {
   public:
     explicit LabMeasures(FrameClock clock = steady_clock_ns);

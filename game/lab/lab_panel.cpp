@@ -163,10 +163,11 @@ std::string three_digits(double value) {
 
 std::string describe_errors(const LabFigures& figures) {
     if (!figures.problem.empty()) return "No error: " + figures.problem;
-    if (!figures.errors) return "Texels out of place, pixels: ...";
-    if (figures.errors->count == 0) return "Texels out of place, pixels: no texels in view";
-    return "Texels out of place, pixels: rms " + three_digits(figures.errors->rms) + ", worst " +
-           three_digits(figures.errors->max);
+    const std::string of = "Texels off, px: ";
+    if (!figures.errors) return of + "...";
+    if (figures.errors->count == 0) return of + "no texels in view";
+    return of + "rms " + three_digits(figures.errors->rms) + ", worst " + three_digits(figures.errors->max) +
+           "; wrong face: " + (figures.wrong_faces ? std::to_string(*figures.wrong_faces) : "...");
 }
 
 std::string describe_colours(const LabFigures& figures) {

@@ -77,12 +77,10 @@ std::string head_of(const CostText& text, std::int32_t page, std::int32_t pages)
     return text.frame + ", page " + std::to_string(page) + " of " + std::to_string(pages);
 }
 
-// The effects that are not just passes.
+// The effects that are no passes.
 std::vector<PlanLine> other_lines(std::vector<PlanLine> effects, const std::vector<PlanLine>& passes) {
     std::erase_if(effects, [&](const PlanLine& effect) {
-        return std::any_of(passes.begin(), passes.end(), [&](const PlanLine& pass) {
-            return pass.name == effect.name && pass.nanoseconds == effect.nanoseconds;
-        });
+        return std::any_of(passes.begin(), passes.end(), [&](const PlanLine& pass) { return pass.name == effect.name; });
     });
     return effects;
 }
@@ -182,16 +180,23 @@ void Messages::pass_time(std::uint64_t now_us) {
     if (up.left_us == 0) parts_.erase(parts_.begin());
 }
 
-// The rest becomes the next part.
+// The rest becomes the next part; "..." says that it follows, in place of a word if need be.
 void Messages::split_first(std::int32_t columns, std::size_t most_lines) {
+    constexpr std::string_view kFollows = " ...", kSpace = " \n";
     Part& first = parts_.front();
     const std::vector<std::string_view> all = wrapped(first.text, columns);
     if (all.size() <= most_lines) return;
-    const auto kept = as_size(all[most_lines].data() - first.text.data());
-    std::string rest = first.text.substr(kept);
+    const std::string whole = first.text;
+    std::size_t kept = whole.find_last_not_of(kSpace, as_size(all[most_lines].data() - first.text.data()) - 1) + 1;
+    first.text = whole.substr(0, kept) + std::string(kFollows);
+    if (const std::size_t word = whole.find_last_of(kSpace, kept - 1);
+        wrapped(first.text, columns).size() > most_lines && word != std::string::npos && word > 0) {
+        kept = word;
+        first.text = whole.substr(0, kept) + std::string(kFollows);
+    }
+    if (wrapped(first.text, columns).size() > most_lines) first.text = whole.substr(0, kept);  // a narrow room
+    std::string rest = whole.substr(whole.find_first_not_of(kSpace, kept));
     const std::uint64_t time_us = reading_time_us(rest);
-    first.text.resize(kept);
-    while (!first.text.empty() && (first.text.back() == ' ' || first.text.back() == '\n')) first.text.pop_back();
     first.left_us = std::min(first.left_us, reading_time_us(first.text));
     parts_.insert(parts_.begin() + 1, {std::move(rest), time_us});
 }

@@ -139,7 +139,7 @@ TEST(Dials, CountsAddUp) {
         stage.draw(cameras()[0], work);
         const StageCounts& stages = work.counts.stages;
         EXPECT_EQ(stages.textured_pixels + stages.flat_pixels + stages.sky_pixels, 64000);
-        EXPECT_GE(stages.blocks, (work.counts.divisions - stages.divided_pixels) / 2);
+        EXPECT_GE(stages.blocks, (work.counts.divisions - stages.exact_divisions) / 2);
         EXPECT_LE(stages.last_blocks, stages.blocks);
         EXPECT_LE(stages.projected, stages.vertices);
         if (texturing == Texturing::Exact) {

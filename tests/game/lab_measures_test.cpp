@@ -20,6 +20,11 @@ std::int64_t slower_and_slower() {
 std::int64_t by_steps() {
     return now_ns += 1000;
 }
+// Now and then another program has the processor for a while: by a linear congruential generator.
+std::int64_t interrupted() {
+    step_ns = (step_ns * 1'103'515'245 + 12'345) % (std::int64_t{1} << 31);
+    return now_ns += step_ns % 7 == 0 ? step_ns >> 8 : 700 + step_ns % 300;
+}
 std::int64_t standing() {
     return 0;
 }
@@ -41,7 +46,7 @@ class LabMeasure : public testing::Test {
     void round(const Accuracy& now, const Accuracy& before) {
         Settings settings;
         settings.accuracy = now;
-        for (int turn = 0; turn < 10; ++turn)
+        for (int turn = 0; turn < 11; ++turn)
             measures_.measure(view(), settings, before, *renderer_, *meter_, data_.palette);
     }
     ErrorSummary errors_of(const Accuracy& accuracy) {
@@ -70,6 +75,21 @@ TEST_F(LabMeasure, ARoundMeasuresEverythingOnce) {
     ASSERT_TRUE(figures.errors);
     EXPECT_GT(figures.errors->count, 60'000);
     EXPECT_LE(figures.errors->max, 0.42);  // bounded by 3/8 pixel
+}
+
+TEST_F(LabMeasure, WrongFacesAreCountedWhereThePlayerStands) {
+    const Accuracy exact = accuracy_of(Preset::Exact), coarse = accuracy_of(Preset::Year1991);
+    const auto counted = [&](const Accuracy& now) {
+        round(now, exact);
+        return measures_.figures().wrong_faces;
+    };
+    EXPECT_FALSE(counted(exact)) << "the view may be moving";
+    EXPECT_EQ(counted(exact), 0);
+    const std::int64_t wrong = counted(coarse).value_or(0);
+    EXPECT_GT(wrong, 20);
+    EXPECT_LT(wrong, 3000);
+    state_.player.yaw = state_.player.yaw + degrees_to_angle(Degrees::from_int(1));
+    EXPECT_FALSE(counted(coarse));
 }
 
 TEST_F(LabMeasure, TimesStayWithTheirSettings) {
@@ -116,6 +136,23 @@ TEST_F(LabMeasure, TheLinesOfAFrameAreInOrderAndHaveTimes) {
     EXPECT_EQ(names[1], "claims");
     EXPECT_EQ(names[2], "walls");
     EXPECT_EQ(names.back(), "other");
+}
+
+// Medians of the parts do not add up to the frame's, and what they leave for "other" may be less than nothing.
+TEST_F(LabMeasure, LinesAddUpToTheFrameAndNoneIsNegative) {
+    for (step_ns = 1; step_ns < 400; step_ns += 37) {
+        ViewTimes times(interrupted);
+        const std::int64_t seed = step_ns;
+        for (int i = 0; i < 8; ++i) times.time(view(), {}, *renderer_);
+        double sum_ns = 0;
+        for (const PlanLine& line :
+             times.renderings().pass_lines(renderer_->plan(), renderer_->draw_and_count(view(), {}))) {
+            sum_ns += line.nanoseconds;
+            EXPECT_GE(line.nanoseconds, 0) << line.name << " " << seed;
+        }
+        EXPECT_NEAR(sum_ns, times.renderings().frame_ns().median, 1);
+        step_ns = seed;
+    }
 }
 
 // Between any two readings of this clock lies 1 us. No line's own is what lies before the first reading of brush

@@ -1,6 +1,7 @@
 #include "tools/accuracy/frame_times.h"
 
 #include <algorithm>
+#include <ctime>
 #include <fstream>
 #include <string>
 #include <thread>
@@ -147,6 +148,8 @@ FrameTimes time_frames(const Configurations& configurations, std::span<LevelFram
         std::vector<std::optional<SettingTimes>>(settings), {}, rounds, std::min(rounds, kMostUnlitRounds)};
 
     TimesTable times(settings, std::vector<Rounds>(frame_count(levels))), unlit_times = times;
+    const std::int64_t began_ns = steady_clock_ns();
+    const std::clock_t used = std::clock();
     for (int round = 0; round < result.unlit_rounds; ++round)
         time_unlit_round(configurations, own_surfaces, levels, unlit_times);
     work.for_each(as_size(rounds), [&](std::size_t round) { time_round(configurations, timed, levels, round, times); });
@@ -154,6 +157,8 @@ FrameTimes time_frames(const Configurations& configurations, std::span<LevelFram
     for (const std::size_t i : timed) result.settings[i] = SettingTimes{mean_of(times[i]), {}};
     for (const std::size_t i : own_surfaces) result.settings[i]->unlit = mean_of(unlit_times[i]);
     result.sky = time_sky(configurations.accuracies[configurations.default_index], levels, rounds);
+    const double used_ns = static_cast<double>(std::clock() - used) * (1e9 / CLOCKS_PER_SEC);
+    result.share_of_processor = std::min(1.0, used_ns / static_cast<double>(steady_clock_ns() - began_ns));
     return result;
 }
 

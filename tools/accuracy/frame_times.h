@@ -35,6 +35,7 @@ struct FrameTimes {
     std::vector<std::optional<SettingTimes>> settings;  ///< by accuracy; none for settings that run the default's code
     SkyTimes sky;
     int rounds = 0, unlit_rounds = 0;
+    double share_of_processor = 1;  ///< that this program had while it took times; the rest went to others
 };
 
 /// Times frames of all timed settings in turn: in every round each frame is drawn once by each setting, after an

@@ -160,6 +160,7 @@ Json run_json(const Report& report) {
             {"pixel_bound", Accuracy{}.pixel_bound_256 / 256.0},
             {"mode", std::to_string(kMeasuredMode.width_px) + "x" + std::to_string(kMeasuredMode.height_px)},
             {"rounds", report.times.rounds},
+            {"share_of_processor", rounded(report.times.share_of_processor)},
             {"rays_a_pixel", report.samples_per_axis * report.samples_per_axis},
             {"quick", report.is_quick},
             {"machine", report.machine},

@@ -204,8 +204,8 @@ StageOperations blocks_of(const FrameCounts& counts, const Accuracy& accuracy, c
 
 StageOperations divisions_of(const FrameCounts& counts, const Accuracy& accuracy, const Widths& widths) {
     const std::int64_t divided = counts.stages.divided_pixels;
-    StageOperations stage =
-        stage_of("1/z", counts.divisions - divided, reciprocal_cost(accuracy.reciprocal), widths.inverse_z);
+    StageOperations stage = stage_of("1/z", counts.divisions - counts.stages.exact_divisions,
+                                     reciprocal_cost(accuracy.reciprocal), widths.inverse_z);
     stage.events += divided;
     add(divided, kExactOverZ, widths.over_z, stage);
     add(divided, divides_spans(accuracy) ? kLineInverseZ : kExactInverseZ, widths.inverse_z, stage);

@@ -80,6 +80,21 @@ ErrorSummary summarize_errors(std::vector<float> errors) {
             *std::max_element(at_p99, errors.end())};
 }
 
+std::vector<std::int32_t> true_faces(const reference::Level& level, std::span<const PlacedModel> models,
+                                     const Camera& camera, const ScreenMode& mode, bool correct_aspect) {
+    const reference::View view = reference_view(camera, mode, correct_aspect);
+    std::vector<std::int32_t> faces;
+    for (const reference::Pixel& pixel : reference::draw_with_close_calls(level, reference_models(models), view).pixels)
+        faces.push_back(pixel.is_close_call ? -1 : pixel.face);
+    return faces;
+}
+
+std::int64_t wrong_faces(const FrameRecord& record, std::span<const std::int32_t> faces) {
+    std::int64_t count = 0;
+    for (std::size_t i = 0; i < faces.size(); ++i) count += faces[i] >= 0 && faces[i] != record.pixels[i].face.number();
+    return count;
+}
+
 reference::View reference_view(const Camera& camera, const ScreenMode& mode, bool correct_aspect) {
     reference::View view;
     view.eye = vec_of(camera.eye);

@@ -58,6 +58,13 @@ class TexelErrorMeter {
     std::unordered_map<std::int64_t, reference::PlaneView> planes_;  ///< by face and model
 };
 
+/// The face that each pixel of a view should show, by the reference; -1 where it has none or an edge is too near the
+/// pixel's centre to tell. Takes as long as a hundred frames.
+std::vector<std::int32_t> true_faces(const reference::Level& level, std::span<const PlacedModel> models,
+                                     const Camera& camera, const ScreenMode& mode, bool correct_aspect = true);
+/// How many pixels show another face.
+std::int64_t wrong_faces(const FrameRecord& record, std::span<const std::int32_t> faces);
+
 /// Of the pixels that were measured.
 ErrorSummary summarize_pixels(std::span<const TexelError> errors);
 

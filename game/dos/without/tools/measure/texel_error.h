@@ -30,6 +30,14 @@ class TexelErrorMeter {
     std::vector<TexelError> measure(const FrameRecord&) { return {}; }
 };
 
+inline std::vector<std::int32_t> true_faces(const reference::Level&, std::span<const PlacedModel>, const Camera&,
+                                            const ScreenMode&, bool) {
+    return {};
+}
+inline std::int64_t wrong_faces(const FrameRecord&, std::span<const std::int32_t>) {
+    return 0;
+}
+
 inline ErrorSummary summarize_errors(std::vector<float>) {
     return {};
 }
