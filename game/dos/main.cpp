@@ -187,7 +187,10 @@ int run(int count, char** words) {
         } else {
             play(arguments.options, pc);
         }
-        print_memory();
+        if (arguments.hashed_ticks > 0 || arguments.reports)
+            print_memory();
+        else
+            std::fprintf(stderr, "The museum is closed. Good night.\n");
     });
 }
 

@@ -1,4 +1,5 @@
 // The pages that list saved walks: to load, to delete, to save.
+#include <algorithm>
 #include <utility>
 
 #include "game/menu/menu_pages.h"
@@ -26,8 +27,13 @@ void MenuPages::open_load() {
             if (!save.is_empty && !save.has_game)
                 page.rows.back().help = host_.key_names().in("{accept} says why it can't be loaded");
         }
-        page.rows.push_back(menu_row(
-            "Delete", [this] { open_delete(); }, "a saved walk"));
+        const bool has_saves =
+            std::any_of(saves.begin(), saves.end(), [](const SaveEntry& save) { return !save.is_empty; });
+        if (has_saves)
+            page.rows.push_back(menu_row(
+                "Delete", [this] { open_delete(); }, "a saved walk"));
+        else
+            page.text = "Nothing is saved yet.";
         page.rows.push_back(back_row());
         return page;
     });

@@ -175,12 +175,12 @@ void Program::take_on_screen(const Controls& controls) {
     for (const Action command : {Action::Menu, Action::ShowHelp, Action::FrameCost})
         if (!screens_.menu().is_open() && controls.has(command)) screens_.up().open_page(command, screens_.pages());
     if (screens_.menu().is_open()) return screens_.up().advance_behind_menu(platform_.now_us());
-    if (screens_.is_walking() && controls.has(Action::QuickLoad)) screens_.quick_load();
+    if (screens_.is_in_level() && controls.has(Action::QuickLoad)) screens_.quick_load();
     if (screens_.is_walking() && controls.has(Action::Restart))
         screens_.up().open_page(Action::Restart, screens_.pages());
     screens_.up().advance(controls, platform_.now_us());
     // After the ticks, so that the saved picture is the one shown next, and is drawn once.
-    if (screens_.is_walking() && controls.has(Action::QuickSave)) screens_.quick_save();
+    if (screens_.is_in_level() && controls.has(Action::QuickSave)) screens_.quick_save();
 }
 
 void Program::follow_preferences() {

@@ -34,7 +34,9 @@ class Screens final : public MenuHost {
     ViewOptions& view_options() { return view_options_; }
     bool has_left() const { return has_left_; }
     bool is_gallery_over_another() const { return screens_.size() > 1; }
-    bool is_walking() const { return walk_ && &up() == walk_ && walk_->kind() == SessionKind::Walk; }
+    /// A walk or a replay is on the screen.
+    bool is_in_level() const { return walk_ && &up() == walk_; }
+    bool is_walking() const { return is_in_level() && walk_->kind() == SessionKind::Walk; }
     /// Whether the screen or its level has changed since the last call.
     bool take_has_changed() { return std::exchange(has_changed_, false); }
 

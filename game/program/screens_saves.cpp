@@ -59,6 +59,7 @@ std::optional<SaveEntry> Screens::last_walk() const {
 }
 
 void Screens::quick_save() {
+    if (walk_->kind() != SessionKind::Walk) return walk_->show("Not saved: a walk that began as a replay never is");
     if (!can_save()) return walk_->show("This game cannot be saved.");
     try_with_files("Save", [&] {
         saves_.save(saves_.own_slot(SaveKind::Quick));
@@ -67,6 +68,7 @@ void Screens::quick_save() {
 }
 
 void Screens::quick_load() {
+    if (walk_->kind() != SessionKind::Walk) return walk_->show("Nothing is loaded into a replay: the menu loads walks");
     if (!saves_.holds_number()) return walk_->show("Nothing was saved in this walk: the menu loads others");
     load_from(saves_.own_slot(SaveKind::Quick));
 }

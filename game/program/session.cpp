@@ -1,5 +1,6 @@
 #include "game/program/session.h"
 
+#include <new>
 #include <utility>
 
 #include "engine/files/arguments.h"
@@ -129,7 +130,18 @@ Palette Session::palette_of(const GameView& view, const PaletteEffects& effects)
     return effects.is_plain() ? plain : apply_palette_effects(plain, effects, time_ms_at(view.state));
 }
 
+// What is shown over the picture may need more memory than there is: under DOS the lab does, beside sounds.
 ShownPicture Session::draw(bool is_behind_menu) {
+    try {
+        return draw_all(is_behind_menu);
+    } catch (const std::bad_alloc&) {
+        if (!overlays_.close_largest()) throw;
+        show("Not enough memory for that, so it is off again");
+        return draw_all(is_behind_menu);
+    }
+}
+
+ShownPicture Session::draw_all(bool is_behind_menu) {
     follow_mode();
     overlays_.follow(last_us_);
     const Preferences& preferences = view_options_.preferences;

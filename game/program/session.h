@@ -103,6 +103,7 @@ class Session final : public GameScreen {
     SessionKind kind() const { return settings_.kind; }
 
   private:
+    ShownPicture draw_all(bool is_behind_menu);
     GameView shown_view() const;
     Palette palette_of(const GameView& view, const PaletteEffects& effects) const;
     void note_tick(const GameState& before, const GameState& after, const TickReport& report);

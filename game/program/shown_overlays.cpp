@@ -1,5 +1,7 @@
 #include "game/program/shown_overlays.h"
 
+#include <utility>
+
 #include "engine/files/crosshair.h"
 #include "game/lab/aspects.h"
 #include "game/view/sign_colours.h"
@@ -46,6 +48,14 @@ void ShownOverlays::free_all() {
     edge_colour_.reset();
 }
 
+bool ShownOverlays::close_largest() {
+    const bool is_any_open = lab_ || four_aspects_ || needs_lab(on_.lab) || on_.shows_four_aspects;
+    lab_.reset();
+    four_aspects_.reset();
+    on_.lab.shows_panel = on_.lab.maps_errors = on_.lab.splits = on_.lab.flips = on_.shows_four_aspects = false;
+    return is_any_open;
+}
+
 void ShownOverlays::follow(std::uint64_t now_us) {
     text_colours_.scale = text_scale();
     const MadeFor wanted{preferences().mode, preferences().colours, text_colours_.scale};
@@ -55,7 +65,13 @@ void ShownOverlays::follow(std::uint64_t now_us) {
          [&] { return std::make_unique<Lab>(data_, level_, wanted.mode, wanted.colours, wanted.text_scale); });
     keep(four_aspects_, on_.shows_four_aspects, [&] { return std::make_unique<FourAspects>(data_, level_); });
     if (log_ && log_->channels() != on_.log) log_.reset();
-    keep(log_, !on_.log.is_empty(), [&] { return std::make_unique<FrameLog>(on_.log, standard_error_lines()); });
+    keep(log_, !on_.log.is_empty(), [&] {
+        return std::make_unique<FrameLog>(on_.log, [this, write = standard_error_lines()](const std::string& line) {
+            write(line);
+            noted_.push_back(line);
+        });
+    });
+    if (!log_) logged_.clear();
     keep(map_, on_.map != MapView::Off, [&] { return std::make_unique<Automap>(data_, level_, wanted.colours); });
     keep(edge_colour_, on_.wireframe != Wireframe::Off,
          [&] { return std::make_unique<LineColour>(data_.palette, sign_colours_of(wanted.colours).edges); });
@@ -72,6 +88,7 @@ void ShownOverlays::note(const GameView& view, const Settings& drawn, const Pale
                          std::uint64_t now_us, GameRenderer& renderer) {
     if (cost_) cost_->note(view, drawn, data_.palette, effects, now_us, renderer);
     if (log_) renderer.note(view, drawn, now_us, *log_);
+    if (!noted_.empty()) logged_ = std::exchange(noted_, {});
 }
 
 void ShownOverlays::draw_lab_pictures(const GameView& view, const Settings& settings, std::uint64_t now_us,
@@ -99,12 +116,13 @@ PanelText ShownOverlays::draw_panels(const GameView& view, const Settings& setti
         four_aspects_->draw(view, settings, mode, pixel, text_colours_, canvas);
         return {};  // their captions leave no room for notes
     }
-    if (map_) map_->draw(view, on_.map, on_.line_method, mode, settings, canvas);
+    if (map_ && !on_.lab.shows_panel) map_->draw(view, on_.map, on_.line_method, mode, settings, canvas);
     if (lab_) {
         text.bottom = lab_->draw_panel(on_.lab, view, settings, cost_ != nullptr, canvas);
         for (const std::string& note : lab_->notes(on_.lab, view, settings.accuracy, now_us))
             text.notes.push_back(view_options_.key_names(platform_).in(note));
     }
+    text.notes.insert(text.notes.end(), logged_.rbegin(), logged_.rend());  // the first line is the highest
     if (on_.inspects && !view.other) {
         const std::vector<PlacedModel> models = placed_models(level_, view.state);
         draw_crosshair(canvas, text_colours_);

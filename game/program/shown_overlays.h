@@ -53,6 +53,9 @@ class ShownOverlays {
     void draw_text(PanelText panels, std::vector<std::string> captions, Messages& messages, std::uint64_t played_us,
                    const ColourTable& background, Framebuffer canvas);
 
+    /// Closes the lab and the four aspects, and frees their memory. False if neither is open.
+    bool close_largest();
+
     /// Shows a path in the level, through walls too; empty: none.
     void show_path(std::vector<Vec3<World>> points) { path_ = std::move(points); }
 
@@ -79,6 +82,7 @@ class ShownOverlays {
     std::unique_ptr<Lab> lab_;
     std::unique_ptr<FourAspects> four_aspects_;
     std::unique_ptr<FrameLog> log_;
+    std::vector<std::string> noted_, logged_;  // lines of this picture's log; of the last one that had any
     std::unique_ptr<Automap> map_;
     std::unique_ptr<FrameCost> cost_;
     std::unique_ptr<LineColour> edge_colour_, path_colour_;

@@ -33,7 +33,8 @@ std::string zoom(bool is_narrower, ViewOptions& options) {
         std::clamp(degrees + (is_narrower ? -kZoomStep : kZoomStep), kNarrowestZoom, kWidestZoom);
     options.zoom_degrees = changed == kUnzoomed ? 0 : changed;
     if (options.zoom_degrees == 0) return "{zoom-in} {zoom-out} Zoom against dolly: off";
-    return "{zoom-in} {zoom-out} Zoom against dolly: " + std::to_string(changed) + " degrees";
+    return "{zoom-in} {zoom-out} Zoom against dolly: " + std::to_string(changed) +
+           (changed < kUnzoomed ? " degrees, as far as there is room behind you" : " degrees");
 }
 
 // Switches an option on or off; returns the message to the player.
@@ -105,7 +106,8 @@ std::string apply(Action command, ViewOptions& options, WindowSize window) {
             preferences.corrects_projection = !preferences.corrects_projection;
             return describe_projection(preferences, window);
         case Action::DisplayAspect:
-            preferences.shown_as = next_of(preferences.shown_as, kShownAsCount);
+            preferences.shown_as =
+                preferences.shown_as == ShownAs::OnDisplay ? ShownAs::SquarePixels : ShownAs::OnDisplay;
             return describe_display(preferences, window);
         case Action::AccuracyTier:
             preferences.preset = next_of(preferences.preset, kPresetCount);
@@ -125,7 +127,7 @@ std::string apply(Action command, ViewOptions& options, WindowSize window) {
             return toggle(options.inspects);
         case Action::Log:
             options.log = next_channels(options.log);
-            return "{log} Log: " + names_of(options.log) + (options.log.is_empty() ? "" : ", on standard error");
+            return "{log} Log: " + names_of(options.log) + (options.log.is_empty() ? "" : ", also on standard error");
         case Action::Automap:
             options.map = next_of(options.map, kMapViewCount);
             return item(kMapMessages, options.map);

@@ -60,10 +60,14 @@ SavedGame WalkSaves::saved_now() {
     return {saved_level_of(loaded), count_items(loaded.level, state, ItemClass::Lens), state, walk_->thumbnail()};
 }
 
+// To another slot than the walk's own it is saved there, too: that is the one with which the title continues, also
+// after a crash.
 void WalkSaves::save(SaveSlot slot) {
-    slots_.save(slot, saved_now());
+    const SavedGame game = saved_now();
+    slots_.save(slot, game);
     saved_tick_ = walk_->state().tick;
-    if (slot.kind == SaveKind::Walk) walk_saved_tick_ = saved_tick_;
+    if (slot.kind != SaveKind::Walk) slots_.save(own_slot(SaveKind::Walk), game);
+    walk_saved_tick_ = saved_tick_;
 }
 
 void WalkSaves::autosave_when_due(bool may_begin) {
@@ -102,8 +106,7 @@ void WalkSaves::finish_autosave() {
     walk_saved_tick_ = std::max(walk_saved_tick_, autosave_tick_);
 }
 
-// A walk that has hardly begun gets no number. What was saved to another slot is saved here, too: the title continues
-// walks only.
+// A walk that has hardly begun gets no number.
 std::string WalkSaves::save_on_leaving() {
     finish_autosave();
     if (!can_save() || walk_->state().tick <= walk_saved_tick_ + (held_ ? 0 : kNothing_ticks)) return "";

@@ -33,11 +33,17 @@ ViewSpec isometric_view(const Camera& camera) {
     return view;
 }
 
+/// The eye goes back no farther than the room does: the field of view is then the narrowest from there.
 ViewSpec zoomed_view(const Camera& camera, std::int32_t zoom_degrees, const Level& level) {
-    const Degrees zoom = Degrees::from_int(zoom_degrees);
-    ViewSpec view = first_person_view(dolly_zoomed(camera, distance_ahead(camera, level), zoom));
-    if (zoom < camera.field_of_view) cut_front(view, camera.eye, World{});
-    return view;
+    constexpr auto kDegree = Degrees::from_int(1);
+    const World ahead = distance_ahead(camera, level);
+    const auto zoomed = [&](Degrees zoom) { return dolly_zoomed(camera, ahead, zoom); };
+    const auto is_in_room = [&](const Camera& from) {
+        return !trace_hull(level, level.world(), Hull::Point, camera.eye, from.eye).is_hit;
+    };
+    Degrees zoom = Degrees::from_int(zoom_degrees);
+    while (zoom < camera.field_of_view && !is_in_room(zoomed(zoom))) zoom = zoom + kDegree;
+    return first_person_view(zoom < camera.field_of_view || zoom_degrees > 90 ? zoomed(zoom) : camera);
 }
 
 constexpr std::int64_t kCycle_ticks = 21;  // 0.6 s

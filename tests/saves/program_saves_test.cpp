@@ -97,6 +97,17 @@ TEST_F(ProgramSaves, AWalkGoesOnFromTheStateThatWasSavedAndIsSavedOnLeaving) {
     EXPECT_EQ(hash_of(left), hash_of(stepped(quick, static_cast<std::size_t>(kLoad - kAccept), ticks)));
 }
 
+// Before the first autosave: "Continue" goes on from any save, if the program then ends without saving.
+TEST_F(ProgramSaves, ACrashAfterAQuickSaveLosesNothingThatWasSaved) {
+    constexpr std::int64_t kSave = 120;
+    std::optional<ListedSlot> continued;
+    play(kSave + 10, {{kSave, Action::QuickSave}}, 0, [&](std::int64_t poll) {
+        if (poll == kSave + 1) continued = slots().last_walk();
+    });
+    ASSERT_TRUE(continued && continued->game);
+    EXPECT_EQ(continued->game->tick, kSave - kAccept);
+}
+
 // "Walk" and another program's walk have places of their own; "Continue" goes on with the last one.
 TEST_F(ProgramSaves, AWalkNeverOverwritesAnother) {
     play(200, {});
