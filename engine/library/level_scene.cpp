@@ -3,7 +3,6 @@
 #include <optional>
 
 #include "engine/effects/palette_effects.h"
-#include "engine/files/arguments.h"
 #include "engine/files/files.h"
 #include "engine/files/level_models.h"
 #include "engine/frame/frame.h"
@@ -259,7 +258,9 @@ void LevelScene::turn_entity(std::int32_t entity, std::int32_t degrees_256) {
 }
 
 void LevelScene::set_accuracy(const std::string& preset) {
-    state_->settings.accuracy = parse_accuracy(parse_preset(preset), {});
+    const std::optional<Preset> named = preset_named(preset);
+    if (!named) throw argument_error("accuracy", "'" + preset + "', expected 1991, 1994, 1996, bounded or exact");
+    state_->settings.accuracy = accuracy_of(*named);
 }
 
 Settings& LevelScene::settings() {

@@ -23,12 +23,13 @@ ObjModel read_model(const std::string& file, const Palette& palette, std::int32_
             {}};
 }
 
-// Adds a vertex of a triangle. Triangles do not share vertices, so that they are flat.
+// Adds a vertex of a triangle to all frames. Triangles do not share vertices, so that they are flat.
 std::uint32_t add_corner(Mesh& mesh, const Corner& corner) {
     const auto within = [](std::int32_t units) {
         return World::from_int(std::clamp(units, 1 - kMeshLimit, kMeshLimit - 1));
     };
-    mesh.frames.front().vertices.push_back({{within(corner.x), within(corner.y), within(corner.z)}, {}});
+    for (MeshFrame& frame : mesh.frames)
+        frame.vertices.push_back({{within(corner.x), within(corner.y), within(corner.z)}, {}});
     mesh.texels.push_back({Texel::from_int(corner.u), Texel::from_int(corner.v)});
     return static_cast<std::uint32_t>(mesh.texels.size() - 1);
 }
@@ -61,7 +62,9 @@ Model::~Model() {
 
 std::int32_t Model::add_picture(const Picture& picture) {
     std::vector<Skin>& skins = state_->mesh->skins;
-    skins.push_back({"picture", picture.width_px, picture.height_px, checked(picture).pixels});
+    const std::vector<std::uint8_t>& pixels = checked(picture).pixels;
+    const bool has_holes = std::find(pixels.begin(), pixels.end(), kTransparent) != pixels.end();
+    skins.push_back({"picture", picture.width_px, picture.height_px, pixels, has_holes});
     return static_cast<std::int32_t>(skins.size()) - 1;
 }
 
@@ -93,7 +96,7 @@ const std::vector<std::string>& Model::warnings() const {
 struct Stage::State {
     State(const Palette& palette, const ScreenMode& its_mode)
         : mode(checked(its_mode)),
-          colormap(make_colormap(palette)),
+          colormap(make_colormap(palette, palette.colours.size())),
           depth(mode.width_px, mode.height_px),
           scratch(mode.height_px) {}
 

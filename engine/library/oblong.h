@@ -45,11 +45,11 @@ struct Picture {
     /// For drawing into it; valid while the picture exists with this size.
     Framebuffer canvas();
 };
-/// The index of the transparent colour, which draw_picture() skips.
+/// The index of the transparent colour, which draw_picture() and models skip.
 inline constexpr std::uint8_t kTransparent = 255;
 /// A PNG, TGA, JPEG or BMP file in the palette's nearest colours; pixels with alpha below 128 become kTransparent.
 Picture load_picture(const std::string& file, const Palette& palette);
-/// Writes a canvas as a PNG with this palette.
+/// Writes a canvas as a PNG with this palette; the file's name ends in .png.
 void save_picture(const std::string& file, Framebuffer canvas, const Palette& palette);
 /// A checksum of a canvas's pixels (CRC-32, as zlib's): the same on every machine.
 std::uint32_t checksum(Framebuffer canvas);
@@ -131,6 +131,8 @@ class Window {
     bool is_down(std::string_view input) const;
     /// Whether it was pressed since the last picture.
     bool was_pressed(std::string_view input) const;
+    /// How often: notches of a wheel, quick presses.
+    std::int32_t press_count(std::string_view input) const;
     /// How far a stick is pushed in one direction, or a trigger is pressed, 0 to 256; keys and buttons: 0 or 256.
     std::int32_t pressure_256(std::string_view input) const;
     /// The pixel under the mouse, perhaps outside the canvas.
@@ -208,7 +210,7 @@ class Model {
     Model(const Model&) = delete;
     Model& operator=(const Model&) = delete;
 
-    /// Adds a picture for triangles; returns its number.
+    /// Adds a picture for triangles, with holes where it is kTransparent; returns its number.
     std::int32_t add_picture(const Picture& picture);
     /// Adds a triangle, visible from the side on which its corners run clockwise.
     void add_triangle(const Corner& a, const Corner& b, const Corner& c, std::int32_t picture);
@@ -234,7 +236,8 @@ class Stage {
 
     /// Begins a picture seen from `eye`: models drawn after this hide those behind them.
     void look(const Pose& eye, std::int32_t field_of_view = 90);
-    /// Ambient light, and directional light from (x, y, z), any length. 256: a picture's own colours.
+    /// Ambient light, and directional light from (x, y, z), any length. 256: a picture's own colours. All colours are
+    /// lit; in a LevelScene those from 224 on glow as in Quake: no light changes them.
     void set_light(std::int32_t ambient_256, std::int32_t from_side_256 = 0, std::int32_t x = 0, std::int32_t y = 0,
                    std::int32_t z = 1);
     /// Draws a model. `frame`: a frame of its motion.

@@ -2,6 +2,7 @@
 
 #include "engine/base/checksum.h"
 #include "engine/base/table.h"
+#include "engine/base/text.h"
 #include "engine/files/files.h"
 #include "engine/files/picture.h"
 #include "engine/library/conversions.h"
@@ -75,6 +76,7 @@ Picture load_picture(const std::string& file, const Palette& palette) {
 }
 
 void save_picture(const std::string& file, Framebuffer canvas, const Palette& palette) {
+    if (!lower_case(file).ends_with(".png")) throw FileError(file, "name", "expected one that ends in .png");
     std::vector<std::uint8_t> pixels;
     for (std::int32_t y = 0; y < canvas.height_px; ++y)
         pixels.insert(pixels.end(), canvas.row(y), canvas.row(y) + canvas.width_px);

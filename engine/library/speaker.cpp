@@ -7,6 +7,7 @@
 #include "engine/files/sound_file.h"
 #include "engine/library/conversions.h"
 #include "engine/platform/sdl/sdl.h"
+#include "engine/platform/tracker_module.h"
 
 namespace oblong {
 
@@ -57,8 +58,12 @@ void Speaker::play(std::int32_t sound, std::int32_t volume_256, std::int32_t pan
 
 void Speaker::play_music(const std::string& file, std::int32_t volume_256) {
     const std::vector<std::uint8_t> bytes = read_file(file);
-    if (!state_->output) return;
-    naming_file(file, [&] { state_->output->play_music(bytes, std::clamp(volume_256, 0, 256)); });
+    naming_file(file, [&] {
+        if (state_->output)
+            state_->output->play_music(bytes, std::clamp(volume_256, 0, 256));
+        else
+            parse_module(bytes);  // wrong files are found without a device, too
+    });
 }
 
 void Speaker::stop_music() {

@@ -75,9 +75,8 @@ void Window::State::take(const InputEvent& event) {
     const bool was_held = held.contains(event.input);
     switch (event.kind) {
         case Kind::Press:
-            held[event.input] = kFullAxis;
-            break;
         case Kind::Click:
+            held[event.input] = kFullAxis;
             pressed.push_back(event.input);
             return;
         case Kind::Release:
@@ -180,8 +179,12 @@ bool Window::is_down(std::string_view input) const {
 }
 
 bool Window::was_pressed(std::string_view input) const {
+    return press_count(input) > 0;
+}
+
+std::int32_t Window::press_count(std::string_view input) const {
     const std::vector<Input>& pressed = state_->pressed;
-    return std::find(pressed.begin(), pressed.end(), input_named(input)) != pressed.end();
+    return static_cast<std::int32_t>(std::count(pressed.begin(), pressed.end(), input_named(input)));
 }
 
 std::int32_t Window::pressure_256(std::string_view input) const {

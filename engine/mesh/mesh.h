@@ -16,6 +16,7 @@ struct Skin {
     std::string name;
     std::int32_t width = 0, height = 0;
     std::vector<std::uint8_t> texels;
+    bool has_holes = false;  ///< texels of kHoleTexel are not drawn
 };
 
 /// A vertex in one frame of a mesh, in object space: x ahead, y left, z up.

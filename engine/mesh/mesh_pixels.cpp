@@ -1,6 +1,7 @@
 #include "engine/mesh/mesh_pixels.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"
@@ -8,6 +9,7 @@
 #include "engine/fixed/multiply.h"
 #include "engine/fixed/root.h"
 #include "engine/raster/edges.h"
+#include "engine/raster/kernels/effect_kernels.h"
 
 namespace oblong {
 
@@ -15,7 +17,7 @@ namespace {
 
 /// Template parameters of the loop over a span, chosen once a triangle.
 struct MeshTraits {
-    bool is_phong, is_affine, has_colours;
+    bool is_phong, is_affine, has_colours, has_holes;
 };
 
 /// The interpolated values at one pixel.
@@ -114,10 +116,13 @@ std::int64_t draw_span(const Span& span, const MeshGradients& gradients, const M
     for (std::int32_t x = span.first; x < span.end; ++x, pixel.template step<kTraits.is_phong>(gradients)) {
         const InverseDepth depth = to_inverse_depth(pixel.inverse_z);
         if (depths[x] > depth) continue;
+        const std::uint8_t texel = texel_at<kTraits.is_affine>(pixel, paint.skin);
+        if constexpr (kTraits.has_holes)
+            if (texel == kHoleTexel) continue;
         depths[x] = depth;
         std::int64_t shade = floor_of(pixel.light);
         if constexpr (kTraits.is_phong) shade = phong_shade_16(pixel, paint) >> 16;
-        const std::uint8_t lit = item(paint.colormap.shades, shade)[texel_at<kTraits.is_affine>(pixel, paint.skin)];
+        const std::uint8_t lit = item(paint.colormap.shades, shade)[texel];
         pixels[x] = kTraits.has_colours ? paint.colours[lit] : lit;
         ++drawn;
     }
@@ -174,13 +179,14 @@ void append_few(const std::array<ScreenVertex, 3>& corners, const ScreenRectangl
 
 using DrawSpan = std::int64_t (*)(const Span&, const MeshGradients&, const MeshPaint&, const MeshTarget&);
 
+template <std::size_t... Index>
+constexpr std::array<DrawSpan, sizeof...(Index)> all_loops(std::index_sequence<Index...>) {
+    return {draw_span<MeshTraits{(Index & 1) != 0, (Index & 2) != 0, (Index & 4) != 0, (Index & 8) != 0}>...};
+}
+
 DrawSpan choose_loop(const MeshTraits& traits) {
-    constexpr std::array<DrawSpan, 8> kLoops{
-        draw_span<MeshTraits{false, false, false}>, draw_span<MeshTraits{false, false, true}>,
-        draw_span<MeshTraits{false, true, false}>,  draw_span<MeshTraits{false, true, true}>,
-        draw_span<MeshTraits{true, false, false}>,  draw_span<MeshTraits{true, false, true}>,
-        draw_span<MeshTraits{true, true, false}>,   draw_span<MeshTraits{true, true, true}>};
-    return item(kLoops, traits.is_phong * 4 + traits.is_affine * 2 + traits.has_colours);
+    static constexpr auto kLoops = all_loops(std::make_index_sequence<16>());
+    return item(kLoops, traits.is_phong + 2 * traits.is_affine + 4 * traits.has_colours + 8 * traits.has_holes);
 }
 
 }  // namespace
@@ -220,7 +226,8 @@ bool is_covered(std::span<const Span> spans, const Barycentric& weights, const L
 
 std::int64_t draw_mesh_spans(std::span<const Span> spans, const MeshGradients& gradients, const MeshPaint& paint,
                              const MeshTarget& target) {
-    const DrawSpan draw = choose_loop({paint.shading == Shading::Phong, paint.is_affine, paint.colours != nullptr});
+    const DrawSpan draw =
+        choose_loop({paint.shading == Shading::Phong, paint.is_affine, paint.colours != nullptr, paint.skin.has_holes});
     std::int64_t drawn = 0;
     for (const Span& span : spans) drawn += draw(span, gradients, paint, target);
     return drawn;

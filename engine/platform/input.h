@@ -95,7 +95,7 @@ struct InputEvent {
         Press,
         Repeat,  ///< reported repeatedly while a key is held
         Release,
-        Click,           ///< a press by a mouse that points at a menu; has no release
+        Click,           ///< a press by the free mouse, which points; a Release follows
         Axis,            ///< `input`: a half of an axis, `x`: its value, 0 to kFullAxis
         MouseMotion,     ///< of the captured mouse, `x`, `y`: counts of the device, right and down positive
         ReleasePressed,  ///< of all keys and buttons; sticks keep their positions

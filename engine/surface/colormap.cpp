@@ -168,15 +168,15 @@ void shade_colour(const std::vector<Candidate>& sorted, const NearestColour& nea
 
 }  // namespace
 
-Colormap make_colormap(const Palette& palette) {
-    const std::vector<Candidate> sorted = sort_by_luminance(palette, kFirstFullbright);
+Colormap make_colormap(const Palette& palette, std::size_t first_fullbright) {
+    const std::vector<Candidate> sorted = sort_by_luminance(palette, first_fullbright);
     Colormap map;
     map.palette = palette;
     const NearestColour nearest(sorted);
-    for (std::size_t position = 0; position < kFirstFullbright; ++position)
+    for (std::size_t position = 0; position < first_fullbright; ++position)
         shade_colour(sorted, nearest, position, map);
     for (auto& shade : map.shades)
-        for (std::size_t i = kFirstFullbright; i < 256; ++i) shade[i] = static_cast<std::uint8_t>(i);
+        for (std::size_t i = first_fullbright; i < 256; ++i) shade[i] = static_cast<std::uint8_t>(i);
     return map;
 }
 

@@ -41,9 +41,9 @@ constexpr ShadeLight light_of_shade(int shade) {
 
 /// The colormap of a palette. A shade of a colour is the palette entry perceptually nearest to the colour's channels
 /// times the shade's light (up to 255). An error of hue weighs more than one of lightness, so that a ramp of shades
-/// keeps its hue. The last 32 colours are fullbright, as in Quake: they are the same in every shade, and no other
+/// keeps its hue. Colours from `first_fullbright` on (in Quake the last 32) are the same in every shade, and no other
 /// colour is mapped to them.
-Colormap make_colormap(const Palette& palette);
+Colormap make_colormap(const Palette& palette, std::size_t first_fullbright = kFirstFullbright);
 
 /// The colormap reduced to `count` shades, 16, 32 or 64, half of them brighter than the colour itself. Each of the 64
 /// is replaced by one of these, in the brighter half by the next brighter one.

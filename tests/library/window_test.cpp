@@ -51,6 +51,35 @@ TEST(LibraryWindow, KeyIsPressedOnceAndDownUntilItIsLetGo) {
     EXPECT_FALSE(window.is_down("Space") || window.was_pressed("Space"));
 }
 
+// The free mouse reports clicks, the captured one presses.
+TEST(LibraryWindow, AButtonIsDownUntilItIsLetGoAlsoOfTheFreeMouse) {
+    for (const Kind press : {Kind::Click, Kind::Press}) {
+        ScriptedWindow scripted(
+            {of({event(press, mouse_button(1))}), of({}), of({event(Kind::Release, mouse_button(1))})});
+        std::string down, pressed;
+        for (int picture = 0; picture < 4; ++picture) {
+            scripted.window.show();
+            down += scripted.window.is_down("Mouse 1") ? '1' : '0';
+            pressed += scripted.window.was_pressed("Mouse 1") ? '1' : '0';
+        }
+        EXPECT_EQ(down + " " + pressed, "1100 1000");
+    }
+}
+
+TEST(LibraryWindow, NotchesAndQuickPressesAreCounted) {
+    const Input wheel{Device::MouseWheel, 0};
+    std::vector<InputEvent> notches;
+    for (int i = 0; i < 5; ++i) notches.insert(notches.end(), {event(Kind::Press, wheel), event(Kind::Release, wheel)});
+    notches.push_back(event(Kind::Press, kSpace));
+    ScriptedWindow scripted({of(notches)});
+    scripted.window.show();
+    EXPECT_EQ(scripted.window.press_count("Wheel Up"), 5);
+    EXPECT_EQ(scripted.window.press_count("Space"), 1);
+    EXPECT_EQ(scripted.window.press_count("Enter"), 0);
+    scripted.window.show();
+    EXPECT_EQ(scripted.window.press_count("Wheel Up"), 0);
+}
+
 // Between two pictures.
 TEST(LibraryWindow, QuickPressIsNotLost) {
     ScriptedWindow scripted({of({event(Kind::Press, kSpace), event(Kind::Release, kSpace)})});
@@ -151,6 +180,9 @@ TEST(LibrarySpeaker, IsSilentWithoutADeviceButSaysWhatIsWrong) {
     EXPECT_THROW(speaker.add({}, 22'050), std::runtime_error);
     EXPECT_THROW(speaker.load("/nowhere/a.flac"), std::runtime_error);
     EXPECT_THROW(speaker.play_music("/nowhere/a.mod"), std::runtime_error);
+    const test::TemporaryFolder folder;
+    EXPECT_THROW(speaker.play_music(folder.write("no.mod", std::string(3000, 'x'))), std::runtime_error);
+    EXPECT_NO_THROW(speaker.play_music(test::source_folder() + std::string("/assets/music/title.mod")));
 }
 
 }  // namespace

@@ -239,6 +239,10 @@ TEST(Library, ErrorsOfArgumentsNameThem) {
               "canvas: has 0x0 pixels, expected 320x200, those of the mode");
     EXPECT_EQ(said([&] { save_picture("a.png", empty.canvas(), palette); }),
               "a.png: image: 0 pixels of 0x0, expected all, and one or more a side");
+    EXPECT_EQ(said([] { Hall().level.set_accuracy("2026"); }),
+              "accuracy: '2026', expected 1991, 1994, 1996, bounded or exact");
+    EXPECT_EQ(said([&] { save_picture("a.bmp", empty.canvas(), palette); }),
+              "a.bmp: name: expected one that ends in .png");
 }
 
 TEST(LibraryLevel, ErrorsNameTheFile) {
@@ -307,6 +311,41 @@ TEST(LibraryStage, SquareIsSquareOnTheDisplayAndNearerOnesHideIt) {
                     << x << ", " << y;
             }
     }
+}
+
+// Also the last 32, which glow in levels.
+TEST(LibraryStage, LightsEveryColour) {
+    Stage stage(grey_palette());
+    stage.set_light(128);
+    for (const int colour : {100, 223, 224, 240, 254}) {
+        Model square;
+        add_square(square, 0, 50, static_cast<std::uint8_t>(colour));
+        Picture picture = Picture::of_size(320, 200);
+        stage.look({});
+        stage.draw(square, pose_at(100, 0, 0), picture.canvas());
+        EXPECT_NEAR(pixel_at(picture.canvas(), 160, 100), colour / 2.0, 5);
+    }
+}
+
+// Left half holes, in front of another square.
+TEST(LibraryStage, ShowsWhatIsBehindTheHolesOfAModel) {
+    Stage stage(grey_palette());
+    Model behind, front;
+    add_square(behind, 0, 50, 200);
+    Picture half = Picture::of_size(2, 1);
+    half.pixels = {kTransparent, 90};
+    const std::int32_t skin = front.add_picture(half);
+    const Corner left_up{0, 50, 50, 0, 0}, right_up{0, -50, 50, 2, 0}, right_down{0, -50, -50, 2, 1},
+        left_down{0, 50, -50, 0, 1};
+    front.add_triangle(left_up, right_up, right_down, skin);
+    front.add_triangle(left_up, right_down, left_down, skin);
+    Picture picture = Picture::of_size(320, 200);
+    stage.look({});
+    stage.draw(front, pose_at(100, 0, 0), picture.canvas());
+    EXPECT_EQ(pixel_at(picture.canvas(), 130, 100), 0);
+    stage.draw(behind, pose_at(150, 0, 0), picture.canvas());
+    EXPECT_EQ(pixel_at(picture.canvas(), 130, 100), 200) << "a hole has no depth";
+    EXPECT_EQ(pixel_at(picture.canvas(), 190, 100), 90);
 }
 
 TEST(LibraryStage, NothingOfTheLastPictureHidesTheNext) {

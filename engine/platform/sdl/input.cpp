@@ -36,6 +36,26 @@ void ask_for_raw_motion() {
     SDL_SetHint(SDL_HINT_MOUSE_RELATIVE_SCALING, "0");
 }
 
+// The window of an event; null if it is of none.
+SDL_Window* window_of(const SDL_Event& event) {
+    switch (event.type) {
+        case SDL_WINDOWEVENT:
+        case SDL_KEYDOWN:
+        case SDL_KEYUP:
+        case SDL_MOUSEMOTION:
+        case SDL_MOUSEBUTTONDOWN:
+        case SDL_MOUSEBUTTONUP:
+        case SDL_MOUSEWHEEL:
+            return SDL_GetWindowFromID(event.window.windowID);  // which all of these have in the same place
+        case SDL_CONTROLLERAXISMOTION:
+        case SDL_CONTROLLERBUTTONDOWN:
+        case SDL_CONTROLLERBUTTONUP:
+            return SDL_GetKeyboardFocus();
+        default:
+            return nullptr;
+    }
+}
+
 bool is_printable_key(Input input) {
     return input.device == Device::Key && input.code >= SDL_SCANCODE_A && input.code <= SDL_SCANCODE_SLASH;
 }
@@ -46,8 +66,18 @@ SdlInput::SdlInput(SDL_Window* window) : window_(window) {
     ask_for_raw_motion();
 }
 
+// Events of another window of the program stay for its own poll, as far as there is room; those of the pads go to the
+// window with the focus.
 PlatformInput SdlInput::poll() {
-    for (SDL_Event event; SDL_PollEvent(&event);) take(event);
+    constexpr std::size_t kMostKept = 1000;
+    std::vector<SDL_Event> kept;
+    for (SDL_Event event; SDL_PollEvent(&event);) {
+        if (!is_of_another(event))
+            take(event);
+        else if (kept.size() < kMostKept)
+            kept.push_back(event);
+    }
+    for (SDL_Event& event : kept) SDL_PushEvent(&event);
     PlatformInput input;
     input.events = std::exchange(events_, {});
     const std::uint32_t flags = SDL_GetWindowFlags(window_);
@@ -82,6 +112,11 @@ void SdlInput::capture_mouse(bool is_captured) {
 
 bool SdlInput::take_textures_lost() {
     return std::exchange(are_textures_lost_, false);
+}
+
+bool SdlInput::is_of_another(const SDL_Event& event) const {
+    SDL_Window* const window = window_of(event);
+    return window != nullptr && window != window_;
 }
 
 void SdlInput::take(const SDL_Event& event) {
@@ -176,6 +211,7 @@ void SdlInput::take_wheel(const SDL_MouseWheelEvent& wheel) {
 }
 
 void SdlInput::take_window_event(std::uint8_t event) {
+    if (event == SDL_WINDOWEVENT_CLOSE) is_closed_ = true;
     if (event == SDL_WINDOWEVENT_LEAVE) pointer_.reset();
     if (event != SDL_WINDOWEVENT_FOCUS_LOST) return;
     note(InputEvent::Kind::ReleaseAll);

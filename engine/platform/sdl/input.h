@@ -74,6 +74,7 @@ class SdlInput {
     bool take_textures_lost();
 
   private:
+    bool is_of_another(const SDL_Event& event) const;
     void take(const SDL_Event& event);
     void take_key(const SDL_KeyboardEvent& key);
     void take_button(const SDL_MouseButtonEvent& button);

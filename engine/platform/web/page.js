@@ -186,8 +186,8 @@ const Page = globalThis.Page = {
     });
     // If several buttons are held, browsers report all but the first as pointermove.
     canvas.addEventListener("mousedown", event => {
-      if (event.buttons & event.buttons - 1 && this.turnsView())
-        this.note(Kind.Press, Device.MouseButton, BUTTONS[event.button]);
+      if (event.buttons & event.buttons - 1 && (this.turnsView() || !this.isCaptured))
+        this.note(this.isCaptured ? Kind.Press : Kind.Click, Device.MouseButton, BUTTONS[event.button]);
     });
     addEventListener("mouseup", event => this.note(Kind.Release, Device.MouseButton, BUTTONS[event.button]));
     canvas.addEventListener("pointermove", event => {

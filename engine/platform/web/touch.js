@@ -28,6 +28,7 @@ const Touch = {
     Page.point(event);
     Page.pointer.isPressed = true;
     Page.note(Kind.Click, Device.MouseButton, 1);
+    Page.note(Kind.Release, Device.MouseButton, 1);
   },
   release() {
     if (this.thumbs.size > 0) this.push(0, 0);
