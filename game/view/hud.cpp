@@ -80,7 +80,8 @@ std::string head_of(const CostText& text, std::int32_t page, std::int32_t pages)
 // The effects that are no passes.
 std::vector<PlanLine> other_lines(std::vector<PlanLine> effects, const std::vector<PlanLine>& passes) {
     std::erase_if(effects, [&](const PlanLine& effect) {
-        return std::any_of(passes.begin(), passes.end(), [&](const PlanLine& pass) { return pass.name == effect.name; });
+        return std::any_of(passes.begin(), passes.end(),
+                           [&](const PlanLine& pass) { return pass.name == effect.name; });
     });
     return effects;
 }
@@ -180,21 +181,22 @@ void Messages::pass_time(std::uint64_t now_us) {
     if (up.left_us == 0) parts_.erase(parts_.begin());
 }
 
-// The rest becomes the next part; "..." says that it follows, in place of a word if need be.
+// The rest becomes the next part; "..." says that it follows, in place of words if need be.
 void Messages::split_first(std::int32_t columns, std::size_t most_lines) {
     constexpr std::string_view kFollows = " ...", kSpace = " \n";
     Part& first = parts_.front();
     const std::vector<std::string_view> all = wrapped(first.text, columns);
     if (all.size() <= most_lines) return;
     const std::string whole = first.text;
-    std::size_t kept = whole.find_last_not_of(kSpace, as_size(all[most_lines].data() - first.text.data()) - 1) + 1;
-    first.text = whole.substr(0, kept) + std::string(kFollows);
-    if (const std::size_t word = whole.find_last_of(kSpace, kept - 1);
-        wrapped(first.text, columns).size() > most_lines && word != std::string::npos && word > 0) {
-        kept = word;
-        first.text = whole.substr(0, kept) + std::string(kFollows);
-    }
-    if (wrapped(first.text, columns).size() > most_lines) first.text = whole.substr(0, kept);  // a narrow room
+    const std::size_t most =
+        whole.find_last_not_of(kSpace, as_size(all[most_lines].data() - first.text.data()) - 1) + 1;
+    const auto is_too_long = [&](std::size_t length) {
+        first.text = whole.substr(0, length) + std::string(kFollows);
+        return wrapped(first.text, columns).size() > most_lines;
+    };
+    std::size_t kept = most;
+    while (kept != std::string::npos && kept > 0 && is_too_long(kept)) kept = whole.find_last_of(kSpace, kept - 1);
+    if (kept == std::string::npos || kept == 0) first.text = whole.substr(0, kept = most);  // a narrow room
     std::string rest = whole.substr(whole.find_first_not_of(kSpace, kept));
     const std::uint64_t time_us = reading_time_us(rest);
     first.left_us = std::min(first.left_us, reading_time_us(first.text));
