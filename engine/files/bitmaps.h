@@ -32,8 +32,8 @@ inline std::span<const std::uint8_t> take_of_picture(LittleEndianReader& in, std
 /// A colour of a picture's palette. Throws InputError if it has none of this number.
 inline Rgba8 palette_colour(std::span<const Rgba8> palette, std::int64_t number) {
     if (number < 0 || number >= std::ssize(palette))
-        refuse_picture("a pixel of colour " + std::to_string(number) + ", expected one of the palette's " +
-                       std::to_string(palette.size()));
+        refuse_picture("a pixel of colour " + std::to_string(number) + ", expected " +
+                       (palette.empty() ? "a palette" : "one of the palette's " + std::to_string(palette.size())));
     return palette[static_cast<std::size_t>(number)];
 }
 
