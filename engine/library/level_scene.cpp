@@ -2,6 +2,7 @@
 #include <memory>
 #include <optional>
 
+#include "engine/base/text.h"
 #include "engine/effects/palette_effects.h"
 #include "engine/files/arguments.h"
 #include "engine/files/files.h"
