@@ -44,7 +44,8 @@ BmpHead read_bmp_head(LittleEndianReader& in) {
         refuse_picture("a BMP whose head has " + std::to_string(head.bytes) +
                        " bytes, expected 12 (OS/2) or 16 to 124");
     std::vector<std::uint8_t> bytes(kMostBmpHeadBytes);
-    std::ranges::copy(take_of_picture(in, head.bytes - 4), bytes.begin());
+    const auto of_file = take_of_picture(in, head.bytes - 4);
+    std::copy(of_file.begin(), of_file.end(), bytes.begin());
     LittleEndianReader fields(bytes);
     const bool is_core = head.bytes == kCoreBytes;
     head.width = is_core ? fields.next<std::uint16_t>() : fields.next<std::int32_t>();
@@ -105,7 +106,7 @@ PngImage decode_bmp(std::span<const std::uint8_t> file) {
     LittleEndianReader in(file, std::min<std::size_t>(10, file.size()));
     const BmpHead head = read_bmp_head(in);
     constexpr std::array<std::uint32_t, 7> kBits{1, 2, 4, 8, 16, 24, 32};
-    if (std::ranges::find(kBits, head.bits) == kBits.end())
+    if (std::find(kBits.begin(), kBits.end(), head.bits) == kBits.end())
         refuse_picture("a BMP of " + std::to_string(head.bits) + " bits a pixel, expected 1, 2, 4, 8, 16, 24 or 32");
     const std::vector<Rgba8> palette = bmp_palette(head, in);
     if (head.pixels_at < kFileHeadBytes + head.bytes)
@@ -121,7 +122,8 @@ PngImage decode_bmp(std::span<const std::uint8_t> file) {
     }
     // A fourth byte that no mask makes alpha is alpha where any is set.
     const auto is_clear = [](const Rgba8& pixel) { return pixel.alpha == 0; };
-    if (head.bits == 32 && head.packing == kNotPacked && std::ranges::all_of(image.colours, is_clear))
+    const bool is_all_clear = std::all_of(image.colours.begin(), image.colours.end(), is_clear);
+    if (head.bits == 32 && head.packing == kNotPacked && is_all_clear)
         for (Rgba8& pixel : image.colours) pixel.alpha = 255;
     return image;
 }

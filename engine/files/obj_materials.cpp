@@ -73,7 +73,7 @@ class MaterialLines {
         const std::string word = as_word(name);
         numbers_.emplace(word, static_cast<int>(materials_.size()));
         materials_.emplace_back().name = name_of_word(word);
-        std::ranges::fill(materials_.back().diffuse_texopt.scale, 1.0);
+        std::fill_n(materials_.back().diffuse_texopt.scale, 3, 1.0);
         has_colour_ = false;
     }
 
@@ -92,13 +92,14 @@ class MaterialLines {
         if (materials_.empty()) return;
         for (std::string_view rest = words;; words = rest) {
             const std::string_view name = take_word(rest);
-            const auto option = std::ranges::find(kMapOptions, name, &MapOption::name);
+            const auto is_named = [&](const MapOption& option) { return option.name == name; };
+            const auto option = std::find_if(kMapOptions.begin(), kMapOptions.end(), is_named);
             if (option == kMapOptions.end()) break;
             read_option(*option, rest);
         }
         tinyobj::material_t& material = materials_.back();
         material.diffuse_texname = name_of_word(as_word(words));
-        if (!has_colour_) std::ranges::fill(material.diffuse, 0.6);
+        if (!has_colour_) std::fill_n(material.diffuse, 3, 0.6);
     }
 
     void read_option(const MapOption& option, std::string_view& words) {
@@ -134,8 +135,9 @@ std::vector<std::string> files_of(const std::filesystem::path& folder, const std
     };
     const std::string whole = name_of_word(word);
     std::vector<std::string> names = split(word, {&kBlankInWord, 1});
-    std::ranges::transform(names, names.begin(), name_of_word);
-    return is_there(whole) || std::ranges::none_of(names, is_there) ? std::vector{whole} : names;
+    for (std::string& name : names) name = name_of_word(name);
+    const bool are_several = !is_there(whole) && std::any_of(names.begin(), names.end(), is_there);
+    return are_several ? names : std::vector{whole};
 }
 
 }  // namespace
@@ -151,8 +153,8 @@ std::optional<double> parse_double(std::string_view word) {
 }
 
 std::string name_of_word(std::string word) {
-    std::ranges::replace(word, kBlankInWord, ' ');
-    std::ranges::replace(word, kBlankInName, ' ');
+    std::replace(word.begin(), word.end(), kBlankInWord, ' ');
+    std::replace(word.begin(), word.end(), kBlankInName, ' ');
     return word;
 }
 

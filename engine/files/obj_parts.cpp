@@ -142,7 +142,7 @@ class ObjChecker {
 /// Whether a line has a name of the user's, in which # and a backslash mean themselves.
 bool has_name(std::string_view kind) {
     constexpr std::array<std::string_view, 6> kKinds{"o", "g", "usemtl", "mtllib", "newmtl", "map_Kd"};
-    return std::ranges::find(kKinds, kind) != kKinds.end();
+    return std::find(kKinds.begin(), kKinds.end(), kind) != kKinds.end();
 }
 
 }  // namespace
@@ -152,8 +152,8 @@ std::string as_word(std::string_view name) {
     while (!name.empty() && is_space(name.front())) name.remove_prefix(1);
     std::string word(name);
     for (std::size_t at = 0; (at = word.find("\\ ", at)) != std::string::npos;) word.replace(at, 2, 1, kBlankInName);
-    std::ranges::replace_if(word, is_space, kBlankInWord);
-    std::ranges::replace(word, '\\', '/');
+    std::replace_if(word.begin(), word.end(), is_space, kBlankInWord);
+    std::replace(word.begin(), word.end(), '\\', '/');
     return word;
 }
 

@@ -63,8 +63,8 @@ constexpr std::array<ModuleMark, 14> kMarks{{{"M.K.", 4},
 
 // From the four letters after the orders; 0: unknown.
 std::size_t channels_of(std::string_view signature) {
-    const auto known = std::ranges::find(kMarks, signature, &ModuleMark::letters);
-    if (known != kMarks.end()) return known->channels;
+    for (const ModuleMark& mark : kMarks)
+        if (mark.letters == signature) return mark.channels;
     const auto digit = [&](std::size_t at) {
         const bool is_digit = signature[at] >= '0' && signature[at] <= '9';
         return is_digit ? static_cast<std::size_t>(signature[at] - '0') : kMostModuleChannels + 1;
@@ -121,7 +121,7 @@ bool is_packed(std::span<const std::uint8_t> at) {
 }
 
 std::size_t count_of(std::span<const std::uint8_t> orders) {
-    return std::size_t{*std::ranges::max_element(orders)} + 1;
+    return std::size_t{*std::max_element(orders.begin(), orders.end())} + 1;
 }
 
 /// What takes the bytes after the head: patterns, then samples.

@@ -84,7 +84,8 @@ std::vector<std::string> files_of_paths(const std::vector<std::string>& paths) {
         }
         const std::ptrdiff_t before = std::ssize(files);
         for (const auto& entry : std::filesystem::directory_iterator(path))
-            if (std::ranges::find(kEndings, lower_case(entry.path().extension().string())) != kEndings.end())
+            if (std::find(kEndings.begin(), kEndings.end(), lower_case(entry.path().extension().string())) !=
+                kEndings.end())
                 files.push_back(entry.path().string());
         if (std::ssize(files) == before)
             throw FileError(path, "folder", "has no pictures, expected PNG, TGA, JPEG or BMP files");
