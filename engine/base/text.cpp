@@ -99,6 +99,10 @@ std::string shortened(std::string text, std::size_t most) {
     return text.replace(most, std::string::npos, "...");
 }
 
+std::string range_text(std::int64_t from, std::int64_t to) {
+    return std::to_string(from) + (to == from ? "" : " to " + std::to_string(to));
+}
+
 std::vector<std::string> split(std::string_view text, std::string_view separators) {
     std::vector<std::string> parts;
     for (std::size_t start = 0; start <= text.size();) {

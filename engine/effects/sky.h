@@ -19,6 +19,11 @@ struct SkyTexture {
     bool operator==(const SkyTexture&) const = default;
 };
 
+/// Whether a texture of these sizes is such a sky; any other is drawn as one colour.
+constexpr bool is_layered_sky(std::int32_t width, std::int32_t height) {
+    return width == 2 * height && (height & (height - 1)) == 0;
+}
+
 /// The layers' period: the background has moved once round, the clouds twice. As in Quake, that is 8 and 16 texels a
 /// second for a sky of 128 texels.
 inline constexpr std::int64_t kSkyPeriod_ms = 16'000;

@@ -107,9 +107,12 @@ class ObjMeshBuilder {
                                           std::to_string(kMostMeshVertices) + " vertices, expected a smaller model");
     }
 
-    /// `used`: the number of skins of faces; further skins replace these, and have the same sizes.
-    Mesh finish(std::vector<Skin> skins, std::size_t used, std::vector<std::string>& warnings) {
+    /// `used`: the number of skins of faces; further skins replace these, and have the same sizes. `maps`: how their
+    /// pictures lie on faces, or null.
+    Mesh finish(std::vector<Skin> skins, std::size_t used, std::vector<const tinyobj::texture_option_t*> maps,
+                std::vector<std::string>& warnings) {
         mesh_.skins = std::move(skins);
+        maps_ = std::move(maps);
         set_texels(used, warnings);
         const std::vector<MeshVertex> smooth = smooth_vertices();
         MeshFrame frame;
@@ -135,7 +138,8 @@ class ObjMeshBuilder {
 
     void add_corner(const tinyobj::index_t& corner, std::uint32_t skin, std::int64_t smoothing) {
         const std::uint32_t smooth = smooth_vertices_.number_of({corner.vertex_index, smoothing});
-        const bool has_normal = corner.normal_index >= 0 && item(normals_, corner.normal_index) != Vec3<Unit>{};
+        const bool has_normal = corner.normal_index >= 0 && as_size(corner.normal_index) < normals_.size() &&
+                                item(normals_, corner.normal_index) != Vec3<Unit>{};
         numbers_.push_back(vertices_.number_of({corner.vertex_index, corner.texcoord_index,
                                                 has_normal ? corner.normal_index : -1, has_normal ? 0 : smooth, skin}));
         smooth_numbers_.push_back(smooth);
@@ -159,9 +163,15 @@ class ObjMeshBuilder {
     bool has_place(const ObjVertex& vertex) const {
         return vertex.texcoord >= 0 && item(mesh_.skins, vertex.skin).texels.size() > 1;
     }
-    /// In repetitions of the skin; the file's v goes up it.
+    /// In repetitions of the skin, by its material's options; the file's v goes up it.
     SkinPlace place_of(const ObjVertex& vertex) const {
-        return {item(file_.texcoords, vertex.texcoord * 2), 1 - item(file_.texcoords, vertex.texcoord * 2 + 1)};
+        const auto place = [&](int axis) {
+            const double of_file = item(file_.texcoords, vertex.texcoord * 2 + axis);
+            if (maps_[vertex.skin] == nullptr) return of_file;
+            const double moved = of_file * maps_[vertex.skin]->scale[axis] + maps_[vertex.skin]->origin_offset[axis];
+            return std::clamp(moved, -kFarthestTexcoord, kFarthestTexcoord);
+        };
+        return {place(0), 1 - place(1)};
     }
 
     /// Sets texels from places on skins, and repeats the skins as often as needed.
@@ -179,6 +189,7 @@ class ObjMeshBuilder {
     }
 
     const tinyobj::attrib_t& file_;
+    std::vector<const tinyobj::texture_option_t*> maps_;
     std::vector<Vec3<World>> positions_;
     std::vector<Vec3<Unit>> normals_;
     Mesh mesh_;
@@ -199,7 +210,9 @@ class ObjSkins {
 
     std::uint32_t number_of(int material) {
         const auto [known, is_new] = numbers_.emplace(material, static_cast<std::uint32_t>(skins.size()));
-        if (is_new) skins.push_back(material < 0 ? grey_skin(palette_) : made_of(material));
+        if (!is_new) return known->second;
+        skins.push_back(material < 0 ? grey_skin(palette_) : made_of(material));
+        maps.push_back(material < 0 ? nullptr : &item(materials_, material).diffuse_texopt);
         return known->second;
     }
 
@@ -220,6 +233,7 @@ class ObjSkins {
     }
 
     std::vector<Skin> skins;
+    std::vector<const tinyobj::texture_option_t*> maps;  ///< of the skins without those for glass
 
   private:
     static constexpr int kNone = -2;  ///< no such material; -1: faces without a material
@@ -262,7 +276,10 @@ std::vector<std::string> lines_without_repetition(const std::string& text) {
     std::vector<std::string> lines;
     std::istringstream in(text);
     for (std::string line; std::getline(in, line);)
-        if (!line.empty() && std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
+        // Of normals that are missing check_obj() says more.
+        if (!line.empty() && !line.starts_with("Vertex normal indices out of bounds") &&
+            std::find(lines.begin(), lines.end(), line) == lines.end())
+            lines.push_back(line);
     return lines;
 }
 
@@ -270,7 +287,8 @@ ObjModel parse_obj(const std::string& text, const std::filesystem::path& folder,
                    const ObjOptions& options) {
     const ObjSummary summary = check_obj(text, options.scale);
     const ObjFile file = load_obj(text, folder);
-    ObjModel model{{}, lines_without_repetition(file.warnings)};
+    ObjModel model{{}, lines_without_repetition(name_of_word(file.warnings))};
+    model.warnings.insert(model.warnings.end(), summary.warnings.begin(), summary.warnings.end());
     ObjSkins skins(file.materials, folder, palette, options.dither, model.warnings);
     ObjMeshBuilder builder(file.numbers, options);
     std::int64_t flat_faces = 0;
@@ -286,7 +304,7 @@ ObjModel parse_obj(const std::string& text, const std::filesystem::path& folder,
     }
     const std::size_t used = skins.skins.size();
     std::vector<MeshSequence> sequences = skins.add_for_glass(options.glasses);
-    model.mesh = builder.finish(std::move(skins.skins), used, model.warnings);
+    model.mesh = builder.finish(std::move(skins.skins), used, std::move(skins.maps), model.warnings);
     model.mesh.skin_sequences = std::move(sequences);
     return model;
 }

@@ -24,12 +24,13 @@ struct ObjModel {
 };
 
 /// A Wavefront OBJ file with its materials (by tinyobjloader), a skin for each used material: the picture of its
-/// map_Kd, or a texel of its colour Kd. A missing material file, material or picture is a warning, and replaced by
-/// grey. Coordinates are rounded to 1/4,096 unit once, after scaling: a model of a unit's size loses nothing if `scale`
-/// gives it its final size. Faces may be polygons of up to 255 corners, concave ones too. Missing normals are computed:
-/// smooth within a smoothing group, flat where that is off, and smooth everywhere in a file that names no groups.
-/// Throws FileError with the line for invalid or too large numbers, faces of fewer than three corners, corners that the
-/// file does not have, a file without faces.
+/// map_Kd (with its options -s and -o), or a texel of its colour Kd. A missing material file, material or picture is a
+/// warning, and replaced by grey. Coordinates are rounded to 1/4,096 unit once, after scaling: a model of a unit's size
+/// loses nothing if `scale` gives it its final size. Faces may be polygons of up to 255 corners, concave ones too.
+/// Missing normals are computed: smooth within a smoothing group, flat where that is off, and smooth everywhere in a
+/// file that names no groups. Normals that faces name in vain count as missing. Throws FileError with the line for
+/// invalid or too large numbers, faces of fewer than three corners, corners that the file does not have, a file without
+/// faces.
 ObjModel read_obj(const std::string& path, const Palette& palette, const ObjOptions& options = {});
 
 }  // namespace oblong

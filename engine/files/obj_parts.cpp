@@ -21,18 +21,7 @@
 namespace oblong {
 namespace {
 
-constexpr int kMostCorners = 255;           ///< of a face: tinyobjloader counts them in a byte
-constexpr double kFarthestTexcoord = 1024;  ///< repetitions of a skin
-
-/// A whole word as a number; charconv refuses a plus, and lacks doubles in some libraries.
-std::optional<double> parse_double(std::string_view word) {
-    const std::string text(word);
-    if (text.find_first_not_of("+-.0123456789eE") != std::string::npos) return std::nullopt;
-    char* stop = nullptr;
-    const double number = std::strtod(text.c_str(), &stop);
-    if (text.empty() || *stop != '\0') return std::nullopt;
-    return number;
-}
+constexpr int kMostCorners = 255;  ///< of a face: tinyobjloader counts them in a byte
 
 std::optional<int> parse_int(std::string_view word) {
     if (word.starts_with('+')) word.remove_prefix(1);
@@ -57,7 +46,11 @@ class ObjChecker {
             ++line_;
             check_line(text.substr(0, text.find('\n')));
         }
-        for (const ObjRecords* records : {&vertices_, &texcoords_, &normals_}) check_greatest(*records);
+        for (const ObjRecords* records : {&vertices_, &texcoords_}) check_greatest(*records);
+        if (normals_.greatest > normals_.count) missing_normal_line_ = normals_.greatest_line;
+        if (missing_normal_line_ > 0)
+            summary_.warnings.push_back(at_line(missing_normal_line_) +
+                                        ": a normal that the file does not have: those are computed");
         if (summary_.faces == 0) throw InputError("file", "has no faces, expected lines of f");
         return summary_;
     }
@@ -118,9 +111,12 @@ class ObjChecker {
         const std::optional<int> index = parse_int(text);
         if (!index) fail("corner '" + std::string(word) + "', expected numbers of vertex/texture/normal");
         if (*index < 0 && -std::int64_t{*index} <= records.count) return;
+        const bool is_missing_normal = *index < 0 && &records == &normals_;
+        if (is_missing_normal) missing_normal_line_ = line_;
+        if (is_missing_normal) return;
         if (*index <= 0)
-            fail(std::string(records.name) + " " + std::to_string(*index) + ", expected 1 and up, or -1 to -" +
-                 std::to_string(records.count));
+            fail(std::string(records.name) + " " + std::to_string(*index) + ", expected 1 and up" +
+                 (records.count > 0 ? ", or " + range_text(-1, -records.count) : ""));
         if (*index <= records.greatest) return;
         records.greatest = *index;
         records.greatest_line = line_;
@@ -129,26 +125,37 @@ class ObjChecker {
     /// Faces may refer to later lines.
     static void check_greatest(const ObjRecords& records) {
         if (records.greatest <= records.count) return;
-        throw InputError(at_line(records.greatest_line), std::string(records.name) + " " +
-                                                             std::to_string(records.greatest) + ", expected 1 to " +
-                                                             std::to_string(records.count));
+        throw InputError(
+            at_line(records.greatest_line),
+            std::string(records.name) + " " + std::to_string(records.greatest) + ", expected " +
+                (records.count > 0 ? range_text(1, records.count) : "none: the file has no lines of them"));
     }
 
     [[noreturn]] void fail(const std::string& what_is_wrong) const { throw InputError(at_line(line_), what_is_wrong); }
 
     double coordinate_limit_;
-    std::int64_t line_ = 0;
+    std::int64_t line_ = 0, missing_normal_line_ = 0;  ///< the second: 0: none
     ObjRecords vertices_{"vertex"}, texcoords_{"texture coordinate"}, normals_{"normal"};
     ObjSummary summary_;
 };
 
 /// Whether a line has a name of the user's, in which # and a backslash mean themselves.
-bool has_name(std::string_view line) {
-    const std::string_view kind = take_word(line);
-    return kind == "o" || kind == "g" || kind == "usemtl" || kind == "mtllib";
+bool has_name(std::string_view kind) {
+    constexpr std::array<std::string_view, 6> kKinds{"o", "g", "usemtl", "mtllib", "newmtl", "map_Kd"};
+    return std::find(kKinds.begin(), kKinds.end(), kind) != kKinds.end();
 }
 
 }  // namespace
+
+std::string as_word(std::string_view name) {
+    while (!name.empty() && is_space(name.back())) name.remove_suffix(1);
+    while (!name.empty() && is_space(name.front())) name.remove_prefix(1);
+    std::string word(name);
+    for (std::size_t at = 0; (at = word.find("\\ ", at)) != std::string::npos;) word.replace(at, 2, 1, kBlankInName);
+    std::replace_if(word.begin(), word.end(), is_space, kBlankInWord);
+    std::replace(word.begin(), word.end(), '\\', '/');
+    return word;
+}
 
 std::string simple_obj(std::string_view text) {
     std::string simple;
@@ -158,13 +165,16 @@ std::string simple_obj(std::string_view text) {
         const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
         std::string_view line = text.substr(0, end);
         text.remove_prefix(std::min(end + (text.substr(end, 2) == "\r\n" ? 2 : 1), text.size()));
-        const bool is_named = has_name(line);
+        std::string_view rest = line;
+        const std::string_view kind = take_word(rest);
+        const bool is_named = has_name(kind), is_word = kind == "usemtl" || kind == "mtllib";
         if (!is_named) line = line.substr(0, line.find('#'));
         if (!is_named && line.ends_with('\\')) {
             simple.append(line.substr(0, line.size() - 1)) += ' ';
             ++lines;
         } else {
-            simple.append(line).append(std::exchange(lines, 1), '\n');
+            if (is_word) simple.append(kind) += ' ';
+            simple.append(is_word ? as_word(rest) : std::string(line)).append(std::exchange(lines, 1), '\n');
         }
     }
     return simple;
@@ -178,24 +188,6 @@ namespace {
 
 constexpr std::int32_t kLargestSkinSide = 4096;
 constexpr double kRounding = 1.0 / 1024;  ///< of coordinates in files, repetitions
-
-Skin skin_of_colour(const std::string& name, Rgb8 colour, const Palette& palette) {
-    return {name, 1, 1, {nearest_colour(palette, colour, kOrdinaryColours)}};
-}
-
-Rgb8 diffuse_colour(const tinyobj::material_t& material) {
-    const auto channel = [&](int i) {
-        const double value = material.diffuse[i];
-        return static_cast<std::uint8_t>(value > 0 ? std::min(value, 1.0) * 255 + 0.5 : 0);
-    };
-    return {channel(0), channel(1), channel(2)};
-}
-
-/// Paths in files of other systems have backslashes.
-std::string with_slashes(std::string path) {
-    std::replace(path.begin(), path.end(), '\\', '/');
-    return path;
-}
 
 /// The number of repetitions of a skin along a side of `size` texels, from the whole number below `least`.
 std::int32_t repetitions(double least, double greatest, std::int32_t size, bool& is_cut) {
@@ -215,22 +207,6 @@ Skin repeated(const Skin& skin, std::int32_t across, std::int32_t down) {
         for (std::int32_t x = 0; x < larger.width; ++x)
             larger.texels.push_back(item(skin.texels, y % skin.height * skin.width + x % skin.width));
     return larger;
-}
-
-/// Checks the colours of a material file: tinyobjloader takes what is no number for 0. Throws InputError with the line.
-void check_colours(std::string_view text) {
-    std::int64_t line_number = 0;
-    for (; !text.empty(); text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1)) {
-        ++line_number;
-        std::string_view line = text.substr(0, text.find('\n'));
-        if (take_word(line) != "Kd") continue;
-        for (int channel = 0; channel < 3; ++channel) {
-            const std::string word(take_word(line));
-            const std::optional<double> number = parse_double(word);
-            if (!number || !std::isfinite(*number))
-                throw InputError(at_line(line_number), "Kd '" + word + "', expected three numbers");
-        }
-    }
 }
 
 }  // namespace
@@ -258,34 +234,6 @@ SkinScale repeat_skin(Skin& skin, const PlaceRange& range, std::vector<std::stri
     return scale;
 }
 
-bool ObjMaterialReader::operator()(const std::string& name, std::vector<tinyobj::material_t>* materials,
-                                   std::map<std::string, int>* numbers, std::string* warning, std::string* error) {
-    const std::string file = (folder_ / with_slashes(name)).string();
-    std::istringstream text;
-    try {
-        text.str(read_text(file));
-    } catch (const FileError& missing) {
-        *warning += std::string(missing.what()) + "\n";
-        return false;
-    }
-    naming_file(file, [&] { check_colours(simple_obj(text.str())); });
-    tinyobj::LoadMtl(numbers, materials, &text, warning, error);
-    return true;
-}
-
-Skin make_skin(const tinyobj::material_t& material, const std::filesystem::path& folder, const Palette& palette,
-               Dither dither, std::vector<std::string>& warnings) {
-    if (material.diffuse_texname.empty()) return skin_of_colour(material.name, diffuse_colour(material), palette);
-    try {
-        const auto path = (folder / with_slashes(material.diffuse_texname)).string();
-        const PngImage image = read_parsed(path, decode_picture);
-        return {material.name, image.width_px, image.height_px, indices_of(image, palette, kOrdinaryColours, dither)};
-    } catch (const FileError& error) {
-        warnings.push_back(std::string(error.what()) + ": the material's colour stands for it");
-        return skin_of_colour(material.name, diffuse_colour(material), palette);
-    }
-}
-
 Skin resized(const Skin& skin, const Skin& other) {
     if (skin.width == other.width && skin.height == other.height) return skin;
     Skin result{skin.name, other.width, other.height, {}};
@@ -294,10 +242,6 @@ Skin resized(const Skin& skin, const Skin& other) {
             result.texels.push_back(
                 item(skin.texels, y * skin.height / result.height * skin.width + x * skin.width / result.width));
     return result;
-}
-
-Skin grey_skin(const Palette& palette) {
-    return skin_of_colour("no material", {192, 192, 192}, palette);
 }
 
 }  // namespace oblong

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,17 +15,30 @@
 
 namespace oblong {
 
+inline constexpr double kFarthestTexcoord = 1024;  ///< repetitions of a skin
+
 struct ObjSummary {
     std::int64_t faces = 0;
     bool has_smoothing_groups = false;
+    std::vector<std::string> warnings;
 };
 
+/// A whole word as a number.
+std::optional<double> parse_double(std::string_view word);
+
+/// Names of materials and files may have blanks, which end a name for tinyobjloader: in between, other letters stand
+/// for them, and a slash for backslashes.
+std::string as_word(std::string_view name);
+std::string name_of_word(std::string word);
+inline constexpr char kBlankInWord = '\x1f', kBlankInName = '\x1e';  ///< the second: one behind a backslash
+
 /// An OBJ file's text for check_obj() and tinyobjloader: with LF line ends, without comments, and with lines that a
-/// backslash continues joined; then empty lines follow, so that the others keep their numbers.
+/// backslash continues joined; then empty lines follow, so that the others keep their numbers. Names of materials are
+/// words: as_word().
 std::string simple_obj(std::string_view text);
 
 /// Checks what tinyobjloader does not: that the words of v, vt, vn and f lines are numbers in range, and that the
-/// corners of faces exist. Throws InputError with the line.
+/// corners of faces exist, of which normals may be missing. Throws InputError with the line.
 ObjSummary check_obj(std::string_view text, double scale);
 
 /// Reads the material files that an OBJ file names, beside it. Throws FileError for a colour that is no three numbers.

@@ -6,16 +6,16 @@
 #include <memory>
 #include <numeric>
 #include <string>
+#include <string_view>
 
 #include "engine/base/input_error.h"
 #include "engine/base/table.h"
+#include "engine/files/bitmaps.h"
 #include "engine/view/screen.h"
 
-// Only this file uses stb: for formats other than PNG, since libpng also detects damage.
+// Only this file uses stb: for JPEGs.
 #define STB_IMAGE_IMPLEMENTATION
-#define STBI_ONLY_BMP
 #define STBI_ONLY_JPEG
-#define STBI_ONLY_TGA
 #define STBI_NO_STDIO
 #define STBI_NO_SIMD  // the same colours on every machine
 #define STBI_MAX_DIMENSIONS 4096
@@ -27,8 +27,6 @@
 
 namespace oblong {
 namespace {
-
-constexpr const char* kFormats = "PNG, JPEG, BMP or TGA";
 
 /// Feeds bytes to stb, which reads zeros beyond the end without an error, and notes if it did.
 class Source {
@@ -63,22 +61,33 @@ class Source {
     bool is_short_ = false;
 };
 
-/// Checks the counts of a JPEG's Huffman tables (ISO/IEC 10918-1, B.2.4.2): more than 256 codes would be written past
-/// the end of stb 2.27's table. All bytes that stb could take for the marker are checked.
-void check_huffman_tables(std::span<const std::uint8_t> file) {
+/// Checks a JPEG's Huffman tables (ISO/IEC 10918-1, B.2.4.2), of one segment: more than 256 codes would be written past
+/// the end of stb 2.27's table.
+void check_huffman_tables(std::span<const std::uint8_t> file, std::size_t table, std::size_t segment_end) {
     constexpr std::size_t kLengths = 16, kMostCodes = 256;
-    for (std::size_t marker = 0; marker + 4 < file.size(); ++marker) {
-        if (file[marker] != 0xff || file[marker + 1] != 0xc4) continue;
-        const std::size_t segment_end = marker + 2 + std::size_t{file[marker + 2]} * 256 + file[marker + 3];
-        std::size_t table = marker + 4;
-        while (table < segment_end && table + 1 < file.size()) {
-            const auto counts = file.subspan(table + 1, std::min(kLengths, file.size() - table - 1));
-            const auto codes = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
-            if (codes > kMostCodes)
-                throw InputError("image",
-                                 "a Huffman table of " + std::to_string(codes) + " codes, expected 256 at most");
-            table += 1 + kLengths + codes;
+    while (table < segment_end && table + 1 < file.size()) {
+        const auto counts = file.subspan(table + 1, std::min(kLengths, file.size() - table - 1));
+        const auto codes = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+        if (codes > kMostCodes)
+            throw InputError("image", "a Huffman table of " + std::to_string(codes) + " codes, expected 256 at most");
+        table += 1 + kLengths + codes;
+    }
+}
+
+/// Walks from marker to marker, as stb does: over the contents of segments, and over the bytes between them.
+void check_jpeg_segments(std::span<const std::uint8_t> file) {
+    for (std::size_t at = 0; at + 3 < file.size();) {
+        const std::uint8_t marker = file[at + 1];
+        const bool is_marker = file[at] == 0xff && marker != 0xff && marker != 0;
+        const bool is_alone = marker == 0x01 || (marker >= 0xd0 && marker <= 0xd8);
+        if (is_marker && marker == 0xd9) return;  // the end of the picture
+        if (!is_marker || is_alone) {
+            at += is_marker || (file[at] == 0xff && marker == 0) ? 2 : 1;
+            continue;
         }
+        const std::size_t end = at + 2 + std::size_t{file[at + 2]} * 256 + file[at + 3];
+        if (marker == 0xc4) check_huffman_tables(file, at + 4, end);
+        at = std::max(end, at + 2);
     }
 }
 
@@ -86,20 +95,18 @@ struct FreePixels {
     void operator()(stbi_uc* pixels) const { stbi_image_free(pixels); }
 };
 
-void check_size(std::span<const std::uint8_t> file) {
+void check_jpeg_size(std::span<const std::uint8_t> file) {
     int width = 0, height = 0, channels = 0;
     const stbi_io_callbacks callbacks = Source::callbacks();
     Source source(file);
     if (!stbi_info_from_callbacks(&callbacks, &source, &width, &height, &channels))
-        throw InputError("image", std::string("not a readable ") + kFormats + " (stb: " + stbi_failure_reason() + ")");
-    if (width < 1 || height < 1 || width > STBI_MAX_DIMENSIONS || height > STBI_MAX_DIMENSIONS)
-        throw InputError("image",
-                         std::to_string(width) + "x" + std::to_string(height) + " pixels, expected 1 to 4096 a side");
+        throw InputError("image", std::string("not a readable JPEG (stb: ") + stbi_failure_reason() + ")");
+    check_picture_size(width, height);
 }
 
-PngImage decode_by_stb(std::span<const std::uint8_t> file) {
-    check_huffman_tables(file);
-    check_size(file);
+PngImage decode_jpeg(std::span<const std::uint8_t> file) {
+    check_jpeg_segments(file);
+    check_jpeg_size(file);
     int width = 0, height = 0, channels = 0;
     const stbi_io_callbacks callbacks = Source::callbacks();
     Source source(file);
@@ -116,16 +123,18 @@ PngImage decode_by_stb(std::span<const std::uint8_t> file) {
     return image;
 }
 
-bool is_png(std::span<const std::uint8_t> file) {
-    constexpr std::uint8_t kSignature[] = {0x89, 'P', 'N', 'G'};
-    return file.size() >= std::size(kSignature) &&
-           std::equal(std::begin(kSignature), std::end(kSignature), file.begin());
+bool begins_with(std::span<const std::uint8_t> file, std::string_view letters) {
+    return file.size() >= letters.size() && std::memcmp(file.data(), letters.data(), letters.size()) == 0;
 }
 
 }  // namespace
 
 PngImage decode_picture(std::span<const std::uint8_t> file) {
-    return is_png(file) ? decode_png(file) : decode_by_stb(file);
+    if (begins_with(file, "\x89PNG")) return decode_png(file);
+    if (begins_with(file, "BM")) return decode_bmp(file);
+    if (begins_with(file, "\xff\xd8")) return decode_jpeg(file);
+    if (may_be_tga(file)) return decode_tga(file);
+    throw InputError("image", "not a readable PNG, JPEG, BMP or TGA");
 }
 
 }  // namespace oblong

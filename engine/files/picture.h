@@ -33,9 +33,9 @@ PngImage decode_png(std::span<const std::uint8_t> file);
 std::vector<std::uint8_t> encode_indexed_png(std::span<const std::uint8_t> pixels, std::int32_t width_px,
                                              std::int32_t height_px, const Palette& palette);
 
-/// A picture from an image editor: a PNG as decode_png() reads it, or a TGA, JPEG or BMP, up to 4096 pixels a side, as
-/// a colour for each pixel (their palettes are not kept). Throws InputError for any other bytes, and for missing or
-/// damaged parts.
+/// A picture from an image editor: a PNG as decode_png() reads it, or a TGA, JPEG or BMP (not a compressed one), up to
+/// 4096 pixels a side, as a colour for each pixel (their palettes are not kept). Throws InputError for any other bytes,
+/// and for missing or damaged parts.
 PngImage decode_picture(std::span<const std::uint8_t> file);
 
 /// How a picture is converted to a palette: each pixel to the nearest colour, or with the error of each pixel passed on

@@ -1,24 +1,26 @@
 #include <png.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <string>
 
 #include "engine/base/input_error.h"
+#include "engine/files/bitmaps.h"
 #include "engine/files/picture.h"
 #include "engine/view/screen.h"
 
 namespace oblong {
 namespace {
 
-constexpr std::uint32_t kLargestSide_px = 4096;
-
-/// libpng's state of one picture. Its simplified interface needs no longjmp: a failing call returns 0 and leaves a
-/// message.
-class PngState {
+/// libpng's state of one picture to write. Its simplified interface needs no jumps: a failing call returns 0 and leaves
+/// a message.
+class PngWriter {
   public:
-    PngState() { image.version = PNG_IMAGE_VERSION; }
-    ~PngState() { png_image_free(&image); }
-    PngState(const PngState&) = delete;
-    PngState& operator=(const PngState&) = delete;
+    PngWriter() { image.version = PNG_IMAGE_VERSION; }
+    ~PngWriter() { png_image_free(&image); }
+    PngWriter(const PngWriter&) = delete;
+    PngWriter& operator=(const PngWriter&) = delete;
 
     void expect(int succeeded, const std::string& what) const {
         if (succeeded == 0) throw InputError("image", what + " (libpng: " + image.message + ")");
@@ -27,47 +29,142 @@ class PngState {
     png_image image{};
 };
 
-void check_size(const png_image& image) {
-    if (image.width <= kLargestSide_px && image.height <= kLargestSide_px) return;
-    throw InputError("image", std::to_string(image.width) + "x" + std::to_string(image.height) +
-                                  " pixels, expected 4096 a side at most");
-}
-
-void check_indices(const PngImage& image) {
-    for (const std::uint8_t index : image.indices) {
-        if (index < image.colours.size()) continue;
-        throw InputError("image", "a pixel of colour " + std::to_string(index) + ", expected one of the palette's " +
-                                      std::to_string(image.colours.size()));
+/// libpng's state of reading a file, row by row: its simplified interface for reading puts interlaced pixels of 16 bits
+/// in wrong places in some versions. An error of libpng jumps out of its functions: steps have no destructors.
+class PngReader {
+  public:
+    explicit PngReader(std::span<const std::uint8_t> file)
+        : left_(file),
+          png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, this, fail, ignore)),
+          info_(png_create_info_struct(png_)) {
+        png_set_read_fn(png_, this, take);
     }
+    ~PngReader() { png_destroy_read_struct(&png_, &info_, nullptr); }
+    PngReader(const PngReader&) = delete;
+    PngReader& operator=(const PngReader&) = delete;
+
+    template <class Steps>
+    void run(const char* fault, const Steps& steps) {
+        if (setjmp(png_jmpbuf(png_)) != 0)
+            throw InputError("image", std::string(fault) + " (libpng: " + message_ + ")");
+        steps(png_, info_);
+    }
+
+  private:
+    [[noreturn]] static void fail(png_structp png, png_const_charp message) {
+        std::snprintf(static_cast<PngReader*>(png_get_error_ptr(png))->message_, sizeof message_, "%s", message);
+        png_longjmp(png, 1);
+    }
+    static void ignore(png_structp, png_const_charp) {}
+    static void take(png_structp png, png_bytep to, std::size_t count) {
+        std::span<const std::uint8_t>& left = static_cast<PngReader*>(png_get_io_ptr(png))->left_;
+        if (count > left.size()) png_error(png, "the file ends here");
+        std::copy_n(left.begin(), count, to);
+        left = left.subspan(count);
+    }
+
+    std::span<const std::uint8_t> left_;
+    char message_[128] = "";
+    png_structp png_;
+    png_infop info_;
+};
+
+/// What a file says of its picture, and the rows as libpng gives them: indices, or 3 or 4 samples of 8 or 16 bits.
+struct PngRows {
+    std::uint32_t width = 0, height = 0;
+    std::size_t row_bytes = 0;
+    int type = 0, depth = 0, channels = 0, palette_size = 0, alphas_size = 0;
+    png_colorp palette = nullptr;
+    png_bytep alphas = nullptr;
+    double gamma = 0;  ///< 0: none, so that samples are of sRGB
+    std::vector<std::uint8_t> bytes;
+
+    bool is_indexed() const { return type == PNG_COLOR_TYPE_PALETTE; }
+};
+
+PngRows read_rows(PngReader& reader) {
+    PngRows rows;
+    reader.run("not a readable PNG", [&](png_structp png, png_infop info) {
+        png_read_info(png, info);
+        png_get_IHDR(png, info, &rows.width, &rows.height, &rows.depth, &rows.type, nullptr, nullptr, nullptr);
+    });
+    check_picture_size(rows.width, rows.height);
+    reader.run("a damaged PNG", [&](png_structp png, png_infop info) {
+        png_get_gAMA(png, info, &rows.gamma);
+        png_get_PLTE(png, info, &rows.palette, &rows.palette_size);
+        if (rows.is_indexed()) {
+            png_get_tRNS(png, info, &rows.alphas, &rows.alphas_size, nullptr);
+            png_set_packing(png);
+        } else {
+            png_set_expand(png);
+            png_set_gray_to_rgb(png);
+        }
+        png_set_interlace_handling(png);
+        png_read_update_info(png, info);
+        rows.row_bytes = png_get_rowbytes(png, info);
+        rows.depth = png_get_bit_depth(png, info);
+        rows.channels = png_get_channels(png, info);
+    });
+    rows.bytes.resize(rows.row_bytes * rows.height);
+    std::vector<png_bytep> starts;
+    for (std::size_t y = 0; y < rows.height; ++y) starts.push_back(&rows.bytes[y * rows.row_bytes]);
+    reader.run("a damaged PNG", [&](png_structp png, png_infop) { png_read_image(png, starts.data()); });
+    return rows;
 }
 
-std::vector<Rgba8> colours_of(const std::vector<std::uint8_t>& rgba, std::size_t count) {
+/// Converts samples of 16 bits to 8 bits of sRGB.
+class SrgbOfSamples {
+  public:
+    explicit SrgbOfSamples(double gamma) : gamma_(gamma) {
+        constexpr double kSrgb = 1 / 2.2, kAlike = 0.05;
+        is_srgb_ = gamma == 0 || std::abs(gamma / kSrgb - 1) < kAlike;
+        if (is_srgb_) return;
+        for (std::uint32_t i = 0; i < 65'536; ++i) {
+            const double light = std::pow(i / 65'535.0, 1 / gamma_);
+            const double value = light <= 0.0031308 ? light * 12.92 : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
+            of_light_.push_back(static_cast<std::uint8_t>(value * 255 + 0.5));
+        }
+    }
+    static std::uint8_t of_alpha(std::uint32_t sample) { return static_cast<std::uint8_t>((sample + 128) / 257); }
+    std::uint8_t operator()(std::uint32_t sample) const { return is_srgb_ ? of_alpha(sample) : of_light_[sample]; }
+
+  private:
+    double gamma_;
+    bool is_srgb_ = true;
+    std::vector<std::uint8_t> of_light_;
+};
+
+std::vector<Rgba8> colours_of(const PngRows& rows) {
+    const SrgbOfSamples srgb(rows.gamma);
     std::vector<Rgba8> colours;
-    colours.reserve(count);
-    for (std::size_t at = 0; at < count * 4; at += 4)
-        colours.push_back({{rgba[at], rgba[at + 1], rgba[at + 2]}, rgba[at + 3]});
+    for (int i = 0; rows.is_indexed() && i < rows.palette_size; ++i) {
+        const png_color& colour = rows.palette[i];
+        colours.push_back({{srgb(colour.red * 257u), srgb(colour.green * 257u), srgb(colour.blue * 257u)},
+                           i < rows.alphas_size ? rows.alphas[i] : std::uint8_t{255}});
+    }
+    if (rows.is_indexed()) return colours;
+    colours.reserve(std::size_t{rows.width} * rows.height);
+    const auto bytes = static_cast<std::size_t>(rows.depth / 8), channels = static_cast<std::size_t>(rows.channels);
+    for (std::size_t at = 0; at < rows.bytes.size(); at += channels * bytes) {
+        const auto sample = [&](std::size_t i) {
+            const std::uint8_t* const big_endian = &rows.bytes[at + i * bytes];
+            return big_endian[0] * 256u + big_endian[bytes - 1];  // of 8 bits, times 257
+        };
+        colours.push_back({{srgb(sample(0)), srgb(sample(1)), srgb(sample(2))},
+                           channels > 3 ? srgb.of_alpha(sample(3)) : std::uint8_t{255}});
+    }
     return colours;
 }
 
 }  // namespace
 
 PngImage decode_png(std::span<const std::uint8_t> file) {
-    PngState state;
-    png_image& image = state.image;
-    state.expect(png_image_begin_read_from_memory(&image, file.data(), file.size()), "not a readable PNG");
-    check_size(image);
-    const bool is_indexed = (image.format & PNG_FORMAT_FLAG_COLORMAP) != 0;
-    image.format = is_indexed ? PNG_FORMAT_RGBA_COLORMAP : PNG_FORMAT_RGBA;
-    image.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;
-    std::vector<std::uint8_t> pixels(PNG_IMAGE_SIZE(image)),
-        colormap(PNG_IMAGE_MAXIMUM_COLORMAP_COMPONENTS(PNG_FORMAT_RGBA));
-    state.expect(png_image_finish_read(&image, nullptr, pixels.data(), 0, colormap.data()), "a damaged PNG");
-
-    PngImage decoded{static_cast<std::int32_t>(image.width), static_cast<std::int32_t>(image.height), {}, {}};
-    decoded.colours = is_indexed ? colours_of(colormap, image.colormap_entries) : colours_of(pixels, pixels.size() / 4);
-    if (is_indexed) decoded.indices = std::move(pixels);
-    check_indices(decoded);
-    return decoded;
+    PngReader reader(file);
+    PngRows rows = read_rows(reader);
+    PngImage image{static_cast<std::int32_t>(rows.width), static_cast<std::int32_t>(rows.height), {}, colours_of(rows)};
+    if (rows.is_indexed()) image.indices = std::move(rows.bytes);
+    for (const std::uint8_t index : image.indices) palette_colour(image.colours, index);
+    return image;
 }
 
 std::vector<std::uint8_t> encode_indexed_png(std::span<const std::uint8_t> pixels, std::int32_t width_px,
@@ -79,7 +176,7 @@ std::vector<std::uint8_t> encode_indexed_png(std::span<const std::uint8_t> pixel
     }
     std::vector<std::uint8_t> colormap;
     for (const Rgb8& colour : palette.colours) colormap.insert(colormap.end(), {colour.red, colour.green, colour.blue});
-    PngState state;
+    PngWriter state;
     png_image& image = state.image;
     image.width = static_cast<png_uint_32>(width_px);
     image.height = static_cast<png_uint_32>(height_px);

@@ -16,7 +16,9 @@ namespace {
 
 // Names of chunks and the format's number (RFC 2361), as little-endian integers.
 constexpr std::uint32_t kRiff = 0x4646'4952, kWave = 0x4556'4157, kFormat = 0x2074'6d66, kData = 0x6174'6164;
-constexpr std::uint16_t kPcm = 1;
+constexpr std::uint16_t kPcm = 1, kExtensible = 0xfffe;
+// A program that writes into a pipe does not know a length: it leaves 0, or writes one as great as can be.
+constexpr std::uint32_t kEndless = 0x7fff'0000;
 constexpr std::uint32_t kHighestRate_hz = 192'000;
 
 struct WavFormat {
@@ -26,10 +28,15 @@ struct WavFormat {
 
 WavFormat read_format(LittleEndianReader chunk) {
     const std::size_t at = chunk.offset();
-    const auto kind = chunk.next<std::uint16_t>(), channels = chunk.next<std::uint16_t>();
+    auto kind = chunk.next<std::uint16_t>();
+    const auto channels = chunk.next<std::uint16_t>();
     const auto rate_hz = chunk.next<std::uint32_t>();
     chunk.take(6);  // bytes a second and a frame, which follow from the others
     const auto bits = chunk.next<std::uint16_t>();
+    if (kind == kExtensible) {
+        chunk.take(8);  // the size of what follows, the bits that are used, the place of speakers
+        kind = chunk.next<std::uint16_t>();
+    }
     expect_at(at, kind == kPcm, "format " + std::to_string(kind) + ", expected 1: PCM");
     expect_at(at + 2, channels == 1, std::to_string(channels) + " channels, expected one");
     expect_at(at + 4, rate_hz > 0 && rate_hz <= kHighestRate_hz, std::to_string(rate_hz) + " Hz, expected 1 to 192000");
@@ -48,13 +55,15 @@ std::vector<std::int16_t> read_samples(std::span<const std::uint8_t> bytes, std:
 }
 
 SoundSamples decode_wav(std::span<const std::uint8_t> file) {
-    LittleEndianReader in(file, 8);
+    LittleEndianReader in(file, 4);
+    const bool is_open = in.next<std::uint32_t>() == 0;
     expect_at(8, in.rest() >= 4 && in.next<std::uint32_t>() == kWave, "no sound, expected WAVE");
     std::optional<WavFormat> format;
     while (true) {
         const std::size_t at = in.offset();
         const auto name = in.next<std::uint32_t>(), length = in.next<std::uint32_t>();
-        const std::span<const std::uint8_t> bytes = in.take(length);
+        const bool is_endless = name == kData && (length == 0 ? is_open : length >= kEndless && length > in.rest());
+        const std::span<const std::uint8_t> bytes = in.take(is_endless ? in.rest() : length);
         if (name == kFormat) format = read_format(LittleEndianReader(file.first(in.offset()), at + 8));
         if (name == kData) {
             expect_at(at, format.has_value(), "samples, expected the chunk \"fmt \" before them");

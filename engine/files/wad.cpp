@@ -85,7 +85,7 @@ void check_texture_size(std::int64_t width, std::int64_t height, const std::stri
                      std::to_string(width) + "x" + std::to_string(height) + ", expected multiples of 16 up to 4096");
 }
 
-std::vector<WadTexture> read_wad(std::span<const std::uint8_t> file) {
+std::vector<WadTexture> read_wad(std::span<const std::uint8_t> file, std::vector<std::string>* faults) {
     if (file.size() < sizeof kSignature || !std::equal(std::begin(kSignature), std::end(kSignature), file.begin()))
         throw InputError("header", "not a WAD2 file, expected it to begin with 'WAD2'");
     const std::uint32_t count = u32_at(file, 4, "header"), start = u32_at(file, 8, "header");
@@ -97,7 +97,13 @@ std::vector<WadTexture> read_wad(std::span<const std::uint8_t> file) {
     for (std::size_t i = 0; i < count; ++i) {
         const ByteView entry = directory.subspan(i * kEntryBytes, kEntryBytes);
         constexpr std::size_t kTypeOffset = 12;
-        if (entry[kTypeOffset] == kMiptexType) textures.push_back(wad_texture(file, entry));
+        if (entry[kTypeOffset] != kMiptexType) continue;
+        try {
+            textures.push_back(wad_texture(file, entry));
+        } catch (const InputError& fault) {
+            if (faults == nullptr) throw;
+            faults->push_back(fault.where + ": " + fault.what());
+        }
     }
     return textures;
 }

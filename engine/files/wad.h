@@ -19,8 +19,8 @@ struct WadTexture {
 };
 
 /// The textures of a WAD2, in the file's order; it points into `file`. Throws InputError where a size or an offset
-/// leads out of the file.
-std::vector<WadTexture> read_wad(std::span<const std::uint8_t> file);
+/// leads out of the file; those of a texture are added to `faults` instead, if that is given, and leave it out.
+std::vector<WadTexture> read_wad(std::span<const std::uint8_t> file, std::vector<std::string>* faults = nullptr);
 
 /// Whether a texture's miptex has the name that the directory finds it by, but for case. Some tools leave it empty.
 bool has_own_name(const WadTexture& texture);

@@ -81,8 +81,7 @@ void draw_sky_faces(const FrameContext& frame, ViewScratch& scratch) {
     }
     const Level& level = frame.scene.level;
     const MipTexture& texture = level.textures[level.sky];
-    const bool is_layered = texture.width == 2 * texture.height && (texture.height & (texture.height - 1)) == 0;
-    if (!is_layered) return fill_spans(all, texture.mips[0][0], frame.out);
+    if (!is_layered_sky(texture.width, texture.height)) return fill_spans(all, texture.mips[0][0], frame.out);
     const SkyNow sky = compose_sky({texture.mips[0].data(), texture.height, texture.width}, frame.scene.time_ms,
                                    pixels_of(all), frame.cache.sky_layers);
     if (is_shared(frame)) return frame.shared->add_sky(sky, all);

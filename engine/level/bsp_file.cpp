@@ -10,7 +10,9 @@ namespace {
 BspFormat find_format(std::uint32_t version) {
     for (const BspFormat& format : kBspFormats)
         if (format.version == version) return format;
-    throw InputError("header, offset 0", "version " + std::to_string(version) + ", expected 29, BSP2 or 2PSB");
+    constexpr std::uint32_t kMostVersion = 1000;  // above: the first bytes of another kind of file
+    const std::string found = version > kMostVersion ? "no level of Quake" : "version " + std::to_string(version);
+    throw InputError("header, offset 0", found + ", expected version 29, BSP2 or 2PSB");
 }
 
 void check_lump(Lump lump, LumpRange range, int record_size, std::int64_t file_size) {

@@ -2,6 +2,7 @@
 #include <memory>
 #include <optional>
 
+#include "engine/base/text.h"
 #include "engine/effects/palette_effects.h"
 #include "engine/files/files.h"
 #include "engine/files/level_models.h"
@@ -112,8 +113,10 @@ struct LevelScene::State {
 
     const Entity& entity(std::int32_t number) const {
         if (number < 0 || as_size(number) >= level.entities.size())
-            throw FileError(file, "entity " + std::to_string(number),
-                            "is not there, expected 0 to " + std::to_string(std::int64_t(level.entities.size()) - 1));
+            throw FileError(
+                file, "entity " + std::to_string(number),
+                "is not there, expected " + (level.entities.empty() ? "none: the level has no entities"
+                                                                    : range_text(0, std::ssize(level.entities) - 1)));
         return item(level.entities, number);
     }
     ModelIndex brushes_of(std::int32_t number) const {

@@ -4,6 +4,7 @@
 #include "engine/base/input_error.h"
 #include "engine/base/little_endian.h"
 #include "engine/base/table.h"
+#include "engine/base/text.h"
 #include "engine/level/bsp_floats.h"
 #include "engine/mesh/mesh.h"
 
@@ -39,8 +40,7 @@ class MdlBytes {
     std::int32_t read_number(const char* what, std::int32_t least, std::int32_t most) {
         const std::int32_t number = read_i32();
         if (number < least || number > most)
-            fail(std::string(what) + " " + std::to_string(number) + ", expected " + std::to_string(least) + " to " +
-                 std::to_string(most));
+            fail(std::string(what) + " " + std::to_string(number) + ", expected " + range_text(least, most));
         return number;
     }
     std::int64_t read_fixed(const char* what, int fraction_bits, std::int32_t limit) {

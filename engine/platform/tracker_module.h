@@ -37,8 +37,9 @@ struct TrackerModule {
     }
 };
 
-/// Reads a module of 4 channels ("M.K.", "M!K!" or "FLT4" at offset 1080) or of any number ("8CHN", "16CH"). Samples
-/// beyond the end of the file are cut off there. Throws InputError with the offset of the error.
+/// Reads a module of 31 samples: of 4 channels ("M.K." at offset 1080), or of any number ("8CHN", "16CH"), by its marks
+/// of other trackers, too. Samples beyond the end of the file are cut off there, packed ones unpacked; a number of no
+/// sample in a note is taken for none. Throws InputError with the offset of the error.
 TrackerModule parse_module(std::span<const std::uint8_t> file);
 
 }  // namespace oblong

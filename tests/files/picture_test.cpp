@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <climits>
+#include <cmath>
 
 #include "engine/base/input_error.h"
 #include "tests/files/png_writer.h"
@@ -71,19 +74,69 @@ Bytes packed_tga() {
     return file;
 }
 
-/// Microsoft's BITMAPINFOHEADER: rows from the bottom, each of a multiple of 4 bytes.
-Bytes bmp(int width, int height) {
+/// A way to write a BMP, by Microsoft's and OS/2's descriptions.
+struct BmpKind {
+    int head = 40, bits = 24;
+    std::vector<std::uint32_t> masks = {};  ///< of red, green, blue, maybe alpha
+    bool is_from_top = false;
+    int gap = 0;  ///< bytes between head and pixels
+
+    bool has_palette() const { return bits <= 8; }
+    std::uint32_t mask(std::size_t part) const {
+        constexpr std::uint32_t kOf16[] = {31 << 10, 31 << 5, 31, 0}, kOf32[] = {255 << 16, 255 << 8, 255, 0};
+        return part < masks.size() ? masks[part] : bits == 16 ? kOf16[part] : kOf32[part];
+    }
+    /// The colour that is left of one of 8 bits, and the bits of the file.
+    static std::uint32_t bits_of(std::uint8_t value, std::uint32_t mask) {
+        return mask == 0 ? 0
+                         : static_cast<std::uint32_t>(std::lround(value / 255.0 * (mask >> std::countr_zero(mask))))
+                               << std::countr_zero(mask);
+    }
+};
+
+Bytes bmp(int width, int height, const BmpKind& kind = {}) {
     Bytes file{'B', 'M'};
     ByteWriter out(file);
-    for (const int value : {0, 0, 54, 40, width, height}) out.i32(value);
-    out.i16(1).i16(24);
-    for (int i = 0; i < 6; ++i) out.i32(0);
-    for (int y = height - 1; y >= 0; --y) {
+    const bool is_core = kind.head == 12;
+    const int colours = kind.has_palette() ? 1 << kind.bits : 0;
+    const int after_head = kind.head == 40 ? static_cast<int>(kind.masks.size()) * 4 : 0;
+    for (const int value : {0, 0, 14 + kind.head + after_head + colours * (is_core ? 3 : 4) + kind.gap, kind.head})
+        out.i32(value);
+    if (is_core) {
+        out.i16(width).i16(height).i16(1).i16(kind.bits);
+    } else {
+        out.i32(width).i32(kind.is_from_top ? -height : height).i16(1).i16(kind.bits);
+        out.i32(kind.masks.empty() ? 0 : kind.masks.size() == 4 && kind.head == 40 ? 6 : 3);
+        for (int i = 0; i < 5; ++i) out.i32(0);
+        for (const std::uint32_t mask : kind.masks) out.i32(static_cast<std::int32_t>(mask));
+        file.resize(static_cast<std::size_t>(14 + kind.head + after_head));
+    }
+    for (int i = 0; i < colours; ++i) {
+        const Rgb8 colour = colour_at(i % 16, i / 16);
+        file.insert(file.end(), {colour.blue, colour.green, colour.red});
+        if (!is_core) file.push_back(0);
+    }
+    file.resize(file.size() + static_cast<std::size_t>(kind.gap));
+    const std::size_t start = file.size();
+    for (int i = 0; i < height; ++i) {
+        const int y = kind.is_from_top ? i : height - 1 - i;
+        std::uint32_t bits = 0;
+        int count = 0;
         for (int x = 0; x < width; ++x) {
             const Rgb8 colour = colour_at(x, y);
-            file.insert(file.end(), {colour.blue, colour.green, colour.red});
+            if (kind.bits == 24) file.insert(file.end(), {colour.blue, colour.green, colour.red});
+            const std::uint32_t parts = BmpKind::bits_of(colour.red, kind.mask(0)) |
+                                        BmpKind::bits_of(colour.green, kind.mask(1)) |
+                                        BmpKind::bits_of(colour.blue, kind.mask(2)) | kind.mask(3);
+            if (kind.bits == 16) out.i16(static_cast<std::int16_t>(parts));
+            if (kind.bits == 32) out.i32(static_cast<std::int32_t>(parts));
+            if (!kind.has_palette()) continue;
+            bits = bits << kind.bits | static_cast<std::uint32_t>(x + 16 * y) % (1u << kind.bits);
+            count += kind.bits;
+            if (count % 8 == 0) file.push_back(static_cast<std::uint8_t>(bits));
         }
-        while ((file.size() - 54) % 4 != 0) file.push_back(0);
+        if (count % 8 != 0) file.push_back(static_cast<std::uint8_t>(bits << (8 - count % 8)));
+        while ((file.size() - start) % 4 != 0) file.push_back(0);
     }
     return file;
 }
@@ -108,6 +161,96 @@ TEST(Picture, TgaAndBmpHoldTheirColours) {
     const PngImage packed = decode_picture(packed_tga());
     for (std::size_t i = 0; i < 256; ++i)
         ASSERT_EQ(packed.pixel(i), (Rgba8{{10, 20, 30}, static_cast<std::uint8_t>(i / 16)}));
+}
+
+TEST(Picture, EveryKindOfBmpHasItsPixelsInTheirPlaces) {
+    const std::vector<std::uint32_t> r5g6b5{31u << 11, 63u << 5, 31u}, rgba{255u << 24, 255u << 16, 255u << 8, 255u},
+        argb4{15u << 8, 15u << 4, 15u, 15u << 12}, rgb10{1023u << 20, 1023u << 10, 1023u};
+    std::vector<BmpKind> kinds;
+    for (const int bits : {1, 2, 4, 8, 16, 24, 32})
+        for (const int head : {12, 16, 40, 52, 56, 64, 108, 124})
+            for (const bool is_from_top : {false, true})
+                if (!is_from_top || head > 12) kinds.push_back({head, bits, {}, is_from_top, head == 40 ? 4 : 0});
+    for (const int head : {40, 52, 56, 108, 124})
+        for (const auto& masks : {r5g6b5, rgba, argb4, rgb10})
+            if (masks.size() == 3 || head != 52)
+                kinds.push_back({head, masks == r5g6b5 || masks == argb4 ? 16 : 32, masks, false, 0});
+    for (const BmpKind& kind : kinds) {
+        const PngImage image = decode_picture(bmp(21, 17, kind));
+        ASSERT_EQ(image.colours.size(), 21u * 17);
+        for (int y = 0; y < 17; ++y)
+            for (int x = 0; x < 21; ++x) {
+                const int index = (x + 16 * y) % (1 << kind.bits % 24);
+                const Rgb8 was = kind.has_palette() ? colour_at(index % 16, index / 16) : colour_at(x, y);
+                const Rgba8 is = image.pixel(static_cast<std::size_t>(y * 21 + x));
+                const auto near = [&](std::uint8_t value, std::uint8_t wanted, std::size_t part) {
+                    const std::uint32_t mask = kind.mask(part);
+                    const bool is_exact = kind.bits <= 8 || kind.bits == 24 || std::popcount(mask) == 8;
+                    const double step = is_exact ? 0 : 255.0 / ((1 << std::popcount(mask)) - 1);
+                    return std::abs(value - wanted) <= step / 2 + (is_exact ? 0 : 1);
+                };
+                ASSERT_TRUE(near(is.colour.red, was.red, 0) && near(is.colour.green, was.green, 1) &&
+                            near(is.colour.blue, was.blue, 2) && is.alpha == 255)
+                    << kind.head << ' ' << kind.bits << ' ' << kind.masks.size() << ": " << x << ' ' << y;
+            }
+    }
+}
+
+TEST(Picture, ATgaBeginsInAnyCorner) {
+    for (const int corner : {0x00, 0x10, 0x20, 0x30}) {
+        Bytes file = plain_tga(21, 17);
+        file[17] = static_cast<std::uint8_t>(corner);
+        const PngImage image = decode_picture(file);
+        for (int y = 0; y < 17; ++y)
+            for (int x = 0; x < 21; ++x) {
+                const int column = (corner & 0x10) != 0 ? 20 - x : x, row = (corner & 0x20) != 0 ? y : 16 - y;
+                ASSERT_EQ(image.pixel(static_cast<std::size_t>(y * 21 + x)).colour, colour_at(column, row)) << x << y;
+            }
+    }
+}
+
+TEST(Picture, ATgasColourMapMayBeginAtAnyNumberAndBeUnused) {
+    Bytes mapped = tga_header(1, 2, 2, 8), coloured = tga_header(2, 1, 1, 24);
+    mapped[0] = coloured[0] = 3;  // bytes of a name
+    mapped[1] = coloured[1] = 1;
+    mapped[3] = 10;
+    mapped[5] = coloured[5] = 2;
+    mapped[7] = coloured[7] = 24;
+    const Bytes map{'a', 'b', 'c', 1, 2, 3, 4, 5, 6};
+    mapped.insert(mapped.end(), map.begin(), map.end());
+    mapped.insert(mapped.end(), {10, 11, 11, 10});
+    coloured.insert(coloured.end(), map.begin(), map.end());
+    coloured.insert(coloured.end(), {7, 8, 9});
+    EXPECT_EQ(decode_picture(mapped).colours, (std::vector<Rgba8>{{{3, 2, 1}}, {{6, 5, 4}}, {{6, 5, 4}}, {{3, 2, 1}}}));
+    EXPECT_EQ(decode_picture(coloured).colours, (std::vector<Rgba8>{{{9, 8, 7}}}));
+    mapped.back() = 9;
+    EXPECT_EQ(complaint_of(mapped), "image: a pixel of colour -1, expected one of the palette's 2");
+}
+
+TEST(Picture, ATgaOfGreysHasItsAlphaAndOneOf16BitsItsColours) {
+    Bytes grey = tga_header(3, 1, 2, 16), packed = tga_header(10, 2, 1, 16);
+    grey.insert(grey.end(), {77, 200, 5, 0});
+    packed.insert(packed.end(), {0x81, 0x1f, 0x7c});
+    EXPECT_EQ(decode_picture(grey).colours, (std::vector<Rgba8>{{{77, 77, 77}, 200}, {{5, 5, 5}, 0}}));
+    EXPECT_EQ(decode_picture(packed).colours, (std::vector<Rgba8>(2, {{255, 0, 255}})));
+}
+
+// FF C4 begins a table of a JPEG, but in no other format, and not within another part of a JPEG.
+TEST(Picture, NoBytesOfAPictureAreTakenForAJpegsTables) {
+    Bytes tga = tga_header(2, 16, 16, 24), of_bmp = bmp(16, 16), jpeg = bytes_of(kTwoColoursJpeg);
+    const Bytes blue{0xff, 0xc4, 0xb0};
+    for (int i = 0; i < 256; ++i) {
+        tga.insert(tga.end(), blue.begin(), blue.end());
+        std::copy(blue.begin(), blue.end(), of_bmp.begin() + 54 + 3 * i);
+    }
+    const std::vector<Rgba8> colours(256, {{0xb0, 0xc4, 0xff}});
+    EXPECT_EQ(decode_picture(tga).colours, colours);
+    EXPECT_EQ(decode_picture(of_bmp).colours, colours);
+    const std::vector<Rgba8> plain = decode_picture(jpeg).colours;
+    Bytes comment{0xff, 0xfe, 0, 42, 0xff, 0xc4, 1, 0, 0};
+    comment.resize(44, 200);
+    jpeg.insert(jpeg.begin() + 2, comment.begin(), comment.end());
+    EXPECT_EQ(decode_picture(jpeg).colours, plain);
 }
 
 // As near as the quantisation of a quality of 90 and 60 allows.
@@ -157,13 +300,30 @@ TEST(Picture, FaultsAreNamed) {
     const auto counts = std::search(jpeg.begin(), jpeg.end(), kTableMarker.begin(), kTableMarker.end()) + 5;
     std::fill_n(counts, 2, std::uint8_t{200});
     EXPECT_TRUE(complaint_of(jpeg).starts_with("image: a Huffman table of 4"));
+    const auto of_bmp = [](std::size_t at, int value) {
+        Bytes file = bmp(16, 16, {40, 8, {}, false, 0});
+        for (const int shift : {0, 8, 16, 24}) file[at++] = static_cast<std::uint8_t>(value >> shift);
+        return complaint_of(file);
+    };
+    EXPECT_EQ(of_bmp(14, 9), "image: a BMP whose head has 9 bytes, expected 12 (OS/2) or 16 to 124");
+    EXPECT_EQ(of_bmp(18, -16), "image: -16x16 pixels, expected 1 to 4096 a side");
+    EXPECT_EQ(of_bmp(22, INT32_MIN), "image: 16x2147483648 pixels, expected 1 to 4096 a side");
+    EXPECT_EQ(of_bmp(28, 3), "image: a BMP of 3 bits a pixel, expected 1, 2, 4, 8, 16, 24 or 32");
+    EXPECT_EQ(of_bmp(30, 1), "image: a BMP compressed by way 1 (run lengths), expected none");
+    EXPECT_EQ(of_bmp(46, 4), "image: a pixel of colour 240, expected one of the palette's 4");
+    EXPECT_EQ(of_bmp(10, 20), "image: pixels at offset 20, expected them after the head");
 }
 
 /// A file of each kind, by its number.
 class PictureFiles : public testing::TestWithParam<int> {
   protected:
     static Bytes file() {
-        const std::array<Bytes, 5> files{plain_tga(21, 17), packed_tga(), bmp(21, 17), bytes_of(kTwoColoursJpeg),
+        const std::array<Bytes, 7> files{plain_tga(21, 17),
+                                         packed_tga(),
+                                         bmp(21, 17),
+                                         bmp(21, 17, {12, 4}),
+                                         bmp(21, 17, {40, 16, {0xf00, 0xf0, 0xf}}),
+                                         bytes_of(kTwoColoursJpeg),
                                          bytes_of(kGradientJpeg)};
         return files[static_cast<std::size_t>(GetParam())];
     }
@@ -176,7 +336,7 @@ TEST_P(PictureFiles, NoPrefixIsTakenForAWhole) {
         ASSERT_NE(complaint_of(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size))), "") << size;
 }
 
-INSTANTIATE_TEST_SUITE_P(EachKind, PictureFiles, testing::Range(0, 5));
+INSTANTIATE_TEST_SUITE_P(EachKind, PictureFiles, testing::Range(0, 7));
 
 }  // namespace
 }  // namespace oblong::test

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "engine/base/input_error.h"
 #include "engine/files/picture.h"
 #include "tests/files/png_writer.h"
@@ -103,6 +105,89 @@ TEST(Png, TrueColoursAlphaGreysAnd16BitsAreRead) {
     EXPECT_EQ(colours_of(png_of_rows(png_header(1, 1, 16, 2), {0, 128, 128, 64, 64, 255, 255})),
               (Colours{{{128, 64, 255}}}));
     EXPECT_TRUE(decode_png(png_of_rows(png_header(1, 1, 8, 0), {0, 1})).indices.empty());
+}
+
+/// Sample `channel` of pixel (x, y), of 16 bits or fewer.
+std::uint32_t sample_at(int x, int y, int channel, int depth) {
+    const auto mixed = static_cast<std::uint32_t>((x * 7919 + y * 104'729 + channel * 31'337 + x * y * 77) & 0xffff);
+    return mixed >> (16 - depth);
+}
+
+/// A file of each pixel's samples, by the seven passes of Adam7 (PNG specification, 8.2) or row by row.
+PngBytes png_of_samples(int width, int height, int depth, int type, int channels, bool is_interlaced,
+                        const std::vector<PngChunk>& more) {
+    struct Pass {
+        int x, y, across, down;
+    };
+    const std::vector<Pass> adam7{{0, 0, 8, 8}, {4, 0, 8, 8}, {0, 4, 4, 8}, {2, 0, 4, 4},
+                                  {0, 2, 2, 4}, {1, 0, 2, 2}, {0, 1, 1, 2}},
+        plain{{0, 0, 1, 1}};
+    PngBytes rows;
+    for (const Pass& pass : is_interlaced ? adam7 : plain)
+        for (int y = pass.y; y < height && pass.x < width; y += pass.down) {
+            rows.push_back(0);
+            std::uint32_t bits = 0;
+            int count = 0;
+            const auto put = [&](std::uint32_t value, int size) {
+                for (int bit = size; bit-- > 0;) {
+                    bits = bits << 1 | (value >> bit & 1);
+                    if (++count % 8 == 0) rows.push_back(static_cast<std::uint8_t>(bits));
+                }
+            };
+            for (int x = pass.x; x < width; x += pass.across)
+                for (int channel = 0; channel < channels; ++channel) put(sample_at(x, y, channel, depth), depth);
+            if (count % 8 != 0) put(0, 8 - count % 8);
+        }
+    PngBytes header = png_header(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height),
+                                 static_cast<std::uint8_t>(depth), static_cast<std::uint8_t>(type));
+    header.back() = is_interlaced ? 1 : 0;
+    return png_of_rows(header, rows, more);
+}
+
+/// Of a gamma of `gamma`, by IEC 61966-2-1.
+double srgb_of(double sample, double gamma) {
+    const double light = std::pow(sample, 1 / gamma);
+    return gamma == 0 ? sample : light <= 0.0031308 ? light * 12.92 : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
+}
+
+TEST(Png, EveryKindHasItsPixelsInTheirPlaces) {
+    struct Kind {
+        int type, channels;
+        std::vector<int> depths;
+    };
+    PngBytes palette, gamma_1;
+    for (int i = 0; i < 768; ++i) palette.push_back(static_cast<std::uint8_t>(i * 37 + 5));
+    append_big_endian(gamma_1, 100'000);
+    for (const Kind& kind : {Kind{0, 1, {1, 2, 4, 8, 16}}, Kind{2, 3, {8, 16}}, Kind{3, 1, {1, 2, 4, 8}},
+                             Kind{4, 2, {8, 16}}, Kind{6, 4, {8, 16}}})
+        for (const int depth : kind.depths)
+            for (const int choice : {0, 1, 2, 3}) {
+                const bool is_interlaced = choice % 2 == 1;
+                const double gamma = choice / 2, most = (1 << depth) - 1;
+                std::vector<PngChunk> more;
+                if (gamma > 0) more.push_back({"gAMA", gamma_1});
+                const auto colours = std::ptrdiff_t{3} << depth;
+                if (kind.type == 3) more.push_back({"PLTE", PngBytes(palette.begin(), palette.begin() + colours)});
+                const PngImage image =
+                    decode_png(png_of_samples(13, 11, depth, kind.type, kind.channels, is_interlaced, more));
+                for (int y = 0; y < 11; ++y)
+                    for (int x = 0; x < 13; ++x) {
+                        const auto sample = [&](int channel) { return sample_at(x, y, channel, depth); };
+                        const auto part = [&](int channel) {
+                            return kind.type == 3 ? palette[sample(0) * 3 + static_cast<std::size_t>(channel)] / 255.0
+                                                  : sample(kind.channels < 3 ? 0 : channel) / most;
+                        };
+                        const Rgba8 is = image.pixel(static_cast<std::size_t>(y * 13 + x));
+                        const bool has_alpha = kind.type >= 4;
+                        const double alpha = has_alpha ? sample(kind.channels - 1) / most * 255 : 255;
+                        const auto seen = testing::Message()
+                                          << kind.type << ' ' << depth << ' ' << choice << ": " << x << ' ' << y;
+                        ASSERT_NEAR(is.colour.red, srgb_of(part(0), gamma) * 255, 0.51) << seen;
+                        ASSERT_NEAR(is.colour.green, srgb_of(part(1), gamma) * 255, 0.51) << seen;
+                        ASSERT_NEAR(is.colour.blue, srgb_of(part(2), gamma) * 255, 0.51) << seen;
+                        ASSERT_NEAR(is.alpha, alpha, 0.51) << seen;
+                    }
+            }
 }
 
 std::string complaint_of(const PngBytes& file) {

@@ -80,6 +80,26 @@ TEST(Wav, SamplesOf8BitsAreUnsigned) {
     EXPECT_EQ(sound.samples, (std::vector<std::int16_t>{0, 127 * 256, -32'768, -64 * 256}));
 }
 
+// Microsoft's WAVEFORMATEXTENSIBLE (2001): the format's number begins an identifier of 16 bytes.
+std::string extensible(std::uint32_t kind) {
+    const std::string plain = format(0xfffe, 1, 8000, 16).substr(8);
+    return chunk("fmt ", plain + little(22, 2) + little(16, 2) + little(4, 4) + little(kind, 2) +
+                             std::string("\0\0\0\0\x10\0\x80\0\0\xaa\0\x38\x9b\x71", 14));
+}
+
+TEST(Wav, HeadsOfPipesAndOfLaterProgramsAreRead) {
+    const std::string head = format(1, 1, 8000, 16), samples = little(1, 2) + little(0xfffe, 2);
+    const auto piped = [&](std::uint32_t riff, std::uint32_t data) {
+        return "RIFF" + little(riff, 4) + "WAVE" + head + "data" + little(data, 4) + samples;
+    };
+    for (const std::string& file :
+         {wav(extensible(1) + chunk("data", samples)),
+          wav(extensible(1) + chunk("fact", "abcd") + chunk("data", samples)), piped(0xffff'ffff, 0xffff'ffff),
+          piped(0, 0), piped(0x7fff'f024, 0x7fff'f000), piped(0, 4), piped(0, 0) + "a",
+          wav(head + chunk("odd ", "a") + chunk("data", samples + "a") + chunk("LIST", "abc"))})
+        EXPECT_EQ(decoded(file).samples, (std::vector<std::int16_t>{1, -2}));
+}
+
 TEST(Wav, FaultsAreNamedWithTheirOffset) {
     const std::string data = chunk("data", "abcd");
     struct Case {
@@ -87,6 +107,7 @@ TEST(Wav, FaultsAreNamedWithTheirOffset) {
     };
     for (const auto& [file, said] : {
              Case{wav(format(3, 1, 8000, 16) + data), "offset 20: format 3, expected 1: PCM"},
+             Case{wav(extensible(3) + data), "offset 20: format 3, expected 1: PCM"},
              Case{wav(format(1, 2, 8000, 16) + data), "offset 22: 2 channels, expected one"},
              Case{wav(format(1, 1, 0, 16) + data), "offset 24: 0 Hz, expected 1 to 192000"},
              Case{wav(format(1, 1, 8000, 24) + data), "offset 34: 24 bits a sample, expected 8 or 16"},
@@ -159,6 +180,10 @@ TEST(Flac, HasSubframesOfOneSample) {
     const SoundSamples sound = decode_flac(file_of(write_constant));
     EXPECT_EQ(sound.rate_hz, 22'050);
     EXPECT_EQ(sound.samples, Samples(8, -300));
+}
+
+TEST(Flac, NeedsNoNumberOfSamplesInItsHead) {
+    EXPECT_EQ(decode_flac(file_of(write_constant, 1, 0)).samples, Samples(8, -300));
 }
 
 TEST(Flac, HasSubframesOfSamplesAsTheyAre) {

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "tests/support/levels.h"
+#include "tests/support/refusal.h"
 
 namespace oblong::test {
 
@@ -253,6 +254,11 @@ TEST(BadInput, WhatIsSharedOrMissingOverAndOverIsRefused) {
 TEST(BadInput, UnknownVersionAndShortFilesNameTheHeader) {
     const Bytes file = join_lumps(30, make_tiny_lumps());
     EXPECT_EQ(fault_of(file), "header, offset 0");
+    const auto message_of = [](std::uint32_t version) {
+        return refusal([&] { read_bsp(join_lumps(version, make_tiny_lumps())); });
+    };
+    EXPECT_EQ(message_of(30), "header, offset 0: version 30, expected version 29, BSP2 or 2PSB");
+    EXPECT_EQ(message_of(0x5053'4449), "header, offset 0: no level of Quake, expected version 29, BSP2 or 2PSB");
     EXPECT_EQ(fault_of({}), "header, offset 0");
     EXPECT_EQ(fault_of(Bytes(123, 0)), "header, offset 0");
 }

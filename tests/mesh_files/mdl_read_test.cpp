@@ -112,6 +112,9 @@ TEST(MdlRead, LyingCountsAreRefusedAtTheirPlace) {
             put_number(file, offset, 4, count);
             EXPECT_EQ(fault_of(file), "header, offset " + std::to_string(offset)) << count;
         }
+    MdlFile other = good;
+    put_number(other, kMdlVersion, 4, 7);
+    EXPECT_EQ(refusal([&] { read_mdl(other); }), "header, offset 4: version 7, expected 6");
     for (const auto& [offset, count] : {std::pair{kMdlVertices, 5},
                                         {kMdlTriangles, 5},
                                         {kMdlFrames, 3},

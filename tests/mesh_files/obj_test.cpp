@@ -119,6 +119,77 @@ TEST_F(ObjFiles, NormalsOfTheFileAreMadeOneLong) {
     EXPECT_TRUE(has_computed) << "a normal of no direction counts as missing";
 }
 
+TEST_F(ObjFiles, NormalsThatFacesNameInVainAreComputed) {
+    const Mesh plain = read(kCube).mesh;
+    const std::size_t faces = kCube.find('f');
+    for (const std::string corner : {"//1", "//99", "//-1", "//-7"}) {
+        std::string named = kCube.substr(0, faces);
+        for (const char letter : kCube.substr(faces))
+            named += std::isdigit(letter) != 0 ? letter + corner : std::string(1, letter);
+        const ObjModel model = read(named);
+        ASSERT_EQ(model.mesh.frames[0].vertices.size(), plain.frames[0].vertices.size()) << corner;
+        for (std::size_t i = 0; i < 8; ++i)
+            EXPECT_EQ(model.mesh.frames[0].vertices[i].normal, plain.frames[0].vertices[i].normal) << corner;
+        ASSERT_EQ(model.warnings.size(), 1u) << corner;
+        EXPECT_TRUE(model.warnings[0].ends_with(": a normal that the file does not have: those are computed"));
+    }
+}
+
+TEST_F(ObjFiles, NamesMayHaveBlanksAndSigns) {
+    write_file(path("my wood.png"), encode_indexed_png(std::vector<std::uint8_t>{7, 8}, 2, 1, grey_palette()));
+    const std::string material =
+        "newmtl Dark Oak #2\nKd 0.5 0.5 0.5\nnewmtl Dark\nKd 1 1 1\n"
+        "newmtl\t a  b \nmap_Kd  my wood.png # a note\n";
+    const std::string faces = kSquare + "usemtl Dark Oak #2\nf 1 2 3\nusemtl Dark\nf 1 2 3\nusemtl a  b\nf 1 2 3\n";
+    write_file(path("the materials.mtl"), material);
+    write_file(path("one.mtl"), material.substr(0, material.find("newmtl\t")));
+    write_file(path("two.mtl"), material.substr(material.find("newmtl\t")));
+    for (const std::string library :
+         {"the materials.mtl", " the materials.mtl ", "one.mtl two.mtl", "none.mtl the\\ materials.mtl"}) {
+        const ObjModel model = read("mtllib " + library + "\n" + faces);
+        ASSERT_EQ(model.mesh.skins.size(), 3u) << library;
+        EXPECT_EQ(model.mesh.skins[0].texels, std::vector<std::uint8_t>{128});
+        EXPECT_EQ(model.mesh.skins[1].texels, std::vector<std::uint8_t>{223});
+        EXPECT_EQ(model.mesh.skins[2].texels, (std::vector<std::uint8_t>{7, 8}));
+        EXPECT_EQ(model.warnings.size(), library[0] == 'n' ? 1u : 0u) << library;
+    }
+    EXPECT_EQ(read("usemtl no such\n" + kSquare + "f 1 2 3\n").warnings.at(0),
+              "material [ 'no such' ] not found in .mtl");
+}
+
+TEST_F(ObjFiles, OptionsOfAPictureAreObeyedOrNamed) {
+    write_file(path("a 4x2.png"), encode_indexed_png(std::vector<std::uint8_t>(8, 1), 4, 2, grey_palette()));
+    struct Case {
+        std::string options;
+        double u, v;  ///< of the place (0.25, 0.5), in texels from the skin's top left corner
+        std::size_t repetitions;
+        std::string warning;
+    };
+    for (const auto& [options, u, v, repetitions, warning] : {
+             Case{"", 1, 1, 1, ""},
+             Case{"-s 2 1 1 ", 2, 1, 2, ""},
+             Case{"-s 2 ", 2, 1, 2, ""},
+             Case{"-o 0.25 0 0 ", 2, 1, 2, ""},
+             Case{"-o 0.25 -s 2 2 -blendu on -clamp off -mm 0 1 ", 3, 0, 3, ""},
+             Case{"-clamp on ", 1, 1, 1, "-clamp on"},
+             Case{"-blendv off -s 2 1 ", 2, 1, 2, "-blendv off"},
+             Case{"-mm 0.5 2 ", 1, 1, 1, "-mm 0.5 2"},
+             Case{"-bm 3 ", 1, 1, 1, "-bm 3"},
+             Case{"-imfchan r ", 1, 1, 1, "-imfchan r"},
+             Case{"-texres 64 ", 1, 1, 1, "-texres 64"},
+         }) {
+        write_file(path("m.mtl"), "newmtl m\nmap_Kd " + options + "a 4x2.png\n");
+        const ObjModel model =
+            read("mtllib m.mtl\nusemtl m\n" + kSquare + "vt 0.25 0.5\nvt 1 0.5\nvt 0 0.5\nf 1/1 2/2 3/3\n");
+        EXPECT_EQ(model.mesh.skins[0].width, 4 * static_cast<std::int32_t>(repetitions)) << options;
+        EXPECT_EQ(number_of(model.mesh.texels[0].u), u) << options;
+        EXPECT_EQ(number_of(model.mesh.texels[0].v), v) << options;
+        ASSERT_EQ(model.warnings.size(), warning.empty() ? 0u : 1u) << options;
+        for (const std::string& said : model.warnings)
+            EXPECT_EQ(said, path("m.mtl") + ": line 2: map_Kd's " + warning + " is ignored");
+    }
+}
+
 TEST_F(ObjFiles, MaterialsBecomeSkins) {
     std::vector<std::uint8_t> texels = {10, 20, 30, 40, 50, 60, 70, 80};
     write_file(path("wood.png"), encode_indexed_png(texels, 4, 2, grey_palette()));
@@ -222,11 +293,14 @@ TEST_F(ObjFiles, BrokenOnesAreRefusedWithTheLine) {
         {"", "file: "},
         {kSquare, "file: has no faces"},
         {kSquare + "f 1 2\n", "line 5: a face of 2 corners"},
-        {kSquare + "f 1 2 5\n", "line 5: vertex 5"},
-        {kSquare + "f 1 2 -5\n", "line 5: vertex -5"},
+        {kSquare + "f 1 2 5\n", "line 5: vertex 5, expected 1 to 4"},
+        {"f 1 2 5\n", "line 1: vertex 5, expected none: the file has no lines of them"},
+        {"v 1 2 3\nf 1 1 5\n", "line 2: vertex 5, expected 1"},
+        {"f -1 -2 -3\n", "line 1: vertex -1, expected 1 and up"},
+        {kSquare + "f 1 2 -5\n", "line 5: vertex -5, expected 1 and up, or -1 to -4"},
         {kSquare + "f 0 1 2\n", "line 5: vertex 0"},
         {kSquare + "f 1/1 2/1 3/1\n", "line 5: texture coordinate 1"},
-        {kSquare + "f 1//1 2//1 3//1\n", "line 5: normal 1"},
+        {kSquare + "f 1//0 2//1 3//1\n", "line 5: normal 0, expected 1 and up"},
         {kSquare + "f 1 2 x\n", "line 5: corner 'x'"},
         {kSquare + "f 1 2 \\\n 3 # one\nf 1 \\\n2 x\n", "line 7: corner 'x'"},
         {kSquare + "f 1 2 3/\n", "line 5: corner '3/'"},
@@ -244,6 +318,7 @@ TEST_F(ObjFiles, BrokenOnesAreRefusedWithTheLine) {
     for (const auto& [text, message] : cases) {
         const std::string found = error_of(text);
         EXPECT_TRUE(found.starts_with(message)) << text << " -> " << found;
+        EXPECT_EQ(found.size() == message.size(), message.find("expected") != std::string::npos) << found;
     }
     std::string many = kSquare + "f";
     for (int i = 0; i < 256; ++i) many += " 1";

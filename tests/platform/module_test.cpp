@@ -208,6 +208,81 @@ TEST(Module, SaysTheSameInPieces) {
     EXPECT_EQ(joined, expected);
 }
 
+/// The first note of each channel in the first row, by its period, and the first sample's values.
+struct ModuleStart {
+    std::vector<int> periods;
+    std::vector<std::int8_t> values;
+    bool operator==(const ModuleStart&) const = default;
+};
+
+ModuleStart start_of(const std::vector<std::uint8_t>& bytes) {
+    const TrackerModule module = parse_module(bytes);
+    ModuleStart start{{}, module.samples[0].samples};
+    for (const ModuleNote& note : module.row(module.orders.back(), 0)) start.periods.push_back(note.period);
+    return start;
+}
+
+std::vector<std::uint8_t> marked(std::vector<std::uint8_t> bytes, const std::string& mark) {
+    std::copy(mark.begin(), mark.end(), bytes.begin() + 1080);
+    return bytes;
+}
+
+TEST(Module, MarksOfOtherTrackersAreKnown) {
+    ModuleFile eight({0, 1}, 2, 8), four({0, 1}, 2), paired({0, 2}, 4);
+    std::vector<int> periods;
+    for (std::size_t i = 0; i < 8; ++i) {
+        const int period = 200 + static_cast<int>(i);
+        periods.push_back(period);
+        eight.note(1, 0, i, 1, period);
+        if (i < 4) four.note(1, 0, i, 1, period);
+        paired.note(2 + i / 4, 0, i % 4, 1, period);
+    }
+    for (ModuleFile* const file : {&eight, &four, &paired}) file->sample({1, 2, 3, 4});
+    const ModuleStart of_eight{periods, {1, 2, 3, 4}}, of_four{{200, 201, 202, 203}, {1, 2, 3, 4}};
+    for (const std::string mark : {"8CHN", "08CH", "OCTA", "OKTA", "CD81"})
+        EXPECT_EQ(start_of(marked(eight.bytes(), mark)), of_eight) << mark;
+    EXPECT_EQ(start_of(marked(eight.bytes(), "M.K.")), of_eight) << "Mod's Grave: only the size says so";
+    EXPECT_EQ(start_of(marked(paired.bytes(), "FLT8")), of_eight);
+    for (const std::string mark : {"M.K.", "M!K!", "M&K!", "N.T.", "FLT4", "4CHN"})
+        EXPECT_EQ(start_of(marked(four.bytes(), mark)), of_four) << mark;
+}
+
+TEST(Module, JunkBehindTheOrdersIsNoPattern) {
+    for (const int junk : {3, 100, 200, 255}) {
+        ModuleFile file({0, 1}, 2);
+        std::vector<std::uint8_t> bytes = file.note(1, 0, 0, 1, 428).sample({1, 2, 3, 4}).bytes();
+        bytes[1000] = static_cast<std::uint8_t>(junk);
+        EXPECT_EQ(start_of(bytes), (ModuleStart{{428, 0, 0, 0}, {1, 2, 3, 4}})) << junk;
+    }
+    ModuleFile hidden({0}, 3);
+    EXPECT_EQ(start_of(hidden.note(0, 0, 0, 1, 428).sample({1, 2, 3, 4}).bytes()),
+              (ModuleStart{{428, 0, 0, 0}, {1, 2, 3, 4}}));
+}
+
+TEST(Module, ANumberOfNoSampleIsNone) {
+    for (const int sample : {32, 97, 255}) {
+        ModuleFile file;
+        const TrackerModule module = parse_module(file.sample(square(32)).note(0, 0, 0, sample, 428).bytes());
+        EXPECT_EQ(module.notes[0].sample, 0);
+        EXPECT_EQ(module.notes[0].period, 428);
+    }
+    ModuleFile packed;
+    for (std::size_t i = 0; i < 256; ++i) packed.note(0, i / 4, i % 4, i % 3 == 0 ? 200 : 1, 428);
+    EXPECT_NE(test::refusal([&] { parse_module(packed.bytes()); }).find("86 of 256 notes name samples above 31"),
+              std::string::npos);
+}
+
+// By OpenMPT's description of ModPlug's packing: each half of a byte, the lower first, adds one of 16 differences.
+TEST(Module, PackedSamplesAreUnpacked) {
+    ModuleFile file;
+    std::vector<std::uint8_t> bytes = file.sample({0, 0, 0, 0, 0, 0}).bytes();
+    bytes.resize(bytes.size() - 6);
+    for (const char letter : std::string("ADPCM")) bytes.push_back(static_cast<std::uint8_t>(letter));
+    for (int i = 0; i < 16; ++i) bytes.push_back(static_cast<std::uint8_t>(i < 8 ? i * i : -i));
+    bytes.insert(bytes.end(), {0x21, 0x7f, 0x07});
+    EXPECT_EQ(start_of(bytes).values, (std::vector<std::int8_t>{1, 5, -10, 39, 88, 88}));
+}
+
 TEST(Module, SaysWhatIsWrongAndWhere) {
     const std::vector<std::uint8_t> good = ModuleFile().sample(square(32)).bytes();
     const auto place_of_error = [](const std::vector<std::uint8_t>& bytes) {
@@ -225,7 +300,7 @@ TEST(Module, SaysWhatIsWrongAndWhere) {
     EXPECT_EQ(changed(1081, 'X'), "offset 1080");
     EXPECT_EQ(changed(950, 0), "offset 950");
     EXPECT_EQ(changed(950, 129), "offset 950");
-    EXPECT_EQ(changed(1084 + 40, 0xf0), "offset 1124");
+    EXPECT_EQ(changed(1084 + 40, 0xf0), "") << "a note of no sample";
     EXPECT_EQ(changed(952, 1), "offset " + std::to_string(good.size()));
 }
 

@@ -65,14 +65,94 @@ TEST_F(TextureFiles, NameInAWadsDirectoryCounts) {
     EXPECT_TRUE(std::filesystem::exists(path("out/wall.png")));
 }
 
-TEST_F(TextureFiles, NoneIsUnpackedOverAnother) {
+TEST_F(TextureFiles, AFolderStandsForItsPictures) {
+    std::filesystem::create_directories(path("all"));
+    for (const std::string name : {"all/b.png", "all/A.PNG", "all/*c.png"}) write_png(name, 16, 16);
+    write("all/notes.txt", {1});
+    const std::string more = write_png("more.png", 16, 16);
+    EXPECT_TRUE(pack_textures({path("all"), more}, {}, path("out.wad"), palette_).empty());
+    std::vector<std::string> names;
+    const auto wad = read_file(path("out.wad"));
+    for (const WadTexture& texture : read_wad(wad)) names.push_back(texture.name);
+    EXPECT_EQ(names, (std::vector<std::string>{"*c", "A", "b", "more"}));
+    std::filesystem::create_directories(path("none"));
+    EXPECT_EQ(complaint_of_packing(path("none")),
+              path("none") + ": folder: has no pictures, expected PNG, TGA, JPEG or BMP files");
+}
+
+TEST_F(TextureFiles, WhatALevelWouldNotShowAsMeantIsNamed) {
+    struct Case {
+        std::string name;
+        int width, height;
+        std::string warning;
+    };
+    const std::string shape = ", expected two squares side by side, such as 256x128; it is of one colour";
+    for (const auto& [name, width, height, warning] : {
+             Case{"sky1", 256, 128, ""},
+             Case{"sky_small", 32, 16, ""},
+             Case{"sky2", 128, 128, "sky 'sky2': 128x128" + shape},
+             Case{"sky3", 128, 256, "sky 'sky3': 128x256" + shape},
+             Case{"sky4", 96, 48, "sky 'sky4': 96x48" + shape},
+             Case{"+2lamp", 16, 16,
+                  "animated texture 'lamp': frame '+1lamp' is missing, expected no gap; it stands still"},
+             Case{"+blamp", 16, 16,
+                  "animated texture 'lamp': frame '+alamp' is missing, expected no gap; it stands still"},
+             Case{"+1lamp", 32, 16,
+                  "animated texture 'lamp': '+1lamp' and '+0lamp' differ in size, expected frames of one size; it "
+                  "stands "
+                  "still"},
+             Case{"+1lamp", 16, 16, ""},
+         })
+        EXPECT_EQ(pack_textures({write_png("+0lamp.png", 16, 16), write_png(name + ".png", width, height)}, {},
+                                path("out.wad"), palette_),
+                  warning.empty() ? TextureWarnings{} : TextureWarnings{warning})
+            << name;
+}
+
+TEST_F(TextureFiles, OddTexturesOfAWadAreNamedAndTheRestIsUnpacked) {
     const auto texture = [&](const std::string& name) {
         return make_mip_texture(name, 16, 16, test::scattered_texels(256, 256), palette_);
     };
-    const std::string file = write("two.wad", write_wad(std::vector{texture("*a"), texture("#a")}));
-    EXPECT_EQ(test::refusal<FileError>([&] { unpack_textures(file, path("out"), palette_); }),
-              file + ": texture '#a': is the second one for the file '#a.png', expected one for each");
-    EXPECT_FALSE(std::filesystem::exists(path("out")));
+    const auto good = write_wad(std::vector{texture("one"), texture("two"), texture("three")});
+    constexpr std::size_t kMiptex_bytes = 40 + 256 + 64 + 16 + 4, kTwo = 12 + kMiptex_bytes,
+                          kEntry = 12 + 3 * kMiptex_bytes + 32;
+    struct Case {
+        std::size_t at;
+        std::uint8_t to;
+        std::string warning;
+    };
+    for (const auto& [at, to, warning] : {
+             Case{kTwo + 16, 24, "texture 'two': 24x16, expected multiples of 16 up to 4096"},
+             Case{kTwo + 16, 0, "texture 'two': 0x16, expected multiples of 16 up to 4096"},
+             Case{kTwo + 24, 3, "texture 'two': mip level 0 at offset 3, expected 40 or more, behind its header"},
+             Case{kEntry + 3, 1,
+                  "texture 'two': 380 bytes at offset 16777608, expected them within the 1248 that there are"},
+             Case{kTwo + 17, 1, "texture 'two': 4352 bytes at offset 40, expected them within the 380 that there are"},
+         }) {
+        auto bytes = good;
+        bytes[at] = to;
+        std::filesystem::remove_all(path("out"));
+        EXPECT_EQ(unpack_textures(write("odd.wad", bytes), path("out"), palette_), TextureWarnings{warning});
+        for (const std::string name : {"one", "two", "three"})
+            EXPECT_EQ(std::filesystem::exists(path("out/" + name + ".png")), name != "two") << warning;
+    }
+    auto only = write_wad(std::vector{texture("two")});
+    only[12 + 16] = 24;
+    EXPECT_EQ(test::refusal<FileError>([&] { unpack_textures(write("only.wad", only), path("none"), palette_); }),
+              path("only.wad") +
+                  ": textures: none can be read, expected one or more; texture 'two': 24x16, expected "
+                  "multiples of 16 up to 4096");
+    EXPECT_FALSE(std::filesystem::exists(path("none")));
+}
+
+TEST_F(TextureFiles, NoneIsUnpackedOverAnother) {
+    const auto texture = [&](const std::string& name, int seed) {
+        return make_mip_texture(name, 16, 16, test::scattered_texels(256, seed), palette_);
+    };
+    const std::string file = write("two.wad", write_wad(std::vector{texture("*a", 256), texture("#a", 7)}));
+    EXPECT_EQ(unpack_textures(file, path("out"), palette_),
+              TextureWarnings{"texture '#a': is the second one for the file '#a.png', expected one for each"});
+    EXPECT_EQ(decode_png(read_file(path("out/#a.png"))).indices, test::scattered_texels(256, 256));
 }
 
 TEST_F(TextureFiles, AHashStandsForTheStarOfLiquids) {

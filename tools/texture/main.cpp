@@ -1,6 +1,18 @@
+#include <iostream>
+
+#include "engine/base/input_error.h"
 #include "engine/files/command_line.h"
 #include "engine/files/files.h"
 #include "tools/texture/texture_files.h"
+
+namespace {
+
+void print_warnings(const std::string& file, const oblong::TextureWarnings& warnings) {
+    for (const std::string& warning : warnings)
+        std::cerr << oblong::printable("oblong-texture: " + file + ": warning: " + warning) << '\n';
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
     using namespace oblong;
@@ -12,7 +24,7 @@ int main(int argc, char** argv) {
     CommandArguments unpack = line.add_command("unpack", "The textures of a WAD2 or a BSP as indexed PNGs.");
     CommandArguments ramps = line.add_command(
         "ramps", "The colormap of a palette as a PNG: a row for each colour, brightest shade to darkest.");
-    pack.add("input", pictures, "PNG, TGA, JPEG or BMP files, sizes multiples of 16").require();
+    pack.add("input", pictures, "PNG, TGA, JPEG or BMP files, or folders of them, sizes multiples of 16").require();
     pack.add("-o", output, "the WAD to write").require();
     pack.add("--glow", glowing,
              "texture NAME whose colours may glow (palette indices 224 to 255); may be given more than once");
@@ -26,8 +38,9 @@ int main(int argc, char** argv) {
     return line.run(argc, argv, [&] {
         check_replaces_none("-o", output, {palette_file});
         const Palette palette = read_parsed(palette_file, read_palette);
-        if (pack.is_given()) pack_textures(pictures, glowing, output, palette, parse_dither(dither));
-        if (unpack.is_given()) unpack_textures(archive, output, palette);
+        if (pack.is_given())
+            print_warnings(output, pack_textures(pictures, glowing, output, palette, parse_dither(dither)));
+        if (unpack.is_given()) print_warnings(archive, unpack_textures(archive, output, palette));
         if (ramps.is_given()) write_file(output, make_ramp_sheet(palette));
     });
 }

@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "engine/base/input_error.h"
 #include "engine/base/little_endian.h"
 #include "engine/base/table.h"
 #include "engine/base/text.h"
+#include "engine/effects/sky.h"
 #include "engine/files/arguments.h"
 #include "engine/files/command_line.h"
 #include "engine/files/files.h"
@@ -17,6 +20,7 @@
 #include "engine/files/wad.h"
 #include "engine/level/bsp_file.h"
 #include "engine/level/bsp_read.h"
+#include "engine/scene/texture_animation.h"
 #include "engine/surface/colormap.h"
 #include "engine/surface/palette.h"
 #include "engine/view/screen.h"
@@ -69,7 +73,54 @@ std::map<std::string, std::string> files_by_name(const std::vector<std::string>&
     return files;
 }
 
-std::vector<MipTexture> textures_of_archive(std::span<const std::uint8_t> file) {
+/// A folder stands for the pictures in it.
+std::vector<std::string> files_of_paths(const std::vector<std::string>& paths) {
+    constexpr std::array<std::string_view, 5> kEndings{".png", ".tga", ".jpg", ".jpeg", ".bmp"};
+    std::vector<std::string> files;
+    for (const std::string& path : paths) {
+        if (!std::filesystem::is_directory(path)) {
+            files.push_back(path);
+            continue;
+        }
+        const std::ptrdiff_t before = std::ssize(files);
+        for (const auto& entry : std::filesystem::directory_iterator(path))
+            if (std::find(kEndings.begin(), kEndings.end(), lower_case(entry.path().extension().string())) !=
+                kEndings.end())
+                files.push_back(entry.path().string());
+        if (std::ssize(files) == before)
+            throw FileError(path, "folder", "has no pictures, expected PNG, TGA, JPEG or BMP files");
+        std::sort(files.begin() + before, files.end());
+    }
+    return files;
+}
+
+std::vector<MipTexture> read_pictures(const std::vector<std::string>& files, const std::vector<std::string>& glowing,
+                                      const Palette& palette, Dither dither) {
+    const std::map<std::string, std::string> by_name = files_by_name(files);
+    std::set<std::string> glowing_files;
+    for (const std::string& name : glowing)
+        if (const auto file = by_name.find(lower_case(name)); file != by_name.end()) glowing_files.insert(file->second);
+    std::vector<MipTexture> textures;
+    for (const std::string& path : files)
+        textures.push_back(read_png_texture(path, palette, {glowing_files.contains(path), dither}));
+    return textures;
+}
+
+/// What a level of these textures would not show as meant.
+TextureWarnings warnings_of(std::vector<MipTexture> textures) {
+    TextureWarnings warnings;
+    Level level;
+    level.textures.assign(std::make_move_iterator(textures.begin()), std::make_move_iterator(textures.end()));
+    TextureAnimations(level, warnings);
+    for (const MipTexture& texture : level.textures)
+        if (material_of_texture(texture.name) == Material::Sky && !is_layered_sky(texture.width, texture.height))
+            warnings.push_back("sky '" + texture.name + "': " + std::to_string(texture.width) + "x" +
+                               std::to_string(texture.height) +
+                               ", expected two squares side by side, such as 256x128; it is of one colour");
+    return warnings;
+}
+
+std::vector<MipTexture> textures_of_archive(std::span<const std::uint8_t> file, TextureWarnings& warnings) {
     const auto begins_as = [&](const BspFormat& format) {
         return file.size() >= 4 && little_endian_u32(file.data()) == format.version;
     };
@@ -77,10 +128,16 @@ std::vector<MipTexture> textures_of_archive(std::span<const std::uint8_t> file) 
     if (file.empty() || file[0] != 'W')
         throw InputError("header", "of another kind of file, expected a WAD2 or a level");
     std::vector<MipTexture> textures;
-    for (const WadTexture& texture : read_wad(file)) {
-        textures.push_back(parse_miptex(texture.miptex));
-        if (!has_own_name(texture)) textures.back().name = texture.name;
+    for (const WadTexture& texture : read_wad(file, &warnings)) {
+        try {
+            textures.push_back(parse_miptex(texture.miptex));
+            if (!has_own_name(texture)) textures.back().name = texture.name;
+        } catch (const InputError& fault) {
+            warnings.push_back(fault.where + ": " + fault.what());
+        }
     }
+    if (textures.empty() && !warnings.empty())
+        throw InputError("textures", "none can be read, expected one or more; " + warnings.front());
     return textures;
 }
 
@@ -150,40 +207,39 @@ Dither parse_dither(const std::string& text) {
 std::vector<std::uint8_t> packed_textures(const std::vector<std::string>& picture_paths,
                                           const std::vector<std::string>& glowing, const Palette& palette,
                                           Dither dither) {
-    const std::map<std::string, std::string> files = files_by_name(picture_paths);
-    std::set<std::string> glowing_files;
-    for (const std::string& name : glowing)
-        if (const auto file = files.find(lower_case(name)); file != files.end()) glowing_files.insert(file->second);
-    std::vector<MipTexture> textures;
-    for (const std::string& path : picture_paths)
-        textures.push_back(read_png_texture(path, palette, {glowing_files.contains(path), dither}));
-    return write_wad(textures);
+    return write_wad(read_pictures(picture_paths, glowing, palette, dither));
 }
 
-void pack_textures(const std::vector<std::string>& picture_paths, const std::vector<std::string>& glowing,
-                   const std::string& wad_path, const Palette& palette, Dither dither) {
-    const std::map<std::string, std::string> files = files_by_name(picture_paths);
+TextureWarnings pack_textures(const std::vector<std::string>& paths, const std::vector<std::string>& glowing,
+                              const std::string& wad_path, const Palette& palette, Dither dither) {
+    const std::vector<std::string> pictures = files_of_paths(paths);
+    const std::map<std::string, std::string> files = files_by_name(pictures);
     for (const std::string& name : glowing)
         if (!files.contains(lower_case(name)))
             throw UsageError("--glow: '" + name + "', expected the name of one of the textures");
     check_writable(wad_path);
     check_replaces_only("-o", wad_path, "WAD", {"WAD2"});
-    write_file(wad_path, packed_textures(picture_paths, glowing, palette, dither));
+    std::vector<MipTexture> textures = read_pictures(pictures, glowing, palette, dither);
+    write_file(wad_path, write_wad(textures));
+    return warnings_of(std::move(textures));
 }
 
-void unpack_textures(const std::string& archive_path, const std::string& folder, const Palette& palette) {
-    const auto textures = read_parsed(archive_path, textures_of_archive);
+TextureWarnings unpack_textures(const std::string& archive_path, const std::string& folder, const Palette& palette) {
+    TextureWarnings warnings;
+    const auto textures = read_parsed(
+        archive_path, [&](std::span<const std::uint8_t> bytes) { return textures_of_archive(bytes, warnings); });
     std::map<std::string, const MipTexture*> files;
     for (const MipTexture& texture : textures) {
         const std::string file = file_of_texture_name(texture.name);
         if (!texture.is_missing && !files.emplace(file, &texture).second)
-            throw FileError(archive_path, "texture '" + printable(texture.name) + "'",
-                            "is the second one for the file '" + printable(file) + "', expected one for each");
+            warnings.push_back("texture '" + texture.name + "': is the second one for the file '" + file +
+                               "', expected one for each");
     }
     make_folder(folder);
     for (const auto& [file, texture] : files)
         write_file((std::filesystem::path(folder) / file).string(),
                    encode_indexed_png(texture->mips[0], texture->width, texture->height, palette));
+    return warnings;
 }
 
 std::string file_of_texture_name(const std::string& name) {

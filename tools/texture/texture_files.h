@@ -33,12 +33,16 @@ std::vector<std::uint8_t> packed_textures(const std::vector<std::string>& pictur
                                           const std::vector<std::string>& glowing, const Palette& palette,
                                           Dither dither = Dither::None);
 
-/// `pack`: writes such a WAD. Throws UsageError if a name in `glowing` is not among them.
-void pack_textures(const std::vector<std::string>& picture_paths, const std::vector<std::string>& glowing,
-                   const std::string& wad_path, const Palette& palette, Dither dither = Dither::None);
+using TextureWarnings = std::vector<std::string>;
 
-/// `unpack`: the textures of a WAD or a BSP as indexed PNGs into a folder, which is created.
-void unpack_textures(const std::string& archive_path, const std::string& folder, const Palette& palette);
+/// `pack`: writes such a WAD; a folder stands for all pictures in it. Throws UsageError if a name in `glowing` is not
+/// among them. Warns of animations that stand still and of skies of one colour.
+TextureWarnings pack_textures(const std::vector<std::string>& paths, const std::vector<std::string>& glowing,
+                              const std::string& wad_path, const Palette& palette, Dither dither = Dither::None);
+
+/// `unpack`: the textures of a WAD or a BSP as indexed PNGs into a folder, which is created. Warns of textures of a WAD
+/// that are left out, as they are damaged, or second ones for a file; throws FileError if none is left.
+TextureWarnings unpack_textures(const std::string& archive_path, const std::string& folder, const Palette& palette);
 
 /// "*water" -> "#water.png". Slashes, which a name in a broken file may hold, become '_'.
 std::string file_of_texture_name(const std::string& name);
