@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <set>
 
+#include "engine/base/text.h"
+
 namespace oblong {
 namespace {
 
@@ -19,6 +21,20 @@ bool is_level_name(const std::string& name) {
     return !name.empty() && name.front() != '.' && name.find_first_of("/\\") == std::string::npos;
 }
 
+// The folder of that name in `folder`, there or not, and those whose names have other capitals, as on DOS's disks.
+std::vector<std::string> in_any_case(const fs::path& folder, const std::string& wanted) {
+    std::vector<std::string> names;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+        std::error_code ignored;
+        const std::string name = entry->path().filename().string();
+        if (name != wanted && lower_case(name) == wanted && entry->is_directory(ignored)) names.push_back(name);
+    }
+    std::sort(names.begin(), names.end());
+    names.insert(names.begin(), wanted);
+    return names;
+}
+
 // Without repetitions.
 std::vector<fs::path> folders_of(const LevelPlaces& places) {
     std::vector<fs::path> folders;
@@ -29,7 +45,8 @@ std::vector<fs::path> folders_of(const LevelPlaces& places) {
     if (!places.beside.empty() && !path_in_pak(places.beside)) add(fs::path(places.beside).parent_path() / ".");
     add(".");
     add("maps");
-    for (const std::string& folder : places.game_folders) add(fs::path(folder) / "maps");
+    for (const std::string& folder : places.game_folders)
+        for (const std::string& maps : in_any_case(folder, "maps")) add(fs::path(folder) / maps);
     return folders;
 }
 
@@ -49,7 +66,9 @@ std::vector<fs::path> levels_in(const fs::path& folder) {
 
 std::vector<std::string> game_folders_of(const std::string& named) {
     if (!named.empty()) return {named};
-    return {".", "id1"};
+    std::vector<std::string> folders = in_any_case(".", "id1");
+    folders.insert(folders.begin(), ".");
+    return folders;
 }
 
 std::optional<std::string> find_level(const std::string& name, const LevelPlaces& places) {
