@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "engine/base/input_error.h"
 #include "engine/base/text.h"
 #include "engine/level/entities.h"
 #include "engine/level/entity_classes.h"
+#include "tools/map/source/checks.h"
 
 namespace oblong::map {
 namespace {
@@ -45,7 +48,7 @@ class MapTokens {
     MapToken next_;
 };
 
-constexpr int kFarthest = 65536;  // the largest number in a level
+constexpr int kFarthest = 1 << 30;  // the largest number: planes of points so far away are still exact
 
 bool is_blank(char letter) {
     return static_cast<unsigned char>(letter) <= ' ';
@@ -198,7 +201,7 @@ void take_pair(MapTokens& tokens, MapEntity& entity) {
     entity.pairs.push_back({std::string(key.text), std::string(value.text), key.line});
 }
 
-MapEntity take_entity(MapTokens& tokens) {
+MapEntity take_entity(MapTokens& tokens, Warnings* warnings) {
     MapEntity entity;
     entity.line = tokens.peek().line;
     tokens.expect("{", "before an entity");
@@ -207,6 +210,9 @@ MapEntity take_entity(MapTokens& tokens) {
             take_pair(tokens, entity);
         } else if (tokens.peek().is("{")) {
             entity.brushes.push_back(take_brush(tokens));
+            if (!entity.brushes.back().sides.empty()) continue;
+            if (warnings != nullptr) warnings->add(entity.brushes.back().line, "a brush without sides is left out");
+            entity.brushes.pop_back();
         } else {
             tokens.fail(tokens.peek(), "a key in quotes, '{' of a brush, or '}' after the entity that begins in line " +
                                            std::to_string(entity.line));
@@ -224,6 +230,49 @@ void check_no_zero_byte(std::string_view text) {
     throw InputError(at_line(line), "a zero byte, expected text");
 }
 
+// TrenchBroom's layers and groups: the entities with a `_tb_id`. An entity names its layer, or its group, which may be
+// in another one; what names none is in the layer of the worldspawn.
+class EditorLayers {
+  public:
+    explicit EditorLayers(const std::vector<MapEntity>& entities) : default_(entities.front()) {
+        for (const MapEntity& entity : entities)
+            if (entity.has("_tb_id")) by_id_[{entity.value("_tb_type"), entity.value("_tb_id")}] = &entity;
+    }
+
+    bool is_left_out(const MapEntity& entity) const {
+        const MapEntity* at = &entity;
+        for (std::size_t step = 0; step <= by_id_.size() && at != nullptr; ++step) {
+            if (at->value("_tb_type") == "_tb_layer" || at == &default_) return at->value(kOmits) == "1";
+            at = holder_of(*at);
+        }
+        return false;
+    }
+
+  private:
+    static constexpr std::string_view kOmits = "_tb_layer_omit_from_export";
+
+    const MapEntity* holder_of(const MapEntity& entity) const {
+        for (const std::string type : {"_tb_layer", "_tb_group"})
+            if (const auto found = by_id_.find({type, entity.value(type)}); found != by_id_.end()) return found->second;
+        return &default_;
+    }
+
+    const MapEntity& default_;
+    std::map<std::pair<std::string, std::string>, const MapEntity*> by_id_;  // type, id
+};
+
+// As in the editor's export, which the worldspawn itself is always part of.
+void leave_out_layers(std::vector<MapEntity>& entities) {
+    const EditorLayers layers(entities);
+    std::vector<bool> left_out;
+    for (const MapEntity& entity : entities) left_out.push_back(layers.is_left_out(entity));
+    if (left_out.front()) entities.front().brushes.clear();
+    std::size_t kept = 1;
+    for (std::size_t i = 1; i < entities.size(); ++i)
+        if (!left_out[i]) std::swap(entities[kept++], entities[i]);
+    entities.resize(kept);
+}
+
 }  // namespace
 
 std::string MapEntity::value(std::string_view key, std::string_view otherwise) const {
@@ -237,19 +286,20 @@ bool MapEntity::has(std::string_view key) const {
     return std::any_of(pairs.begin(), pairs.end(), [&](const MapPair& pair) { return pair.key == key; });
 }
 
-std::vector<MapEntity> parse_map(std::string_view file) {
+std::vector<MapEntity> parse_map(std::string_view file, Warnings* warnings) {
     const std::string text = plain_text(std::string(file));
     check_no_zero_byte(text);
     MapTokens tokens(text);
     std::vector<MapEntity> entities;
     while (!tokens.peek().is_end) {
-        entities.push_back(take_entity(tokens));
+        entities.push_back(take_entity(tokens, warnings));
         if (entities.size() > 1 && role_of(entities.back()) == ClassRole::Worldspawn)
             throw InputError(at_line(entities.back().line),
                              "a second worldspawn, expected one, that of line " + std::to_string(entities[0].line));
     }
     if (entities.empty() || role_of(entities[0]) != ClassRole::Worldspawn)
         throw InputError("line 1", "the first entity is no worldspawn, expected one that holds the world's brushes");
+    leave_out_layers(entities);
     return entities;
 }
 
