@@ -21,14 +21,13 @@ bool is_level_name(const std::string& name) {
     return !name.empty() && name.front() != '.' && name.find_first_of("/\\") == std::string::npos;
 }
 
-// The folder of that name in `folder`, there or not, and those whose names have other capitals, as on DOS's disks.
+// That name, there or not, and those in `folder` that differ in capitals alone, as on DOS's disks.
 std::vector<std::string> in_any_case(const fs::path& folder, const std::string& wanted) {
     std::vector<std::string> names;
     std::error_code error;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-        std::error_code ignored;
         const std::string name = entry->path().filename().string();
-        if (name != wanted && lower_case(name) == wanted && entry->is_directory(ignored)) names.push_back(name);
+        if (name != wanted && lower_case(name) == lower_case(wanted)) names.push_back(name);
     }
     std::sort(names.begin(), names.end());
     names.insert(names.begin(), wanted);
@@ -55,7 +54,7 @@ std::vector<fs::path> levels_in(const fs::path& folder) {
     std::error_code error;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
         std::error_code ignored;
-        if (entry->path().extension() == kLevelExtension && entry->is_regular_file(ignored))
+        if (lower_case(entry->path().extension().string()) == kLevelExtension && entry->is_regular_file(ignored))
             files.push_back(entry->path().lexically_normal());
     }
     std::sort(files.begin(), files.end());
@@ -75,8 +74,8 @@ std::optional<std::string> find_level(const std::string& name, const LevelPlaces
     if (!is_level_name(name)) return {};
     std::error_code ignored;
     for (const fs::path& folder : folders_of(places))
-        if (const fs::path file = folder / (name + kLevelExtension); fs::is_regular_file(file, ignored))
-            return file.lexically_normal().string();
+        for (const std::string& file : in_any_case(folder, name + kLevelExtension))
+            if (fs::is_regular_file(folder / file, ignored)) return (folder / file).lexically_normal().string();
     return GameFiles(places.game_folders).find(kPakPrefix + name + kLevelExtension);
 }
 

@@ -289,6 +289,10 @@ TEST_F(MapWatchTest, FollowsWhatTheSourceNames) {
     EXPECT_TRUE(result_after("t.wad", wad_bytes({"wall"})).has_level);
     EXPECT_TRUE(result_after("my.map", source({160, 64, 0})).has_level);
     EXPECT_FALSE(level_bytes() == first) << "it was moved";
+    fs::remove(path("t.wad"));
+    EXPECT_TRUE(result_after("part.map", taller).has_level) << "with a checkerboard";
+    EXPECT_TRUE(result_after("t.wad", wad_bytes({"wall"})).has_level) << "it is there again";
+    EXPECT_TRUE(result_after("part.map", brick).has_level);
     EXPECT_TRUE(result_after("my.map", source({160, 128, 0})).has_level);
     EXPECT_TRUE(level_bytes() == first);
 }

@@ -164,10 +164,10 @@ TEST_F(Game, QuakesFolderIsFoundInAnyCase) {
         const std::string below = "of_" + id1 + "/" + id1;
         for (const std::string& folder : {"of_" + id1, below, below + "/MAPS"}) make_folder(folder_.path(folder));
         fs::copy(folder_.path("game/pak0.pak"), folder_.path(below + "/PAK0.PAK"));
-        folder_.write(below + "/MAPS/e1m4.bsp", level_with(""));
+        folder_.write(below + "/MAPS/E1M4.BSP", level_with(""));
         fs::current_path(folder_.path("of_" + id1));
         EXPECT_EQ(find_level("e1m1", {"", game_folders_of("")}), id1 + "/PAK0.PAK/maps/e1m1.bsp");
-        EXPECT_EQ(find_level("e1m4", {"", game_folders_of("")}), id1 + "/MAPS/e1m4.bsp");
+        EXPECT_EQ(find_level("e1m4", {"", game_folders_of("")}), id1 + "/MAPS/E1M4.BSP");
         fs::current_path(before);
     }
 }
