@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <limits>
 
 namespace oblong {
@@ -120,6 +121,7 @@ bool is_space(char letter) {
 std::optional<std::int64_t> parse_decimal(std::string_view text, int fraction_bits) {
     const bool is_negative = !text.empty() && text.front() == '-';
     if (is_negative || (!text.empty() && text.front() == '+')) text.remove_prefix(1);
+    while (text.starts_with("00")) text.remove_prefix(1);
 
     constexpr int kMostDigits = 12;  // enough to detect numbers that are too large, too few to overflow
     int whole_digits = 0, fraction_digits = 0;
@@ -139,10 +141,41 @@ std::optional<std::int64_t> parse_decimal(std::string_view text, int fraction_bi
     return is_negative ? -magnitude : magnitude;
 }
 
+namespace {
+
+/// "71.5e-3" as ".0715": the digits, with the point moved. Another text is returned as it is.
+std::string without_exponent(std::string_view number) {
+    constexpr int kFarthest = 100;  // places: past all digits of any result
+    const std::size_t letter = number.find_first_of("eE");
+    if (letter == std::string_view::npos) return std::string(number);
+    std::string_view power = number.substr(letter + 1);
+    if (power.starts_with('+')) power.remove_prefix(1);
+    int places = 0;
+    const auto [stop, error] = std::from_chars(power.data(), power.data() + power.size(), places);
+    std::string digits(number.substr(0, letter));
+    const std::size_t point = std::min(digits.find('.'), digits.size());
+    digits.erase(point, 1);
+    if (error != std::errc() || stop != power.data() + power.size() || digits.empty()) return std::string(number);
+    places = std::clamp(places, -kFarthest, kFarthest);
+    if (places < 0) digits.insert(0, static_cast<std::size_t>(-places), '0');
+    if (places > 0) digits.append(static_cast<std::size_t>(places), '0');
+    return digits.insert(point + static_cast<std::size_t>(std::max(places, 0)), 1, '.');
+}
+
+}  // namespace
+
+std::optional<std::int64_t> parse_level_number(std::string_view text, int fraction_bits) {
+    const bool is_negative = text.starts_with('-');
+    if (is_negative || text.starts_with('+')) text.remove_prefix(1);
+    if (text.starts_with('-') || text.starts_with('+')) return std::nullopt;
+    const std::optional<std::int64_t> magnitude = parse_decimal(without_exponent(text), fraction_bits);
+    return magnitude && is_negative ? -*magnitude : magnitude;
+}
+
 std::optional<std::vector<std::int64_t>> parse_decimals(std::string_view text, int fraction_bits) {
     std::vector<std::int64_t> numbers;
     for (std::string_view word = take_word(text); !word.empty(); word = take_word(text)) {
-        const std::optional<std::int64_t> number = parse_decimal(word, fraction_bits);
+        const std::optional<std::int64_t> number = parse_level_number(word, fraction_bits);
         if (!number) return std::nullopt;
         numbers.push_back(*number);
     }

@@ -47,7 +47,10 @@ std::string_view take_word(std::string_view& text);
 /// from zero. Fraction digits after the ninth are ignored. None unless the whole text is a number and |value| < 2^31.
 std::optional<std::int64_t> parse_decimal(std::string_view text, int fraction_bits);
 
-/// All numbers of a text, by parse_decimal(). None if a word is not a number.
+/// The same for a value in a level, which may have an exponent, as tools write it: "-7.1e-15".
+std::optional<std::int64_t> parse_level_number(std::string_view text, int fraction_bits);
+
+/// All numbers of a text, by parse_level_number(). None if a word is not a number.
 std::optional<std::vector<std::int64_t>> parse_decimals(std::string_view text, int fraction_bits);
 
 }  // namespace oblong

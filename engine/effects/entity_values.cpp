@@ -23,7 +23,7 @@ std::string range_text(World least, World most) {
 }
 
 std::optional<std::uint8_t> parse_colour(std::string_view text) {
-    const std::optional<std::int64_t> number = parse_decimal(text, 0);
+    const std::optional<std::int64_t> number = parse_level_number(text, 0);
     if (!number || *number < 0 || *number > 255) return std::nullopt;
     return static_cast<std::uint8_t>(*number);
 }

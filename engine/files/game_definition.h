@@ -49,14 +49,11 @@ bool is_game_folder(const std::string& folder);
 
 /// Reads a folder's game.json. Throws FileError that names the file and the place in it: for invalid JSON, unknown
 /// members or members of another type, classes based on an unknown class, paths that leave the folder, missing files.
-/// Levels may be missing: see check_levels().
+/// Levels may be missing: they are read when they are played.
 GameDefinition read_game_definition(const std::string& folder);
 
-/// The file of a level of the game: maps/NAME.bsp in its folder, or NAME.bsp; empty if neither exists.
+/// The file of a level of the game: maps/NAME.bsp in its folder, or NAME.bsp if there is only that.
 std::string level_file_of(const GameDefinition& game, const std::string& level);
-
-/// Throws FileError for a level that has no file.
-void check_levels(const GameDefinition& game);
 
 /// The next level after the one in `file`; empty after the last, and if `file` is not a level of the game.
 std::string level_after(const GameDefinition& game, const std::string& file);

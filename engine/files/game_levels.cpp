@@ -19,19 +19,10 @@ bool is_game_folder(const std::string& folder) {
 }
 
 std::string level_file_of(const GameDefinition& game, const std::string& level) {
+    const fs::path name = level + ".bsp", in_maps = game.folder / ("maps" / name), beside = game.folder / name;
     std::error_code ignored;
-    for (const fs::path& folder : {fs::path(game.folder) / "maps", fs::path(game.folder)})
-        if (fs::is_regular_file(folder / (level + ".bsp"), ignored)) return (folder / (level + ".bsp")).string();
-    return {};
-}
-
-void check_levels(const GameDefinition& game) {
-    for (std::size_t i = 0; i < game.levels.size(); ++i)
-        if (level_file_of(game, game.levels[i]).empty())
-            throw FileError((fs::path(game.folder) / kGameFile).string(), "/levels/" + std::to_string(i),
-                            "there is no maps/" + game.levels[i] +
-                                ".bsp in the folder, expected one (oblong-map makes "
-                                "it of a .map)");
+    const bool is_beside = !fs::is_regular_file(in_maps, ignored) && fs::is_regular_file(beside, ignored);
+    return (is_beside ? beside : in_maps).string();
 }
 
 std::string level_after(const GameDefinition& game, const std::string& file) {

@@ -55,6 +55,7 @@ class ModelFinder {
         }
         folders_.push_back(level_folder);
         folders_.push_back(level_folder / "..");
+        folders_.insert(folders_.end(), folders.games.begin(), folders.games.end());
         if (!folders.own.empty()) folders_.emplace_back(folders.own);
     }
 

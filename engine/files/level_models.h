@@ -33,13 +33,15 @@ struct LevelModels {
     std::vector<std::string> warnings;  ///< of models that are not shown
 };
 
-/// Where files of models are searched: in `named`, in the level's folder, in the folder above; in each by the file's
-/// path, then by its name alone there, in `progs` and in `models`; in `game` by the file's path, and in `progs`.
+/// Where files of models are searched: in `named`, in the level's folder, in the folder above, in `games`; in each by
+/// the file's path, then by its name alone there, in `progs` and in `models`; in `game` by the file's path, and in
+/// `progs`.
 struct ModelFolders {
     std::string level_file;
     std::string named;                ///< empty: none
     std::string own = {};             ///< of Oblong's lens and keys, searched after the others; empty: none
     const GameFiles* game = nullptr;  ///< with pak files, or null; searched last
+    std::vector<std::string> games = {};
 
     /// False: Quake's own classes show no models.
     bool has_quakes_models() const { return !named.empty() || game != nullptr; }

@@ -223,7 +223,7 @@ Table<TexInfo> read_texinfos(const BspFile& file, const Level& level) {
         texinfo.texture = TextureIndex(in.check_index(in.read_i32(), level.textures.count(), "texture"));
         const bool is_unlit = (in.read_u32() & kTexInfoSpecial) != 0;
         texinfo.material = material_of_texture(level.textures[texinfo.texture].name);
-        if (is_unlit && texinfo.material == Material::Lit) texinfo.material = Material::Liquid;
+        if (is_unlit && texinfo.material == Material::Lit) texinfo.material = Material::Unlit;
         return texinfo;
     });
 }

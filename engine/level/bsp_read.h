@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "engine/level/level.h"
 
@@ -12,9 +14,12 @@ namespace oblong {
 /// planes, or an InputError whose `where` names the lump and the offset in the file ("lump 'planes', offset 1234").
 /// Allocates at most a small multiple of the file's size.
 ///
-/// Tolerated: textures without texels (replaced by a checkerboard); lightmap offsets in a level without lighting, and
-/// visibility offsets in one without visibility (both ignored).
+/// Tolerated: textures without texels or of a size that cannot be drawn (replaced by a checkerboard); lightmap offsets
+/// in a level without lighting, and visibility offsets in one without visibility (both ignored).
 Level read_bsp(std::span<const std::uint8_t> bytes);
+
+/// A warning for each texture that a checkerboard replaces.
+std::vector<std::string> texture_warnings(const Level& level);
 
 /// Reads the textures only; the rest of the file may be damaged.
 std::vector<MipTexture> read_bsp_textures(std::span<const std::uint8_t> bytes);

@@ -22,7 +22,8 @@ std::string read_name(LumpReader& in) {
     return name;
 }
 
-/// Replaces a texture without texels: squares of an eighth of its size, at every mip level.
+/// Replaces a texture without texels, or of a size that cannot be drawn: squares of an eighth of its size, at every mip
+/// level.
 MipTexture make_checkerboard(std::string name) {
     MipTexture texture{std::move(name), kMissingSize, kMissingSize, {}, true};
     std::int32_t size = kMissingSize;
@@ -36,11 +37,9 @@ MipTexture make_checkerboard(std::string name) {
     return texture;
 }
 
-std::int32_t read_size(LumpReader& in) {
-    const std::uint32_t size = in.read_u32();
-    if (size == 0 || size > kMaxTextureSize || size % 16 != 0)
-        in.fail("texture of " + std::to_string(size) + " texels a side, expected a multiple of 16 from 16 to 16384");
-    return static_cast<std::int32_t>(size);
+/// 0, 24 ...: Quake stops at such a texture, later engines draw the others.
+constexpr bool is_texture_size(std::uint32_t texels) {
+    return texels > 0 && texels <= kMaxTextureSize && texels % 16 == 0;
 }
 
 /// `texels_left`: how many bytes textures may still take; they overlap only in files made to waste memory.
@@ -48,11 +47,13 @@ MipTexture read_texture(LumpReader& in, std::int64_t start, std::int64_t& texels
     in.seek(start);
     MipTexture texture;
     texture.name = read_name(in);
-    texture.width = read_size(in);
-    texture.height = read_size(in);
+    const std::uint32_t width = in.read_u32(), height = in.read_u32();
     std::array<std::uint32_t, 4> offsets{};
     for (std::uint32_t& offset : offsets) offset = in.read_u32();
-    if (offsets == std::array<std::uint32_t, 4>{}) return make_checkerboard(texture.name);
+    if (offsets == std::array<std::uint32_t, 4>{} || !is_texture_size(width) || !is_texture_size(height))
+        return make_checkerboard(texture.name);
+    texture.width = static_cast<std::int32_t>(width);
+    texture.height = static_cast<std::int32_t>(height);
 
     for (int mip = 0; mip < 4; ++mip) {
         const auto i = as_size(mip);
@@ -89,6 +90,15 @@ Table<MipTexture> read_textures(const BspFile& file) {
         textures.push_back(start == -1 ? make_checkerboard("") : read_texture(in, start, texels_left));
     }
     return textures;
+}
+
+std::vector<std::string> texture_warnings(const Level& level) {
+    std::vector<std::string> warnings;
+    for (const MipTexture& texture : level.textures)
+        if (texture.is_missing)
+            warnings.push_back("texture '" + texture.name +
+                               "' is shown as a checkerboard: expected texels, and sides of 16, 32 ... to 16384");
+    return warnings;
 }
 
 }  // namespace oblong

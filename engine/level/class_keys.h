@@ -149,7 +149,9 @@ inline constexpr std::array kExternalMap{
     numbers("_external_map_scale", 1, 3, "1", "scale, or one for each axis"),
 };
 inline constexpr std::array kLight{
-    numbers("light", 1, 4, "300", "brightness; negative subtracts light; of a colour, only its luminance is used"),
+    numbers("light", 1, 4, "300",
+            "brightness, or red green blue brightness; negative subtracts light; of the colour, only its luminance is "
+            "used"),
     number("wait", "1", "factor of the distance: larger fades faster"),
     EntityKey{"delay", Choice, "0", "how light fades with distance", kFalloffs},
     EntityKey{"style", Whole, "0", "flicker: 0 to 11 are Quake's; 32 to 63 for switched lights or a `pattern`",

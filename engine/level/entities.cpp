@@ -98,7 +98,7 @@ std::vector<Entity> parse_entities(std::string_view text, std::string_view sourc
 }
 
 std::optional<World> parse_world_number(std::string_view text) {
-    const auto raw = parse_decimal(text, World::kFractionBits);
+    const auto raw = parse_level_number(text, World::kFractionBits);
     if (!raw || !std::in_range<World::Raw>(*raw)) return std::nullopt;
     return World::from_raw(static_cast<World::Raw>(*raw));
 }

@@ -19,13 +19,16 @@ std::string list_of(std::span<const KeyValue> values) {
 
 bool is_of_kind(const EntityKey& key, const std::string& value) {
     const auto numbers = parse_decimals(value, 0);
-    const auto is_value = [&](const KeyValue& each) { return each.value == value; };
+    const auto number = parse_level_number(value, 16);
+    const auto is_value = [&](const KeyValue& each) {
+        return each.value == value || (number && number == parse_level_number(each.value, 16));
+    };
     switch (key.kind) {
         case KeyKind::Numbers:
             return numbers && numbers->size() >= key.least && numbers->size() <= key.most;
         case KeyKind::Whole:
         case KeyKind::Flags:
-            return numbers && numbers->size() == 1 && value.find('.') == std::string::npos;
+            return numbers && numbers->size() == 1 && value.find_first_of(".eE") == std::string::npos;
         case KeyKind::Choice:
             return std::any_of(key.values.begin(), key.values.end(), is_value);
         case KeyKind::Texture:

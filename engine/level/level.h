@@ -83,8 +83,8 @@ constexpr LevelNumber box_coordinate(std::int64_t units) {
     return static_cast<LevelNumber>(std::clamp(units, -kFarthest, kFarthest));
 }
 
-/// How a face is drawn. Only lit faces have a lightmap and a limited extent.
-enum class Material : std::uint8_t { Lit, Liquid, Sky };
+/// How a face is drawn. Only lit faces have a lightmap and a limited extent; unlit ones show their texture as it is.
+enum class Material : std::uint8_t { Lit, Liquid, Sky, Unlit };
 
 constexpr Material material_of_texture(std::string_view name) {
     return name.starts_with('*') ? Material::Liquid : name.starts_with("sky") ? Material::Sky : Material::Lit;
@@ -95,7 +95,8 @@ struct TexInfo {
     Vec3<TexelAxis> s, t;
     Texel s_offset, t_offset;
     TextureIndex texture;
-    Material material = Material::Lit;  ///< by the texture's name; Liquid if the file flags faces as unlit
+    Material material =
+        Material::Lit;  ///< by the texture's name; Unlit if that says Lit, but the file flags faces as unlit
 
     bool operator==(const TexInfo&) const = default;
 };
@@ -202,7 +203,7 @@ struct MipTexture {
     std::string name;
     std::int32_t width = 0, height = 0;  ///< of mip level 0; multiples of 16
     std::array<std::vector<std::uint8_t>, 4> mips;
-    bool is_missing = false;  ///< the file has no texels; the reader made a checkerboard
+    bool is_missing = false;  ///< the file has no texels that can be drawn; the reader made a checkerboard
 
     bool operator==(const MipTexture&) const = default;
 };

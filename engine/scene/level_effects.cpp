@@ -83,7 +83,7 @@ void read_fog(const std::string& value, LevelEffects& effects) {
 }
 
 void read_alpha(LiquidKind kind, const std::string& key, const std::string& value, LevelEffects& effects) {
-    const std::optional<std::int64_t> alpha_256 = parse_decimal(value, 8);
+    const std::optional<std::int64_t> alpha_256 = parse_level_number(value, 8);
     if (!alpha_256 || !is_within(*alpha_256, 0, 256))
         return warn_of_value(effects.warnings, key, value, "an alpha from 0 to 1");
     item(effects.liquid_alpha_256, kind) = static_cast<std::uint16_t>(*alpha_256);
@@ -112,7 +112,7 @@ void read_palette_cycle(const std::string& key, const std::string& value, LevelE
 }
 
 void read_sky_fog(const std::string& value, LevelEffects& effects) {
-    const std::optional<std::int64_t> share_256 = parse_decimal(value, 8);
+    const std::optional<std::int64_t> share_256 = parse_level_number(value, 8);
     if (!share_256 || *share_256 < 0 || *share_256 > 256)
         return warn_of_value(effects.warnings, "skyfog", value, "a share from 0 to 1");
     effects.sky_fog_256 = static_cast<std::int32_t>(*share_256);

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <set>
 
+#include "engine/base/text.h"
+
 namespace oblong {
 namespace {
 
@@ -19,6 +21,19 @@ bool is_level_name(const std::string& name) {
     return !name.empty() && name.front() != '.' && name.find_first_of("/\\") == std::string::npos;
 }
 
+// That name, there or not, and those in `folder` that differ in capitals alone, as on DOS's disks.
+std::vector<std::string> in_any_case(const fs::path& folder, const std::string& wanted) {
+    std::vector<std::string> names;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+        const std::string name = entry->path().filename().string();
+        if (name != wanted && lower_case(name) == lower_case(wanted)) names.push_back(name);
+    }
+    std::sort(names.begin(), names.end());
+    names.insert(names.begin(), wanted);
+    return names;
+}
+
 // Without repetitions.
 std::vector<fs::path> folders_of(const LevelPlaces& places) {
     std::vector<fs::path> folders;
@@ -29,7 +44,8 @@ std::vector<fs::path> folders_of(const LevelPlaces& places) {
     if (!places.beside.empty() && !path_in_pak(places.beside)) add(fs::path(places.beside).parent_path() / ".");
     add(".");
     add("maps");
-    for (const std::string& folder : places.game_folders) add(fs::path(folder) / "maps");
+    for (const std::string& folder : places.game_folders)
+        for (const std::string& maps : in_any_case(folder, "maps")) add(fs::path(folder) / maps);
     return folders;
 }
 
@@ -38,7 +54,7 @@ std::vector<fs::path> levels_in(const fs::path& folder) {
     std::error_code error;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
         std::error_code ignored;
-        if (entry->path().extension() == kLevelExtension && entry->is_regular_file(ignored))
+        if (lower_case(entry->path().extension().string()) == kLevelExtension && entry->is_regular_file(ignored))
             files.push_back(entry->path().lexically_normal());
     }
     std::sort(files.begin(), files.end());
@@ -49,15 +65,17 @@ std::vector<fs::path> levels_in(const fs::path& folder) {
 
 std::vector<std::string> game_folders_of(const std::string& named) {
     if (!named.empty()) return {named};
-    return {".", "id1"};
+    std::vector<std::string> folders = in_any_case(".", "id1");
+    folders.insert(folders.begin(), ".");
+    return folders;
 }
 
 std::optional<std::string> find_level(const std::string& name, const LevelPlaces& places) {
     if (!is_level_name(name)) return {};
     std::error_code ignored;
     for (const fs::path& folder : folders_of(places))
-        if (const fs::path file = folder / (name + kLevelExtension); fs::is_regular_file(file, ignored))
-            return file.lexically_normal().string();
+        for (const std::string& file : in_any_case(folder, name + kLevelExtension))
+            if (fs::is_regular_file(folder / file, ignored)) return (folder / file).lexically_normal().string();
     return GameFiles(places.game_folders).find(kPakPrefix + name + kLevelExtension);
 }
 

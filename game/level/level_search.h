@@ -15,7 +15,7 @@ struct LevelPlaces {
     std::vector<std::string> game_folders;
 };
 
-/// The game's folders: `named`, or if that is empty, the current folder and id1 in it.
+/// The game's folders: `named`, or if that is empty, the current folder and id1 in it (also as ID1, Id1).
 std::vector<std::string> game_folders_of(const std::string& named);
 
 /// The file of a level, or its path in a pak file (engine/files/game_files.h), as load_game() takes it; nothing if

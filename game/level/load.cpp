@@ -77,13 +77,15 @@ GameData load_game(const LevelFiles& files) {
         return read_bsp(bytes);
     });
     if (files.game) apply_classes(*files.game, data.level.entities);
+    print_warnings("oblong", data.level_file, texture_warnings(data.level));
     data.effects = read_level_effects(data.level);
     print_warnings("oblong", data.level_file, data.effects.warnings);
     print_warnings("oblong", data.level_file, read_things(data.level).warnings);
     data.palette = read_parsed_game_file(file_of_palette(files, data.level_file, game), read_palette);
     data.colormap = make_colormap(data.palette);
-    data.models = read_level_models(data.level, data.palette,
-                                    {data.level_file, files.models, files.assets, game.has_paks() ? &game : nullptr});
+    data.models = read_level_models(
+        data.level, data.palette,
+        {data.level_file, files.models, files.assets, game.has_paks() ? &game : nullptr, files.game_folders});
     remove_left_out(data.level, data.models);
     print_warnings("oblong", data.level_file, data.models.warnings);
     data.sounds = read_level_sounds(data.level, sound_folders(files, data.level_file));

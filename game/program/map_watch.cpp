@@ -29,9 +29,10 @@ struct MapParts {
         lights;  // the key-value pairs of each; `lights`: of those that may change the light
 };
 
-// True for pairs of brush entities that move vertices or normals, and for all pairs that name files or textures.
+// True for pairs of brush entities that move vertices or normals, and for all pairs that name files or textures, or the
+// editor's layers, which may be left out.
 bool is_of_brushes(const std::string& pair, bool has_brushes) {
-    return pair.starts_with("\"wad\"") || pair.starts_with("\"texture\"") ||
+    return pair.starts_with("\"wad\"") || pair.starts_with("\"texture\"") || pair.starts_with("\"_tb_") ||
            (has_brushes && (pair.starts_with("\"classname\"") || pair.starts_with("\"_phong")));
 }
 
@@ -97,8 +98,8 @@ MapChange change_between(const std::string& former, const std::string& now) {
     return a.entities != b.entities ? MapChange::Entities : MapChange::Nothing;
 }
 
-MapWatch::MapWatch(std::string map_file, std::string compiler)
-    : map_file_(std::move(map_file)), compiler_(std::move(compiler)) {
+MapWatch::MapWatch(std::string map_file, std::string compiler, std::string game)
+    : map_file_(std::move(map_file)), compiler_(std::move(compiler)), game_(std::move(game)) {
     const std::string base = fs::path(map_file_).replace_extension().string() + kDraftEnding;
     level_file_ = base + ".bsp";
     log_file_ = base + ".log";
@@ -186,6 +187,7 @@ void MapWatch::compile_first(bool waits) {
 void MapWatch::begin(MapChange change) {
     std::vector<std::string> words{compiler_, map_file_, "-o", level_file_, "--fast", "--reads", reads_file_};
     if (change != MapChange::All) words.insert(words.end(), {"--only", option_of(change)});
+    if (!game_.empty()) words.insert(words.end(), {"--game", game_});
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);

@@ -22,8 +22,9 @@ MapChange change_between(const std::string& former, const std::string& now);
 /// then, and has oblong-map compile a draft of the changed part while the game goes on.
 class MapWatch {
   public:
-    /// `compiler` is the program oblong-map. The level is written beside the source, as NAME-draft.bsp.
-    MapWatch(std::string map_file, std::string compiler);
+    /// `compiler` is the program oblong-map, `game` its option; empty: none. The level is written beside the source, as
+    /// NAME-draft.bsp.
+    MapWatch(std::string map_file, std::string compiler, std::string game = "");
     ~MapWatch();
     MapWatch(const MapWatch&) = delete;
 
@@ -60,7 +61,7 @@ class MapWatch {
     void begin(MapChange change);
     Result finish(int status);
 
-    std::string map_file_, compiler_, level_file_, log_file_, points_file_, reads_file_;
+    std::string map_file_, compiler_, game_, level_file_, log_file_, points_file_, reads_file_;
     std::string text_;        // of the current level
     std::string tried_text_;  // of the compilation
     Stamp seen_;

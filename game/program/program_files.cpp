@@ -70,7 +70,6 @@ LevelFiles level_files_of(const Options& options, const std::string& assets_fold
     LevelFiles files{options.level, options.palette, assets_folder, options.models, game_folders_of(options.game)};
     const std::string& folder = is_game_folder(options.game) ? options.game : assets_folder;
     files.game = std::make_shared<const GameDefinition>(read_game_definition(folder));
-    check_levels(*files.game);
     if (!options.map.empty()) files.level = find_named_level(options.map, {"", files.game_folders});
     return files;
 }

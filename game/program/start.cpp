@@ -52,7 +52,7 @@ void record_route(const Options& options, const std::string& assets) {
 
 std::shared_ptr<MapWatch> watch_of(const Options& options, const char* called_as) {
     if (options.watch.empty()) return nullptr;
-    auto watch = std::make_shared<MapWatch>(options.watch, program_folder(called_as) + "/oblong-map");
+    auto watch = std::make_shared<MapWatch>(options.watch, program_folder(called_as) + "/oblong-map", options.game);
     const bool has_window = options.headless_frames == 0 && (options.timedemo + options.route).empty();
     watch->compile_first(has_window && !options.shows_error_box);
     return watch;

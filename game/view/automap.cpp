@@ -21,7 +21,8 @@ constexpr World kArrowLength = World::from_int(64), kArrowHead = World::from_int
 constexpr Unit kRootOfHalf = Unit::from_raw(759'250'125);
 
 bool is_wall(const Level& level, const Face& face) {
-    return level.texinfos[face.texinfo].material == Material::Lit &&
+    const Material material = level.texinfos[face.texinfo].material;
+    return (material == Material::Lit || material == Material::Unlit) &&
            absolute(level.planes[face.plane].normal.z) < kRootOfHalf;
 }
 

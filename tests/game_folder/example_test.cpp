@@ -4,6 +4,7 @@
 
 #include "engine/files/files.h"
 #include "engine/platform/headless.h"
+#include "game/program/played_game.h"
 #include "game/program/program.h"
 #include "game/program/program_files.h"
 #include "game/simulation/items.h"
@@ -164,10 +165,26 @@ TEST_F(ExampleGame, LevelsFollowInTheirOrder) {
     EXPECT_EQ(level_after(game, assets_ + "/demo.bsp"), "");
 }
 
-TEST_F(ExampleGame, ALevelThatIsNotThereIsNamedBeforeTheGameBegins) {
-    fs::remove(folder_ + "/maps/third.bsp");
-    EXPECT_EQ(run("oblong --game " + folder_ + " --headless 1 --out " + temporary_.path("out")), 1);
-    EXPECT_TRUE(said_.starts_with("oblong: " + folder_ + "/game.json: /levels/2: there is no maps/third.bsp")) << said_;
+// While a game is being made.
+TEST_F(ExampleGame, ALevelThatIsNotThereStopsOnlyItself) {
+    const std::string start = "oblong --game " + folder_ + " --headless 1 --out " + temporary_.path("out");
+    fs::remove(folder_ + "/maps/second.bsp");
+    EXPECT_EQ(run(start), 0) << said_;
+    EXPECT_EQ(run(start + " --map third"), 0) << said_;
+    EXPECT_EQ(run(start + " --map second"), 1);
+    const GameDefinition game = read_game_definition(folder_);
+    EXPECT_EQ(level_after(game, folder_ + "/maps/first.bsp"), "second");
+    const LoadedLevel first = loaded("first");
+    const Options own = options();
+    const PlayedGame played(own, assets_, first);
+    const EndFigures figures = played.end_figures(first, start_of(first.level));
+    EXPECT_EQ(figures.next_level, "");
+    EXPECT_NE(figures.fault.find("second.bsp"), std::string::npos) << figures.fault;
+    EXPECT_EQ(played.levels(first).at(1).file, folder_ + "/maps/second.bsp")
+        << "what its row in the menu says is missing";
+    fs::remove(folder_ + "/maps/first.bsp");
+    EXPECT_EQ(run(start), 1);
+    EXPECT_TRUE(said_.starts_with("oblong: " + folder_ + "/maps/first.bsp: ")) << said_;
 }
 
 TEST_F(ExampleGame, ADemoThatIsNotThereIsAWarningOfTheTitle) {

@@ -94,6 +94,21 @@ TEST(TinyLevel, TextureWhoseTexelsAreElsewhereKeepsItsName) {
     EXPECT_EQ(level.textures.front().name, "floor");
 }
 
+// 0 as ericw-tools writes for a missing one, 24 as in LibreQuake, and sizes on which other readers stop.
+TEST(TinyLevel, ATextureOfASizeThatCannotBeDrawnBecomesACheckerboard) {
+    for (const std::uint32_t size : {0u, 1u, 8u, 24u, 100u, 16400u, 0x80000000u, 0xffffffffu})
+        for (const std::size_t side : {24u, 28u}) {
+            test::Lumps lumps = test::make_tiny_lumps();
+            test::put_number(test::lump_of(lumps, Lump::Textures), side, 4, static_cast<std::int32_t>(size));
+            const Level level = read_tiny(lumps);
+            EXPECT_TRUE(level.textures.front().is_missing) << size;
+            EXPECT_EQ(level.textures.front().width, 64) << size;
+            ASSERT_EQ(texture_warnings(level).size(), 1u) << size;
+            EXPECT_TRUE(texture_warnings(level)[0].starts_with("texture 'floor' is shown as a checkerboard")) << size;
+        }
+    EXPECT_TRUE(texture_warnings(read_tiny()).empty());
+}
+
 // 16 bits hold both: indices up to the number of clipnodes, and contents near 65,536.
 TEST(TinyLevel, MoreThan32767ClipNodesAreToldFromContents) {
     constexpr std::int32_t kCount = 40000;
@@ -127,8 +142,10 @@ TEST(TinyLevel, MaterialsGoByNameOrFlag) {
     }
     test::Lumps flagged = test::make_tiny_lumps();
     test::put_number(test::lump_of(flagged, Lump::TexInfos), 36, 4, 1);
-    EXPECT_EQ(read_tiny(flagged).texinfos.front().material, Material::Liquid);
+    EXPECT_EQ(read_tiny(flagged).texinfos.front().material, Material::Unlit) << "only a name makes a liquid";
     EXPECT_EQ(read_tiny(flagged).faces.front().light_offset, -1);
+    test::put_number(test::lump_of(flagged, Lump::TexInfos), 0, 4, std::bit_cast<std::int32_t>(200.F));
+    EXPECT_GT(read_tiny(flagged).faces.front().texel_extent_u, 2000) << "a lit one would be refused";
 }
 
 TEST(TinyLevel, WithoutLightOrVisibilityThereAreNoOffsets) {

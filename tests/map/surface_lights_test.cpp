@@ -141,6 +141,40 @@ TEST(SurfaceLights, StandBeforeAFaceWhereThePanelHasAHole) {
 
 // A level has shades, no colours: red, green and blue count 0.299, 0.587 and 0.114 (BT.601). What arrives counts less
 // then; the lamp reaches as far.
+// It is a pattern: what shines are the faces.
+TEST(SurfaceLights, MayBeWrittenDownOutsideOfTheLevel) {
+    const auto lit_from = [](const Whole& at) {
+        map::BspFile bsp = compile(
+            level(plain_room() + box({96, 96, 120}, {128, 128, 128}, "other"),
+                  entity_at("info_player_start", {64, 64, 40}) + entity_at("light", at, {{"_surface", "other"}})),
+            {true});
+        return bsp.lighting;
+    };
+    EXPECT_FALSE(lit_from({64, 64, 64}).empty());
+    EXPECT_EQ(lit_from({-3112, -1776, -680}), lit_from({64, 64, 64}));
+    expect_complaint(level(plain_room(), lights_of_plain_room() + entity_at("light", {-3112, 0, 0})),
+                     "outside of the level");
+}
+
+// Four numbers in "light" are a colour and a brightness, three a colour of the usual one; "_color" has precedence.
+TEST(ColouredLight, CountsTheSameInBothKeys) {
+    const auto lighting_of = [](const std::vector<std::array<std::string, 2>>& keys) {
+        return compile(level(plain_room(), entity_at("light", {128, 128, 100}, keys)), {true}).lighting;
+    };
+    const auto least_of = [](const std::string& light) {
+        return compile(entity("worldspawn", {{"light", light}}, plain_room()), {true}).lighting;
+    };
+    for (const std::string colour : {"0 0 255", "255 255 255", "1 0.5 0", "0 0 1", "128 64 32"})
+        for (const std::string key : {"light", "_light"}) {
+            const std::string expected = lighting_of({{"_color", colour}, {"light", "900"}});
+            EXPECT_EQ(lighting_of({{key, colour + " 900"}}), expected) << colour;
+            EXPECT_EQ(lighting_of({{"_color", colour}, {key, "255 0 255 900"}}), expected) << colour;
+            EXPECT_EQ(lighting_of({{key, colour}}), lighting_of({{"_color", colour}})) << colour;
+        }
+    EXPECT_EQ(least_of("255 255 255 100"), least_of("100"));
+    EXPECT_EQ(least_of("0 255 0 100"), least_of("58.7"));
+}
+
 TEST(ColouredLight, CountsByItsLuminance) {
     for (const char* delay : {"0", "1", "2", "3", "5"}) {
         const auto light_of = [&](const std::string& colour) {

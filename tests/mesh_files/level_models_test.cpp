@@ -166,6 +166,18 @@ TEST_F(ModelFolder, TheNamedFolderComesFirst) {
     EXPECT_FALSE(read(armor, path("elsewhere")).meshes.at(0)->turns);
 }
 
+// That of --game, when a level is watched while it is drawn elsewhere.
+TEST_F(ModelFolder, TheGamesFoldersAreSearched) {
+    for (const char* below : {"game", "game/models"}) make_folder(path(below));
+    write_model("game/models/chair.mdl");
+    Level level = read_bsp(join_lumps(29, make_tiny_lumps()));
+    level.entities = parse_entities(misc_model(R"("model" "models/chair.mdl")"), "test");
+    ModelFolders folders{path("drafts/level.bsp"), ""};
+    EXPECT_EQ(read_level_models(level, {}, folders).meshes.size(), 0u);
+    folders.games = {path("game")};
+    EXPECT_EQ(read_level_models(level, {}, folders).meshes.size(), 1u);
+}
+
 constexpr const char* kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
 TEST_F(ModelFolder, LensesAndKeysHaveModelsOfTheirOwn) {

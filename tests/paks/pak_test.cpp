@@ -157,6 +157,21 @@ TEST_F(Game, APakFileInCapitalsIsFoundAndReadAsOneInSmallLetters) {
     EXPECT_EQ(find_level("e1m1", places_), folder_.path("game/pak0.pak/maps/e1m1.bsp")) << "not the other one's";
 }
 
+TEST_F(Game, QuakesFolderIsFoundInAnyCase) {
+    namespace fs = std::filesystem;
+    const fs::path before = fs::current_path();
+    for (const std::string id1 : {"id1", "ID1", "Id1", "iD1"}) {
+        const std::string below = "of_" + id1 + "/" + id1;
+        for (const std::string& folder : {"of_" + id1, below, below + "/MAPS"}) make_folder(folder_.path(folder));
+        fs::copy(folder_.path("game/pak0.pak"), folder_.path(below + "/PAK0.PAK"));
+        folder_.write(below + "/MAPS/E1M4.BSP", level_with(""));
+        fs::current_path(folder_.path("of_" + id1));
+        EXPECT_EQ(find_level("e1m1", {"", game_folders_of("")}), id1 + "/PAK0.PAK/maps/e1m1.bsp");
+        EXPECT_EQ(find_level("e1m4", {"", game_folders_of("")}), id1 + "/MAPS/E1M4.BSP");
+        fs::current_path(before);
+    }
+}
+
 TEST_F(Game, ANameLeadsToNoOtherFolder) {
     for (const char* name : {"", "../mine/e1m9", "maps/e1m1", "..", ".hidden", "a\\b"})
         EXPECT_EQ(find_level(name, places_), std::nullopt) << name;

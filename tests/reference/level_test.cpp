@@ -72,7 +72,7 @@ TEST(ReferenceLevel, MaterialsGoByNameAndFlag) {
         return reference::read_level(join_lumps(29, lumps)).faces[0].material;
     };
     EXPECT_EQ(material("floor", 0), reference::Material::Lit);
-    EXPECT_EQ(material("floor", 1), reference::Material::Liquid);
+    EXPECT_EQ(material("floor", 1), reference::Material::Unlit);
     EXPECT_EQ(material("*lava", 0), reference::Material::Liquid);
     EXPECT_EQ(material("sky12", 1), reference::Material::Sky);
 }

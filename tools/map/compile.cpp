@@ -56,6 +56,8 @@ LevelBrushes make_brushes(const std::vector<MapEntity>& entities, Warnings* warn
             started.push_back({model, level.models[model].size(), brush.line});
             level.models[model].push_back(start_brush(brush, level.planes, level.textures));
             level.models[model].back().is_detail = is_detail_entity(entity);
+            // As with id's compiler: an entity of liquid or sky stops players; what it looks like goes by its texture.
+            if (model > 0) level.models[model].back().contents = contents::kSolid;
         }
     }
     for (const TextureUse& use : shown_textures(entities)) level.textures.find_or_add_name(use);
@@ -102,7 +104,15 @@ void check_arrivals(const Tree& player_hull, const PlaneList& planes, const std:
     }
 }
 
-// Brushes in a wall are meant, as a hidden door's are; a train goes where its path begins.
+// A train goes where its path begins; a trigger that others activate need not be where players are.
+bool may_be_outside(const MapEntity& entity) {
+    const ClassRole role = role_of(entity);
+    const bool is_never_touched =
+        role == ClassRole::TriggerRelay || role == ClassRole::TriggerCounter || role == ClassRole::Lightning;
+    return role == ClassRole::Train || is_never_touched || (is_trigger(role) && !entity.value("targetname").empty());
+}
+
+// Brushes in a wall are meant, as a hidden door's are.
 void check_models(const Tree& world, const LevelBrushes& level, const std::vector<MapEntity>& entities,
                   Warnings& warnings) {
     const BrushContents walls(level.models.front(), level.planes);
@@ -120,7 +130,7 @@ void check_models(const Tree& world, const LevelBrushes& level, const std::vecto
     for (const MapEntity& entity : entities) {
         if (entity.brushes.empty() || belongs_to_world(entity)) continue;
         const std::vector<Brush>& brushes = level.models[++model];
-        if (role_of(entity) == ClassRole::Train || std::any_of(brushes.begin(), brushes.end(), is_placed)) continue;
+        if (may_be_outside(entity) || std::any_of(brushes.begin(), brushes.end(), is_placed)) continue;
         warnings.add(entity.line, "the brushes of " + entity.value("classname", "an entity") +
                                       " are outside of the level, which is sealed: expected them inside");
     }
@@ -136,7 +146,7 @@ Inhabitants inhabitants_of(const std::vector<MapEntity>& entities) {
     Inhabitants found;
     for (const MapEntity& entity : entities) {
         const auto origin = origin_of(entity);
-        if (!origin || !entity.brushes.empty()) continue;
+        if (!origin || !entity.brushes.empty() || shines_by_surfaces(entity)) continue;
         found.starts.push_back(*origin);
         found.at_start.push_back(&entity);
     }
@@ -202,6 +212,8 @@ BspFile changed_level(const std::vector<MapEntity>& entities, const LevelBrushes
     BspFile bsp = options.former;
     PlaneList planes = brushes.planes;
     BspFile expected;
+    expected.textures = bsp.textures;
+    check_same_brushes(brushes.textures.names().size() <= bsp.textures.size());
     Emitter(expected, planes).add_texinfos(brushes.textures.texinfos());
     check_same_brushes(bsp.models.size() == brushes.models.size() && bsp.texinfos == expected.texinfos &&
                        are_on_sides(bsp, brushes));
@@ -254,7 +266,7 @@ BspFile compile_map(std::vector<MapEntity> entities, const std::vector<Wad>& wad
     if (options.part == CompilePart::Entities || options.part == CompilePart::Light)
         return changed_level(entities, level, options, sharing);
     BspFile bsp;
-    bsp.textures = collect_textures(level.textures.names(), wads);
+    bsp.textures = collect_textures(level.textures.names(), wads, options.warnings);
     const std::vector<CompiledModel> models = compile_models(level, entities, options.is_fast, sharing);
     const CompiledModel& world = models.front();
     Emitter emitter(bsp, level.planes);
@@ -269,11 +281,12 @@ BspFile compile_map(std::vector<MapEntity> entities, const std::vector<Wad>& wad
     if (bsp.faces.empty())
         throw InputError(at_line(entities.front().line),
                          "no face of the level is drawn, expected a texture other than 'skip' and 'clip'");
-    check_size(bsp);  // before the long passes
+    check_size(bsp);
     if (options.warnings != nullptr) {
         find_unused_wads(wads, level.textures.names(), *options.warnings);
         find_level_warnings(bsp, entities, level.textures.names(), *options.warnings);
     }
+    if (options.before_long_passes) options.before_long_passes();
     add_visibility(bsp, world, leaf_indices, level.planes, options.is_fast, sharing, options.portals);
     if (options.part == CompilePart::Visibility)
         take_light(bsp, options.former);

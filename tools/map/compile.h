@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "engine/base/input_error.h"
 #include "tools/map/source/checks.h"
 #include "tools/map/source/map_file.h"
@@ -22,8 +24,9 @@ struct CompileOptions {
     bool has_dirt = false;  ///< LightOptions
     bool has_bounce = false;
     const Palette* palette = nullptr;
-    Warnings* warnings = nullptr;  ///< collects oddities that do not prevent compilation
-    Workers* workers = nullptr;    ///< share the work, without effect on the level
+    Warnings* warnings = nullptr;                   ///< collects oddities that do not prevent compilation
+    std::function<void()> before_long_passes = {};  ///< called when the warnings so far are to be reported
+    Workers* workers = nullptr;                     ///< share the work, without effect on the level
     Progress* progress = nullptr;
     PortalFile* portals = nullptr;  ///< receives the portals
     CompilePart part = CompilePart::All;

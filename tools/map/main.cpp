@@ -8,6 +8,7 @@
 #include "engine/files/command_line.h"
 #include "engine/files/files.h"
 #include "engine/files/game_definition.h"
+#include "engine/level/entity_classes.h"
 #include "engine/platform/worker_threads.h"
 #include "engine/surface/palette.h"
 #include "tools/map/compile.h"
@@ -81,16 +82,24 @@ bool makes_portals(const Arguments& arguments) {
 class Reporter {
   public:
     explicit Reporter(const Arguments& arguments) : arguments_(arguments) {}
+    Reporter(const Reporter&) = delete;
+    Reporter& operator=(const Reporter&) = delete;
+    // Before an error, too.
+    ~Reporter() { print_all(); }
 
     void print() {
+        print_all();
+        if (arguments_.is_strict && count_ > 0)
+            throw InputError("--strict", counted() + ", expected none: correct the level, or compile without --strict");
+    }
+
+    void print_all() {
         progress.clear();
         for (const map::Warning& warning : warnings.take()) {
             std::cerr << "oblong-map: " << arguments_.input << ": line " << warning.line
                       << ": warning: " << warning.what << '\n';
             ++count_;
         }
-        if (arguments_.is_strict && count_ > 0)
-            throw InputError("--strict", counted() + ", expected none: correct the level, or compile without --strict");
     }
 
     void print_summary(const map::BspFile& bsp, const map::PortalFile& portals) {
@@ -121,6 +130,34 @@ std::vector<map::MapEntity> with_known_classes(std::vector<map::MapEntity> entit
     return entities;
 }
 
+// The folders below which the game looks for what the level names; beside its source it may be copied later.
+std::vector<std::filesystem::path> game_folders_of(const Arguments& arguments, const char* called_as) {
+    std::vector<std::filesystem::path> folders{arguments.game.empty() ? assets_folder(called_as) : arguments.game};
+    for (const std::filesystem::path file : {arguments.output, arguments.input})
+        for (const char* const from : {".", ".."}) folders.push_back(file.parent_path() / from);
+    return folders;
+}
+
+// Sounds and music that are missing; the game is silent then.
+void find_missing_files(const std::vector<map::MapEntity>& entities, const std::vector<std::filesystem::path>& folders,
+                        map::Warnings& warnings) {
+    for (const map::MapEntity& entity : entities) {
+        const EntityClass* const its_class = find_entity_class(entity.value("classname"));
+        for (const map::MapPair& pair : entity.pairs) {
+            if ((pair.key != "noise" && pair.key != "music") || pair.value.empty() || !its_class) continue;
+            const EntityKey* const row = find_entity_key(*its_class, pair.key);
+            const auto has_it = [&](const std::filesystem::path& folder) {
+                std::error_code ignored;
+                return std::filesystem::is_regular_file(folder / pair.value, ignored);
+            };
+            if (row == nullptr || (stays_below(pair.value) && std::any_of(folders.begin(), folders.end(), has_it)))
+                continue;
+            warnings.add(pair.line, "'" + pair.key + "' is '" + pair.value + "', but there is no such file below " +
+                                        folders.front().string() + " or the level's folder");
+        }
+    }
+}
+
 map::CompilePart parse_part(const std::string& name) {
     // CompilePart's values after All, in their order.
     constexpr std::array<std::string_view, 3> kAfterAll{"entities", "light", "vis"};
@@ -149,18 +186,21 @@ map::BspFile read_former(const std::string& file) {
 // `files`: receives the names of the other files before they are read.
 void compile(const Arguments& arguments, const std::string& text, const char* called_as,
              std::vector<std::string>& files) {
-    std::vector<map::MapEntity> entities = map::parse_map(text);
-    map::include_external_maps(entities, std::filesystem::weakly_canonical(arguments.input).string(),
-                               [&](const std::string& name, const std::string& path, int line) {
-                                   files.push_back(external_path(name, path));
-                                   return read_external(name, files.back(), line);
-                               });
-    const std::vector<map::Wad> wads =
-        map::read_texture_sources(arguments.textures, entities.front(), arguments.input, called_as, files);
-    check_replaces_none("--prt", arguments.portals, files);
     Reporter reporter(arguments);
-    map::find_warnings(arguments.game.empty() ? entities : with_known_classes(entities, arguments.game),
-                       reporter.warnings);
+    std::vector<map::MapEntity> entities = map::parse_map(text, &reporter.warnings);
+    map::include_external_maps(
+        entities, std::filesystem::weakly_canonical(arguments.input).string(),
+        [&](const std::string& name, const std::string& path, int line) {
+            files.push_back(external_path(name, path));
+            return read_external(name, files.back(), line);
+        },
+        &reporter.warnings);
+    const std::vector<map::Wad> wads = map::read_texture_sources(arguments.textures, entities.front(), arguments.input,
+                                                                 called_as, files, reporter.warnings);
+    check_replaces_none("--prt", arguments.portals, files);
+    const auto known = arguments.game.empty() ? entities : with_known_classes(entities, arguments.game);
+    map::find_warnings(known, reporter.warnings);
+    find_missing_files(known, game_folders_of(arguments, called_as), reporter.warnings);
     reporter.print();
     const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     WorkerThreads workers(arguments.threads > 0 ? static_cast<int>(arguments.threads) : processors);
@@ -175,6 +215,7 @@ void compile(const Arguments& arguments, const std::string& text, const char* ca
     options.has_bounce = arguments.has_bounce;
     if (has_bounce) options.palette = &palette;
     options.warnings = &reporter.warnings;
+    options.before_long_passes = [&] { reporter.print(); };
     options.workers = &workers;
     options.progress = &reporter.progress;
     options.portals = &portals;

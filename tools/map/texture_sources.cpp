@@ -48,16 +48,19 @@ Wad read_source(const TextureSources& sources, const std::string& path, const ch
     return Wad(std::string(bytes.begin(), bytes.end()));
 }
 
-std::string found_source(const std::string& name, int line, const fs::path& folder, const char* called_as) {
+// Empty, with a warning, if it is nowhere: who watches `files` sees it come.
+std::string found_source(const std::string& name, int line, const fs::path& folder, const char* called_as,
+                         std::vector<std::string>& files, Warnings& warnings) {
     const fs::path as_named = folder / name,
                    beside = folder / fs::path(name).filename();  // an absolute name is unchanged
     for (const fs::path& path : {as_named, beside})
         if (fs::exists(path)) return path.string();
     const fs::path own = fs::path(assets_folder(called_as)) / fs::path(name).filename();
     if (fs::exists(own)) return own.string();
-    throw InputError(at_line(line), "\"wad\" names '" + name + "', which is not at " + as_named.string() +
-                                        ", expected a WAD file or a folder of pictures there (or see "
-                                        "--wad)");
+    files.push_back(as_named.string());
+    warnings.add(line, "\"wad\" names '" + name + "', which is not at " + as_named.string() +
+                           ", expected a WAD file or a folder of pictures there (or see --wad)");
+    return "";
 }
 
 struct NamedSource {
@@ -65,17 +68,20 @@ struct NamedSource {
     int line = 0;  // 0: not from the map
 };
 
-std::vector<NamedSource> named_sources(const MapEntity& world, const std::string& map_path, const char* called_as) {
+std::vector<NamedSource> named_sources(const MapEntity& world, const std::string& map_path, const char* called_as,
+                                       std::vector<std::string>& files, Warnings& warnings) {
     std::vector<NamedSource> sources;
     for (const MapPair& pair : world.pairs) {
         if (pair.key != "wad") continue;
         std::string names = pair.value;
         std::replace(names.begin(), names.end(), '\\', '/');
         std::istringstream list(names);
-        for (std::string name; std::getline(list, name, ';');)
-            if (!name.empty())
-                sources.push_back(
-                    {found_source(name, pair.line, fs::path(map_path).parent_path(), called_as), name, pair.line});
+        for (std::string name; std::getline(list, name, ';');) {
+            if (name.empty()) continue;
+            const std::string path =
+                found_source(name, pair.line, fs::path(map_path).parent_path(), called_as, files, warnings);
+            if (!path.empty()) sources.push_back({path, name, pair.line});
+        }
     }
     return sources;
 }
@@ -88,11 +94,11 @@ std::string palette_file(const TextureSources& sources, const char* called_as) {
 
 std::vector<Wad> read_texture_sources(const TextureSources& sources, const MapEntity& world,
                                       const std::string& map_path, const char* called_as,
-                                      std::vector<std::string>& files) {
+                                      std::vector<std::string>& files, Warnings& warnings) {
     std::vector<Wad> wads;
     std::vector<NamedSource> named;
     for (const std::string& path : sources.wads) named.push_back({path, path});
-    if (named.empty()) named = named_sources(world, map_path, called_as);
+    if (named.empty()) named = named_sources(world, map_path, called_as, files, warnings);
     for (const NamedSource& each : named) {
         wads.push_back(read_source(sources, each.path, called_as, files));
         wads.back().source = each.name;

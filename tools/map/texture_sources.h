@@ -21,10 +21,10 @@ std::string palette_file(const TextureSources& sources, const char* called_as);
 
 /// Reads the textures. The worldspawn's key "wad" has names of files and folders, separated by ';'. Each is searched
 /// for from the map's folder, then by its last component in that folder, then in Oblong's own (`called_as`: argv[0]).
-/// Throws FileError, InputError if none is found, and UsageError if `glowing` has a name of no texture. `files`:
+/// One that is nowhere is a warning. Throws FileError, and UsageError if `glowing` has a name of no texture. `files`:
 /// receives the names of the sources and pictures before they are read.
 std::vector<Wad> read_texture_sources(const TextureSources& sources, const MapEntity& world,
                                       const std::string& map_path, const char* called_as,
-                                      std::vector<std::string>& files);
+                                      std::vector<std::string>& files, Warnings& warnings);
 
 }  // namespace oblong::map

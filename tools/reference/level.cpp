@@ -98,7 +98,8 @@ File open_file(std::span<const std::uint8_t> bytes) {
     return {bytes, is_wide};
 }
 
-/// Squares of an eighth of its 64 texels: the engine's replacement for a texture missing in the file.
+/// Squares of an eighth of its 64 texels: the engine's replacement for a texture that the file lacks, or that has
+/// another size than the engine draws.
 Texture make_checkerboard(std::string name) {
     Texture texture{std::move(name), 64, 64, {}};
     for (int row = 0; row < 64; ++row)
@@ -112,8 +113,9 @@ Texture read_texture(Reader& in, std::int64_t start) {
     Texture texture{{letters.begin(), std::find(letters.begin(), letters.end(), 0)}, in.i32(), in.i32(), {}};
     std::array<int, 4> mips{};
     for (int& mip : mips) mip = in.i32();
-    if (mips == std::array<int, 4>{}) return make_checkerboard(texture.name);
-    if (texture.width < 1 || texture.height < 1) fail("lump 'textures'", "a texture without texels");
+    const auto is_drawn = [](int size) { return size > 0 && size <= 1 << 14 && size % 16 == 0; };
+    if (mips == std::array<int, 4>{} || !is_drawn(texture.width) || !is_drawn(texture.height))
+        return make_checkerboard(texture.name);
     in.seek(start + mips[0]);
     const auto texels = in.bytes(std::int64_t{texture.width} * texture.height);
     texture.texels.assign(texels.begin(), texels.end());
@@ -176,7 +178,8 @@ Parts read_parts(const File& file, std::size_t vertex_count) {
 Material material_of(const Level& level, const Face& face) {
     const std::string& name = level.texture_of(face).name;
     if (name.starts_with("sky")) return Material::Sky;
-    return name.starts_with('*') || level.texinfo_of(face).is_special ? Material::Liquid : Material::Lit;
+    if (name.starts_with('*')) return Material::Liquid;
+    return level.texinfo_of(face).is_special ? Material::Unlit : Material::Lit;
 }
 
 Face read_face(Reader& in, const File& file, const Parts& parts, const Level& level) {

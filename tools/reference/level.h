@@ -31,7 +31,7 @@ struct Texture {
     std::vector<std::uint8_t> texels;
 };
 
-enum class Material { Lit, Liquid, Sky };
+enum class Material { Lit, Liquid, Sky, Unlit };
 
 /// A polygon, clockwise seen from its front.
 struct Face {

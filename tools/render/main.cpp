@@ -207,6 +207,7 @@ void render(const Options& options) {
     const RenderJob job{
         {level, colormap, models, time_ms}, mode,    settings,      views,           static_cast<int>(options.repeat),
         !options.times_whole_frames,        step_ms, &level_models, &hidden_surfaces};
+    print_warnings("oblong-render", options.level, texture_warnings(level));
     print_warnings("oblong-render", options.level, work.cache.effects.warnings);
     print_warnings("oblong-render", options.level, work.cache.things.warnings);
     print_warnings("oblong-render", options.level, level_models.warnings);

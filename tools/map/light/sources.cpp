@@ -43,7 +43,7 @@ bool is_light(const MapEntity& entity) {
 
 // As in id's compiler, any other entity with a key "light" shines, unless its class has its own key of that name.
 bool shines(const MapEntity& entity) {
-    if (!entity.has("light") || !entity.brushes.empty()) return false;
+    if (numbers_of(entity, "light", 1).empty() || !entity.brushes.empty()) return false;
     const EntityClass* const its_class = find_entity_class(entity.value("classname"));
     return its_class == nullptr || find_entity_key(*its_class, "light") == find_entity_key({}, "light");
 }
@@ -54,8 +54,9 @@ Point direction_of_angles(double yaw_degrees, double pitch_degrees) {
 }
 
 // "yaw pitch roll", pitch positive upward.
-Point direction_of_mangle(const MapEntity& entity, std::string_view key) {
+std::optional<Point> direction_of_mangle(const MapEntity& entity, std::string_view key) {
     const auto angles = numbers_of(entity, key, 2);
+    if (angles.empty()) return std::nullopt;
     return direction_of_angles(angles[0], angles[1]);
 }
 
@@ -67,7 +68,7 @@ const MapEntity* find_target(const std::vector<MapEntity>& entities, const std::
 
 std::optional<Point> spot_direction(const MapEntity& entity, const Point& origin,
                                     const std::vector<MapEntity>& entities) {
-    if (entity.has("mangle")) return direction_of_mangle(entity, "mangle");
+    if (const auto direction = direction_of_mangle(entity, "mangle")) return direction;
     if (!entity.has("target")) return std::nullopt;
     const MapEntity* target = find_target(entities, entity.value("target"));
     if (target == nullptr) return std::nullopt;
@@ -77,31 +78,36 @@ std::optional<Point> spot_direction(const MapEntity& entity, const Point& origin
     return towards * (1 / distance);
 }
 
-// "light" and "_light" may be a number, or a colour with an optional number: "red green blue brightness".
-double brightness_of(const MapEntity& entity) {
-    const std::string key = entity.has("light") ? "light" : "_light";
-    if (!entity.has(key)) return usual("light");
-    const std::size_t words = count_words(entity.value(key));
-    if (words == 3) return usual("light");
-    return words < 4 ? number_of(entity, key, 0) : numbers_of(entity, key, 4).back();
-}
-
 // "red green blue", 0 to 255 or 0 to 1: a level has only shades, so that a colour is reduced to its luminance (BT.601).
-double luminance_of_colour(const MapEntity& entity) {
-    if (!entity.has("_color")) return 1;
-    const auto colour = numbers_of(entity, "_color", 3);
+double luminance_of_colour(const std::vector<double>& colour) {
     const double luminance = (299 * colour[0] + 587 * colour[1] + 114 * colour[2]) / 1000;
     return std::max(0.0, *std::max_element(colour.begin(), colour.end()) > 1 ? luminance / 255 : luminance);
+}
+
+struct Brightness {
+    double brightness = 0, luminance = 1;  // LightSource
+};
+
+// "light" and "_light" may be a number, or a colour with an optional number: "red green blue brightness".
+Brightness brightness_of(const MapEntity& entity, double otherwise) {
+    const std::string key = entity.has("light") ? "light" : "_light";
+    auto numbers = numbers_of(entity, key, std::min<std::size_t>(count_words(entity.value(key)), 4));
+    if (numbers.empty()) return {otherwise};
+    if (numbers.size() < 3) return {numbers.front()};
+    const double brightness = numbers.size() == 4 ? numbers.back() : otherwise;
+    numbers.resize(3);
+    return {brightness, luminance_of_colour(numbers)};
 }
 
 LightSource source_of(const MapEntity& entity, const Point& origin, const std::vector<MapEntity>& entities) {
     LightSource source;
     source.origin = origin;
     source.entity = &entity;
-    double brightness = brightness_of(entity);
+    auto [brightness, luminance] = brightness_of(entity, usual("light"));
     if (brightness == 0 && is_light(entity)) brightness = usual("light");  // as in id's compiler and its successors
     source.brightness = std::abs(brightness);
-    source.luminance = luminance_of_colour(entity);
+    const auto colour = numbers_of(entity, "_color", 3);
+    source.luminance = colour.empty() ? luminance : luminance_of_colour(colour);
     source.is_subtracted = brightness < 0;
     if (!is_light(entity)) return source;  // its other keys have other meanings
     source.wait = value_of(entity, "wait");
@@ -109,9 +115,7 @@ LightSource source_of(const MapEntity& entity, const Point& origin, const std::v
     const double delay = value_of(entity, "delay");
     source.falloff = static_cast<Falloff>(static_cast<int>(is_falloff(delay) ? delay : usual("delay")));
     const double style = value_of(entity, "style");
-    if (!(style >= 0 && style < kStyleCount))
-        throw InputError(at_line(entity.line), "\"style\" is \"" + entity.value("style") + "\", expected 0 to 63");
-    source.style = static_cast<int>(style);
+    source.style = static_cast<int>(style >= 0 && style < kStyleCount ? style : usual("style"));
     source.direction = spot_direction(entity, origin, entities);
     source.radius = std::max(value_of(entity, "radius"), 0.0);
     source.surface = lower_case(entity.value("_surface"));
@@ -203,14 +207,15 @@ Lights lights_of(const std::vector<MapEntity>& entities) {
         if (source.brightness > 0 && source.luminance > 0) lights.sources.push_back(source);
     }
     const MapEntity& world = entities.front();
-    lights.least = {number_of(world, "_minlight", number_of(world, "light", 0))};
+    const auto [brightness, luminance] = brightness_of(world, 0);
+    lights.least = {number_of(world, "_minlight", brightness * luminance)};
     for (const MapEntity& entity : entities) {
         if (!entity.brushes.empty() && !belongs_to_world(entity))
             lights.least.push_back(std::max(lights.least.front(), number_of(entity, "_minlight", 0)));
     }
     lights.hemisphere = hemisphere_of(world);
     lights.sun.brightness = number_of(world, "_sunlight", 0);
-    if (world.has("_sun_mangle")) lights.sun.direction = direction_of_mangle(world, "_sun_mangle");
+    lights.sun.direction = direction_of_mangle(world, "_sun_mangle").value_or(lights.sun.direction);
     return lights;
 }
 

@@ -73,9 +73,12 @@ class Checker {
         const std::string name = entity.value("classname");
         if (name.empty()) return warnings_.add(entity.line, "an entity without a classname, expected one");
         const EntityClass* const its_class = find_entity_class(name);
-        if (its_class == nullptr || its_class->is_family())
+        if (its_class == nullptr || its_class->is_family()) {
+            for (const MapPair& pair : entity.pairs)  // what is read of any class
+                if (const EntityKey* const row = find_entity_key({}, pair.key)) check_numbers(pair, *row);
             return warnings_.add(entity.line, "the class " + as_quoted(name) + " is unknown" + nearest_class(name) +
                                                   ": the entity is kept unchanged");
+        }
         check_shape(entity, *its_class, with_article(name));
         for (const auto& keys : its_class->keys)
             for (const EntityKey& row : keys)
@@ -90,7 +93,7 @@ class Checker {
                 warnings_.add(pair.line, as_quoted(pair.key) + " is already set in line " + std::to_string(same->line) +
                                              ", expected each key once: that one counts");
         }
-        for (const MapBrush& brush : entity.brushes) check_textures(brush);
+        for (const MapBrush& brush : entity.brushes) check_textures(brush, belongs_to_world(entity));
     }
 
     void check_axes(const MapSide& side) {
@@ -102,10 +105,10 @@ class Checker {
                                          " are zero, parallel or lead off the face, expected two directions along it");
     }
 
-    // The first side decides what a brush holds.
-    void check_textures(const MapBrush& brush) {
+    // The first side decides what a brush of the world holds; others are solid.
+    void check_textures(const MapBrush& brush, bool is_of_world) {
         for (const MapSide& side : brush.sides) check_axes(side);
-        if (brush.sides.empty()) return;
+        if (brush.sides.empty() || !is_of_world) return;
         const std::string& first = brush.sides.front().texture.name;
         for (const MapSide& side : brush.sides) {
             const std::string& own = side.texture.name;
@@ -128,10 +131,10 @@ class Checker {
     void check_pair(const MapPair& pair, const EntityClass& its_class, const std::string& class_name) {
         const EntityKey* const row = find_entity_key(its_class, pair.key);
         if (row == nullptr) {
-            if (pair.key.starts_with("_tb_")) return;  // TrenchBroom's
+            if (pair.key.starts_with("_tb_") || pair.key == "angle") return;  // editors give them to everything
             warnings_.add(pair.line, "nothing reads the key " + as_quoted(pair.key) + " of " +
                                          with_article(class_name) + nearest_key(its_class, pair.key));
-        } else if (!pair.value.empty() && !row->does.empty()) {
+        } else if (!row->does.empty() && check_numbers(pair, *row) && !pair.value.empty()) {
             check_value(pair, *row);
             const bool is_of_world = its_class.role == ClassRole::Worldspawn;
             if (is_of_world && expected_instead_of(pair.value, *row).empty()) check_effect(pair);
@@ -145,17 +148,27 @@ class Checker {
         for (const std::string& warning : read_level_effects(level).warnings) warnings_.add(pair.line, warning);
     }
 
-    void check_value(const MapPair& pair, const EntityKey& row) {
+    // Whether the value is of its kind; an empty text is, and an empty required value is missing.
+    bool check_numbers(const MapPair& pair, const EntityKey& row) {
+        const bool may_be_empty = row.kind == KeyKind::Text || row.kind >= KeyKind::Name || row.is_required;
+        if (pair.value.empty() && (may_be_empty || row.name == "origin")) return true;
         std::string expected = expected_instead_of(pair.value, row);
-        if (row.kind == KeyKind::Choice && !expected.empty()) expected += ": " + std::string(row.usual) + " is taken";
-        if (!expected.empty())
-            return warnings_.add(pair.line,
-                                 as_quoted(pair.key) + " is " + as_quoted(pair.value) + ", expected " + expected);
+        if (expected.empty() && row.name == "style" && !is_style(pair.value)) expected = "0 to 63";
+        if (expected.empty()) return true;
+        if (row.kind == KeyKind::Choice) expected += ": " + std::string(row.usual) + " is taken";
+        warnings_.add(pair.line, as_quoted(pair.key) + " is " + as_quoted(pair.value) + ", expected " + expected);
+        return false;
+    }
+
+    static bool is_style(const std::string& value) {
+        const auto style = parse_level_number(value, 0);
+        return style && *style >= 0 && *style < 64;
+    }
+
+    void check_value(const MapPair& pair, const EntityKey& row) {
         if (row.kind == KeyKind::Name && !targets_.contains(pair.value))
             warnings_.add(pair.line, as_quoted(pair.key) + " is " + as_quoted(pair.value) +
                                          ", but no entity has that target: nothing activates it");
-        if (row.name == "light" && row.most > 1 && count_words(pair.value) > 1)
-            warnings_.add(pair.line, "the colour in " + as_quoted(pair.key) + " is not kept, only its brightness");
         if (row.kind != KeyKind::Target && row.kind != KeyKind::Place) return;
         const auto target = named_.find(pair.value);
         if (target == named_.end())

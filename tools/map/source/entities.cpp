@@ -44,19 +44,13 @@ std::string written_value(const MapEntity& entity, const MapPair& pair) {
 }  // namespace
 
 std::vector<double> numbers_of(const MapEntity& entity, std::string_view key, std::size_t count) {
-    const MapPair none{"", "", entity.line};
-    const auto found =
-        std::find_if(entity.pairs.begin(), entity.pairs.end(), [&](const MapPair& pair) { return pair.key == key; });
-    const MapPair& pair = found == entity.pairs.end() ? none : *found;
+    const std::string value = entity.value(key);
     std::vector<double> numbers;
-    std::string_view rest = pair.value;
+    std::string_view rest = value;
     while (numbers.size() < count) {
         constexpr int kFractionBits = 32;
-        const std::optional<std::int64_t> raw = parse_decimal(take_word(rest), kFractionBits);
-        if (!raw)
-            throw InputError(at_line(pair.line), "\"" + std::string(key) + "\" is \"" + pair.value + "\", expected " +
-                                                     std::to_string(count) + " decimal number" +
-                                                     (count == 1 ? "" : "s"));
+        const std::optional<std::int64_t> raw = parse_level_number(take_word(rest), kFractionBits);
+        if (!raw) return {};
         numbers.push_back(std::ldexp(*raw, -kFractionBits));
     }
     return numbers;
@@ -77,13 +71,18 @@ bool is_detail_entity(const MapEntity& entity) {
 }
 
 std::optional<Point> origin_of(const MapEntity& entity) {
-    if (!entity.has("origin")) return std::nullopt;
     const auto numbers = numbers_of(entity, "origin", 3);
+    if (numbers.empty()) return std::nullopt;
     return Point{numbers[0], numbers[1], numbers[2]};
 }
 
+bool shines_by_surfaces(const MapEntity& entity) {
+    return role_of(entity) == ClassRole::Lamp && !entity.value("_surface").empty();
+}
+
 double number_of(const MapEntity& entity, std::string_view key, double otherwise) {
-    return entity.has(key) ? numbers_of(entity, key, 1).front() : otherwise;
+    const auto numbers = numbers_of(entity, key, 1);
+    return numbers.empty() ? otherwise : numbers.front();
 }
 
 void split_off_fences(std::vector<MapEntity>& entities) {

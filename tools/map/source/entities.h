@@ -12,16 +12,19 @@ bool belongs_to_world(const MapEntity& entity);
 /// Whether its brushes are details (Brush::is_detail) regardless of their shape.
 bool is_detail_entity(const MapEntity& entity);
 
-/// The three numbers of the key "origin"; nothing if it is missing. Throws InputError if it is malformed.
+/// The three numbers of the key "origin"; nothing if it is missing or malformed.
 std::optional<Point> origin_of(const MapEntity& entity);
+
+/// Whether it is a light that all faces of a texture emit in its place, which may be anywhere.
+bool shines_by_surfaces(const MapEntity& entity);
 
 /// The number of words of a value, separated by blanks.
 std::size_t count_words(const std::string& text);
 
-/// The first `count` numbers of a key's value. Throws InputError if there are fewer.
+/// The first `count` numbers of a key's value; none if there are fewer, which is a warning of find_warnings().
 std::vector<double> numbers_of(const MapEntity& entity, std::string_view key, std::size_t count);
 
-/// The number that is the value of a key, or `otherwise` if it is missing. Throws InputError if it is malformed.
+/// The number that is the value of a key, or `otherwise` if it is missing or malformed.
 double number_of(const MapEntity& entity, std::string_view key, double otherwise);
 
 /// Sets the smoothing angles of brush sides from the keys "_phong" and "_phong_angle" of their entities.

@@ -7,6 +7,7 @@
 #include "engine/files/files.h"
 #include "engine/level/entity_classes.h"
 #include "tools/map/source/brush.h"
+#include "tools/map/source/checks.h"
 #include "tools/map/source/entities.h"
 
 namespace oblong::map {
@@ -45,12 +46,11 @@ struct Placement {
         for (int axis = 0; axis < 3; ++axis)
             if (!(std::abs(origin[axis]) <= kFarthestOrigin))
                 refuse(entity, "\"origin\" is too far away, expected at most 65536 on each axis");
-        rotation = rotation_of(entity.has("_external_map_angles")
-                                   ? numbers_of(entity, "_external_map_angles", 3)
-                                   : std::vector<double>{0, number_of(entity, "_external_map_angle", 0), 0});
-        const bool is_one = count_words(entity.value("_external_map_scale")) < 3;
-        const auto scales = is_one ? std::vector<double>(3, number_of(entity, "_external_map_scale", 1))
-                                   : numbers_of(entity, "_external_map_scale", 3);
+        const auto angles = numbers_of(entity, "_external_map_angles", 3);
+        rotation = rotation_of(angles.empty() ? std::vector<double>{0, number_of(entity, "_external_map_angle", 0), 0}
+                                              : angles);
+        auto scales = numbers_of(entity, "_external_map_scale", 3);
+        if (scales.empty()) scales.assign(3, number_of(entity, "_external_map_scale", 1));
         scale = {scales[0], scales[1], scales[2]};
         for (const double each : scales)
             if (!(each >= 1 / kMostScale && each <= kMostScale))
@@ -95,7 +95,7 @@ void check_brush(const MapBrush& brush) {
 // Reads sources within sources.
 class Includer {
   public:
-    explicit Includer(const ReadExternalSource& read) : read_(read) {}
+    Includer(const ReadExternalSource& read, Warnings* warnings) : read_(read), warnings_(warnings) {}
 
     void include(std::vector<MapEntity>& entities, const std::string& path) {
         paths_.push_back(path);
@@ -111,21 +111,27 @@ class Includer {
             refuse(entity, "a misc_external_map without '_external_map', expected the file name of a map source");
         if (!entity.brushes.empty()) refuse(entity, "a misc_external_map with brushes, expected none, only an origin");
         const ExternalSource source = read_(name, path, entity.line);
+        Warnings own;
         if (std::find(paths_.begin(), paths_.end(), source.path) != paths_.end())
             refuse(entity, "'" + name + "' includes itself, expected another map source");
         if (++count_ > kMostExternal)
             refuse(entity, "more than " + std::to_string(kMostExternal) + " map sources are included, expected fewer");
+        if (warnings_ != nullptr) warn_of_values(entity);
         const Placement place(entity);
-        for (MapBrush& brush : naming_file(source.path, [&] { return brushes_of(source, place); })) {
+        for (MapBrush& brush : naming_file(source.path, [&] { return brushes_of(source, place, own); })) {
             brush.line = entity.line;
             for (MapSide& side : brush.sides) side.line = entity.line;
             entity.brushes.push_back(std::move(brush));
         }
+        for (const Warning& warning : own.take())
+            if (warnings_ != nullptr)
+                warnings_->add(entity.line,
+                               "'" + name + "', line " + std::to_string(warning.line) + ": " + warning.what);
         become_its_class(entity);
     }
 
-    std::vector<MapBrush> brushes_of(const ExternalSource& source, const Placement& place) {
-        std::vector<MapEntity> entities = parse_map(source.text);
+    std::vector<MapBrush> brushes_of(const ExternalSource& source, const Placement& place, Warnings& warnings) {
+        std::vector<MapEntity> entities = parse_map(source.text, &warnings);
         include(entities, source.path);
         std::vector<MapBrush> brushes;
         for (MapEntity& entity : entities) {
@@ -142,6 +148,18 @@ class Includer {
         return brushes;
     }
 
+    // These keys are gone when the others are checked.
+    void warn_of_values(const MapEntity& entity) {
+        const EntityClass* const its_class = find_entity_class(entity.value("classname"));
+        for (const MapPair& pair : entity.pairs) {
+            if (pair.key != "origin" && !pair.key.starts_with("_external_map")) continue;
+            const EntityKey* const row = find_entity_key(*its_class, pair.key);
+            const std::string expected = row == nullptr ? "" : expected_instead_of(pair.value, *row);
+            if (!expected.empty())
+                warnings_->add(pair.line, "'" + pair.key + "' is '" + pair.value + "', expected " + expected);
+        }
+    }
+
     static void become_its_class(MapEntity& entity) {
         const std::string its_class =
             entity.value("_external_map_classname", usual_text(entity.value("classname"), "_external_map_classname"));
@@ -152,6 +170,7 @@ class Includer {
     }
 
     const ReadExternalSource& read_;
+    Warnings* warnings_;
     std::vector<std::string> paths_;  // from the outermost source to the current one
     int count_ = 0;
     std::size_t brush_count_ = 0;
@@ -159,8 +178,9 @@ class Includer {
 
 }  // namespace
 
-void include_external_maps(std::vector<MapEntity>& entities, const std::string& path, const ReadExternalSource& read) {
-    Includer(read).include(entities, path);
+void include_external_maps(std::vector<MapEntity>& entities, const std::string& path, const ReadExternalSource& read,
+                           Warnings* warnings) {
+    Includer(read, warnings).include(entities, path);
 }
 
 }  // namespace oblong::map

@@ -20,8 +20,10 @@ using ReadExternalSource = std::function<ExternalSource(const std::string& name,
 /// Puts the brushes of other sources into the entities misc_external_map of the source at `path`: all brushes of those
 /// sources, of any entity, scaled, then rotated, then moved to the entity's origin, with their textures. Each becomes
 /// an entity of the class in its key "_external_map_classname", with the brushes at its line. Throws FileError and
-/// InputError, also if a source includes itself, or more than kMostExternal sources are included.
-void include_external_maps(std::vector<MapEntity>& entities, const std::string& path, const ReadExternalSource& read);
+/// InputError, also if a source includes itself, or more than kMostExternal sources are included. `warnings`: of those
+/// sources.
+void include_external_maps(std::vector<MapEntity>& entities, const std::string& path, const ReadExternalSource& read,
+                           Warnings* warnings = nullptr);
 
 inline constexpr int kMostExternal = 4096;
 

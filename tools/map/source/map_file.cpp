@@ -8,6 +8,7 @@
 #include "engine/base/text.h"
 #include "engine/level/entities.h"
 #include "engine/level/entity_classes.h"
+#include "tools/map/source/checks.h"
 
 namespace oblong::map {
 namespace {
@@ -45,7 +46,7 @@ class MapTokens {
     MapToken next_;
 };
 
-constexpr int kFarthest = 65536;  // the largest number in a level
+constexpr int kFarthest = 1 << 30;  // the largest number: planes of points so far away are still exact
 
 bool is_blank(char letter) {
     return static_cast<unsigned char>(letter) <= ' ';
@@ -198,7 +199,7 @@ void take_pair(MapTokens& tokens, MapEntity& entity) {
     entity.pairs.push_back({std::string(key.text), std::string(value.text), key.line});
 }
 
-MapEntity take_entity(MapTokens& tokens) {
+MapEntity take_entity(MapTokens& tokens, Warnings* warnings) {
     MapEntity entity;
     entity.line = tokens.peek().line;
     tokens.expect("{", "before an entity");
@@ -207,6 +208,9 @@ MapEntity take_entity(MapTokens& tokens) {
             take_pair(tokens, entity);
         } else if (tokens.peek().is("{")) {
             entity.brushes.push_back(take_brush(tokens));
+            if (!entity.brushes.back().sides.empty()) continue;
+            if (warnings != nullptr) warnings->add(entity.brushes.back().line, "a brush without sides is left out");
+            entity.brushes.pop_back();
         } else {
             tokens.fail(tokens.peek(), "a key in quotes, '{' of a brush, or '}' after the entity that begins in line " +
                                            std::to_string(entity.line));
@@ -237,19 +241,20 @@ bool MapEntity::has(std::string_view key) const {
     return std::any_of(pairs.begin(), pairs.end(), [&](const MapPair& pair) { return pair.key == key; });
 }
 
-std::vector<MapEntity> parse_map(std::string_view file) {
+std::vector<MapEntity> parse_map(std::string_view file, Warnings* warnings) {
     const std::string text = plain_text(std::string(file));
     check_no_zero_byte(text);
     MapTokens tokens(text);
     std::vector<MapEntity> entities;
     while (!tokens.peek().is_end) {
-        entities.push_back(take_entity(tokens));
+        entities.push_back(take_entity(tokens, warnings));
         if (entities.size() > 1 && role_of(entities.back()) == ClassRole::Worldspawn)
             throw InputError(at_line(entities.back().line),
                              "a second worldspawn, expected one, that of line " + std::to_string(entities[0].line));
     }
     if (entities.empty() || role_of(entities[0]) != ClassRole::Worldspawn)
         throw InputError("line 1", "the first entity is no worldspawn, expected one that holds the world's brushes");
+    leave_out_layers(entities);
     return entities;
 }
 

@@ -46,8 +46,15 @@ struct MapEntity {
     bool has(std::string_view key) const;
 };
 
+class Warnings;
+
+/// Leaves out TrenchBroom's layers that are not to be exported, with all that is in them; of the worldspawn, as in the
+/// editor's export, only the brushes. In editor_layers.cpp.
+void leave_out_layers(std::vector<MapEntity>& entities);
+
 /// Reads the text of a Quake .map (Standard or Valve 220), throwing InputError with the line of an error. The first
-/// entity is the worldspawn.
-std::vector<MapEntity> parse_map(std::string_view text);
+/// entity is the worldspawn. Leaves out the layers that TrenchBroom does not export, and brushes without sides, which
+/// are warnings.
+std::vector<MapEntity> parse_map(std::string_view text, Warnings* warnings = nullptr);
 
 }  // namespace oblong::map

@@ -37,31 +37,49 @@ std::array<Point, 2> rotated(const std::array<Point, 2>& axes, double degrees) {
 
 constexpr std::string_view kFrames = "0123456789abcdefghij";
 
-// The engine would refuse a level with a texture of another size, or without its texels.
-void check_texture(const std::string& miptex, int line) {
+// What is wrong with a texture of a WAD, which the engine could not draw; empty: nothing.
+std::string fault_of(const std::string& miptex) {
     try {
         parse_miptex({reinterpret_cast<const std::uint8_t*>(miptex.data()), miptex.size()});
     } catch (const InputError& error) {
-        throw InputError(at_line(line), error.where + " of the WAD: " + error.what());
+        return error.where + " of the WAD: " + error.what();
     }
+    return "";
 }
 
 // Null: no WAD has it.
-const std::string* find_in(const std::vector<Wad>& wads, const TextureUse& use) {
-    for (const Wad& wad : wads) {
-        const std::string* const found = wad.find(use.name);
-        if (found == nullptr) continue;
-        check_texture(*found, use.line);
-        return found;
-    }
+const std::string* find_in(const std::vector<Wad>& wads, const std::string& name) {
+    for (const Wad& wad : wads)
+        if (const std::string* const found = wad.find(name)) return found;
     return nullptr;
 }
 
-[[noreturn]] void throw_missing(const TextureUse& use, const std::vector<Wad>& wads) {
-    NearestName nearest(use.name);
+std::string fault_of_missing(const std::string& name, const std::vector<Wad>& wads) {
+    NearestName nearest(name);
     for (const Wad& wad : wads) wad.add_names(nearest);
-    throw InputError(at_line(use.line), "texture '" + use.name + "' is not in any of the WAD files" + nearest.text() +
-                                            ": add its WAD to worldspawn's 'wad', or see --wad");
+    return "texture '" + name + "' is not in any of the WAD files" + nearest.text() +
+           ", expected its WAD in worldspawn's 'wad' or in --wad";
+}
+
+// The engine's own, for textures without texels; other engines draw it, too. Skies are two squares.
+std::string make_checkerboard(std::string name) {
+    constexpr std::size_t kNameSize = 16, kSize = 64;
+    constexpr char kLight = 15, kDark = 0;
+    std::string miptex, texels;
+    const auto put = [&](std::size_t number) {
+        for (int shift = 0; shift < 32; shift += 8) miptex += static_cast<char>(number >> shift & 255);
+    };
+    const std::size_t width = contents_of_texture(name) == contents::kSky ? 2 * kSize : kSize;
+    name.resize(kNameSize - 1);
+    miptex = name + '\0';
+    put(width);
+    put(kSize);
+    for (std::size_t square = kSize / 8, mip = 0; mip < 4; ++mip, square /= 2) {
+        put(kNameSize + 6 * 4 + texels.size());
+        for (std::size_t i = 0; i < width * kSize >> 2 * mip; ++i)
+            texels += (i % (width >> mip) / square + i / (width >> mip) / square) % 2 == 0 ? kLight : kDark;
+    }
+    return miptex + texels;
 }
 
 // The engine reads no more; a surface of more would be cut into very many faces.
@@ -140,23 +158,61 @@ void Wad::add_names(NearestName& nearest) const {
     for (const auto& [name, bytes] : textures_) nearest.add(name);
 }
 
-std::vector<std::string> collect_textures(const std::vector<TextureUse>& uses, const std::vector<Wad>& wads) {
+namespace {
+
+constexpr std::size_t kFramesOfRow = 10;
+
+// "+0lamp, +2lamp" without "+1lamp": Quake stops at such a level.
+void warn_of_gap(const TextureUse& use, const std::vector<Wad>& wads, Warnings& warnings) {
+    for (std::size_t row = 0; row < kFrames.size(); row += kFramesOfRow) {
+        std::string missing;
+        for (std::string name = use.name; const char frame : kFrames.substr(row, kFramesOfRow)) {
+            name[1] = frame;
+            if (name != use.name && find_in(wads, name) == nullptr) {
+                if (missing.empty()) missing = name;
+                continue;
+            }
+            if (missing.empty()) continue;
+            warnings.add(use.line, "the animation of '" + use.name + "' has '" + name + "' but no '" + missing +
+                                       "', expected frames without gaps");
+            break;
+        }
+    }
+}
+
+// Clouds left, stars right.
+void warn_of_sky(const TextureUse& use, const std::string& texture, Warnings& warnings) {
+    const MipTexture sky = parse_miptex({reinterpret_cast<const std::uint8_t*>(texture.data()), texture.size()});
+    if (contents_of_texture(use.name) == contents::kSky && sky.width != 2 * sky.height)
+        warnings.add(use.line, "the sky '" + use.name + "' has " + std::to_string(sky.width) + "x" +
+                                   std::to_string(sky.height) + " texels, expected two squares side by side");
+}
+
+}  // namespace
+
+std::vector<std::string> collect_textures(const std::vector<TextureUse>& uses, const std::vector<Wad>& wads,
+                                          Warnings* warnings) {
     std::vector<std::string> textures, names;
-    for (const TextureUse& use : uses) {
-        const std::string* texture = find_in(wads, use);
-        if (texture == nullptr) throw_missing(use, wads);
-        textures.push_back(*texture);
+    const auto add = [&](const TextureUse& use, const std::string* texture) {
+        const std::string fault = texture == nullptr ? fault_of_missing(use.name, wads) : fault_of(*texture);
+        if (!fault.empty() && warnings != nullptr) warnings->add(use.line, fault + ": a checkerboard is shown");
+        textures.push_back(fault.empty() ? *texture : make_checkerboard(use.name));
         names.push_back(use.name);
+    };
+    for (const TextureUse& use : uses) {
+        add(use, find_in(wads, use.name));
+        if (warnings == nullptr) continue;
+        warn_of_sky(use, textures.back(), *warnings);
+        if (is_animated(use.name)) warn_of_gap(use, wads, *warnings);
     }
     for (const TextureUse& use : uses) {
         for (const char frame : kFrames) {
             std::string name = use.name;
             if (!is_animated(name)) break;
             name[1] = frame;
-            const std::string* texture = find_in(wads, {name, use.line});
+            const std::string* texture = find_in(wads, name);
             if (texture == nullptr || std::find(names.begin(), names.end(), name) != names.end()) continue;
-            textures.push_back(*texture);
-            names.push_back(name);
+            add({name, use.line}, texture);
         }
     }
     return textures;

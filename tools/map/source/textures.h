@@ -75,8 +75,9 @@ class Wad {
 };
 
 /// The bytes of each named texture, from the first WAD that has it, followed by the other frames of the animated ones
-/// ("+0name": the existing ones of +0 to +9 and +a to +j). Throws InputError naming the texture and its map line if
-/// there is none, or one that the engine does not read.
-std::vector<std::string> collect_textures(const std::vector<TextureUse>& uses, const std::vector<Wad>& wads);
+/// ("+0name": the existing ones of +0 to +9 and +a to +j). One that is missing, or that the engine could not draw, is a
+/// checkerboard and a warning that names it and its map line.
+std::vector<std::string> collect_textures(const std::vector<TextureUse>& uses, const std::vector<Wad>& wads,
+                                          Warnings* warnings = nullptr);
 
 }  // namespace oblong::map

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
+#include <string>
 
 namespace oblong::map {
 namespace {
@@ -24,6 +26,17 @@ int uniform_contents(const Tree& tree, int child) {
     const TreeNode& node = tree.node(child);
     const int front = uniform_contents(tree, node.children[0]);
     return front != 0 && front == uniform_contents(tree, node.children[1]) ? front : 0;
+}
+
+// The offset modulo the texture's size, if it is so large that a float would lose parts of texels.
+double near_offset(double offset, const std::string& miptex, std::size_t axis) {
+    constexpr double kFar = 65536;
+    constexpr std::size_t kSizes = 16;  // behind the name
+    std::uint32_t size = 0;
+    if (std::abs(offset) <= kFar || miptex.size() < kSizes + 2 * sizeof(size)) return offset;
+    for (std::size_t i = sizeof(size); i-- > 0;)
+        size = size << 8 | static_cast<std::uint8_t>(miptex[kSizes + axis * sizeof(size) + i]);
+    return size == 0 ? offset : offset - size * std::floor(offset / size);
 }
 
 int count(const auto& items) {
@@ -75,7 +88,9 @@ void Emitter::add_texinfos(const std::vector<TexInfo>& texinfos) {
     for (const TexInfo& texinfo : texinfos) {
         FileTexInfo numbers;
         for (std::size_t i = 0; i < 2; ++i)
-            numbers.axes[i] = {to_floats(texinfo.axes[i]), static_cast<float>(texinfo.offset[i])};
+            numbers.axes[i] = {
+                to_floats(texinfo.axes[i]),
+                static_cast<float>(near_offset(texinfo.offset[i], item(bsp_.textures, texinfo.texture), i))};
         numbers.texture = texinfo.texture;
         numbers.flags = texinfo.is_special ? 1 : 0;
         bsp_.texinfos.push_back(numbers);

@@ -17,6 +17,7 @@ class Emitter {
     /// leaf of the model's tree, its index in the file (0 for solid leaves).
     std::vector<int> add_model(const CompiledModel& model);
 
+    /// After the level has its textures.
     void add_texinfos(const std::vector<TexInfo>& texinfos);
 
   private:
