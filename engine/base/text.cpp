@@ -100,7 +100,7 @@ std::string shortened(std::string text, std::size_t most) {
     return text.replace(most, std::string::npos, "...");
 }
 
-std::string range_text(std::int64_t from, std::int64_t to) {
+std::string bounds_text(std::int64_t from, std::int64_t to) {
     return std::to_string(from) + (to == from ? "" : " to " + std::to_string(to));
 }
 

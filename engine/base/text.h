@@ -32,7 +32,7 @@ std::string level_text(std::string text);
 std::string shortened(std::string text, std::size_t most);
 
 /// "3 to 7", or "3" if that is all.
-std::string range_text(std::int64_t from, std::int64_t to);
+std::string bounds_text(std::int64_t from, std::int64_t to);
 
 /// The parts of a text between separators (any letter of `separators`): one more than there are separators.
 std::vector<std::string> split(std::string_view text, std::string_view separators);

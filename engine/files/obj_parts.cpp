@@ -116,7 +116,7 @@ class ObjChecker {
         if (is_missing_normal) return;
         if (*index <= 0)
             fail(std::string(records.name) + " " + std::to_string(*index) + ", expected 1 and up" +
-                 (records.count > 0 ? ", or " + range_text(-1, -records.count) : ""));
+                 (records.count > 0 ? ", or " + bounds_text(-1, -records.count) : ""));
         if (*index <= records.greatest) return;
         records.greatest = *index;
         records.greatest_line = line_;
@@ -128,7 +128,7 @@ class ObjChecker {
         throw InputError(
             at_line(records.greatest_line),
             std::string(records.name) + " " + std::to_string(records.greatest) + ", expected " +
-                (records.count > 0 ? range_text(1, records.count) : "none: the file has no lines of them"));
+                (records.count > 0 ? bounds_text(1, records.count) : "none: the file has no lines of them"));
     }
 
     [[noreturn]] void fail(const std::string& what_is_wrong) const { throw InputError(at_line(line_), what_is_wrong); }

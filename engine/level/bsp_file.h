@@ -190,6 +190,9 @@ Table<MipTexture> read_textures(const BspFile& file);
 Table<TexInfo> read_texinfos(const BspFile& file, const Level& level);
 /// Uses edges, surf_edges and texinfos.
 Table<Face> read_faces(const BspFile& file, const Level& level, const Table<FloatBits3, Vertex>& vertex_floats);
+/// Faces that the file flags as unlit are lit all the same if it has light for one of their texinfo, as in Quake, which
+/// asks only for the texture's name.
+void light_flagged_faces(Level& level);
 
 Table<FaceIndex, MarkFace> read_mark_faces(const BspFile& file);
 Table<Node> read_nodes(const BspFile& file);

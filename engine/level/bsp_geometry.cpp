@@ -199,12 +199,18 @@ std::int64_t lightmaps_size(const Face& face) {
     return std::ssize(face.used_styles()) * face.sample_columns() * face.sample_rows();
 }
 
+bool is_too_large_for_light(const Face& face) {
+    return face.texel_extent_u > kMaxLitExtent || face.texel_extent_v > kMaxLitExtent;
+}
+
 /// Sky, liquids and all faces of a level without lighting get no lightmap, whatever their offset. The extent of lit
 /// faces is limited in any case, as frames cache their surfaces.
 void check_light(const LumpReader& in, const BspFile& file, Material material, Face& face) {
-    if (material != Material::Lit || file.count(Lump::Lighting) == 0) face.light_offset = -1;
-    if (material != Material::Lit) return;
-    if (face.texel_extent_u > kMaxLitExtent || face.texel_extent_v > kMaxLitExtent)
+    const bool may_be_lit = material == Material::Lit || material == Material::Unlit;
+    if (!may_be_lit || file.count(Lump::Lighting) == 0) face.light_offset = -1;
+    if (!may_be_lit) return;
+    if (is_too_large_for_light(face) && material == Material::Unlit) return;
+    if (is_too_large_for_light(face))
         in.fail("a lit face of " + std::to_string(face.texel_extent_u) + "x" + std::to_string(face.texel_extent_v) +
                 " texels, expected 2000 a side at most");
     if (face.light_offset == -1) return;
@@ -248,6 +254,19 @@ Table<Face> read_faces(const BspFile& file, const Level& level, const Table<Floa
         check_light(in, file, level.texinfos[face.texinfo].material, face);
         return face;
     });
+}
+
+void light_flagged_faces(Level& level) {
+    Table<std::uint8_t, TexInfo> is_lit(level.texinfos.size()), is_too_large(level.texinfos.size());
+    for (const Face& face : level.faces) {
+        if (face.light_offset >= 0) is_lit[face.texinfo] = 1;
+        if (is_too_large_for_light(face)) is_too_large[face.texinfo] = 1;
+    }
+    for (const auto texinfo : level.texinfos.indices())
+        if (level.texinfos[texinfo].material == Material::Unlit && is_lit[texinfo] && !is_too_large[texinfo])
+            level.texinfos[texinfo].material = Material::Lit;
+    for (Face& face : level.faces)
+        if (level.texinfos[face.texinfo].material == Material::Unlit) face.light_offset = -1;
 }
 
 }  // namespace oblong

@@ -31,6 +31,7 @@ void read_geometry(const BspFile& file, Level& level) {
             level.sky = texture;
     level.texinfos = read_texinfos(file, level);
     level.faces = read_faces(file, level, read_vertex_floats(file));
+    light_flagged_faces(level);
     level.lighting = copy_lump(file, Lump::Lighting);
 }
 

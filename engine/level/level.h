@@ -95,8 +95,8 @@ struct TexInfo {
     Vec3<TexelAxis> s, t;
     Texel s_offset, t_offset;
     TextureIndex texture;
-    Material material =
-        Material::Lit;  ///< by the texture's name; Unlit if that says Lit, but the file flags faces as unlit
+    Material material = Material::Lit;  ///< by the texture's name; Unlit if that says Lit, but the file flags faces as
+                                        ///< unlit and has no light for them
 
     bool operator==(const TexInfo&) const = default;
 };

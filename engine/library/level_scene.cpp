@@ -116,7 +116,7 @@ struct LevelScene::State {
             throw FileError(
                 file, "entity " + std::to_string(number),
                 "is not there, expected " + (level.entities.empty() ? "none: the level has no entities"
-                                                                    : range_text(0, std::ssize(level.entities) - 1)));
+                                                                    : bounds_text(0, std::ssize(level.entities) - 1)));
         return item(level.entities, number);
     }
     ModelIndex brushes_of(std::int32_t number) const {

@@ -40,7 +40,7 @@ class MdlBytes {
     std::int32_t read_number(const char* what, std::int32_t least, std::int32_t most) {
         const std::int32_t number = read_i32();
         if (number < least || number > most)
-            fail(std::string(what) + " " + std::to_string(number) + ", expected " + range_text(least, most));
+            fail(std::string(what) + " " + std::to_string(number) + ", expected " + bounds_text(least, most));
         return number;
     }
     std::int64_t read_fixed(const char* what, int fraction_bits, std::int32_t limit) {

@@ -78,8 +78,6 @@ class ScreenWalker {
 
     static constexpr int kFractionBits = 41;
     using Column = Fixed<std::int64_t, kFractionBits>;
-    /// Its floor is column().
-    Column exact_column() const { return column_; }
     Column slope() const { return slope_; }
 
   private:

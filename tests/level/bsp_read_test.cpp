@@ -142,8 +142,12 @@ TEST(TinyLevel, MaterialsGoByNameOrFlag) {
     }
     test::Lumps flagged = test::make_tiny_lumps();
     test::put_number(test::lump_of(flagged, Lump::TexInfos), 36, 4, 1);
-    EXPECT_EQ(read_tiny(flagged).texinfos.front().material, Material::Unlit) << "only a name makes a liquid";
-    EXPECT_EQ(read_tiny(flagged).faces.front().light_offset, -1);
+    EXPECT_EQ(read_tiny(flagged).texinfos.front().material, Material::Lit) << "only a name makes a liquid";
+    EXPECT_EQ(read_tiny(flagged).faces.front().light_offset,
+              read_tiny(test::make_tiny_lumps()).faces.front().light_offset);
+    test::Lumps dark = flagged;
+    test::put_number(test::lump_of(dark, Lump::Faces), 16, 4, -1);
+    EXPECT_EQ(read_tiny(dark).texinfos.front().material, Material::Unlit) << "no face has light";
     test::put_number(test::lump_of(flagged, Lump::TexInfos), 0, 4, std::bit_cast<std::int32_t>(200.F));
     EXPECT_GT(read_tiny(flagged).faces.front().texel_extent_u, 2000) << "a lit one would be refused";
 }

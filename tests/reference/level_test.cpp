@@ -64,15 +64,17 @@ TEST(ReferenceLevel, LightSamplesAreCountedInFloatsAsTheLightCompilersDo) {
 }
 
 TEST(ReferenceLevel, MaterialsGoByNameAndFlag) {
-    const auto material = [](std::string_view name, int flags) {
+    const auto material = [](std::string_view name, int flags, int light_offset = 0) {
         Lumps lumps = make_tiny_lumps();
         for (std::size_t i = 0; i < name.size(); ++i)
             test::lump_of(lumps, Lump::Textures)[8 + i] = static_cast<std::uint8_t>(name[i]);
         test::put_number(test::lump_of(lumps, Lump::TexInfos), 36, 4, flags);
+        test::put_number(test::lump_of(lumps, Lump::Faces), 16, 4, light_offset);
         return reference::read_level(join_lumps(29, lumps)).faces[0].material;
     };
     EXPECT_EQ(material("floor", 0), reference::Material::Lit);
-    EXPECT_EQ(material("floor", 1), reference::Material::Unlit);
+    EXPECT_EQ(material("floor", 1), reference::Material::Lit);
+    EXPECT_EQ(material("floor", 1, -1), reference::Material::Unlit);
     EXPECT_EQ(material("*lava", 0), reference::Material::Liquid);
     EXPECT_EQ(material("sky12", 1), reference::Material::Sky);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <set>
 #include <stdexcept>
 
 #include "tools/reference/edge_mender.h"
@@ -182,6 +183,15 @@ Material material_of(const Level& level, const Face& face) {
     return level.texinfo_of(face).is_special ? Material::Unlit : Material::Lit;
 }
 
+/// Flagged faces of which one has light are lit.
+void light_special_faces(Level& level) {
+    std::set<int> lit;
+    for (const Face& face : level.faces)
+        if (face.light_offset >= 0) lit.insert(face.texinfo);
+    for (Face& face : level.faces)
+        if (face.material == Material::Unlit && lit.contains(face.texinfo)) face.material = Material::Lit;
+}
+
 Face read_face(Reader& in, const File& file, const Parts& parts, const Level& level) {
     const int size = file.index_size();
     const auto index = [&](std::size_t count, const char* what) {
@@ -270,6 +280,7 @@ Level read_level(std::span<const std::uint8_t> bytes) {
         read_all(file.lump(kLighting, "lighting"), [](Reader& in) { return static_cast<std::uint8_t>(in.number(1)); });
     const Parts parts = read_parts(file, level.vertices.size());
     level.faces = read_all(file.lump(kFaces, "faces"), [&](Reader& in) { return read_face(in, file, parts, level); });
+    light_special_faces(level);
     for (Face& face : level.faces) place_light(level, face);
     level.models =
         read_all(file.lump(kModels, "models"), [&](Reader& in) { return read_model(in, level.faces.size()); });
