@@ -140,6 +140,10 @@ def check_walk(image, memory_mb, has_sounds):
         pc.wait_until(lambda said: count_in(said, "shown") >= 600 or "out of memory" in said, "the record does not go on")
         expect("out of memory" not in pc.said(), f"{memory_mb} MB are full before the record has led through all rooms")
         expect(("no sounds" not in pc.said()) == has_sounds, f"{memory_mb} MB, expected sounds: {has_sounds}")
+        for key in ("f7", "f8", "4", "4"):  # what does not fit is off again
+            pc.press_in_turn(key)
+            pc.wait_for_pictures(3)
+        expect("out of memory" not in pc.said(), f"{memory_mb} MB: the lab or the four aspects end the game")
         pc.press_in_turn("esc", "up", "ret")
         pc.wait_for("memory:")
         check_stack(pc.said())
