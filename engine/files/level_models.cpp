@@ -43,6 +43,8 @@ struct ModelFile {
     }
 };
 
+constexpr NumberRange kScales{World::from_raw(4), World::from_int(4096)};
+
 class ModelFinder {
   public:
     explicit ModelFinder(const ModelFolders& folders) : game_(folders.game) {
@@ -135,8 +137,7 @@ class LevelModelReader {
 
     static ModelFile file_of(const std::string& path, const EntityValues& values) {
         ModelFile file{path};
-        constexpr World kLeast = World::from_raw(4), kMost = World::from_int(4096);
-        file.scale = values.number("scale", {kLeast, kMost});
+        file.scale = values.number("scale", kScales);
         const std::string up = values.text("up"), dither = values.text("dither");
         file.is_z_up = up == "z";
         if (!up.empty() && up != "z" && up != "y")
@@ -210,7 +211,8 @@ class LevelModelReader {
                         ", which is not shown");
         if (!file) return;
         LevelModel model;
-        const Mesh& mesh = mesh_of({*file, World::from_int(own.scale), false, Dither::None}, values);
+        const World scale = values.number("scale", kScales);
+        const Mesh& mesh = mesh_of({*file, scale, false, Dither::None}, values);
         model.placed.mesh = &mesh;
         model.skin = skin_of_glass(values.text("glass"), mesh);
         model.placed.position = resting_place(*origin, own.over_floor);

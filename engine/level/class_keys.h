@@ -243,12 +243,15 @@ inline constexpr std::array kExit{
     flags(kExitFlags),
 };
 inline constexpr std::array kSounds{EntityKey{"sounds", Whole, "", kNoEffect}};
+inline constexpr EntityKey kItemModel{
+    "model", Text, "", "an OBJ or MDL in place of the usual model: path below the level's folder or its parent"};
 inline constexpr std::array kLens{
     EntityKey{"netname", Text, "", "name of the item in the message that it is missing"},
     EntityKey{"glass", Text, "glass", "material of its glass in `models.mtl`"},
-    EntityKey{"model", Text, "",
-              "an OBJ or MDL in place of the usual model: path below the level's folder or its parent"},
+    kItemModel,
+    number("scale", "9", "units of the level for one of its model's"),
 };
+inline constexpr std::array kKeyModel{kItemModel, number("scale", "12", "units of the level for one of its model's")};
 inline constexpr std::array kCheckpoint{numbers("size", 3, 3, "128 128 112", "size of its box: x y z")};
 
 inline constexpr EntityKey kCount = number("count", "", "number of particles"),

@@ -47,7 +47,7 @@ constexpr std::string_view kLamp = "a light; with `target` or `mangle`, a spotli
                            kPickup = "shown if Quake's models are there; fires when touched",
                            kBox = "not shown; fires when touched", kOpen = "open, so not shown";
 
-constexpr OwnModel kOwnSilverKey{"models/key_silver.obj", 12, 28}, kOwnGoldKey{"models/key_gold.obj", 12, 28};
+constexpr OwnModel kOwnSilverKey{"models/key_silver.obj", 28}, kOwnGoldKey{"models/key_gold.obj", 28};
 
 constexpr EntityClass sounding(EntityClass row, std::string_view sound) {
     row.sound = sound;
@@ -175,9 +175,10 @@ constexpr auto kClasses = std::to_array<EntityClass>({
     {"trigger_changelevel", Brush, TriggerExit, "ends the level", {kExit, kFires, kNoise}},
     {"event_lightning", Either, Lightning, "Chthon's lightning (Quake's e1m7)", {kFires}},
     shown({"item_lens", Point, Lens, "a lens to collect; fires when taken", {kFires, kNoise, kLens}}, {},
-          {"models/lens.obj", 9}),
-    shown({"item_key1", Point, SilverKey, "the silver key", {kFires, kNoise, kSounds}}, kSilverKeys, kOwnSilverKey),
-    shown({"item_key2", Point, GoldKey, "the gold key", {kFires, kNoise, kSounds}}, kGoldKeys, kOwnGoldKey),
+          {"models/lens.obj"}),
+    shown({"item_key1", Point, SilverKey, "the silver key", {kFires, kNoise, kSounds, kKeyModel}}, kSilverKeys,
+          kOwnSilverKey),
+    shown({"item_key2", Point, GoldKey, "the gold key", {kFires, kNoise, kSounds, kKeyModel}}, kGoldKeys, kOwnGoldKey),
     {"misc_rain", Point, Rain, "rain in a box", {kRain}},
     {"misc_dust", Point, Dust, "dust in a box", {kDust}},
     {"misc_sparks", Point, Sparks, "sparks in a box", {kSparks}},

@@ -124,8 +124,7 @@ struct ClassModel {
 
 /// Oblong's model of a class.
 struct OwnModel {
-    std::string_view file;   ///< empty: none
-    std::int32_t scale = 1;  ///< world units per unit of the OBJ
+    std::string_view file;  ///< empty: none; enlarged by the key `scale`
     std::int32_t over_floor = kStays;
 };
 

@@ -63,7 +63,7 @@ TEST_F(BadRender, Models) {
     const std::string model = "models/armillary.obj";
     const std::pair<std::string, std::string> cases[] = {{"", "file: has no faces, expected"},
                                                          {"v 0 0 nan\n", "line 1: vertex 'nan', expected a number"},
-                                                         {"v 0 0 0\nf 1 2 3\n", "line 2: vertex 3, expected 1 to 1"},
+                                                         {"v 0 0 0\nf 1 2 3\n", "line 2: vertex 3, expected 1"},
                                                          {"\x89PNG\r\n", "file: has no faces, expected"}};
     for (const auto& [text, where] : cases) {
         const std::string file = folder_.write(model, text);

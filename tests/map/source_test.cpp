@@ -301,10 +301,10 @@ TEST(Entities, InWhichOrderLayersAreSavedMakesNoDifference) {
 // The same as without them: what is in the layer, in a group of it, or in a group of that, and entities without
 // brushes.
 TEST(Entities, LayersThatTheEditorDoesNotExportAreLeftOut) {
-    using Pairs = std::vector<std::array<std::string, 2>>;
+    using Keys = std::vector<std::array<std::string, 2>>;
     const std::string pillar = box({160, 160, 0}, {192, 192, 64}), far_lamp = "2000 0 0";
     const auto layer = [](const std::string& id, const std::string& omits, const std::string& brushes) {
-        Pairs pairs{{"_tb_type", "_tb_layer"}, {"_tb_name", "l"}, {"_tb_id", id}};
+        Keys pairs{{"_tb_type", "_tb_layer"}, {"_tb_name", "l"}, {"_tb_id", id}};
         if (!omits.empty()) pairs.push_back({"_tb_layer_omit_from_export", omits});
         return entity("func_group", pairs, brushes);
     };
@@ -413,24 +413,24 @@ TEST(Wad, AMissingTextureIsACheckerboard) {
 }
 
 TEST(Wad, AnimationsWithGapsAndSkiesOfAnotherShapeAreNamed) {
-    using Said = std::vector<std::string>;
+    using Warned = std::vector<std::string>;
     const auto said_of_frames = [](const std::string& used, const std::vector<std::string>& frames) {
         return said_of_textures({used}, wad_bytes(frames));
     };
-    EXPECT_EQ(said_of_frames("+0lamp", {"+0lamp", "+1lamp", "+alamp"}), Said{});
+    EXPECT_EQ(said_of_frames("+0lamp", {"+0lamp", "+1lamp", "+alamp"}), Warned{});
     EXPECT_EQ(said_of_frames("+0lamp", {"+0lamp", "+2lamp", "+3lamp"}),
-              Said{"line 7: the animation of '+0lamp' has '+2lamp' but no '+1lamp', expected frames without gaps"});
+              Warned{"line 7: the animation of '+0lamp' has '+2lamp' but no '+1lamp', expected frames without gaps"});
     EXPECT_EQ(said_of_frames("+2lamp", {"+2lamp"}),
-              Said{"line 7: the animation of '+2lamp' has '+2lamp' but no '+0lamp', expected frames without gaps"});
+              Warned{"line 7: the animation of '+2lamp' has '+2lamp' but no '+0lamp', expected frames without gaps"});
     EXPECT_EQ(said_of_frames("+0lamp", {"+0lamp", "+blamp"}),
-              Said{"line 7: the animation of '+0lamp' has '+blamp' but no '+alamp', expected frames without gaps"});
+              Warned{"line 7: the animation of '+0lamp' has '+blamp' but no '+alamp', expected frames without gaps"});
     const auto said_of_sky = [](std::uint32_t width, std::uint32_t height) {
         return said_of_textures({"sky1"}, wad_bytes({StripedTexture{"sky1", 1, 2, width, height}}));
     };
-    EXPECT_EQ(said_of_sky(256, 128), Said{});
-    EXPECT_EQ(said_of_sky(32, 16), Said{});
+    EXPECT_EQ(said_of_sky(256, 128), Warned{});
+    EXPECT_EQ(said_of_sky(32, 16), Warned{});
     EXPECT_EQ(said_of_sky(128, 128),
-              Said{"line 7: the sky 'sky1' has 128x128 texels, expected two squares side by side"});
+              Warned{"line 7: the sky 'sky1' has 128x128 texels, expected two squares side by side"});
 }
 
 TEST(Wad, TexturesHaveTheNameThatTheyAreFoundBy) {

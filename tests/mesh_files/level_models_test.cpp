@@ -193,6 +193,10 @@ TEST_F(ModelFolder, LensesAndKeysHaveModelsOfTheirOwn) {
     EXPECT_EQ(at(models, 0, 1).position, point_at(5, 6, 8 + 28)) << "over the floor";
     EXPECT_NE(at(models, 900).yaw, at(models, 0).yaw) << "they turn";
     EXPECT_EQ(models.models[1].entity, 2u);
+    EXPECT_EQ(models.meshes.at(0)->frames[0].maxs.z, World::from_int(9)) << "y of the file is up; lenses are enlarged";
+    EXPECT_EQ(models.meshes.at(1)->frames[0].maxs.z, World::from_int(12));
+    const LevelModels small = read(R"({ "classname" "item_lens" "origin" "5 6 70" "scale" "1.5" })");
+    EXPECT_EQ(small.meshes.at(0)->frames[0].maxs.z, World::from_raw(3 * 2048));
     write_model("progs/w_s_key.mdl");
     EXPECT_EQ(read(key, path("progs")).meshes.at(0)->frames[0].maxs, point_at(100, 100, 100))
         << "Quake's own comes first";

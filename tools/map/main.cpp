@@ -45,7 +45,7 @@ void declare(CommandArguments& line, Arguments& arguments) {
              "a texture of a folder whose colours may glow; may be given more than once");
     line.add("--dither", arguments.textures.dither, "of a folder's pictures: none or floyd-steinberg");
     line.add("--palette", arguments.textures.palette,
-             "of a folder's pictures; default: palette.lmp in the folder, else Oblong's");
+             "of a folder's pictures; default: palette.lmp in the folder, else that of --game, else Oblong's");
     const CommandOption fgd =
         line.add("--fgd", arguments.fgd, "writes the classes and keys that editors show, and compiles nothing")
             .exclude(input);
@@ -54,7 +54,7 @@ void declare(CommandArguments& line, Arguments& arguments) {
         .accept_no_value(map::kTrenchBroomFolder)
         .exclude(input)
         .exclude(fgd);
-    line.add("--game", arguments.game, "a folder whose game.json has classes of its own");
+    line.add("--game", arguments.game, "a folder whose game.json has classes and a palette of its own");
     line.add("--prt", arguments.portals, "writes the portals too, as a .prt file");
     line.add("--only", arguments.only,
              "entities, light or vis: compiles only that part, and keeps the rest of an existing OUT.bsp with the same "
@@ -117,6 +117,16 @@ class Reporter {
     const Arguments& arguments_;
     int count_ = 0;
 };
+
+// Of game.json, or where the game looks for one beside its levels; empty: none.
+std::string palette_of_game(const std::string& folder) {
+    const std::string named = read_game_definition(folder).palette;
+    if (!named.empty()) return named;
+    for (const char* const usual : {"palette.lmp", "gfx/palette.lmp"})
+        if (const std::filesystem::path file = std::filesystem::path(folder) / usual; std::filesystem::exists(file))
+            return file.string();
+    return "";
+}
 
 // With the classes' meanings in the game; the level keeps the original classes.
 std::vector<map::MapEntity> with_known_classes(std::vector<map::MapEntity> entities, const std::string& folder) {
@@ -195,8 +205,10 @@ void compile(const Arguments& arguments, const std::string& text, const char* ca
             return read_external(name, files.back(), line);
         },
         &reporter.warnings);
-    const std::vector<map::Wad> wads = map::read_texture_sources(arguments.textures, entities.front(), arguments.input,
-                                                                 called_as, files, reporter.warnings);
+    map::TextureSources textures = arguments.textures;
+    if (!arguments.game.empty()) textures.game_palette = palette_of_game(arguments.game);
+    const std::vector<map::Wad> wads =
+        map::read_texture_sources(textures, entities.front(), arguments.input, called_as, files, reporter.warnings);
     check_replaces_none("--prt", arguments.portals, files);
     const auto known = arguments.game.empty() ? entities : with_known_classes(entities, arguments.game);
     map::find_warnings(known, reporter.warnings);
@@ -208,7 +220,7 @@ void compile(const Arguments& arguments, const std::string& text, const char* ca
     portals.has_text = !arguments.portals.empty();
     Palette palette;
     const bool has_bounce = arguments.has_bounce || map::number_of(entities.front(), "_bounce", 0) >= 1;
-    if (has_bounce) palette = read_parsed(map::palette_file(arguments.textures, called_as), read_palette);
+    if (has_bounce) palette = read_parsed(map::palette_file(textures, called_as), read_palette);
     map::CompileOptions options;
     options.is_fast = arguments.is_fast;
     options.has_dirt = arguments.has_dirt;

@@ -89,7 +89,9 @@ std::vector<NamedSource> named_sources(const MapEntity& world, const std::string
 }  // namespace
 
 std::string palette_file(const TextureSources& sources, const char* called_as) {
-    return sources.palette.empty() ? (fs::path(assets_folder(called_as)) / "palette.lmp").string() : sources.palette;
+    if (!sources.palette.empty()) return sources.palette;
+    if (!sources.game_palette.empty()) return sources.game_palette;
+    return (fs::path(assets_folder(called_as)) / "palette.lmp").string();
 }
 
 std::vector<Wad> read_texture_sources(const TextureSources& sources, const MapEntity& world,

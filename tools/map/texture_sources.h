@@ -12,11 +12,12 @@ namespace oblong::map {
 struct TextureSources {
     std::vector<std::string> wads;     ///< WAD2 files, and folders of pictures; none: those of worldspawn's "wad"
     std::vector<std::string> glowing;  ///< textures of folders that may use glowing colours
-    std::string palette;               ///< of folders' pictures; empty: palette.lmp in the folder, or Oblong's
+    std::string palette;               ///< of folders' pictures; empty: palette.lmp in the folder, or the game's
+    std::string game_palette;          ///< empty: Oblong's
     std::string dither = "none";       ///< of folders' pictures
 };
 
-/// The path of the given palette, or Oblong's.
+/// The path of the given palette, or the game's, or Oblong's.
 std::string palette_file(const TextureSources& sources, const char* called_as);
 
 /// Reads the textures. The worldspawn's key "wad" has names of files and folders, separated by ';'. Each is searched
