@@ -135,6 +135,7 @@ void fill_triangle(Framebuffer canvas, PixelPosition a, PixelPosition b, PixelPo
 void draw_picture(Framebuffer canvas, const Picture& picture, std::int32_t x, std::int32_t y) {
     checked(picture);
     const Area shown = clipped(area_of(x, y, picture.width_px, picture.height_px), canvas);
+    if (shown.width <= 0 || shown.height <= 0) return;
     for (std::int32_t row = shown.y; row < shown.y + shown.height; ++row) {
         const std::uint8_t* from = picture.pixels.data() + (row - y) * std::int64_t{picture.width_px} + (shown.x - x);
         std::uint8_t* to = canvas.row(row) + shown.x;

@@ -209,11 +209,26 @@ void LevelScene::show(const Model& model, const Pose& pose, std::int32_t frame) 
     state_->shown_meshes.push_back(model.state_->mesh);
 }
 
+namespace {
+
+// Places of bodies and their ways stay so near that their sums fit: levels do not reach half as far.
+World within_walks(World along) {
+    constexpr World kFarthest = World::from_int(200'000);
+    return std::clamp(along, -kFarthest, kFarthest);
+}
+
+Vec3<World> walker_of(const Pose& eye) {
+    const Vec3<World> place = place_of(eye);
+    return {within_walks(place.x), within_walks(place.y), within_walks(place.z)};
+}
+
+}  // namespace
+
 Pose LevelScene::walked(const Pose& eye, const Pose& wanted) const {
     const Vec3<World> below_eye{{}, {}, kEyeHeight};
-    const auto part = [](std::int64_t from, std::int64_t to) { return world_from_256(to - from); };
+    const auto part = [](std::int64_t from, std::int64_t to) { return within_walks(world_from_256(to - from)); };
     const Vec3<World> way{part(eye.x_256, wanted.x_256), part(eye.y_256, wanted.y_256), part(eye.z_256, wanted.z_256)};
-    const Vec3<World> at = walk_body(state_->surroundings(), place_of(eye) - below_eye, way) + below_eye;
+    const Vec3<World> at = walk_body(state_->surroundings(), walker_of(eye) - below_eye, way) + below_eye;
     Pose after = wanted;
     after.x_256 = to_256(at.x);
     after.y_256 = to_256(at.y);
@@ -222,7 +237,7 @@ Pose LevelScene::walked(const Pose& eye, const Pose& wanted) const {
 }
 
 bool LevelScene::stands(const Pose& eye) const {
-    return stands_on_floor(state_->surroundings(), place_of(eye) - Vec3<World>{{}, {}, kEyeHeight});
+    return stands_on_floor(state_->surroundings(), walker_of(eye) - Vec3<World>{{}, {}, kEyeHeight});
 }
 
 std::int32_t LevelScene::find_entity(const std::string& key, const std::string& value, std::int32_t after) const {

@@ -98,7 +98,8 @@ std::int32_t random_below(std::int32_t limit, std::uint64_t& state);
 
 // A window
 
-/// A window that shows 8-bit pixels in the shape of the mode's display, and its keys, mouse, gamepad and time.
+/// A window that shows 8-bit pixels in the shape of the mode's display, and its keys, mouse, gamepad and time. All
+/// windows of a program are opened and used on one thread.
 ///
 /// With OBLONG_HEADLESS=FRAMES or FRAMES:FILE.png in the environment there is no window, for tests of a program: FRAMES
 /// pictures are drawn, 70 a second by a simulated clock, and the last one is saved.

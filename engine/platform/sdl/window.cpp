@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <clocale>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -45,16 +46,46 @@ bool shows_nothing() {
     return (driver == "offscreen" || driver == "dummy") && (wanted == nullptr || driver != wanted);
 }
 
+// SDL's windows and their events are the process's, and work on one thread: that of the first open window.
+struct WindowsThread {
+    std::mutex mutex;
+    std::thread::id thread;
+    int windows = 0;
+};
+WindowsThread& windows_thread() {
+    static WindowsThread shared;
+    return shared;
+}
+
 struct Video {
     Video() {
+        WindowsThread& shared = windows_thread();
+        const std::lock_guard lock(shared.mutex);
+        if (shared.windows > 0 && shared.thread != thread)
+            throw std::runtime_error("window: another is open on another thread, expected all on one");
         if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) fail("no display");
-        if (!shows_nothing()) return;
-        SDL_QuitSubSystem(SDL_INIT_VIDEO);
-        throw std::runtime_error("no display: SDL found no video driver that opens a window");
+        if (shows_nothing()) {
+            SDL_QuitSubSystem(SDL_INIT_VIDEO);
+            throw std::runtime_error("no display: SDL found no video driver that opens a window");
+        }
+        shared.thread = thread;
+        ++shared.windows;
     }
-    ~Video() { SDL_QuitSubSystem(SDL_INIT_VIDEO); }
+    ~Video() {
+        SDL_QuitSubSystem(SDL_INIT_VIDEO);
+        WindowsThread& shared = windows_thread();
+        const std::lock_guard lock(shared.mutex);
+        --shared.windows;
+    }
     Video(const Video&) = delete;
     Video& operator=(const Video&) = delete;
+
+    void check_thread() const {
+        if (thread != std::this_thread::get_id())
+            throw std::runtime_error("window: used on another thread than it was opened on, expected that");
+    }
+
+    const std::thread::id thread = std::this_thread::get_id();
 };
 
 // The largest whole multiple of 320x240 that leaves the desktop's bars free.
@@ -128,7 +159,10 @@ class SdlPlatform final : public Platform {
         : window_(make_window(title, size)), renderer_(make_renderer(window_.get())), input_(window_.get()) {}
 
     bool is_open() const override { return !input_.is_closed(); }
-    PlatformInput poll() override { return input_.poll(); }
+    PlatformInput poll() override {
+        video_.check_thread();
+        return input_.poll();
+    }
     std::uint64_t now_us() override;
     WindowSize window_size() const override;
     void set_title(const char* title) override { set_title_of(window_.get(), title); }
@@ -222,6 +256,7 @@ bool SdlPlatform::is_minimised() const {
 
 void SdlPlatform::present(Framebuffer picture, const Palette& palette, const PresentRect& shown) {
     constexpr std::int32_t kUnseenFrame_ms = 200;  // less than the pause that TickClock counts
+    video_.check_thread();
     if (is_minimised()) {
         wait_for_input(kUnseenFrame_ms);
         return;
