@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <thread>
+
 #include "engine/library/oblong.h"
 #include "engine/platform/headless.h"
 #include "tests/support/folders.h"
@@ -136,6 +138,29 @@ TEST(LibraryWindow, UnknownInputsAndModesAreRefused) {
         EXPECT_THROW(scripted.window.set_mode(mode), std::runtime_error);
         EXPECT_THROW(Stage({}, mode), std::runtime_error);
     }
+}
+
+TEST(LibraryWindow, AreOpenedAndUsedOnOneThread) {
+    setenv("SDL_VIDEODRIVER", "dummy", 1);
+    Window here("here");
+    std::vector<std::string> said;
+    const auto refused = [&](auto work) {
+        try {
+            work();
+        } catch (const std::runtime_error& error) {
+            said.push_back(error.what());
+        }
+    };
+    std::thread elsewhere([&] {
+        refused([] { Window("there"); });
+        refused([&] { here.show(); });
+    });
+    elsewhere.join();
+    EXPECT_EQ(said, (std::vector<std::string>{"window: another is open on another thread, expected all on one",
+                                              "window: used on another thread than it was opened on, expected that"}));
+    EXPECT_TRUE(here.show());
+    Window("here, too").show();
+    unsetenv("SDL_VIDEODRIVER");
 }
 
 struct HeadlessEnvironment {
