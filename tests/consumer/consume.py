@@ -51,6 +51,9 @@ class Consumer:
         for compiler in COMPILERS:
             self.demand_output(self.made_with_pkg_config(prefix, compiler))
             self.demand_whole_headers(prefix, compiler)
+        # The static library goes into a shared object of which nothing is missing.
+        command = self.snippet('pkg-config').replace(' -o game', ' -shared -fPIC -Wl,-z,defs -o plug.so')
+        run('sh', '-e', '-c', 'cd "$1"\n' + command, 'sh', self.project, PKG_CONFIG_PATH=prefix + '/lib/pkgconfig')
 
     def add_subdirectory(self):
         os.symlink(self.source, self.project + '/oblong')
