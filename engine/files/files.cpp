@@ -29,7 +29,7 @@ std::string reason() {
 namespace fs = std::filesystem;
 
 constexpr int kMostLinks = 40;  // as in Linux
-constexpr const char* kNoRegularFile = "is a pipe or a device, expected a regular file";
+constexpr const char* kNoRegularFile = "is no regular file, expected one";
 
 // errno's message if a call failed, else empty.
 std::string reason_unless(bool is_done) {
@@ -117,18 +117,29 @@ bool is_written_in_place(const std::string& path) {
 
 }  // namespace
 
-std::vector<std::uint8_t> read_file(const std::string& path, std::size_t most_bytes, FileUse use) {
+namespace {
+
+// A regular file; nothing else is opened, as that may wait, or do something.
+File open_regular(const std::string& path) {
     std::error_code ignored;
     const fs::file_status status = fs::status(path, ignored);
     if (fs::is_directory(status)) throw FileError(path, "open", "is a folder, expected a file");
-    if (use == FileUse::Kept && fs::exists(status) && !fs::is_regular_file(status))
-        throw FileError(path, "open", kNoRegularFile);
-    const File file(std::fopen(path.c_str(), "rb"));
+    if (fs::exists(status) && !fs::is_regular_file(status)) throw FileError(path, "open", kNoRegularFile);
+    const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);  // a pipe may have come meanwhile
+    File file(descriptor < 0 ? nullptr : fdopen(descriptor, "rb"));
     if (!file) throw FileError(path, "open", reason() + ", expected a readable file");
+    return file;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> read_file(const std::string& path, std::size_t most_bytes) {
+    const File file = open_regular(path);
     constexpr std::size_t kChunk = std::size_t{1} << 16;
     const std::unique_ptr<std::uint8_t[]> chunk(new std::uint8_t[kChunk]);
     std::vector<std::uint8_t> bytes;
-    const std::uintmax_t size = fs::is_regular_file(status) ? fs::file_size(path, ignored) : 0;
+    std::error_code ignored;
+    const std::uintmax_t size = fs::file_size(path, ignored);
     if (size <= most_bytes) bytes.reserve(static_cast<std::size_t>(size));  // growing would take twice the memory
     while (const std::size_t count = std::fread(chunk.get(), 1, kChunk, file.get())) {
         if (count > most_bytes - bytes.size())
@@ -141,8 +152,7 @@ std::vector<std::uint8_t> read_file(const std::string& path, std::size_t most_by
 }
 
 std::vector<std::uint8_t> read_file_part(const std::string& path, std::uint64_t offset, std::size_t length) {
-    const File file(std::fopen(path.c_str(), "rb"));
-    if (!file) throw FileError(path, "open", "expected a readable file");
+    const File file = open_regular(path);
     std::error_code ignored;
     const std::uint64_t size = std::filesystem::file_size(path, ignored);
     if (offset > size || length > size - offset)
@@ -225,6 +235,22 @@ void flush_standard_output() {
 bool stays_below(const std::string& path) {
     const fs::path each = path;
     return !each.empty() && each.is_relative() && std::find(each.begin(), each.end(), "..") == each.end();
+}
+
+bool leads_out(const std::string& folder, const std::string& name) {
+    if (!stays_below(name)) return true;
+    std::error_code error;
+    const fs::path top = fs::canonical(folder.empty() ? "." : folder, error), end = fs::canonical(top / name, error);
+    return !error && !stays_below(end.lexically_relative(top).string());
+}
+
+std::string find_below(const std::vector<std::string>& folders, const std::string& name) {
+    std::error_code ignored;
+    for (const std::string& folder : folders)
+        if (const fs::path file = fs::path(folder) / name;
+            !leads_out(folder, name) && fs::is_regular_file(file, ignored))
+            return file.lexically_normal().string();
+    return {};
 }
 
 void make_folder(const std::string& path) {

@@ -20,15 +20,15 @@ class FileError : public std::runtime_error {
 
 inline constexpr std::size_t kLargestFile_bytes = std::size_t{1} << 30;
 
-/// The use of a file.
+/// The use of a file that is written.
 enum class FileUse : std::uint8_t {
     Named,  ///< named by the user: may also be a device or a pipe
     Kept    ///< kept by the program: must be a regular file; written so that it survives a power cut
 };
 
-/// All bytes of a file. Throws FileError if it cannot be read or has more than `most_bytes`.
-std::vector<std::uint8_t> read_file(const std::string& path, std::size_t most_bytes = kLargestFile_bytes,
-                                    FileUse use = FileUse::Named);
+/// All bytes of a regular file. Throws FileError if it cannot be read or has more than `most_bytes`, and for a pipe or
+/// a device, for which nothing waits.
+std::vector<std::uint8_t> read_file(const std::string& path, std::size_t most_bytes = kLargestFile_bytes);
 /// `length` bytes of a file from an offset on. Throws FileError if they are missing or cannot be read.
 std::vector<std::uint8_t> read_file_part(const std::string& path, std::uint64_t offset, std::size_t length);
 /// A whole file as text.
@@ -58,6 +58,13 @@ void flush_standard_output();
 
 /// Whether a path, by its text alone, is below a folder: it is relative, not empty, and has no "..".
 bool stays_below(const std::string& path);
+
+/// Whether a name leads out of a folder, by its text or, where it is there, over links.
+bool leads_out(const std::string& folder, const std::string& name);
+
+/// The regular file of that name in the first of the folders that has it and that it does not lead out of; empty if
+/// there is none. What files name is looked for with these two alone.
+std::string find_below(const std::vector<std::string>& folders, const std::string& name);
 
 /// Makes a folder and those above it, durably, unless they exist. Throws FileError.
 void make_folder(const std::string& path);

@@ -89,7 +89,7 @@ class DefinitionReader {
 
     std::string path_in_folder(const Value& value) const {
         const std::string path = value.text();
-        if (!stays_below(path)) value.refuse("\"" + path + "\", expected a path of a file below the folder");
+        if (leads_out(game_.folder, path)) value.refuse("\"" + path + "\", expected a path of a file below the folder");
         return (fs::path(game_.folder) / path).string();
     }
     std::string file_in_folder(const Value& value) const {

@@ -48,24 +48,23 @@ constexpr NumberRange kScales{World::from_raw(4), World::from_int(4096)};
 class ModelFinder {
   public:
     explicit ModelFinder(const ModelFolders& folders) : game_(folders.game) {
-        const fs::path level_folder = fs::path(folders.level_file).parent_path();
+        const std::string level_folder = fs::path(folders.level_file).parent_path().string();
         if (!folders.named.empty()) {
             std::error_code ignored;
             if (!fs::is_directory(folders.named, ignored))
                 throw FileError(folders.named, "--models", "is no folder, expected one of models");
-            folders_.emplace_back(folders.named);
+            folders_.push_back(folders.named);
         }
         folders_.push_back(level_folder);
-        folders_.push_back(level_folder / "..");
+        folders_.push_back((level_folder / fs::path("..")).string());
         folders_.insert(folders_.end(), folders.games.begin(), folders.games.end());
-        if (!folders.own.empty()) folders_.emplace_back(folders.own);
+        if (!folders.own.empty()) folders_.push_back(folders.own);
     }
 
     std::optional<std::string> find(const fs::path& path) const {
-        std::error_code ignored;
-        for (const fs::path& folder : folders_)
+        for (const std::string& folder : folders_)
             for (const fs::path& below : {path, path.filename(), "progs" / path.filename(), "models" / path.filename()})
-                if (fs::is_regular_file(folder / below, ignored)) return (folder / below).lexically_normal().string();
+                if (std::string file = find_below({folder}, below.string()); !file.empty()) return file;
         if (game_ == nullptr || path.extension() != ".mdl") return std::nullopt;
         const std::optional<std::string> in_game = game_->find(path.generic_string());
         return in_game ? in_game : game_->find(("progs" / path.filename()).generic_string());
@@ -73,7 +72,7 @@ class ModelFinder {
 
   private:
     const GameFiles* game_;
-    std::vector<fs::path> folders_;
+    std::vector<std::string> folders_;
 };
 
 class LevelModelReader {

@@ -127,12 +127,17 @@ class MaterialLines {
     bool has_colour_ = false;
 };
 
+/// The path of a file that the model names. Throws FileError if it is not in the model's folder.
+std::string path_in(const std::filesystem::path& folder, const std::string& name) {
+    const std::string path = (folder / name).string();
+    if (leads_out(folder.string(), name))
+        throw FileError(path, "open", "is outside of the model's folder, expected a file in it");
+    return path;
+}
+
 /// The files that a line of mtllib names: one whose name has blanks, or several.
 std::vector<std::string> files_of(const std::filesystem::path& folder, const std::string& word) {
-    const auto is_there = [&](const std::string& file) {
-        std::error_code ignored;
-        return std::filesystem::is_regular_file(folder / file, ignored);
-    };
+    const auto is_there = [&](const std::string& file) { return !find_below({folder.string()}, file).empty(); };
     const std::string whole = name_of_word(word);
     std::vector<std::string> names = split(word, {&kBlankInWord, 1});
     for (std::string& name : names) name = name_of_word(name);
@@ -163,9 +168,10 @@ bool ObjMaterialReader::operator()(const std::string& name, std::vector<tinyobj:
     bool is_read = false;
     for (const std::string& file_name : files_of(folder_, name)) {
         if (file_name.empty()) continue;
-        const std::string file = (folder_ / file_name).string();
+        std::string file;
         std::istringstream text;
         try {
+            file = path_in(folder_, file_name);
             text.str(simple_obj(read_text(file)));
         } catch (const FileError& missing) {
             *warning += std::string(missing.what()) + "\n";
@@ -187,8 +193,7 @@ Skin make_skin(const tinyobj::material_t& material, const std::filesystem::path&
                Dither dither, std::vector<std::string>& warnings) {
     if (material.diffuse_texname.empty()) return skin_of_colour(material.name, diffuse_colour(material), palette);
     try {
-        const auto path = (folder / with_slashes(material.diffuse_texname)).string();
-        const PngImage image = read_parsed(path, decode_picture);
+        const PngImage image = read_parsed(path_in(folder, with_slashes(material.diffuse_texname)), decode_picture);
         return {material.name, image.width_px, image.height_px, indices_of(image, palette, kOrdinaryColours, dither)};
     } catch (const FileError& error) {
         warnings.push_back(std::string(error.what()) + ": the material's colour stands for it");

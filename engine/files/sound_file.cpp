@@ -1,6 +1,5 @@
 #include "engine/files/sound_file.h"
 
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -75,16 +74,7 @@ SoundSamples decode_wav(std::span<const std::uint8_t> file) {
     }
 }
 
-namespace fs = std::filesystem;
-
 constexpr const char* kKey = "noise";
-
-std::string find_in(const std::vector<std::string>& folders, const std::string& name) {
-    std::error_code ignored;
-    for (const fs::path folder : folders)
-        if (fs::is_regular_file(folder / name, ignored)) return (folder / name).lexically_normal().string();
-    return {};
-}
 
 }  // namespace
 
@@ -106,7 +96,7 @@ LevelSounds read_level_sounds(const Level& level, const std::vector<std::string>
         const auto [at, is_new] = known.try_emplace(name, LevelSounds::kNone);
         if (is_new) {
             const EntityValues values(entity, i, read.warnings);
-            const std::string file = stays_below(name) ? find_in(folders, name) : "";
+            const std::string file = find_below(folders, name);
             if (!stays_below(name))
                 values.warn("noise is \"" + name + "\", expected a path of a file below the game's folder");
             else if (file.empty())

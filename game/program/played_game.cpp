@@ -133,13 +133,13 @@ std::shared_ptr<const LoadedLevel> PlayedGame::museum(const std::shared_ptr<cons
 
 // From worldspawn's "music": a file below the folder of the game, or beside the level.
 LevelMusic PlayedGame::music_of(const LoadedLevel& level) const {
-    const fs::path named = value_of_world(level.data.level, "music");
-    if (named.empty() || !stays_below(named)) return {};
-    std::error_code ignored;
-    for (const fs::path& folder : {fs::path(definition().folder), fs::path(level.data.level_file).parent_path()})
-        if (fs::is_regular_file(folder / named, ignored)) return {(folder / named).string(), ""};
-    return {"", level.data.level_file + ": worldspawn: there is no file " + named.string() +
-                    " for its music, expected one in " + definition().folder};
+    const std::string named = value_of_world(level.data.level, "music");
+    if (named.empty()) return {};
+    const std::string file =
+        find_below({definition().folder, fs::path(level.data.level_file).parent_path().string()}, named);
+    if (!file.empty()) return {file, ""};
+    return {"", level.data.level_file + ": worldspawn: there is no file " + named + " for its music, expected one in " +
+                    definition().folder};
 }
 
 }  // namespace oblong

@@ -109,7 +109,7 @@ OwnSounds own_sounds_of(const GameDefinition& game) {
         if (name == kOneLens || name == kLenses) continue;
         if (const std::optional<Sound> sound = find_sound(name))
             own.captions[*sound] = text;
-        else if (stays_below(name) && fs::is_regular_file(fs::path(game.folder) / name))
+        else if (!find_below({game.folder}, name).empty())
             own.level_captions[name] = text;
         else
             throw FileError((fs::path(game.folder) / kGameFile).string(), "/captions/" + printable(name),

@@ -71,7 +71,7 @@ bool is_there(const std::string& file) {
 }
 
 std::vector<std::uint8_t> bytes_of(const std::string& file) {
-    return read_file(file, kLargestSave_bytes, FileUse::Kept);
+    return read_file(file, kLargestSave_bytes);
 }
 
 // Whether a file is a save worth keeping, by its checksum; its state is not read.

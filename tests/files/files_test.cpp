@@ -2,7 +2,9 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/un.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -150,8 +152,49 @@ TEST_F(Files, AFileMayHaveAsManyBytesAsAreAllowed) {
     write_file(path("file"), Bytes(100'000));
     EXPECT_EQ(complaint_of_reading(path("file"), 100'000), "");
     EXPECT_EQ(complaint_of_reading(path("file"), 99'999), "size: more than 99999 bytes, expected a smaller file");
-    // Endless: the limit ends it.
-    EXPECT_EQ(complaint_of_reading("/dev/zero", 1'000'000), "size: more than 1000000 bytes, expected a smaller file");
+}
+
+// Nothing waits for what may never come: the test would.
+TEST_F(Files, OnlyRegularFilesAreRead) {
+    ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
+    const int socket = ::socket(AF_UNIX, SOCK_STREAM, 0);
+    sockaddr_un address{AF_UNIX, {}};
+    path("socket").copy(address.sun_path, sizeof address.sun_path - 1);
+    ASSERT_EQ(bind(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+    close(socket);
+    fs::create_symlink(path("pipe"), path("link"));
+    for (const std::string& file : {path("pipe"), path("link"), path("socket"), std::string("/dev/zero"),
+                                    std::string("/dev/tty"), std::string("/dev/null")}) {
+        EXPECT_EQ(complaint_of_reading(file), "open: is no regular file, expected one") << file;
+        EXPECT_EQ(complaint(file, [](const std::string& name) { read_file_part(name, 0, 1); }),
+                  "open: is no regular file, expected one")
+            << file;
+    }
+}
+
+TEST_F(Files, WhatFilesNameStaysBelowTheirFolder) {
+    const std::string inside = path("a folder"), outside = path("a folder, another");  // begins alike
+    for (const std::string& folder : {inside + "/below", outside}) {
+        make_folder(folder);
+        write_file(folder + "/file", Bytes(1));
+    }
+    fs::create_symlink("below", inside + "/link in");
+    fs::create_symlink(inside, path("as named"));
+    fs::create_symlink(outside, inside + "/link out");
+    fs::create_symlink(outside + "/file", inside + "/file");
+    ASSERT_EQ(mkfifo((inside + "/pipe").c_str(), 0600), 0);
+    for (const char* name : {"below/file", "./below//file", "link in/file"})
+        for (const std::string& folder : {inside, path("as named")}) {
+            EXPECT_EQ(find_below({outside, folder}, name), (fs::path(folder) / name).lexically_normal()) << name;
+            EXPECT_FALSE(leads_out(folder, name)) << name;
+        }
+    for (const std::string& name : {std::string("link out/file"), std::string("file"), outside + "/file",
+                                    inside + "/below/file", std::string("../a folder, another/file"),
+                                    std::string("below/../below/file"), std::string("/dev/stdin"), std::string()}) {
+        EXPECT_EQ(find_below({inside}, name), "") << name;
+        EXPECT_TRUE(leads_out(inside, name)) << name;
+    }
+    for (const char* name : {"pipe", "below", "none", "below/none"}) EXPECT_EQ(find_below({inside}, name), "") << name;
 }
 
 TEST_F(Files, FaultsOfTheContentNameTheFile) {

@@ -273,6 +273,29 @@ TEST_F(ObjFiles, WhatIsMissingIsAWarning) {
     EXPECT_EQ(model.mesh.texels[0].u, Texel::from_raw(1 << 15));
 }
 
+TEST_F(ObjFiles, WhatLiesOutsideOfTheFolderIsNotRead) {
+    const TemporaryFolder other;
+    const std::string mtl = other.write("gold.mtl", "newmtl gold\nKd 1 1 1\n"),
+                      picture = other.write("tile.png",
+                                            encode_indexed_png(std::vector<std::uint8_t>{1, 2}, 2, 1, grey_palette()));
+    const auto from_below = [&](const std::string& file) { return "../../" + file.substr(file.rfind("oblong-")); };
+    std::filesystem::create_symlink(mtl, path("link.mtl"));
+    std::filesystem::create_symlink(picture, path("link.png"));
+    for (const std::string& name : {mtl, from_below(mtl), std::string("link.mtl"), std::string("..\\gold.mtl")}) {
+        const ObjModel model = read("mtllib " + name + "\nusemtl gold\n" + kSquare + "f 1 2 3\n");
+        ASSERT_FALSE(model.warnings.empty()) << name;
+        EXPECT_NE(model.warnings[0].find("is outside of the model's folder, expected a file in it"), std::string::npos)
+            << model.warnings[0];
+    }
+    for (const std::string& name : {picture, from_below(picture), std::string("link.png")}) {
+        write_file(path("own.mtl"), "newmtl gold\nmap_Kd " + name + "\n");
+        const ObjModel model = read("mtllib own.mtl\nusemtl gold\n" + kSquare + "f 1 2 3\n");
+        EXPECT_EQ(model.mesh.skins[0].texels.size(), 1u) << name;
+        ASSERT_EQ(model.warnings.size(), 1u) << name;
+        EXPECT_NE(model.warnings[0].find("is outside of the model's folder"), std::string::npos) << model.warnings[0];
+    }
+}
+
 TEST_F(ObjFiles, FilesWithOtherLineEndsAndNotesAreRead) {
     const Mesh mesh =
         read("# a note\r\n\r\no thing\r\ng part one\r\nv +1.5e0 0 0\r\n v\t2. .5 -0\r\nv 0 1 0 1\r\nl 1 2\r\nf 1 2 3")

@@ -141,29 +141,24 @@ std::vector<map::MapEntity> with_known_classes(std::vector<map::MapEntity> entit
 }
 
 // The folders below which the game looks for what the level names; beside its source it may be copied later.
-std::vector<std::filesystem::path> game_folders_of(const Arguments& arguments, const char* called_as) {
-    std::vector<std::filesystem::path> folders{arguments.game.empty() ? assets_folder(called_as) : arguments.game};
+std::vector<std::string> game_folders_of(const Arguments& arguments, const char* called_as) {
+    std::vector<std::string> folders{arguments.game.empty() ? assets_folder(called_as) : arguments.game};
     for (const std::filesystem::path file : {arguments.output, arguments.input})
-        for (const char* const from : {".", ".."}) folders.push_back(file.parent_path() / from);
+        for (const char* const from : {".", ".."}) folders.push_back((file.parent_path() / from).string());
     return folders;
 }
 
 // Sounds and music that are missing; the game is silent then.
-void find_missing_files(const std::vector<map::MapEntity>& entities, const std::vector<std::filesystem::path>& folders,
+void find_missing_files(const std::vector<map::MapEntity>& entities, const std::vector<std::string>& folders,
                         map::Warnings& warnings) {
     for (const map::MapEntity& entity : entities) {
         const EntityClass* const its_class = find_entity_class(entity.value("classname"));
         for (const map::MapPair& pair : entity.pairs) {
             if ((pair.key != "noise" && pair.key != "music") || pair.value.empty() || !its_class) continue;
             const EntityKey* const row = find_entity_key(*its_class, pair.key);
-            const auto has_it = [&](const std::filesystem::path& folder) {
-                std::error_code ignored;
-                return std::filesystem::is_regular_file(folder / pair.value, ignored);
-            };
-            if (row == nullptr || (stays_below(pair.value) && std::any_of(folders.begin(), folders.end(), has_it)))
-                continue;
+            if (row == nullptr || !find_below(folders, pair.value).empty()) continue;
             warnings.add(pair.line, "'" + pair.key + "' is '" + pair.value + "', but there is no such file below " +
-                                        folders.front().string() + " or the level's folder");
+                                        folders.front() + " or the level's folder");
         }
     }
 }
