@@ -247,7 +247,7 @@ Figures draw_stages(const RowInput& input, Framebuffer canvas) {
 std::vector<Row> stage_rows() {
     return {{"pipeline",
              draw_stages,
-             {choice_parameter("stage", kStageNames, 4),
+             {choice_parameter("stage", kStageNames),
               {"yaw, degrees", 0, 85, 5, 60},
               {"to the left, quarters of a unit", -10, 10, 1, 7}}}};
 }
