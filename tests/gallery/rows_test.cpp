@@ -1,6 +1,8 @@
 // What holds for every row of the gallery. What a row shows is tested beside what it shows: Row::test.
 
+#include <iterator>
 #include <set>
+#include <sstream>
 
 #include "tests/gallery/gallery_fixture.h"
 #include "tests/support/folders.h"
@@ -30,6 +32,14 @@ TEST(GalleryTable, RowsHaveDifferentIdsAndNamesThatFit) {
         EXPECT_TRUE(names.insert(row.name).second) << row.name;
         EXPECT_LE(text_width_px(row.name), 320 - 2 * kTextMargin_px) << row.name;
         EXPECT_EQ(row.id.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-"), std::string_view::npos) << row.id;
+    }
+}
+
+TEST(GalleryTable, NumbersOfARowDoNotTouch) {
+    const std::array<Entry, 4> row{entry_of(-1234.5), entry_of(-0.25), entry_of(99999), entry_of(-123456)};
+    for (const char* format : {"%4.0f", "%5.2f", "%7.3f"}) {
+        std::istringstream words(row_text(row, format));
+        EXPECT_EQ(std::distance(std::istream_iterator<double>(words), {}), 4) << row_text(row, format);
     }
 }
 
