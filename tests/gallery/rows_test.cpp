@@ -25,6 +25,15 @@ std::vector<std::vector<std::int64_t>> ends_of_parameters(const Row& row) {
     return all;
 }
 
+/// The values of a row's pictures: those that it starts with, with each choice of a first parameter that has choices.
+std::vector<std::vector<std::int64_t>> values_of_choices(const Row& row) {
+    std::vector<std::vector<std::int64_t>> all{start_values(row)};
+    for (std::size_t choice = 1; choice < row.parameters[0].choices.size(); ++choice) all.push_back(all.front());
+    for (std::size_t choice = 0; choice < row.parameters[0].choices.size(); ++choice)
+        all[choice][0] = static_cast<std::int64_t>(choice);
+    return all;
+}
+
 TEST(GalleryTable, RowsHaveDifferentIdsAndNamesThatFit) {
     std::set<std::string_view> ids, names;
     for (const Row& row : gallery_rows()) {
@@ -77,15 +86,10 @@ TEST_F(GalleryRows, FiguresAreAsExpectedWhateverTheParameters) {
 TEST_F(GalleryRows, FiguresAreAsExpectedAtTheCoarsestAccuracy) {
     Settings settings;
     settings.accuracy = accuracy_of(Preset::Year1991);
-    for (const Row& row : gallery_rows()) {
-        std::vector<std::int64_t> values = start_values(row);
-        const std::int64_t choices = row.parameters[0].choices.empty() ? 1 : row.parameters[0].most + 1;
-        for (std::int64_t choice = 0; choice < choices; ++choice) {
-            if (choices > 1) values[0] = choice;
+    for (const Row& row : gallery_rows())
+        for (const auto& values : values_of_choices(row))
             for (const Figure& figure : draw(row, values, {}, settings).figures)
                 EXPECT_TRUE(figure.agrees) << row.id << ": " << figure_text(figure);
-        }
-    }
 }
 
 TEST_F(GalleryRows, EveryParameterChangesSomething) {
@@ -101,12 +105,15 @@ TEST_F(GalleryRows, EveryParameterChangesSomething) {
 TEST_F(GalleryRows, PicturesAreTheSameEachTimeAndStayRightInCanvasesOfOtherSizes) {
     for (const Row& row : gallery_rows()) {
         EXPECT_EQ(draw(row, start_values(row)).pixels, draw(row, start_values(row)).pixels) << row.id;
-        for (const ScreenMode& mode : {ScreenMode{160, 100, {4, 3}}, ScreenMode{480, 270, {16, 9}}}) {
-            const Drawn drawn = draw(row, start_values(row), mode);
-            EXPECT_TRUE(drawn.is_border_whole) << row.id << " in " << mode.width_px << "x" << mode.height_px;
-            for (const Figure& figure : drawn.figures)
-                EXPECT_TRUE(figure.agrees) << row.id << " in " << mode.width_px << ": " << figure_text(figure);
-        }
+        for (const ScreenMode& mode :
+             {ScreenMode{160, 100, {4, 3}}, ScreenMode{480, 270, {16, 9}}, ScreenMode{640, 200, {4, 3}},
+              ScreenMode{200, 320, {4, 3}}, ScreenMode{160, 100, {1, 2}}, ScreenMode{1000, 100, {12, 5}}})
+            for (const auto& values : values_of_choices(row)) {
+                const Drawn drawn = draw(row, values, mode);
+                EXPECT_TRUE(drawn.is_border_whole) << row.id << " in " << mode.width_px << "x" << mode.height_px;
+                for (const Figure& figure : drawn.figures)
+                    EXPECT_TRUE(figure.agrees) << row.id << " in " << mode.width_px << ": " << figure_text(figure);
+            }
     }
 }
 
