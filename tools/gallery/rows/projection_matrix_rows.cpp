@@ -198,7 +198,7 @@ Figures draw_opengl_quad(const RowInput& input, Framebuffer canvas) {
             number_figure("its fourth corner's distance from the others' plane", 0,
                           number_of(distance_to_plane(corners[2], plane)), 1e-6, 6),
             number_figure("pixels from the closed form: worst corner", 0, worst_px,
-                          0.01 * std::max(1.0, area.width / 180.0)),
+                          0.01 * std::max({1.0, area.width / 180.0, area.height / 154.0})),
             number_figure("pixels drawn: the area of its picture", std::abs(shoelace), static_cast<double>(pixels),
                           static_cast<double>(area.width + area.height) / 16, 0)};
 }
