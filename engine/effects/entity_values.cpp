@@ -18,7 +18,7 @@ std::string decimal(World value) {
     return text;
 }
 
-std::string range_text(World least, World most) {
+std::string limits_text(World least, World most) {
     return decimal(least) + " to " + decimal(most);
 }
 
@@ -61,7 +61,7 @@ World EntityValues::number(const std::string& key, const NumberRange& range) con
     if (text.empty()) return otherwise;
     const std::optional<World> value = parse_world_number(text);
     if (value && is_between(*value, range.least, range.most)) return *value;
-    warn_of(key, "a number from " + range_text(range.least, range.most) + ": it is taken as " + decimal(otherwise));
+    warn_of(key, "a number from " + limits_text(range.least, range.most) + ": it is taken as " + decimal(otherwise));
     return otherwise;
 }
 
@@ -83,7 +83,7 @@ std::optional<Vec3<World>> EntityValues::vector(const std::string& key, World le
     if (value && is_between(value->x, least, most) && is_between(value->y, least, most) &&
         is_between(value->z, least, most))
         return value;
-    warn_of(key, "three numbers from " + range_text(least, most));
+    warn_of(key, "three numbers from " + limits_text(least, most));
     return otherwise;
 }
 

@@ -1,6 +1,7 @@
 #include "engine/files/arguments.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
@@ -39,6 +40,18 @@ Pair parse_pair(const std::string& text, char between, std::int32_t least, std::
     return {*first, *second};
 }
 
+/// A decimal number above 0 with up to four decimals, exactly.
+std::optional<Ratio> decimal_ratio(std::string text) {
+    const std::size_t point = std::min(text.find('.'), text.size());
+    const bool is_whole = point == text.size();
+    if (!is_whole) text.erase(point, 1);
+    const std::optional<std::int32_t> digits = whole_number(text);
+    const std::size_t decimals = text.size() - point;
+    if (!digits || *digits <= 0 || point == 0 || (!is_whole && decimals == 0) || decimals > 4) return std::nullopt;
+    constexpr std::array<std::int64_t, 5> kPowers{1, 10, 100, 1000, 10000};
+    return Ratio{*digits, kPowers[decimals]};
+}
+
 }  // namespace
 
 std::string listed(std::span<const std::string_view> names) {
@@ -69,11 +82,15 @@ WindowSize parse_window_size(const std::string& text) {
 }
 
 Ratio parse_display(const std::string& text) {
-    const std::string expected =
-        "--display: '" + text + "', expected two whole numbers WIDTH:HEIGHT from 1:100 to 100:1, such as 4:3 or 37:20";
-    const Pair shape = parse_pair(text, ':', 1, 10000, expected);
-    if (shape.first > 100 * shape.second || shape.second > 100 * shape.first) throw UsageError(expected);
-    return Ratio{shape.first, shape.second}.reduced();
+    const std::size_t colon = std::min(text.find(':'), text.size() - 1);
+    const auto width = decimal_ratio(text.substr(0, colon)), height = decimal_ratio(text.substr(colon + 1));
+    const Ratio shape = width && height ? *width * height->inverse() : Ratio{};
+    const std::int64_t least = std::min(shape.numerator, shape.denominator),
+                       most = std::max(shape.numerator, shape.denominator);
+    if (least > 0 && most <= 100 * least && most <= 10000) return shape;
+    throw UsageError(
+        "--display: '" + text +
+        "', expected WIDTH:HEIGHT from 1:100 to 100:1, such as 4:3 or 1.85:1; as whole numbers up to 10000");
 }
 
 std::int64_t parse_number(const std::string& option, const std::string& text, int fraction_bits) {

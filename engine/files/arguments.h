@@ -28,7 +28,7 @@ std::size_t parse_choice(const std::string& option, const std::string& text, std
 void parse_mode_size(const std::string& text, ScreenMode& mode);
 /// "1280x960"; up to 16,384 pixels either way.
 WindowSize parse_window_size(const std::string& text);
-/// "4:3".
+/// "4:3", "1.85:1".
 Ratio parse_display(const std::string& text);
 /// A field of view in degrees, decimal, from 1 to 179.
 Degrees parse_field_of_view(const std::string& text);

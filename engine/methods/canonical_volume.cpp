@@ -4,6 +4,7 @@
 #include <array>
 
 #include "engine/base/table.h"
+#include "engine/methods/transforms.h"
 
 namespace oblong {
 
@@ -94,6 +95,25 @@ Matrix4 volume_matrix(const Projection& projection, Entry nearest, Entry farthes
     matrix.rows[2] = {Entry{}, Entry{}, lambda, -multiply(lambda, nearest)};
     matrix.rows[3] = {Entry{}, Entry{}, Entry::from_int(1), Entry{}};
     return matrix;
+}
+
+std::array<Matrix4, 5> lab_volume_steps(const WindowView& window) {
+    const auto to_origin = [](const Vec4& p) { return translation({-p.x, -p.y, -p.z}); };
+    const Matrix4 move = to_origin(homogeneous(window.reference_point));
+    const Matrix4 turn = homogeneous(rotation_matrix(window_view(window).axes));
+    const Vec4 cop = turn * (move * homogeneous(window.centre_of_projection));
+    const Entry distance = -cop.z, back = distance + convert<Entry>(window.back.value());  // VRP'z and B'
+    const auto middle = [](World low, World high) {
+        return floor_shift(convert<Entry>(low) + convert<Entry>(high), 1);
+    };
+    const auto scale = [&](World low, World high) {
+        return divide<Entry>(distance + distance, multiply(convert<Entry>(high) - convert<Entry>(low), back));
+    };
+    Matrix4 shear = Matrix4::identity();
+    shear.rows[0][2] = -divide<Entry>(middle(window.u_min, window.u_max) - cop.x, distance);
+    shear.rows[1][2] = -divide<Entry>(middle(window.v_min, window.v_max) - cop.y, distance);
+    return {move, turn, to_origin(cop), shear,
+            scaling({scale(window.u_min, window.u_max), scale(window.v_min, window.v_max), reciprocal<Entry>(back)})};
 }
 
 VolumeScreenPoint volume_to_screen(const Vec4& point, std::int32_t width_px, std::int32_t height_px) {

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "engine/math/matrix.h"
 #include "engine/view/projection.h"
+#include "engine/view/views.h"
 
 namespace oblong {
 
@@ -38,6 +40,11 @@ std::vector<Vec4> clip_to_volume(const std::vector<Vec4>& polygon);
 /// larger): x and y by the projection's two multipliers over half the size in pixels, z by lambda = far / (far - near)
 /// (course notes), w = z.
 Matrix4 volume_matrix(const Projection& projection, Entry nearest, Entry farthest);
+
+/// The steps of the lab sheet from the world to its canonical view volume, -z <= x <= z, -z <= y <= z, z <= 1, in their
+/// order: the view reference point to the origin, the view's axes onto x, y and z, the centre of projection to the
+/// origin, a shear that brings the window's middle onto z, a scale. A perspective view with a back plane.
+std::array<Matrix4, 5> lab_volume_steps(const WindowView& window);
 
 /// The screen position of a point in the volume, in pixels, y down: perspective divide and viewport. `point` has w
 /// above 0.

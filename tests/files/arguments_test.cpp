@@ -44,8 +44,27 @@ TEST(Arguments, PresetsAreKnownByName) {
 }
 
 TEST(Arguments, DisplaysAreShapesInLowestTerms) {
-    EXPECT_EQ(parse_display("8:6").numerator, 4);
-    expect_refused("--display", {"4", "4:0", "101:1", "4:3:2"}, parse_display);
+    struct Shape {
+        const char* text;
+        std::int64_t width, height;
+    };
+    for (const auto& [text, width, height] : {Shape{"8:6", 4, 3},
+                                              {"1.85:1", 37, 20},
+                                              {"37:20", 37, 20},
+                                              {"2.39:1", 239, 100},
+                                              {"1:0.75", 4, 3},
+                                              {"1.50:1.0", 3, 2},
+                                              {"16.5:9.75", 22, 13},
+                                              {"0.01:1", 1, 100},
+                                              {"20000:15000", 4, 3}}) {
+        EXPECT_EQ(parse_display(text).numerator, width) << text;
+        EXPECT_EQ(parse_display(text).denominator, height) << text;
+    }
+    expect_refused("--display",
+                   {"",        ":",    "4",     "1.85",  "4:0",       "0:3",      "0.0:1",        "101:1",  "1:100.5",
+                    "4:3:2",   "-4:3", "-4:-3", "1.:1",  ".5:1",      ".:1",      "1.8.5:1",      "1,85:1", "1.-5:1",
+                    "1.85:1 ", " 4:3", "1e0:1", "nan:1", "1.33333:1", "1.3333:1", "99999999999:1"},
+                   parse_display);
 }
 
 }  // namespace

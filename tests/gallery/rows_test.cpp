@@ -1,6 +1,8 @@
 // What holds for every row of the gallery. What a row shows is tested beside what it shows: Row::test.
 
+#include <iterator>
 #include <set>
+#include <sstream>
 
 #include "tests/gallery/gallery_fixture.h"
 #include "tests/support/folders.h"
@@ -23,6 +25,15 @@ std::vector<std::vector<std::int64_t>> ends_of_parameters(const Row& row) {
     return all;
 }
 
+/// The values of a row's pictures: those that it starts with, with each choice of a first parameter that has choices.
+std::vector<std::vector<std::int64_t>> values_of_choices(const Row& row) {
+    std::vector<std::vector<std::int64_t>> all{start_values(row)};
+    for (std::size_t choice = 1; choice < row.parameters[0].choices.size(); ++choice) all.push_back(all.front());
+    for (std::size_t choice = 0; choice < row.parameters[0].choices.size(); ++choice)
+        all[choice][0] = static_cast<std::int64_t>(choice);
+    return all;
+}
+
 TEST(GalleryTable, RowsHaveDifferentIdsAndNamesThatFit) {
     std::set<std::string_view> ids, names;
     for (const Row& row : gallery_rows()) {
@@ -30,6 +41,14 @@ TEST(GalleryTable, RowsHaveDifferentIdsAndNamesThatFit) {
         EXPECT_TRUE(names.insert(row.name).second) << row.name;
         EXPECT_LE(text_width_px(row.name), 320 - 2 * kTextMargin_px) << row.name;
         EXPECT_EQ(row.id.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-"), std::string_view::npos) << row.id;
+    }
+}
+
+TEST(GalleryTable, NumbersOfARowDoNotTouch) {
+    const std::array<Entry, 4> row{entry_of(-1234.5), entry_of(-0.25), entry_of(99999), entry_of(-123456)};
+    for (const char* format : {"%4.0f", "%5.2f", "%7.3f"}) {
+        std::istringstream words(row_text(row, format));
+        EXPECT_EQ(std::distance(std::istream_iterator<double>(words), {}), 4) << row_text(row, format);
     }
 }
 
@@ -67,15 +86,10 @@ TEST_F(GalleryRows, FiguresAreAsExpectedWhateverTheParameters) {
 TEST_F(GalleryRows, FiguresAreAsExpectedAtTheCoarsestAccuracy) {
     Settings settings;
     settings.accuracy = accuracy_of(Preset::Year1991);
-    for (const Row& row : gallery_rows()) {
-        std::vector<std::int64_t> values = start_values(row);
-        const std::int64_t choices = row.parameters[0].choices.empty() ? 1 : row.parameters[0].most + 1;
-        for (std::int64_t choice = 0; choice < choices; ++choice) {
-            if (choices > 1) values[0] = choice;
+    for (const Row& row : gallery_rows())
+        for (const auto& values : values_of_choices(row))
             for (const Figure& figure : draw(row, values, {}, settings).figures)
                 EXPECT_TRUE(figure.agrees) << row.id << ": " << figure_text(figure);
-        }
-    }
 }
 
 TEST_F(GalleryRows, EveryParameterChangesSomething) {
@@ -91,12 +105,15 @@ TEST_F(GalleryRows, EveryParameterChangesSomething) {
 TEST_F(GalleryRows, PicturesAreTheSameEachTimeAndStayRightInCanvasesOfOtherSizes) {
     for (const Row& row : gallery_rows()) {
         EXPECT_EQ(draw(row, start_values(row)).pixels, draw(row, start_values(row)).pixels) << row.id;
-        for (const ScreenMode& mode : {ScreenMode{160, 100, {4, 3}}, ScreenMode{480, 270, {16, 9}}}) {
-            const Drawn drawn = draw(row, start_values(row), mode);
-            EXPECT_TRUE(drawn.is_border_whole) << row.id << " in " << mode.width_px << "x" << mode.height_px;
-            for (const Figure& figure : drawn.figures)
-                EXPECT_TRUE(figure.agrees) << row.id << " in " << mode.width_px << ": " << figure_text(figure);
-        }
+        for (const ScreenMode& mode :
+             {ScreenMode{160, 100, {4, 3}}, ScreenMode{480, 270, {16, 9}}, ScreenMode{640, 200, {4, 3}},
+              ScreenMode{200, 320, {4, 3}}, ScreenMode{160, 100, {1, 2}}, ScreenMode{1000, 100, {12, 5}}})
+            for (const auto& values : values_of_choices(row)) {
+                const Drawn drawn = draw(row, values, mode);
+                EXPECT_TRUE(drawn.is_border_whole) << row.id << " in " << mode.width_px << "x" << mode.height_px;
+                for (const Figure& figure : drawn.figures)
+                    EXPECT_TRUE(figure.agrees) << row.id << " in " << mode.width_px << ": " << figure_text(figure);
+            }
     }
 }
 

@@ -33,6 +33,7 @@ const std::vector<Named> kNamed{
     {"orthographic and perspective views", {"orthographic", "vanishing-points"}},
     {"VRP, VPN, VUP, COP, window; the cube's table", {"view-window"}},
     {"front and back planes", {"front-plane"}},
+    {"VRP, VPN, COP, window, F and B to the canonical view volume", {"volume-steps"}},
     {"the canonical view volume, lines clipped in it", {"view-volume", "lines-clipped"}},
     {"zoom against dolly", {"zoom-dolly", "view-window"}},
     // 3 Notes
@@ -46,7 +47,8 @@ const std::vector<Named> kNamed{
     {"flat, Gouraud, Phong shading", {"shading"}},
     {"textures from PNG", {"texture-quantise"}},
     {"barycentric coordinates and gradients", {"barycentric", "perspective-correct"}},
-    {"look-at and FPS cameras", {"cameras"}},
+    {"look-at and FPS cameras; look-at times translate", {"cameras", "camera-matrix"}},
+    {"cross2d's sign", {"barycentric"}},
     {"clipping against six planes", {"view-volume", "two-lists"}},
     {"polygon to triangles", {"triangulate"}},
     {"top-left rule", {"top-left-rule"}},

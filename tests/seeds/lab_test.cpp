@@ -5,8 +5,10 @@
 
 #include <array>
 
+#include "engine/files/doubles.h"
 #include "engine/math/matrix.h"
 #include "engine/math/vec.h"
+#include "engine/methods/canonical_volume.h"
 #include "engine/methods/transforms.h"
 #include "tests/seeds/seed_values.h"
 
@@ -91,6 +93,51 @@ TEST(SeedL1c, UpCrossViewDirectionIsToTheRightSoTheTableIsMirrored) {
     upright.is_mirrored = false;
     EXPECT_NEAR(number(upright.shown(Entry{}, Entry{}, Entry{}).x), 50, kStep);
     EXPECT_NEAR(number(Lab{}.shown(Entry{}, Entry{}, Entry{}).x), 150, kStep) << "the table's";
+}
+
+TEST(SeedL2, FiveStepsLeadToTheCanonicalViewVolume) {
+    // Forward (3, 0, 4) / 5, right (-4, 0, 3) / 5, up y; the eye beside the window's middle, which is beside the VRP.
+    WindowView window;
+    const auto world = [](int x, int y, int z) {
+        return Vec3<World>{World::from_int(x), World::from_int(y), World::from_int(z)};
+    };
+    window.reference_point = world(7, -2, 5);
+    window.normal = world(-3, 0, -4);
+    window.up = world(0, 5, 0);
+    window.centre_of_projection = world(1, -4, -2);
+    window.u_min = World::from_int(-1), window.u_max = World::from_int(4);
+    window.v_min = World::from_int(-2), window.v_max = World::from_int(1);
+    window.front = World::from_int(2), window.back = World::from_int(11);
+    // From the VRP, the COP is (-6, -2, -7): along forward -46/5, along right 3/5, along up -2.
+    const double d = 46.0 / 5, cop_u = 3.0 / 5, cop_v = -2, back = d + 11;
+    const std::array<Matrix4, 5> steps = lab_volume_steps(window);
+    Matrix4 whole = Matrix4::identity();
+    std::array<Matrix4, 5> after;
+    for (std::size_t i = 0; i < 5; ++i) after[i] = whole = steps[i] * whole;
+    const auto expect_at = [](const Matrix4& matrix, double x, double y, double z, const std::array<double, 3>& to) {
+        const Vec4 at = matrix * point(fixed_of<Entry>(x), fixed_of<Entry>(y), fixed_of<Entry>(z));
+        EXPECT_NEAR(number(at.x), to[0], kStep);
+        EXPECT_NEAR(number(at.y), to[1], kStep);
+        EXPECT_NEAR(number(at.z), to[2], kStep);
+        EXPECT_EQ(at.w, entry(1));
+    };
+    expect_at(after[0], 7, -2, 5, {0, 0, 0});
+    expect_at(after[1], 7 + 3, -2, 5 + 4, {0, 0, 5});
+    expect_at(after[1], 7 - 4, -2 + 1, 5 + 3, {5, 1, 0});
+    expect_at(after[2], 1, -4, -2, {0, 0, 0});
+    expect_at(after[2], 7, -2, 5, {-cop_u, -cop_v, d});
+    for (const double depth : {0.0, 2.0, 11.0})
+        for (const double u : {-1.0, 1.5, 4.0})
+            for (const double v : {-2.0, -0.5, 1.0}) {
+                // Where the ray through the window's (u, v) is at this depth.
+                const double times = (d + depth) / d, right = cop_u + (u - cop_u) * times,
+                             up = cop_v + (v - cop_v) * times;
+                const double x = 7 + (-4 * right + 3 * depth) / 5, y = -2 + up, z = 5 + (3 * right + 4 * depth) / 5;
+                const double at_z = d + depth;
+                expect_at(after[3], x, y, z, {(u - 1.5) * times, (v + 0.5) * times, at_z});
+                expect_at(after[4], x, y, z,
+                          {(u - 1.5) / 2.5 * at_z / back, (v + 0.5) / 1.5 * at_z / back, at_z / back});
+            }
 }
 
 TEST(SeedL2, ScaledWindowsEdgeLiesOnThePlaneXEqualsZ) {

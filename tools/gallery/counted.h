@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 
@@ -90,6 +91,22 @@ Number dot_by_components(const Vec3<Number>& u, const Vec3<Number>& v) {
 template <class Number>
 Number lit(const Vec3<Number>& normal, const Vec3<Number>& to_light, Number light) {
     return dot_by_components(normal, to_light) * light;
+}
+
+/// The whole cross product, and the third part of it, whose sign says which way a face on the screen looks.
+template <class Number>
+Number cross_z(const Vec3<Number>& u, const Vec3<Number>& v) {
+    return u.x * v.y - u.y * v.x;
+}
+template <class Number>
+Vec3<Number> cross_by_components(const Vec3<Number>& u, const Vec3<Number>& v) {
+    return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, cross_z(u, v)};
+}
+
+/// Rotation by projection: three dot products.
+template <class Number>
+Vec3<Number> rotate_by_projection(const Vec3<Number>& p, const std::array<Vec3<Number>, 3>& axes) {
+    return {dot_by_components(p, axes[0]), dot_by_components(p, axes[1]), dot_by_components(p, axes[2])};
 }
 
 /// The dot product in a basis that need not be orthonormal: nine terms, each with the dot product of two axes.

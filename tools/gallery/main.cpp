@@ -18,11 +18,21 @@ struct Options {
     std::vector<std::string> dials, ids;
 };
 
+/// Smaller pictures have no room for a scene between the header and the footer; on displays of other shapes scenes are
+/// cut off.
+void check_room(const ScreenMode& mode, const Options& options) {
+    if (mode.width_px < 160 || mode.height_px < 100)
+        throw UsageError("--mode: '" + options.mode + "' has no room for the rows, expected at least 160x100");
+    const double shape = number_of(mode.display);
+    if (shape < 0.5 || shape > 2.4)
+        throw UsageError("--display: '" + options.display + "' has no room for the rows, expected from 1:2 to 12:5");
+}
+
 void declare(CommandArguments& line, Options& options) {
     line.add("--out", options.out, "folder for index.html and its pictures");
     line.add("--row", options.ids, "only this row, by its id; may be given several times");
     line.add("--assets", options.assets, "folder of demo.bsp and palette.lmp (default: the project's)");
-    line.add("--mode", options.mode, "pixels of a picture, WIDTHxHEIGHT");
+    line.add("--mode", options.mode, "pixels of a picture, WIDTHxHEIGHT from 160x100");
     line.add("--display", options.display, "shape of the display, WIDTH:HEIGHT");
     line.add("--accuracy", options.preset, "1991, 1994, 1996, bounded or exact");
     line.add("--dial", options.dials, "NAME=VALUE, on top of --accuracy; may be given several times (README)");
@@ -101,6 +111,7 @@ void make_gallery(const Options& options) {
     ScreenMode mode;
     parse_mode_size(options.mode, mode);
     mode.display = parse_display(options.display);
+    check_room(mode, options);
     check_view(mode, Degrees::from_int(90));
     Settings settings;
     settings.accuracy = parse_accuracy(parse_preset(options.preset), options.dials);

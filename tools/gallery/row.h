@@ -117,11 +117,15 @@ Entry entry_of(double value);
 /// A number as text: "%.3f" or another format.
 std::string decimal_text(double value, const char* format = "%.3f");
 
-/// Several of them.
-std::string decimals_text(std::initializer_list<double> values, const char* format, const char* between = "");
-/// A row of a matrix.
+/// Several of them, with `between` between them: the widest numbers do not touch.
+std::string decimals_text(std::initializer_list<double> values, const char* format, const char* between = " ");
+/// A row of a matrix; the last column moves points and may need more room.
+inline std::string row_text(const std::array<Entry, 4>& row, const char* format, const char* last_format) {
+    return decimals_text({number_of(row[0]), number_of(row[1]), number_of(row[2])}, format) + " " +
+           decimal_text(number_of(row[3]), last_format);
+}
 inline std::string row_text(const std::array<Entry, 4>& row, const char* format) {
-    return decimals_text({number_of(row[0]), number_of(row[1]), number_of(row[2]), number_of(row[3])}, format);
+    return row_text(row, format, format);
 }
 
 void fill(Framebuffer canvas, std::uint8_t colour);
@@ -160,5 +164,6 @@ std::vector<Row> transform_rows();
 std::vector<Row> triangle_rows();
 std::vector<Row> vector_rows();
 std::vector<Row> view_rows();
+std::vector<Row> volume_step_rows();
 
 }  // namespace oblong

@@ -126,6 +126,17 @@ void draw_column(Framebuffer canvas, std::int32_t x, std::int32_t y, std::span<c
     }
 }
 
+void draw_note(Framebuffer canvas, std::span<const std::string> lines, TextColours colours) {
+    if (canvas.width_px < 320) return;
+    std::int32_t width_px = 0;
+    for (const std::string& line : lines) width_px = std::max(width_px, text_width_px(line));
+    fill_area(
+        canvas,
+        {0, kHeader_px, width_px + 2 * kTextMargin_px, static_cast<std::int32_t>(lines.size()) * kLineHeight_px + 5},
+        colours.dark);
+    draw_column(canvas, kTextMargin_px, kHeader_px + 3, lines, colours);
+}
+
 PlanePoint shown(const Vec& place, const ViewContext& view) {
     const ScreenPosition position = project(to_view(world_point(place), view), view.projection);
     return {number_of(position.x), number_of(position.y)};

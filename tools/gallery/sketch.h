@@ -67,6 +67,9 @@ Area scene_area(Framebuffer canvas, std::int32_t width_of_320 = 320);
 void draw_column(Framebuffer canvas, std::int32_t x, std::int32_t y, std::span<const std::string> lines,
                  TextColours colours);
 
+/// Lines of text on a dark ground in the scene's upper left corner; nothing in narrow canvases.
+void draw_note(Framebuffer canvas, std::span<const std::string> lines, TextColours colours);
+
 /// The engine's column and row of a point, with fractions.
 PlanePoint shown(const Vec& place, const ViewContext& view);
 /// The columns between two points.

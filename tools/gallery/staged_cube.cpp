@@ -46,7 +46,7 @@ std::string outcode_letters(unsigned outcode) {
 
 template <class T>
 std::string place_text(const Vec3<T>& p) {
-    return decimals_text({number_of(p.x), number_of(p.y), number_of(p.z)}, "%6.2f");
+    return decimals_text({number_of(p.x), number_of(p.y), number_of(p.z)}, "%5.2f");
 }
 
 std::string span_text(const ShownTriangle& triangle, Stage stage) {
@@ -71,11 +71,11 @@ void add_lines_of(const ShownTriangle& triangle, Stage stage, const MeshLight& l
     if (stage == Stage::Clipped) lines.push_back("triangle " + number + ": " + std::to_string(triangle.corners.size()));
     if (stage == Stage::Divided)
         for (const Vec3<Entry>& corner : triangle.divided)
-            lines.push_back(decimals_text({number_of(corner.x), number_of(corner.y), number_of(corner.z)}, "%7.3f"));
+            lines.push_back(decimals_text({number_of(corner.x), number_of(corner.y), number_of(corner.z)}, "%6.3f"));
     if (stage == Stage::Projected)
         for (const ScreenCorner& corner : triangle.corners)
-            lines.push_back(decimals_text({number_of(corner.screen.x), number_of(corner.screen.y)}, "%6.1f") +
-                            decimal_text(1 / number_of(corner.inverse_z), "%7.2f"));
+            lines.push_back(decimals_text({number_of(corner.screen.x), number_of(corner.screen.y)}, "%5.1f") +
+                            decimal_text(1 / number_of(corner.inverse_z), " %6.2f"));
     if (stage >= Stage::Scanned && !triangle.spans.empty()) lines.push_back(number + span_text(triangle, stage));
 }
 

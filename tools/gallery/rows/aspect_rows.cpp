@@ -69,6 +69,27 @@ struct ExpectedView {
 constexpr std::array<ExpectedView, 3> kExpectedViews{
     {{277.128129211, 46.826449}, {160, 73.739795}, {92.376043070, 104.821821}}};
 
+/// The seed's figures 1 to 3: the eye, the viewplane at its distance d with its width w, the angle between the sides
+/// of the view, and the lines of projection of a cube, from above. Lengths are pixels, 320 across the canvas.
+void draw_plan(const ScreenMode& mode, double distance_px, int degrees, const RowInput& input, Framebuffer canvas) {
+    if (canvas.width_px < 320 || canvas.height_px < 200) return;
+    const double scale = 320.0 / input.mode.width_px, d = distance_px * scale, half = mode.width_px * scale / 2;
+    const Framebuffer part = part_of(canvas, {0, 0, canvas.width_px * 130 / 320, canvas.height_px});
+    Diagram plan(input, part, {0, 312}, 704);
+    const std::uint8_t grey = input.colour(110, 118, 140), blue = input.colour(110, 160, 230),
+                       orange = input.colour(230, 160, 70), white = input.colour(235, 235, 225);
+    plan.rectangle({-600, -40}, {600, 470}, input.assets.text.dark);
+    const std::array<PlanePoint, 4> cube{{{-60, 310}, {60, 310}, {60, 430}, {-60, 430}}};
+    for (const PlanePoint corner : cube) plan.line({0, 0}, corner, grey);
+    plan.outline(cube, orange);
+    for (const double side : {-1.0, 1.0}) plan.line({0, 0}, {side * 455 * half / d, 455}, blue);
+    plan.line({-half, d}, {half, d}, white);
+    plan.line({0, 0}, {0, d}, white);
+    plan.text({half, d}, "w " + std::to_string(mode.width_px), white, -34, -10);
+    plan.text({0, d / 2}, "d " + decimal_text(distance_px, "%.1f"), white, 3, -2);
+    plan.text({0, 0}, std::to_string(degrees) + " degrees", blue, -64, -2);
+}
+
 Figures draw_field_of_view(const RowInput& input, Framebuffer canvas) {
     const auto choice = as_size(input.values[0]);
     const auto divisor = static_cast<std::int32_t>(input.values[1]);
@@ -81,6 +102,7 @@ Figures draw_field_of_view(const RowInput& input, Framebuffer canvas) {
     enlarge(pixels, mode, canvas);
     const Projection at_320 = make_projection({320, 200, {4, 3}}, Degrees::from_int(degrees));
     const Projection here = make_projection(mode, Degrees::from_int(degrees));
+    draw_plan(mode, number_of(here.x.multiplier), degrees, input, canvas);
     const double vertical = 2 * std::atan(100 / number_of(at_320.y.multiplier)) * 180 / std::numbers::pi;
     return {number_figure("distance of the viewplane for 320 columns, pixels", kExpectedViews[choice].distance_px,
                           number_of(at_320.x.multiplier), 1e-6),
@@ -120,15 +142,6 @@ double error_of_rounded_aspect_px() {
     return top({133, 100}) - top({4, 3});
 }
 
-void draw_costs(const ProjectionCosts& costs, const GalleryAssets& assets, Framebuffer canvas) {
-    fill_area(canvas, {0, kHeader_px, 27 * kGlyphAdvance_px, 4 * kLineHeight_px + 5}, assets.text.dark);
-    draw_column(canvas, kTextMargin_px, kHeader_px + 3,
-                std::vector<std::string>{"a point costs", "naive        " + costs.naive.text(),
-                                         "multipliers  " + costs.by_multipliers.text(),
-                                         "formula      " + costs.by_formula.text()},
-                assets.text);
-}
-
 Figures draw_two_multipliers(const RowInput& input, Framebuffer canvas) {
     RowInput square = input;
     square.settings.correct_aspect = input.values[0] == 0;
@@ -143,7 +156,11 @@ Figures draw_two_multipliers(const RowInput& input, Framebuffer canvas) {
     const double shape = number_of(input.mode.pixel());
     const double right_shape = square.settings.correct_aspect ? 1 : shape;
     const ProjectionCosts costs = projection_costs();
-    if (canvas.width_px >= 320) draw_costs(costs, input.assets, canvas);
+    draw_note(canvas,
+              std::array<std::string, 4>{"a point costs", "naive        " + costs.naive.text(),
+                                         "multipliers  " + costs.by_multipliers.text(),
+                                         "formula      " + costs.by_formula.text()},
+              input.assets.text);
     return {{"a point by two multipliers, as naive", costs.naive.text(), costs.by_multipliers.text(),
              costs.by_multipliers == costs.naive},
             number_figure("width to height of a square as shown", right_shape, columns / rows * shape, 0.005),

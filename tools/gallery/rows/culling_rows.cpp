@@ -8,6 +8,7 @@
 #include "engine/raster/scan.h"
 #include "engine/view/project.h"
 #include "engine/view/views.h"
+#include "tools/gallery/counted.h"
 #include "tools/gallery/row.h"
 #include "tools/gallery/sketch.h"
 
@@ -88,12 +89,19 @@ Figures draw_culling(const RowInput& input, Framebuffer canvas) {
                     sketch.outline(face.corners, kept);
                 }
             }
+    const Vec3<Counted<double>> u{1, 2, 3}, v{4, -5, 6};
+    const CountedOperations whole = operations_of([&] { cross_by_components(u, v); }),
+                            third = operations_of([&] { cross_z(u, v); });
+    draw_note(canvas, std::array{"cross product  " + whole.text(), "z of it alone  " + third.text()},
+              input.assets.text);
     // Errata A9: (10, 0, 10), (11, 0, 12), (10, 1, 10) in viewspace has the normal (-2, 0, 1) and faces the eye.
     const Vec3<World> a = world_point(10, 0, 10), b = world_point(11, 0, 12), c = world_point(10, 1, 10);
     const auto normal = cross(b - a, c - a);
     return {count_figure("wrong by normal . (vertex - eye), in object space", 0, wrong[0]),
             measured("wrong by the normal's z in viewspace", std::to_string(wrong[1]) + " of " + std::to_string(faces)),
             count_figure("wrong by the sign of the area on the screen", 0, wrong[2]),
+            {"z of a cross product of edges: a third of 6 * 0 / 3 +", "2 * 0 / 1 +", third.text(),
+             third == CountedOperations{2, 0, 1} && whole == CountedOperations{6, 0, 3}},
             number_figure(
                 "normal . vertex of the seed's triangle, below 0: faces the eye", -10,
                 number_of(dot(convert<WorldWide>(a), Vec3<Unit>{Unit::from_int(1), {}, {}})) * number_of(normal.x) +
@@ -108,7 +116,8 @@ std::vector<Row> culling_rows() {
     return {{"culling",
              draw_culling,
              {choice_parameter(
-                  "drawn by", {"dot product in object space", "normal's z in viewspace", "sign of the screen area"}, 1),
+                  "drawn by",
+                  {"dot product in object space", "normal's z in viewspace", "z of a cross product on the screen"}, 1),
               {"field of view, degrees", 30, 110, 10, 90}}}};
 }
 

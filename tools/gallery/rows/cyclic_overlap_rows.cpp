@@ -58,12 +58,12 @@ Piece make_plank(int number, double rise) {
     return plank;
 }
 
-ViewContext view_of_planks(const RowInput& input, std::int32_t subpixel_bits) {
+ViewContext view_of_planks(const RowInput& input) {
     Camera camera;
     camera.yaw = degrees_to_angle(Degrees::from_int(90));
     camera.field_of_view = Degrees::from_int(50);
     ViewPrecision precision;
-    precision.subpixel_bits = subpixel_bits;
+    precision.subpixel_bits = input.settings.accuracy.subpixel_bits;
     precision.corrects_aspect = input.settings.correct_aspect;
     return make_view_context(first_person_view(camera), input.mode, precision);
 }
@@ -145,27 +145,45 @@ PixelOwners owners_by(Method method, const ScannedFaces& scanned, const ViewCont
     return owners;
 }
 
-/// The nearest of the planks that cover each pixel, by doubles; -1: none.
+/// The line of sight of a pixel's centre, one unit ahead.
+Vec ray_through(std::int32_t column, std::int32_t row, const Projection& projection) {
+    return {(column + 0.5 - projection.width_px / 2.0) / number_of(projection.x.multiplier), 1,
+            (projection.height_px / 2.0 - row - 0.5) / number_of(projection.y.multiplier)};
+}
+
+/// Whether a ray from the eye at the origin passes within a piece's outline.
+bool hits(const Vec& ray, const Piece& piece) {
+    const std::size_t count = piece.corners.size();
+    for (std::size_t i = 0; i < count; ++i)
+        if (dot(ray, cross(vec_of(piece.corners[i]), vec_of(piece.corners[(i + 1) % count]))) > 0) return false;
+    return true;
+}
+
+/// The nearest of the planks that cover each pixel, by doubles; -1: none. They cover what was scanned, or what is in
+/// their exact outlines.
 std::vector<int> nearest_planks(const ScannedFaces& scanned, std::span<const Piece> pieces, const ViewContext& view,
-                                const ScreenMode& mode) {
-    std::vector<int> nearest(pixel_count(mode.width_px, mode.height_px), -1);
+                                bool by_outlines) {
+    const Projection& projection = view.projection;
+    std::vector<int> nearest(pixel_count(projection.width_px, projection.height_px), -1);
     std::vector<double> depths(nearest.size(), 1e9);
-    for (const ScannedFace& face : scanned.faces) {
-        const Piece& piece = pieces[face.face.position()];
-        const Vec normal = vec_of(piece.plane.normal);
-        const double distance = number_of(piece.plane.distance);
-        for (const Span& span : scanned.spans_of(face))
-            for (std::int32_t column = span.first; column < span.end; ++column) {
-                const double right = (column + 0.5 - mode.width_px / 2.0) / number_of(view.projection.x.multiplier);
-                const double up = (mode.height_px / 2.0 - span.y - 0.5) / number_of(view.projection.y.multiplier);
-                const double depth = distance / dot(normal, {right, 1, up});
-                const auto pixel = as_size(span.y * mode.width_px + column);
-                if (depth < depths[pixel]) {
-                    depths[pixel] = depth;
-                    nearest[pixel] = piece.plank;
-                }
-            }
-    }
+    const auto cover = [&](const Piece& piece, std::int32_t column, std::int32_t row) {
+        const Vec ray = ray_through(column, row, projection);
+        if (by_outlines && !hits(ray, piece)) return;
+        const double depth = number_of(piece.plane.distance) / dot(vec_of(piece.plane.normal), ray);
+        const auto pixel = as_size(row * projection.width_px + column);
+        if (depth >= depths[pixel]) return;
+        depths[pixel] = depth;
+        nearest[pixel] = piece.plank;
+    };
+    if (by_outlines)
+        for (const Piece& piece : pieces)
+            for (std::int32_t row = 0; row < projection.height_px; ++row)
+                for (std::int32_t column = 0; column < projection.width_px; ++column) cover(piece, column, row);
+    else
+        for (const ScannedFace& face : scanned.faces)
+            for (const Span& span : scanned.spans_of(face))
+                for (std::int32_t column = span.first; column < span.end; ++column)
+                    cover(pieces[face.face.position()], column, span.y);
     return nearest;
 }
 
@@ -181,16 +199,13 @@ std::uint8_t colour_of(const Piece& piece, std::span<const Piece> before, const 
 
 Figures draw_cycle(const RowInput& input, Framebuffer canvas) {
     const auto method = static_cast<Method>(input.values[0]);
-    const ViewContext view = view_of_planks(input, input.settings.accuracy.subpixel_bits);
+    const ViewContext view = view_of_planks(input);
     std::vector<Piece> pieces;
     for (int plank = 0; plank < kPlanks; ++plank) pieces.push_back(make_plank(plank, input.number(1)));
     if (method == Method::Tree) pieces = front_to_back(pieces, view.eye);
     const ScannedFaces scanned = scan(pieces, view, input.mode);
     const PixelOwners owners = owners_by(method, scanned, view, input.mode);
-    const ViewContext finest = view_of_planks(input, Screen::kFractionBits);
-    const std::vector<int> nearest = method == Method::Rays
-                                         ? nearest_planks(scan(pieces, finest, input.mode), pieces, finest, input.mode)
-                                         : nearest_planks(scanned, pieces, view, input.mode);
+    const std::vector<int> nearest = nearest_planks(scanned, pieces, view, method == Method::Rays);
 
     std::vector<std::uint8_t> colours;
     for (std::size_t i = 0; i < pieces.size(); ++i)

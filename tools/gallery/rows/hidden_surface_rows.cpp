@@ -80,6 +80,31 @@ bool is_exact(HiddenSurfaces method, const Accuracy& accuracy) {
            accuracy.inverse_z_bits == finest.inverse_z_bits;
 }
 
+/// The pixels that two methods give to faces which are not equally deep there within 1/256 pixel, the rounding of their
+/// corners.
+std::int64_t count_unlike(const MethodFrame& a, const MethodFrame& b) {
+    std::int64_t count = 0;
+    const std::int32_t width_px = a.owners().width_px;
+    for (std::size_t pixel = 0; pixel < a.owners().faces.size(); ++pixel) {
+        const std::int32_t one = a.owners().faces[pixel], other = b.owners().faces[pixel];
+        if (one == other) continue;
+        if (one < 0 || other < 0) {
+            ++count;
+            continue;
+        }
+        const ScannedFace &f = item(a.scanned().faces, one), &g = item(a.scanned().faces, other);
+        // Seen from behind, it covers a pixel only since its corners are rounded.
+        if (std::min(f.eye_distance, g.eye_distance) <= PlaneDistance{}) continue;
+        const auto &p = f.inverse_z, &q = g.inverse_z;
+        const auto column = static_cast<std::int32_t>(pixel) % width_px,
+                   row = static_cast<std::int32_t>(pixel) / width_px;
+        const auto apart = [](InverseZ from, InverseZ to) { return std::abs(number_of(from) - number_of(to)); };
+        count += apart(p.at(column, row), q.at(column, row)) * 256 >
+                 apart(p.per_column, q.per_column) + apart(p.per_row, q.per_row);
+    }
+    return count;
+}
+
 Figures draw_hidden_surface_methods(const RowInput& input, Framebuffer canvas) {
     const auto method = static_cast<HiddenSurfaces>(input.values[0]);
     const MethodFrame frame(input, method, input.mode), right(input, HiddenSurfaces::SpanBuffer, input.mode);
@@ -87,7 +112,12 @@ Figures draw_hidden_surface_methods(const RowInput& input, Framebuffer canvas) {
     const std::int64_t wrong = show_differences(frame.pixels, right.pixels, warning, canvas);
     const HiddenSurfaceCounts& counts = frame.counts();
     const std::size_t pixels = frame.pixels.size();
-    Figures figures{wrong_pixels("pixels unlike the span buffer's", wrong, is_exact(method, input.settings.accuracy))};
+    Figures figures{wrong_pixels("pixels unlike the span buffer's", wrong,
+                                 method != HiddenSurfaces::ZBuffer && is_exact(method, input.settings.accuracy))};
+    if (method == HiddenSurfaces::ZBuffer)
+        figures.push_back(wrong_pixels("of them not equally deep",
+                                       count_unlike(frame, MethodFrame(input, HiddenSurfaces::Painter, input.mode)),
+                                       is_exact(method, input.settings.accuracy)));
     if (method == HiddenSurfaces::SpanBuffer) {
         figures.push_back(measured("rows of faces looked up", frame.counted.stages.claimed_rows));
         figures.push_back(measured("faces scanned", frame.counted.faces_visited));
@@ -199,7 +229,8 @@ Figures draw_depth(const RowInput& input, Framebuffer canvas) {
     const double z = 1 / number_of(inverse_z);
     const double by_tree = depth_by_tree(input.assets.demo_level, camera_in_hall(), input.mode, checked);
     const bool is_whole = input.values[0] == InverseZ::kFractionBits;
-    return {wrong_pixels("pixels that go to another face than by the tree", wrong,
+    return {measured("pixels that go to another face than by the tree", wrong),
+            wrong_pixels("of them not equally deep", count_unlike(frame, right),
                          is_whole && is_exact(HiddenSurfaces::ZBuffer, rounded.settings.accuracy)),
             is_whole ? number_figure("z on the left wall, units", by_tree, z, 0.01, 2)
                      : measured("z on the left wall, units", decimal_text(z, "%.2f")),
@@ -240,8 +271,7 @@ Figures draw_tree_order(const RowInput& input, Framebuffer canvas) {
             set_pixel(canvas, span.first, span.y, input.assets.colour(14, 16, 24));
         }
     }
-    const std::int64_t wrong = count_differences(frame.owners().faces, depths.owners().faces);
-    return {wrong_pixels("pixels whose last face is not the nearest", wrong,
+    return {wrong_pixels("pixels whose last face is not the nearest", count_unlike(frame, depths),
                          is_exact(HiddenSurfaces::ZBuffer, input.settings.accuracy)),
             measured("faces painted", static_cast<std::int64_t>(painted)),
             measured("of", static_cast<std::int64_t>(order.size()))};

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "engine/draw/drawing.h"
 #include "engine/files/crosshair.h"
 #include "engine/files/frame_log.h"
 #include "engine/level/side.h"
 #include "engine/view/views.h"
+#include "tools/gallery/allocations.h"
 #include "tools/gallery/row.h"
 #include "tools/gallery/sketch.h"
 
@@ -121,8 +123,11 @@ double bytes_of(std::string_view what, const LogLines& memory) {
 
 Figures draw_memory(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
-    LoggedScene logged(input, camera_at(0, -368, 70, static_cast<int>(input.values[0]), -4), canvas);
-    const LogLines lines = memory_lines(logged.frame());
+    std::optional<LoggedScene> scene;
+    const AllocationCount first = allocations_of(
+        [&] { scene.emplace(input, camera_at(0, -368, 70, static_cast<int>(input.values[0]), -4), canvas); });
+    const AllocationCount again = allocations_of([&] { scene->draw(scene->view, canvas); });
+    const LogLines lines = memory_lines(scene->frame());
     fill(canvas, assets.colour(18, 22, 34));
     std::vector<std::string> labels;
     std::int32_t bars_x = 0;
@@ -143,10 +148,17 @@ Figures draw_memory(const RowInput& input, Framebuffer canvas) {
         draw_text(canvas, kTextMargin_px, y, labels[i], assets.text);
         y += kGlyphHeight_px;
     }
+    draw_text(canvas, kTextMargin_px, y + 2,
+              std::to_string(first.allocations) + " allocations of " + std::to_string(first.bytes) + " bytes; then " +
+                  std::to_string(again.allocations) + " a frame",
+              assets.text);
     double texels = 0;
     for (const MipTexture& texture : assets.demo_level.textures)
         texels += texture.width * texture.height * (1 + 1 / 4.0 + 1 / 16.0 + 1 / 64.0);
-    return {number_figure("bytes of the framebuffer", input.mode.width_px * input.mode.height_px,
+    return {count_figure("allocations of a warm frame", 0, again.allocations),
+            measured("allocations up to the first frame", first.allocations),
+            measured("their bytes", first.bytes),
+            number_figure("bytes of the framebuffer", input.mode.width_px * input.mode.height_px,
                           bytes_of("screen: framebuffer", lines), 0, 0),
             number_figure("bytes of textures: four mip levels each", texels, bytes_of("level: textures", lines), 0, 0),
             number_figure("bytes in all", sum, bytes_in(lines.back()), 0, 0)};

@@ -116,7 +116,7 @@ Figures draw_projection_matrix(const RowInput& input, Framebuffer canvas) {
     const Matrix4& shown = is_listed ? listed : corrected;
     draw_depths({&listed, &corrected}, nearest, farthest, input, canvas);
     std::vector<std::string> lines{is_listed ? "as listed (red)" : "corrected (green)", ""};
-    for (const auto& row : shown.rows) lines.push_back(row_text(row, "%7.3f"));
+    for (const auto& row : shown.rows) lines.push_back(row_text(row, "%6.3f"));
     lines.insert(lines.end(),
                  {"", std::string("a = ") + (is_listed ? "4/3, width / height" : "3/4, height / width"),
                   "f = 4/3, 1 / tan(fov / 2)", "lambda = " + decimal_text(number_of(shown.rows[2][2]), "%.6f")});
@@ -183,8 +183,8 @@ Figures draw_opengl_quad(const RowInput& input, Framebuffer canvas) {
         lines.push_back("glVertex3f(" + decimals_text({p.x, p.y, p.z}, "%.0f", ", ") + ")");
         const Vec3<World>& w = corners[i];
         const Vec3<Entry> divided = *point_of(sketch.world_to_volume() * homogeneous(w));
-        lines.push_back(decimals_text({number_of(divided.x), number_of(divided.y)}, "%7.3f") +
-                        decimal_text(number_of(divided.z), "%7.4f"));
+        lines.push_back(decimals_text({number_of(divided.x), number_of(divided.y)}, "%6.3f") +
+                        decimal_text(number_of(divided.z), " %6.4f"));
         lines.push_back("  " + decimal_text(found.x, "%7.2f") + decimal_text(found.y, "%8.2f"));
     }
     lines.push_back("glEnd()");
@@ -197,7 +197,8 @@ Figures draw_opengl_quad(const RowInput& input, Framebuffer canvas) {
                           std::hypot(number_of(doubled.x), number_of(doubled.y), number_of(doubled.z)) / 2, 1e-9, 6),
             number_figure("its fourth corner's distance from the others' plane", 0,
                           number_of(distance_to_plane(corners[2], plane)), 1e-6, 6),
-            number_figure("pixels from the closed form: worst corner", 0, worst_px, 0.01),
+            number_figure("pixels from the closed form: worst corner", 0, worst_px,
+                          0.01 * std::max({1.0, area.width / 180.0, area.height / 154.0})),
             number_figure("pixels drawn: the area of its picture", std::abs(shoelace), static_cast<double>(pixels),
                           static_cast<double>(area.width + area.height) / 16, 0)};
 }

@@ -226,6 +226,8 @@ Figures draw_stages(const RowInput& input, Framebuffer canvas) {
     const Vec3<World>& first = cube.scratch.world_vertices[0].position;
     const Vec3<Entry> divided = *point_of(cube.to_volume() * homogeneous(first));
     const double ahead = world[0] * kLevel - world[2] * kDown;
+    // Both round in view space: 1/100 pixel in 320x200, and in proportion in larger pictures.
+    const double rounding_px = 0.01 * std::max({1.0, part.width_px / 188.0, part.height_px / 154.0});
     return {
         count_figure("triangles that face the eye", facing_in_double(input), std::ssize(cube.triangles)),
         number_figure("vertex 0 in the world: y", world[1], number_of(cube.scratch.world_vertices[0].position.y), 1e-3),
@@ -238,7 +240,7 @@ Figures draw_stages(const RowInput& input, Framebuffer canvas) {
                       number_of(divided.x), 1e-3),
         number_figure("its depth: f / (f - n) (1 - n / z)",
                       kVolumeFar / (kVolumeFar - kVolumeNear) * (1 - kVolumeNear / ahead), number_of(divided.z), 1e-4),
-        number_figure("pixels from there to the screen's corners", 0, viewport_error_px(cube, part), 0.01),
+        number_figure("pixels from there to the screen's corners", 0, viewport_error_px(cube, part), rounding_px),
         measured("pixels of all spans", span_pixels)};
 }
 
@@ -247,7 +249,7 @@ Figures draw_stages(const RowInput& input, Framebuffer canvas) {
 std::vector<Row> stage_rows() {
     return {{"pipeline",
              draw_stages,
-             {choice_parameter("stage", kStageNames, 4),
+             {choice_parameter("stage", kStageNames),
               {"yaw, degrees", 0, 85, 5, 60},
               {"to the left, quarters of a unit", -10, 10, 1, 7}}}};
 }

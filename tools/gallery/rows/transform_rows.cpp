@@ -66,13 +66,13 @@ Figures draw_model_to_world(const RowInput& input, Framebuffer canvas) {
     const Vec3<World> position = step >= 2 ? world_point(2, 1.5, 0.5) : world_point(0, 0, 0);
     const Matrix4 model = model_matrix(position, step >= 1 ? turn : Matrix3::identity(), scale);
 
-    Sketch sketch(input, canvas, fill_scene(input, canvas, 200), {world_point(5, -9, 6), world_point(1, 0.8, 0.3), 34});
+    Sketch sketch(input, canvas, fill_scene(input, canvas, 176), {world_point(5, -9, 6), world_point(1, 0.8, 0.3), 34});
     sketch.axes(kAxisEnds, assets);
     draw_cube(sketch, Matrix4::identity(), assets.colour(70, 78, 100));
     draw_cube(sketch, model, assets.colour(240, 190, 90));
     std::vector<std::string> lines{"model to world:"};
     for (const auto& row : model.rows) lines.push_back(row_text(row, "%5.2f"));
-    draw_column(canvas, canvas.width_px * kTextColumn_320 / 320 - 10, kHeader_px + 8, lines, assets.text);
+    draw_column(canvas, canvas.width_px * 178 / 320, kHeader_px + 8, lines, assets.text);
 
     const double angle = step >= 1 ? input.radians(1) : 0;
     const double x = 1.5 * std::cos(angle) - 0.5 * std::sin(angle) + (step >= 2 ? 2 : 0);

@@ -187,6 +187,27 @@ void fill_with_gradient(const ScreenTriangle& triangle, const RowInput& input, F
         }
 }
 
+/// cross2d of each side and P, in a triangle with P = (1, 1) inside, y down; corners in either order.
+std::string draw_winding(bool is_clockwise, PlanePoint at, const RowInput& input, Diagram& diagram) {
+    std::array<PlanePoint, 3> corners{{{0, 0}, {4, 0}, {0, 4}}};
+    if (!is_clockwise) std::swap(corners[1], corners[2]);
+    ScreenTriangle triangle;
+    for (std::size_t i = 0; i < 3; ++i) triangle[i] = vertex_at(corners[i]);
+    const BarycentricWeights w = barycentric_weights(triangle, vertex_at({1, 1}));
+    const std::string text = decimals_text({number_of(w.c), number_of(w.a), number_of(w.b)}, "%.0f");
+    const auto place = [&](PlanePoint p) { return PlanePoint{at.x + p.x * 0.24, at.y - p.y * 0.24}; };
+    const std::uint8_t colour = is_clockwise ? input.colour(110, 220, 120) : input.colour(220, 120, 90);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const PlanePoint from = place(corners[i]), to = place(corners[(i + 1) % 3]);
+        diagram.line(from, to, colour);
+        diagram.arrow(from, from * 0.4 + to * 0.6, colour);
+    }
+    diagram.disc(place({1, 1}), 0.06, colour);
+    diagram.text({at.x + 0.98, at.y}, is_clockwise ? "clockwise" : "reversed", colour, 3, -2);
+    diagram.text({at.x + 0.98, at.y}, text, colour, 3, 8);
+    return text;
+}
+
 Figures draw_barycentric(const RowInput& input, Framebuffer canvas) {
     const NamedPlace& place = item(kPlaces, input.values[0]);
     Diagram diagram(input, canvas, {2.5, 2.5}, 6.4);
@@ -219,6 +240,11 @@ Figures draw_barycentric(const RowInput& input, Framebuffer canvas) {
                          figures.back().found,
                      white);
     }
+    diagram.text({-2.9, 5.65}, "cross2d, y down:", grey, 3, 1);
+    const std::string clockwise = draw_winding(true, {-2.75, 5.1}, input, diagram),
+                      reversed = draw_winding(false, {-2.75, 3.2}, input, diagram);
+    figures.push_back({"cross2d of each side and P, clockwise, y down", "4 8 4", clockwise, clockwise == "4 8 4"});
+    figures.push_back({"the same counter-clockwise", "-4 -8 -4", reversed, reversed == "-4 -8 -4"});
     figures.push_back(number_figure("their sum", 1, found[0] + found[1] + found[2], 1e-12, 2));
     return figures;
 }

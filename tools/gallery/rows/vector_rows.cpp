@@ -134,6 +134,10 @@ void draw_lit_ball(const RowInput& input, Diagram& diagram, PlanePoint centre, d
         }
 }
 
+Vec3<Counted<double>> counted(const Vec3<Unit>& vector) {
+    return {number_of(vector.x), number_of(vector.y), number_of(vector.z)};
+}
+
 Figures draw_lighting(const RowInput& input, Framebuffer canvas) {
     const std::int64_t degrees = input.values[0];
     const Colours colours(input.assets);
@@ -152,9 +156,6 @@ Figures draw_lighting(const RowInput& input, Framebuffer canvas) {
     diagram.text(foot + plane_point(normal), "N", colours.second, -9, 2);
     diagram.text(foot + plane_point(to_light) * 1.2, "D", colours.first, -2, -3);
     diagram.text({-1.65, -0.75}, "I = N . -D = " + decimal_text(share), colours.result);
-    const auto counted = [](const Vec3<Unit>& vector) {
-        return Vec3<Counted<double>>{number_of(vector.x), number_of(vector.y), number_of(vector.z)};
-    };
     const CountedOperations cost =
         operations_of([&] { lit(counted(normal), counted(to_light), Counted<double>(200)); });
     return {number_figure("share of the light: cos, 0 or more", std::max(std::cos(input.radians(0)), 0.0), share, 1e-4),
@@ -227,11 +228,17 @@ Figures draw_rotation(const RowInput& input, Framebuffer canvas) {
     diagram.text(up * 1.06, "y'", colours.second);
     diagram.text({-1.9, 1.0}, "P . x' = " + decimal_text(number_of(turned.x)), colours.result);
     diagram.text({-1.9, 0.84}, "P . y' = " + decimal_text(number_of(turned.y)), colours.result);
+    const std::array counted_axes{counted(axes.right), counted(axes.up), counted(axes.forward)};
+    const CountedOperations cost = operations_of([&] { rotate_by_projection(counted(point), counted_axes); });
+    diagram.text({-1.9, 0.6}, "in 3-D: three", colours.text);
+    diagram.text({-1.9, 0.46}, "dot products", colours.text);
+    diagram.text({-1.9, 0.32}, cost.text(), colours.text);
     const double cos = std::cos(input.radians(0)), sin = std::sin(input.radians(0));
     const Vec3<Entry> by_matrix = rotation_matrix(axes) * convert<Entry>(point);
     return {
         number_figure("x' by cos and sin", 0.375 * cos + 0.75 * sin, number_of(turned.x), 1e-4),
         number_figure("y' by cos and sin", 0.75 * cos - 0.375 * sin, number_of(turned.y), 1e-4),
+        {"counted: three dot products", "9 * 0 / 6 +", cost.text(), cost == CountedOperations{9, 0, 6}},
         number_figure("x' by the matrix whose rows are the axes", number_of(by_matrix.x), number_of(turned.x), 1e-8, 6),
         number_figure("x again, the sum along the axes", 0.375, number_of(restored.x), 1e-8, 6)};
 }

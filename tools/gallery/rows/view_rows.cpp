@@ -41,6 +41,30 @@ WindowView lab_window(const LabView& lab, double moved) {
     return window;
 }
 
+/// The lab's table of its cube as listed, with the corners in Cube's order: the far face is wrong.
+constexpr std::array<PlanePoint, 8> kListedCorners{
+    {{150, 150}, {50, 150}, {150, 50}, {50, 50}, {175, 175}, {75, 175}, {175, 75}, {75, 75}}};
+
+std::string pixel_text(const PlanePoint& pixel, const char* format) {
+    return decimals_text({pixel.x, pixel.y}, format);
+}
+
+/// The lab's table on both sides of its cube: as computed, and as listed.
+void write_table(const std::array<PlanePoint, 8>& found, const GalleryAssets& assets, Framebuffer canvas) {
+    const TextColours wrong{assets.colour(220, 90, 80), assets.text.dark};
+    const std::int32_t right = canvas.width_px - 10 * kGlyphAdvance_px - kTextMargin_px;
+    std::int32_t y = kHeader_px + 5;
+    draw_text(canvas, kTextMargin_px, y, "computed", assets.text);
+    draw_text(canvas, right, y, "the seed's", assets.text);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const std::string name{i & 1 ? '1' : '0', i & 2 ? '1' : '0', i & 4 ? '1' : '0'},
+            listed = pixel_text(kListedCorners[i], "%3.0f"), computed = pixel_text(found[i], "%3.0f");
+        y += kLineHeight_px;
+        draw_text(canvas, kTextMargin_px, y, name + " " + computed, assets.text);
+        draw_text(canvas, right, y, listed, listed == computed ? assets.text : wrong);
+    }
+}
+
 /// The ratio of the cube's near face to its far face, in the lab's 200x200 pixels.
 double near_over_far(const LabView& lab) {
     const ViewContext view = make_view_context(window_view(lab_window(lab, 0)), {200, 200, {1, 1}});
@@ -80,12 +104,17 @@ Figures draw_lab_cube(const RowInput& input, Framebuffer canvas) {
                                     distance / (distance + 2) / shows.size, across({0, 0, 0}, {1, 0, 0}, lab) / 200,
                                     0.0001, 4));
     const bool is_labs = input.values[0] == 0 && moved == 0;
-    figures.push_back(number_figure(is_labs ? "(0, 0, 1): column (the seed's table: 175)" : "(0, 0, 1): column",
-                                    column(0, 3), shown({0, 0, 1}, lab).x, 0.01, 1));
-    figures.push_back(number_figure(is_labs ? "(1, 0, 1): column (the table: 75)" : "(1, 0, 1): column", column(1, 3),
-                                    shown({1, 0, 1}, lab).x, 0.01, 1));
-    figures.push_back(number_figure("(0, 0, 0): column", column(0, 2), shown({0, 0, 0}, lab).x, 0.01, 1));
-    figures.push_back(number_figure("(0, 0, 1): row", row(0, 3), shown({0, 0, 1}, lab).y, 0.01, 1));
+    std::array<PlanePoint, 8> corners;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Vec place = cube.corner(static_cast<int>(i));
+        const PlanePoint found = corners[i] = shown(place, lab),
+                         expected{column(place.x, place.z + 2), row(place.y, place.z + 2)};
+        figures.push_back({"(" + decimals_text({place.x, place.y, place.z}, "%.0f", ", ") + ")" +
+                               (is_labs ? "; the seed's table: " + pixel_text(kListedCorners[i], "%.0f") : ""),
+                           pixel_text(expected, "%.1f"), pixel_text(found, "%.1f"),
+                           std::hypot(found.x - expected.x, found.y - expected.y) < 0.01});
+    }
+    if (is_labs && canvas.width_px >= 320) write_table(corners, input.assets, canvas);
     return figures;
 }
 
@@ -207,25 +236,45 @@ double flaw_of(const Matrix4& matrix) {
     return flaw;
 }
 
-void write_matrices(const Matrix4& to_world, const Matrix4& to_view, const GalleryAssets& assets, Framebuffer canvas) {
-    std::vector<std::string> lines{"The camera's matrix: right, up, forward, eye"};
-    for (const auto& row : to_world.rows) lines.push_back(row_text(row, "%8.3f"));
-    lines.insert(lines.end(), {"", "Its inverse, the view's: rows, -axis . eye"});
-    for (const auto& row : to_view.rows) lines.push_back(row_text(row, "%8.3f"));
-    const std::int32_t height_px = static_cast<std::int32_t>(lines.size()) * kLineHeight_px;
-    const std::int32_t y = kHeader_px + (canvas.height_px - kHeader_px - kFooter_px - height_px) / 2;
-    draw_column(canvas, std::max(canvas.width_px / 2 - 118, 4), y, lines, assets.text);
+/// A matrix below its title, in one of two columns and one of two rows.
+void write_matrix(int column, int row, const char* title, const Matrix4& matrix, const GalleryAssets& assets,
+                  Framebuffer canvas) {
+    std::vector<std::string> lines{title};
+    for (const auto& numbers : matrix.rows) lines.push_back(row_text(numbers, "%5.2f", "%7.2f"));
+    draw_column(canvas, kTextMargin_px + column * (canvas.width_px / 2), kHeader_px + 14 + row * 7 * kLineHeight_px,
+                lines, assets.text);
+}
+
+/// The notes' view matrix as a product, and the product in the other order.
+Figures draw_look_at_product(const ViewContext& view, double yaw, const GalleryAssets& assets, Framebuffer canvas) {
+    const Vec4 eye = homogeneous(view.eye);
+    const Matrix4 look_at = homogeneous(rotation_matrix(view.axes)), move = translation({-eye.x, -eye.y, -eye.z});
+    const Matrix4 product = look_at * move, reversed = move * look_at;
+    write_matrix(0, 0, "Look-at: rows are axes", look_at, assets, canvas);
+    write_matrix(1, 0, "Translate: eye to origin", move, assets, canvas);
+    write_matrix(0, 1, "Look-at * translate", product, assets, canvas);
+    write_matrix(1, 1, "Translate * look-at", reversed, assets, canvas);
+    const Vec4 moved = product * eye;
+    const double turned = 60 * std::sin(yaw) + 120 * std::cos(yaw);
+    return {number_figure("look-at * translate, less the view's: worst entry", 0,
+                          flaw_of(product * camera_matrix(view.axes, view.eye)), 1e-6, 6),
+            number_figure("the eye's distance from the origin after it", 0,
+                          std::hypot(number_of(moved.x), number_of(moved.y), number_of(moved.z)), 1e-6, 6),
+            number_figure("the eye's x after the other order", turned - 60, number_of((reversed * eye).x), 0.02),
+            number_figure("-dot(x, eye)", -turned, number_of(product.rows[0][3]), 0.02)};
 }
 
 /// The matrix of a view, from its axes, and its inverse.
 Figures draw_view_matrix(const RowInput& input, Framebuffer canvas) {
     fill(canvas, input.assets.colour(20, 24, 36));
-    const Camera camera = camera_at(60, -120, 70, static_cast<int>(input.values[0]), static_cast<int>(input.values[1]));
+    const Camera camera = camera_at(60, -120, 70, static_cast<int>(input.values[1]), static_cast<int>(input.values[2]));
     const ViewContext view = make_view_context(first_person_view(camera), input.mode);
+    const double yaw = input.radians(1), pitch = input.radians(2);
+    if (input.values[0] == 1) return draw_look_at_product(view, yaw, input.assets, canvas);
     const Matrix4 to_world = camera_matrix(view.axes, view.eye), to_view_axes = view_matrix(view.axes, view.eye);
-    write_matrices(to_world, to_view_axes, input.assets, canvas);
+    write_matrix(0, 0, "The camera's matrix: columns right, up, forward, eye", to_world, input.assets, canvas);
+    write_matrix(0, 1, "Its inverse, the view's: rows of axes, -axis . eye", to_view_axes, input.assets, canvas);
 
-    const double yaw = input.radians(0), pitch = input.radians(1);
     // (160, -20, 90) from the eye is (100, 100, 20); forward and right from the angles.
     const double ahead = (100 * std::cos(yaw) + 100 * std::sin(yaw)) * std::cos(pitch) - 20 * std::sin(pitch),
                  right = 100 * std::sin(yaw) - 100 * std::cos(yaw);
@@ -247,7 +296,11 @@ std::vector<Row> view_rows() {
          {choice_parameter("field of view", {"20 degrees", "40 degrees", "60 degrees", "90 degrees"}, 1),
           choice_parameter("the eye", {"moves against it", "stays"})}},
         {"cameras", draw_cameras, {choice_parameter("camera", {"look-at", "first-person"}), {"yaw", 0, 345, 15, 60}}},
-        {"camera-matrix", draw_view_matrix, {{"yaw", 0, 345, 15, 30}, {"pitch", -60, 60, 10, 10}}}};
+        {"camera-matrix",
+         draw_view_matrix,
+         {choice_parameter("matrices", {"a camera's and its inverse", "look-at times translate"}),
+          {"yaw", 0, 345, 15, 30},
+          {"pitch", -60, 60, 10, 10}}}};
 }
 
 }  // namespace oblong
