@@ -35,6 +35,29 @@ TEST_F(DemoWalk, TheTowerIsShutAtBothGatesWhileLensesAreMissing) {
     EXPECT_FALSE(visitor_.walk_to({512, 1800})) << "from the corridor";
 }
 
+// By walking and jumping from both sides of the tower's top, any way: only its lift leads down.
+TEST_F(DemoWalk, NobodyFallsFromTheTowersTop) {
+    const GameLevel level = make_game_level(level_);
+    for (const int x : {400, 624})
+        for (int way = 0; way < 32; ++way) {
+            GameState state = start_of(level);
+            state.player.position = world_vector(x, 1800, 464 + 24);
+            TickInput input;
+            input.forward = 100;
+            input.yaw = static_cast<std::int16_t>(way * 2048);
+            for (int tick = 0; tick < 4 * kTicksPerSecond && !state.has_ended; ++tick) {
+                input.buttons = tick % 2 == 0 ? kJumpButton : 0;
+                step(level, state, input);
+                input.yaw = 0;
+                const Position& at = state.player.position;
+                const bool is_on_top = number_of(at.z) > 460,
+                           is_in_shaft = number_of(at.y) > 1736 && std::abs(number_of(at.x) - 512) < 40;
+                ASSERT_TRUE(is_on_top || is_in_shaft) << "from " << x << " by way " << way << " to " << number_of(at.x)
+                                                      << ' ' << number_of(at.y) << ' ' << number_of(at.z);
+            }
+        }
+}
+
 // The level of "Build your own level" (tools/map/README.md), compiled without a warning: the player steps before the
 // door, which opens, rides the lift to the ledge, and jumps over the rim of the basin.
 TEST(FirstLevel, HasADoorThatOpensALiftThatLiftsAndWater) {
