@@ -289,6 +289,23 @@ struct Fault {
     const char *text, *said;
 };
 
+// Each would take minutes if all members were looked through for each.
+TEST(GameDefinition, LongListsAreRead) {
+    const test::TemporaryFolder folder;
+    std::string levels, captions, classes;
+    for (int i = 0; i < 100'000; ++i) {
+        const std::string name = (i > 0 ? ",\"" : "\"") + std::to_string(i) + "\"";
+        levels += name;
+        captions += name + ":\"\"";
+        classes += name + ":{\"is\":\"func_wall\"}";
+    }
+    folder.write("game.json", "{\"title\":\"x\",\"levels\":[" + levels + "],\"captions\":{" + captions +
+                                  "},\"classes\":{" + classes + "}}");
+    const GameDefinition game = read_game_definition(folder.path());
+    for (const std::size_t size : {game.levels.size(), game.captions.size(), game.classes.size()})
+        EXPECT_EQ(size, 100'000u);
+}
+
 TEST(GameDefinition, FaultsAreNamedWithTheirPlace) {
     const test::TemporaryFolder folder;
     const std::string file = folder.path("game.json");
