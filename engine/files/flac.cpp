@@ -219,10 +219,16 @@ SoundSamples decode_flac(std::span<const std::uint8_t> file) {
         bits.expect(bits.offset() <= end, "metadata shorter than its contents");
         bits.skip((end - bits.offset()) * 8);
     }
-    while (!bits.is_at_end()) read_frame(bits, sound.samples);
+    // A frame of some bytes may stand for 65,536 samples. The memory is bounded: 32 MB, or 32 bytes of each of the
+    // file.
+    const std::uint64_t most = std::max<std::uint64_t>(std::uint64_t{1} << 24, 16 * file.size());
+    bits.expect(sample_count <= most, "far more samples than so few bytes hold");
     const bool is_known = sample_count > 0;  // not where the encoder wrote into a pipe
-    bits.expect(!sound.samples.empty() && (!is_known || sound.samples.size() == sample_count),
-                "not as many samples as the file's head says");
+    sound.samples.reserve(std::min<std::uint64_t>(sample_count, std::uint64_t{1} << 24));
+    while (!bits.is_at_end() && sound.samples.size() <= (is_known ? sample_count : most))
+        read_frame(bits, sound.samples);
+    bits.expect(!sound.samples.empty() && (is_known ? sound.samples.size() == sample_count : bits.is_at_end()),
+                "not as many samples as the file's head says, or far more than so few bytes hold");
     return sound;
 }
 

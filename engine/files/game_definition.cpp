@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <set>
+#include <unordered_set>
 
 #include "engine/base/checksum.h"
 #include "engine/base/input_error.h"
@@ -16,7 +16,20 @@ namespace oblong {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+
+/// The members of an object in the file's order. nlohmann's own keep one of two of a name, and look through all for
+/// each.
+template <class Name, class Type, class, class Allocator>
+struct Members : nlohmann::ordered_map<Name, Type, std::less<>, Allocator> {
+    Type& operator[](const Name& name) {
+        if (!names.insert(name).second)
+            throw InputError("member \"" + name + "\"", "is there twice, expected each once");
+        this->std::vector<std::pair<const Name, Type>, Allocator>::emplace_back(name, Type{});
+        return this->back().second;
+    }
+    std::unordered_set<Name> names;
+};
+using Json = nlohmann::basic_json<Members>;
 
 /// A value in the file, and its path, as "/classes/item_coin/is".
 class Value {
@@ -99,12 +112,12 @@ class DefinitionReader {
     }
 
     void read_levels(const Value& list) {
+        std::unordered_set<std::string> names;
         for (const Value& value : list.elements()) {
             const std::string name = value.text();
             if (!stays_below(name) || fs::path(name).has_parent_path() || name != printable(name))
                 value.refuse("\"" + name + "\", expected the name of a level, as \"first\"");
-            if (std::find(game_.levels.begin(), game_.levels.end(), name) != game_.levels.end())
-                value.refuse("\"" + name + "\" is there twice, expected each level once");
+            if (!names.insert(name).second) value.refuse("\"" + name + "\" is there twice, expected each level once");
             game_.levels.push_back(name);
         }
     }
@@ -201,19 +214,6 @@ const std::array<DefinitionReader::Member, 9> DefinitionReader::kMembers{{
     {{"credits", "what the page of credits says first"}, &DefinitionReader::read_credits},
 }};
 
-// The parser alone would keep one of two members of the same name.
-Json parsed(const std::string& text) {
-    using Event = Json::parse_event_t;
-    std::vector<std::set<std::string>> names;  // of the objects that are open
-    return Json::parse(text, [&](int, Event event, const Json& json) {
-        if (event == Event::object_start) names.emplace_back();
-        if (event == Event::object_end) names.pop_back();
-        if (event == Event::key && !names.back().insert(json.get<std::string>()).second)
-            throw InputError("member " + json.dump(), "is there twice, expected each once");
-        return true;
-    });
-}
-
 // From the parser's "[json.exception.parse_error.101] parse error at line 3, column 8: syntax error while ...".
 InputError syntax_error(const std::string& said) {
     const std::size_t place = std::min(said.find("line "), said.size()), end = said.find(": ", place);
@@ -233,7 +233,7 @@ GameDefinition read_game_definition(const std::string& folder) {
     const std::string file = (fs::path(folder) / kGameFile).string(), text = read_text(file);
     return naming_file(file, [&] {
         try {
-            return DefinitionReader(folder).read(Value(parsed(text), ""));
+            return DefinitionReader(folder).read(Value(Json::parse(text), ""));
         } catch (const Json::parse_error& error) {
             throw syntax_error(error.what());
         } catch (const Json::out_of_range& error) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <sstream>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "engine/base/table.h"
 #include "engine/files/doubles.h"
@@ -110,10 +111,10 @@ class ObjMeshBuilder {
     /// `used`: the number of skins of faces; further skins replace these, and have the same sizes. `maps`: how their
     /// pictures lie on faces, or null.
     Mesh finish(std::vector<Skin> skins, std::size_t used, std::vector<const tinyobj::texture_option_t*> maps,
-                std::vector<std::string>& warnings) {
+                std::int64_t& texels_left, std::vector<std::string>& warnings) {
         mesh_.skins = std::move(skins);
         maps_ = std::move(maps);
-        set_texels(used, warnings);
+        set_texels(used, texels_left, warnings);
         const std::vector<MeshVertex> smooth = smooth_vertices();
         MeshFrame frame;
         frame.vertices.reserve(vertices_.records().size());
@@ -175,14 +176,14 @@ class ObjMeshBuilder {
     }
 
     /// Sets texels from places on skins, and repeats the skins as often as needed.
-    void set_texels(std::size_t used, std::vector<std::string>& warnings) {
+    void set_texels(std::size_t used, std::int64_t& texels_left, std::vector<std::string>& warnings) {
         std::vector<PlaceRange> ranges(used);
         for (const ObjVertex& vertex : vertices_.records())
             if (has_place(vertex)) item(ranges, vertex.skin).include(place_of(vertex));
         mesh_.texels.reserve(vertices_.records().size());
         std::vector<SkinScale> scales;
         for (std::size_t i = 0; i < mesh_.skins.size(); ++i)
-            scales.push_back(repeat_skin(mesh_.skins[i], ranges[i % used], warnings));
+            scales.push_back(repeat_skin(mesh_.skins[i], ranges[i % used], texels_left, warnings));
         for (const ObjVertex& vertex : vertices_.records())
             mesh_.texels.push_back(has_place(vertex) ? item(scales, vertex.skin).texel_at(place_of(vertex))
                                                      : MeshTexel{kHalfTexel, kHalfTexel});
@@ -206,7 +207,7 @@ class ObjSkins {
   public:
     ObjSkins(const std::vector<tinyobj::material_t>& materials, std::filesystem::path folder, const Palette& palette,
              Dither dither, std::vector<std::string>& warnings)
-        : materials_(materials), folder_(std::move(folder)), palette_(palette), dither_(dither), warnings_(warnings) {}
+        : maker(std::move(folder), palette, dither, warnings), materials_(materials), palette_(palette) {}
 
     std::uint32_t number_of(int material) {
         const auto [known, is_new] = numbers_.emplace(material, static_cast<std::uint32_t>(skins.size()));
@@ -225,6 +226,9 @@ class ObjSkins {
         for (std::size_t k = 0; k < names.size(); ++k) {
             const int other = find(names[k]);
             if (other < 0 || glass == numbers_.end()) continue;
+            std::size_t texels = 0;
+            for (std::size_t i = 0; i < used; ++i) texels += skins[i].texels.size();
+            if (!maker.takes(texels)) break;  // glass stays glass
             sequences[k + 1].first = static_cast<std::uint32_t>(skins.size());
             for (std::size_t i = 0; i < used; ++i)
                 skins.push_back(i == glass->second ? resized(made_of(other), skins[i]) : Skin(skins[i]));
@@ -232,6 +236,7 @@ class ObjSkins {
         return sequences;
     }
 
+    SkinMaker maker;
     std::vector<Skin> skins;
     std::vector<const tinyobj::texture_option_t*> maps;  ///< of the skins without those for glass
 
@@ -243,13 +248,10 @@ class ObjSkins {
             std::find_if(materials_.begin(), materials_.end(), [&](const auto& one) { return one.name == name; });
         return found == materials_.end() ? kNone : static_cast<int>(found - materials_.begin());
     }
-    Skin made_of(int material) { return make_skin(item(materials_, material), folder_, palette_, dither_, warnings_); }
+    Skin made_of(int material) { return maker.skin_of(item(materials_, material)); }
 
     const std::vector<tinyobj::material_t>& materials_;
-    std::filesystem::path folder_;
     const Palette& palette_;
-    Dither dither_;
-    std::vector<std::string>& warnings_;
     std::map<int, std::uint32_t> numbers_;
 };
 
@@ -274,11 +276,11 @@ ObjFile load_obj(const std::string& text, const std::filesystem::path& folder) {
 
 std::vector<std::string> lines_without_repetition(const std::string& text) {
     std::vector<std::string> lines;
+    std::unordered_set<std::string> known;
     std::istringstream in(text);
     for (std::string line; std::getline(in, line);)
         // Of normals that are missing check_obj() says more.
-        if (!line.empty() && !line.starts_with("Vertex normal indices out of bounds") &&
-            std::find(lines.begin(), lines.end(), line) == lines.end())
+        if (!line.empty() && !line.starts_with("Vertex normal indices out of bounds") && known.insert(line).second)
             lines.push_back(line);
     return lines;
 }
@@ -304,7 +306,8 @@ ObjModel parse_obj(const std::string& text, const std::filesystem::path& folder,
     }
     const std::size_t used = skins.skins.size();
     std::vector<MeshSequence> sequences = skins.add_for_glass(options.glasses);
-    model.mesh = builder.finish(std::move(skins.skins), used, std::move(skins.maps), model.warnings);
+    model.mesh =
+        builder.finish(std::move(skins.skins), used, std::move(skins.maps), skins.maker.texels_left, model.warnings);
     model.mesh.skin_sequences = std::move(sequences);
     return model;
 }

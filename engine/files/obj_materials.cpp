@@ -70,6 +70,9 @@ class MaterialLines {
 
   private:
     void begin(std::string_view name) {
+        if (materials_.size() >= kMostMaterials)
+            throw InputError(at_line(line_),
+                             "more than " + std::to_string(kMostMaterials) + " materials, expected fewer");
         const std::string word = as_word(name);
         numbers_.emplace(word, static_cast<int>(materials_.size()));
         materials_.emplace_back().name = name_of_word(word);
@@ -165,14 +168,19 @@ std::string name_of_word(std::string word) {
 
 bool ObjMaterialReader::operator()(const std::string& name, std::vector<tinyobj::material_t>* materials,
                                    std::map<std::string, int>* numbers, std::string* warning, std::string*) {
-    bool is_read = false;
+    if (++named_ > kMostMaterials)
+        throw InputError("mtllib", "more than " + std::to_string(kMostMaterials) + " material files, expected fewer");
+    bool is_read = !read_.empty();
     for (const std::string& file_name : files_of(folder_, name)) {
         if (file_name.empty()) continue;
         std::string file;
         std::istringstream text;
         try {
             file = path_in(folder_, file_name);
+            const auto end = std::filesystem::weakly_canonical(file);
+            if (read_.contains(end)) continue;
             text.str(simple_obj(read_text(file)));
+            read_.insert(end);
         } catch (const FileError& missing) {
             *warning += std::string(missing.what()) + "\n";
             continue;
@@ -189,16 +197,38 @@ bool ObjMaterialReader::operator()(const std::string& name, std::vector<tinyobj:
     return is_read;
 }
 
-Skin make_skin(const tinyobj::material_t& material, const std::filesystem::path& folder, const Palette& palette,
-               Dither dither, std::vector<std::string>& warnings) {
-    if (material.diffuse_texname.empty()) return skin_of_colour(material.name, diffuse_colour(material), palette);
+SkinMaker::Picture SkinMaker::read(const std::string& name) const {
     try {
-        const PngImage image = read_parsed(path_in(folder, with_slashes(material.diffuse_texname)), decode_picture);
-        return {material.name, image.width_px, image.height_px, indices_of(image, palette, kOrdinaryColours, dither)};
+        const PngImage image = read_parsed(path_in(folder_, with_slashes(name)), decode_picture);
+        return {{"", image.width_px, image.height_px, indices_of(image, palette_, kOrdinaryColours, dither_)}, ""};
     } catch (const FileError& error) {
-        warnings.push_back(std::string(error.what()) + ": the material's colour stands for it");
-        return skin_of_colour(material.name, diffuse_colour(material), palette);
+        return {{}, error.what()};
     }
+}
+
+bool SkinMaker::takes(std::size_t texels) {
+    const bool fits = static_cast<std::int64_t>(texels) <= texels_left;
+    if (fits) texels_left -= static_cast<std::int64_t>(texels);
+    return fits;
+}
+
+Skin SkinMaker::skin_of(const tinyobj::material_t& material) {
+    const std::string& name = material.diffuse_texname;
+    Skin coloured = skin_of_colour(material.name, diffuse_colour(material), palette_);
+    if (name.empty()) return coloured;
+    auto known = pictures_.find(name);
+    if (known == pictures_.end() && texels_left > 0) known = pictures_.emplace(name, read(name)).first;
+    std::string fault = known == pictures_.end() ? "" : known->second.fault;
+    if (fault.empty() && (known == pictures_.end() || !takes(known->second.skin.texels.size())))
+        fault = (folder_ / name).string() + ": size: the model's pictures have more than " +
+                std::to_string(kMostSkinTexels) + " texels, expected fewer";
+    if (!fault.empty()) {
+        warnings_.push_back(fault + ": the material's colour stands for it");
+        return coloured;
+    }
+    Skin skin = known->second.skin;
+    skin.name = material.name;
+    return skin;
 }
 
 Skin grey_skin(const Palette& palette) {

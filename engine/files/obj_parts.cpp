@@ -141,7 +141,13 @@ class ObjChecker {
 
 /// Whether a line has a name of the user's, in which # and a backslash mean themselves.
 bool has_name(std::string_view kind) {
-    constexpr std::array<std::string_view, 6> kKinds{"o", "g", "usemtl", "mtllib", "newmtl", "map_Kd"};
+    constexpr std::array<std::string_view, 4> kKinds{"usemtl", "mtllib", "newmtl", "map_Kd"};
+    return std::find(kKinds.begin(), kKinds.end(), kind) != kKinds.end();
+}
+
+/// Lines that the mesh does not need, but for which tinyobjloader would take many times their size.
+bool is_unused(std::string_view kind) {
+    constexpr std::array<std::string_view, 5> kKinds{"o", "g", "l", "p", "t"};
     return std::find(kKinds.begin(), kKinds.end(), kind) != kKinds.end();
 }
 
@@ -167,6 +173,7 @@ std::string simple_obj(std::string_view text) {
         text.remove_prefix(std::min(end + (text.substr(end, 2) == "\r\n" ? 2 : 1), text.size()));
         std::string_view rest = line;
         const std::string_view kind = take_word(rest);
+        if (is_unused(kind)) line = {};
         const bool is_named = has_name(kind), is_word = kind == "usemtl" || kind == "mtllib";
         if (!is_named) line = line.substr(0, line.find('#'));
         if (!is_named && line.ends_with('\\')) {
@@ -220,15 +227,25 @@ MeshTexel SkinScale::texel_at(const SkinPlace& place) const {
     return {fixed_of<Texel>((place.u - first_u) * width), fixed_of<Texel>((place.v - first_v) * height)};
 }
 
-SkinScale repeat_skin(Skin& skin, const PlaceRange& range, std::vector<std::string>& warnings) {
+SkinScale repeat_skin(Skin& skin, const PlaceRange& range, std::int64_t& texels_left,
+                      std::vector<std::string>& warnings) {
     if (range.least.u > range.greatest.u) return {};
     const SkinScale scale{whole_repetitions(range.least.u), whole_repetitions(range.least.v),
                           static_cast<double>(skin.width), static_cast<double>(skin.height)};
     bool is_cut = false;
-    const std::int32_t across = repetitions(range.least.u, range.greatest.u, skin.width, is_cut),
-                       down = repetitions(range.least.v, range.greatest.v, skin.height, is_cut);
-    if (across > 1 || down > 1) skin = repeated(skin, across, down);
-    if (is_cut)
+    std::int32_t across = repetitions(range.least.u, range.greatest.u, skin.width, is_cut),
+                 down = repetitions(range.least.v, range.greatest.v, skin.height, is_cut);
+    const std::int64_t texels = std::int64_t{skin.width} * across * skin.height * down;
+    const bool fits = across * down == 1 || texels <= texels_left;
+    if (!fits) across = down = 1;
+    if (across > 1 || down > 1) {
+        skin = repeated(skin, across, down);
+        texels_left -= texels;
+    }
+    if (!fits)
+        warnings.push_back("material '" + skin.name +
+                           "' is not repeated, since the model's pictures are too large for it");
+    else if (is_cut)
         warnings.push_back("material '" + skin.name + "' is repeated over more than " +
                            std::to_string(kLargestSkinSide) + " texels: beyond, its border is shown");
     return scale;

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,7 +16,10 @@
 
 namespace oblong {
 
-inline constexpr double kFarthestTexcoord = 1024;  ///< repetitions of a skin
+inline constexpr std::size_t kMostMaterials = 4096;
+inline constexpr std::int64_t kMostSkinTexels = std::int64_t{1}
+                                                << 26;  ///< of a model's pictures and of their repetitions
+inline constexpr double kFarthestTexcoord = 1024;       ///< repetitions of a skin
 
 struct ObjSummary {
     std::int64_t faces = 0;
@@ -41,7 +45,8 @@ std::string simple_obj(std::string_view text);
 /// corners of faces exist, of which normals may be missing. Throws InputError with the line.
 ObjSummary check_obj(std::string_view text, double scale);
 
-/// Reads the material files that an OBJ file names, beside it. Throws FileError for a colour that is no three numbers.
+/// Reads the material files that an OBJ file names, beside it, each once. Throws FileError for a colour that is no
+/// three numbers, and for more than kMostMaterials of them or of files.
 class ObjMaterialReader : public tinyobj::MaterialReader {
   public:
     explicit ObjMaterialReader(std::filesystem::path folder) : folder_(std::move(folder)) {}
@@ -51,11 +56,37 @@ class ObjMaterialReader : public tinyobj::MaterialReader {
 
   private:
     std::filesystem::path folder_;
+    std::set<std::filesystem::path> read_;
+    std::size_t named_ = 0;
 };
 
-/// A material's picture, or else its colour; pictures are beside the OBJ file. Adds a warning if one cannot be read.
-Skin make_skin(const tinyobj::material_t& material, const std::filesystem::path& folder, const Palette& palette,
-               Dither dither, std::vector<std::string>& warnings);
+/// Makes the skins of materials: their pictures, which are beside the OBJ file and each read once, or else their
+/// colours.
+class SkinMaker {
+  public:
+    SkinMaker(std::filesystem::path folder, const Palette& palette, Dither dither, std::vector<std::string>& warnings)
+        : folder_(std::move(folder)), palette_(palette), dither_(dither), warnings_(warnings) {}
+
+    /// Adds a warning if the picture cannot be read, or is too large for what is left of kMostSkinTexels.
+    Skin skin_of(const tinyobj::material_t& material);
+    /// Takes this many texels of those that are left, if there are as many.
+    bool takes(std::size_t texels);
+
+    std::int64_t texels_left = kMostSkinTexels;
+
+  private:
+    struct Picture {
+        Skin skin;
+        std::string fault;  ///< empty: none
+    };
+    Picture read(const std::string& name) const;
+
+    std::filesystem::path folder_;
+    const Palette& palette_;
+    Dither dither_;
+    std::vector<std::string>& warnings_;
+    std::map<std::string, Picture> pictures_;
+};
 
 /// A place on a skin, in repetitions of it, v down.
 struct SkinPlace {
@@ -76,8 +107,9 @@ struct SkinScale {
 };
 
 /// Repeats a skin as often as its places need, up to 4,096 texels a side, since a skin is drawn only once; adds a
-/// warning if that is too few.
-SkinScale repeat_skin(Skin& skin, const PlaceRange& range, std::vector<std::string>& warnings);
+/// warning if that is too few, or too many for what is left of kMostSkinTexels.
+SkinScale repeat_skin(Skin& skin, const PlaceRange& range, std::int64_t& texels_left,
+                      std::vector<std::string>& warnings);
 
 /// Resized to another skin's size, by the nearest texels.
 Skin resized(const Skin& skin, const Skin& other);

@@ -76,6 +76,8 @@ void check_huffman_tables(std::span<const std::uint8_t> file, std::size_t table,
 
 /// Walks from marker to marker, as stb does: over the contents of segments, and over the bytes between them.
 void check_jpeg_segments(std::span<const std::uint8_t> file) {
+    constexpr int kMostScans = 100;  // each costs the time of all pixels; encoders write 10 or so
+    int scans = 0;
     for (std::size_t at = 0; at + 3 < file.size();) {
         const std::uint8_t marker = file[at + 1];
         const bool is_marker = file[at] == 0xff && marker != 0xff && marker != 0;
@@ -87,6 +89,8 @@ void check_jpeg_segments(std::span<const std::uint8_t> file) {
         }
         const std::size_t end = at + 2 + std::size_t{file[at + 2]} * 256 + file[at + 3];
         if (marker == 0xc4) check_huffman_tables(file, at + 4, end);
+        if (marker == 0xda && ++scans > kMostScans)
+            throw InputError("image", "a JPEG of more than " + std::to_string(kMostScans) + " scans, expected fewer");
         at = std::max(end, at + 2);
     }
 }

@@ -104,22 +104,23 @@ void draw_rectangle(Framebuffer canvas, std::int32_t x, std::int32_t y, std::int
 void fill_circle(Framebuffer canvas, const ScreenMode& mode, std::int32_t x, std::int32_t y, std::int32_t radius_px,
                  std::int32_t colour) {
     const Circle circle(mode, radius_px);
-    for (std::int64_t rows = -circle.height(); rows <= circle.height(); ++rows)
-        fill_row(canvas, x - std::int64_t{circle.half_width(rows)}, x + std::int64_t{circle.half_width(rows)}, y + rows,
-                 colour);
+    const std::int64_t height = circle.height();
+    for (std::int64_t row = std::max(y - height, std::int64_t{0}); row <= y + height && row < canvas.height_px; ++row) {
+        const std::int64_t half = circle.half_width(row - y);
+        fill_row(canvas, x - half, x + half, row, colour);
+    }
 }
 
 void draw_circle(Framebuffer canvas, const ScreenMode& mode, std::int32_t x, std::int32_t y, std::int32_t radius_px,
                  std::int32_t colour) {
     const Circle circle(mode, radius_px);
-    for (std::int64_t rows = 0; rows <= circle.height(); ++rows) {
+    const std::int64_t height = circle.height();
+    for (std::int64_t row = std::max(y - height, std::int64_t{0}); row <= y + height && row < canvas.height_px; ++row) {
         // Inwards to where the next row begins, so that the line has no gap.
-        const std::int64_t outer = circle.half_width(rows),
+        const std::int64_t rows = std::abs(row - y), outer = circle.half_width(rows),
                            inner = std::min<std::int64_t>(outer, circle.half_width(rows + 1) + 1);
-        for (const std::int64_t row : {y - rows, y + rows}) {
-            fill_row(canvas, x - outer, x - inner, row, colour);
-            fill_row(canvas, x + inner, x + outer, row, colour);
-        }
+        fill_row(canvas, x - outer, x - inner, row, colour);
+        fill_row(canvas, x + inner, x + outer, row, colour);
     }
 }
 

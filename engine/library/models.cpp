@@ -81,7 +81,14 @@ void Model::add_triangle(const Corner& a, const Corner& b, const Corner& c, std:
         std::vector<MeshVertex> corners(frame.vertices.begin() + first, frame.vertices.end());
         set_normals(corners, kOneTriangle);
         std::copy(corners.begin(), corners.end(), frame.vertices.begin() + first);
-        set_boxes(frame);
+        // The box of these corners and the one before, whose place in the list does not matter.
+        MeshFrame grown;
+        grown.vertices = std::move(corners);
+        if (first > 0) grown.vertices.insert(grown.vertices.end(), {{frame.mins, {}}, {frame.maxs, {}}});
+        set_boxes(grown);
+        frame.mins = grown.mins;
+        frame.maxs = grown.maxs;
+        frame.parts.clear();
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 #include <utility>
 
 #include "engine/math/soft_float.h"
@@ -71,6 +72,7 @@ class EarCutter {
   public:
     explicit EarCutter(std::vector<FlatCorner> corners) : corners_(std::move(corners)) {
         for (std::uint32_t i = 0; i < corners_.size(); ++i) left_.push_back(i);
+        known_.resize(corners_.size());
     }
 
     std::vector<CornerTriple> cut() {
@@ -78,6 +80,8 @@ class EarCutter {
         while (left_.size() >= 3) {
             const std::size_t at = find_ear();
             triangles.push_back({neighbour(at, left_.size() - 1), left_[at], neighbour(at, 1)});
+            for (const std::uint32_t changed : {triangles.back()[0], triangles.back()[2]}) known_[changed] = {};
+            known_[left_[at]].is_cut = true;
             left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(at));
         }
         return triangles;
@@ -86,12 +90,15 @@ class EarCutter {
   private:
     std::uint32_t neighbour(std::size_t at, std::size_t steps) const { return left_[(at + steps) % left_.size()]; }
 
-    int turn_at(std::size_t at) const {
-        return turn_of(corners_[neighbour(at, left_.size() - 1)], corners_[left_[at]], corners_[neighbour(at, 1)]);
+    int turn_at(std::size_t at) {
+        std::optional<int>& turn = known_[left_[at]].turn;
+        if (!turn)
+            turn = turn_of(corners_[neighbour(at, left_.size() - 1)], corners_[left_[at]], corners_[neighbour(at, 1)]);
+        return *turn;
     }
 
     /// An ear; if there is none, a corner without a turn (its triangle has no area), else the first.
-    std::size_t find_ear() const {
+    std::size_t find_ear() {
         for (std::size_t at = 0; at < left_.size(); ++at)
             if (turn_at(at) > 0 && !holds_a_corner(at)) return at;
         for (std::size_t at = 0; at < left_.size(); ++at)
@@ -100,18 +107,31 @@ class EarCutter {
     }
 
     /// Whether another corner lies in the triangle at `at` or on its sides.
-    bool holds_a_corner(std::size_t at) const {
+    bool holds_a_corner(std::size_t at) {
+        std::optional<std::uint32_t>& held = known_[left_[at]].held;
+        if (held && !known_[*held].is_cut) return true;
         const FlatCorner &a = corners_[neighbour(at, left_.size() - 1)], &b = corners_[left_[at]],
                          &c = corners_[neighbour(at, 1)];
-        return std::any_of(left_.begin(), left_.end(), [&](std::uint32_t other) {
+        const auto found = std::find_if(left_.begin(), left_.end(), [&](std::uint32_t other) {
             const FlatCorner& p = corners_[other];
             if (p == a || p == b || p == c) return false;
             return turn_of(a, b, p) >= 0 && turn_of(b, c, p) >= 0 && turn_of(c, a, p) >= 0;
         });
+        held = found == left_.end() ? std::nullopt : std::optional(*found);
+        return held.has_value();
     }
+
+    /// What was found out of a corner with its neighbours: else, a polygon would take time with the cube of its
+    /// corners.
+    struct Known {
+        std::optional<int> turn;
+        std::optional<std::uint32_t> held;  ///< a corner in its triangle
+        bool is_cut = false;
+    };
 
     std::vector<FlatCorner> corners_;
     std::vector<std::uint32_t> left_;
+    std::vector<Known> known_;
 };
 
 }  // namespace

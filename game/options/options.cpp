@@ -135,6 +135,12 @@ PlayerFolders folders_of(const OptionTexts& texts, const Options& options, const
     const bool is_played = options.headless_frames == 0 && (options.timedemo + options.replay + options.record).empty();
     if (is_played) folders = texts.is_portable ? portable_folders(program_folder(program)) : desktop_folders();
     if (!texts.config.empty()) folders.config_file = texts.config;
+    const bool lacks_config = folders.config_file.empty(), lacks_data = folders.data.empty();
+    if (is_played && (lacks_config || lacks_data))
+        folders.fault = std::string(!lacks_data     ? "Options are not"
+                                    : !lacks_config ? "Games are not"
+                                                    : "Nothing is") +
+                        " saved: HOME is no absolute path, expected the player's folder there, or --portable";
     return folders;
 }
 
@@ -166,6 +172,7 @@ int run_with_options(int argument_count, const char* const* arguments,
         interpret(texts, options);
         options.folders = folders_of(texts, options, arguments[0]);
         PreferencesStore store(options.folders.config_file);
+        print_fault("oblong", options.folders.fault);
         for (const std::string& fault : store.faults()) print_fault("oblong", fault);
         options.preferences = store.kept();
         change_by_command_line(texts, options.preferences);

@@ -15,6 +15,7 @@ namespace oblong {
 struct PlayerFolders {
     std::string config_file;  ///< preferences
     std::string data;         ///< the folder of saved games
+    std::string fault = {};   ///< why a played game keeps less than it would; empty: it keeps all
 };
 
 /// $XDG_CONFIG_HOME/oblong/oblong.cfg and $XDG_DATA_HOME/oblong, by the XDG Base Directory Specification; if these are

@@ -152,7 +152,7 @@ bool exists(const std::string& file) {
 }
 
 std::string text_of_file(const std::string& file) {
-    const std::vector<std::uint8_t> bytes = read_file(file);
+    const std::vector<std::uint8_t> bytes = read_file(file, kLargestFile_bytes);
     return {bytes.begin(), bytes.end()};
 }
 

@@ -1,6 +1,7 @@
 #include "game/program/map_watch.h"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -108,7 +109,9 @@ MapWatch::MapWatch(std::string map_file, std::string compiler, std::string game)
 }
 
 MapWatch::~MapWatch() {
-    if (running_) waitpid(*running_, nullptr, 0);
+    if (!running_) return;
+    kill(*running_, SIGKILL);  // it writes a level whole or not at all
+    waitpid(*running_, nullptr, 0);
 }
 
 MapWatch::Stamp MapWatch::stamp_of(const std::string& file) {

@@ -88,7 +88,9 @@ Program::Program(const Options& options, ProgramFiles files, PreferencesStore& s
       store_(store),
       platform_(platform),
       screens_(options, std::move(files), store, platform, workers, std::move(open_sound)),
-      input_(preferences().bindings) {}
+      input_(preferences().bindings) {
+    if (!options.folders.fault.empty()) screens_.pages().open_message("Saves", options.folders.fault);
+}
 
 void Program::run() {
     while (step()) {

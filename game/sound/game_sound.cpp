@@ -13,12 +13,8 @@ namespace oblong {
 namespace {
 
 std::string file_in(const std::vector<std::string>& folders, const std::string& name) {
-    std::error_code ignored;
-    for (const std::string& folder : folders) {
-        const std::filesystem::path file = std::filesystem::path(folder) / name;
-        if (std::filesystem::exists(file, ignored) || &folder == &folders.back()) return file.string();
-    }
-    return name;
+    const std::string found = find_below(folders, name);
+    return found.empty() ? (std::filesystem::path(folders.back()) / name).string() : found;
 }
 
 }  // namespace

@@ -160,9 +160,24 @@ const entered = instance => {
 };
 
 const data = streamOf("/*@program@*/.data").then(stream => new Response(stream).arrayBuffer());
+const OWN = [/*@game@*/];
+// From the address: oblong.html?--mode%20640x480
+const addressed = () => {
+  try {
+    return decodeURIComponent(location.search.slice(1)).split(" ").filter(word => word);
+  } catch (error) {
+    Page.warn("The address behind '?' is left out: " + error.message);
+    return [];
+  }
+};
+// The number of arguments without those of the address, which the program does not take; says so.
+Page.withoutAddress = () => {
+  Page.warn("The address behind '?' is left out. " + Page.lines.join("\n"));
+  Page.lines = [];
+  return 1 + OWN.length;
+};
 globalThis.Module = {
-  // From the address: oblong.html?--mode%20640x480
-  arguments: [/*@game@*/...decodeURIComponent(location.search.slice(1)).split(" ").filter(word => word)],
+  arguments: [...OWN, ...addressed()],
   print: line => console.log(line),
   printErr: line => {
     console.warn(line);

@@ -20,6 +20,7 @@ EM_JS(void, page_when_hidden, (Keep keep, void* page), {
         called(page);
     };
 });
+EM_JS(int, page_without_address, (), { return Page.withoutAddress(); });
 EM_JS(void, page_end, (const char* text), { Page.end(UTF8ToString(text)); });
 
 /// The browser calls the game for each picture, so this outlives main().
@@ -62,7 +63,9 @@ void run_game(const Options& options, PreferencesStore& store) {
 }  // namespace oblong
 
 int main(int argc, char** argv) {
-    const int code = oblong::run_with_options(argc, argv, oblong::run_game);
+    constexpr int kWrongUsage = 2;
+    int code = oblong::run_with_options(argc, argv, oblong::run_game);
+    if (code == kWrongUsage) code = oblong::run_with_options(oblong::page_without_address(), argv, oblong::run_game);
     if (code != 0) oblong::page_end("");
     return code;
 }

@@ -32,10 +32,69 @@ def files_below(top):
     return sorted(os.path.relpath(os.path.join(folder, name), top) for folder, _, found in os.walk(top) for name in found)
 
 
+def file_below(top, name):
+    """The path of a regular file that others name below a folder; None if there is none, or if the name leads out."""
+    path = os.path.join(top, name)
+    is_below = not os.path.isabs(name) and '..' not in name.split('/') and \
+        os.path.realpath(path).startswith(os.path.join(os.path.realpath(top), ''))
+    return path if is_below and os.path.isfile(path) else None
+
+
+def entity_values(level):
+    """The keys and values of a level's entities: the first part of its file."""
+    at, size = struct.unpack_from('<II', level.ljust(12, b'\0'), 4)
+    return re.findall(r'"([^"\n]*)"\s*"([^"\n]*)"', level[at:at + size].decode('utf-8', 'replace'))
+
+
+def names_in(name, content):
+    """What a file may name, as paths below the game's folder, as its readers look for it."""
+    folder, kind = os.path.dirname(name), os.path.splitext(name)[1].lower()
+    if kind in ('.obj', '.mtl'):
+        for line in content.decode('utf-8', 'replace').replace('\\', '/').splitlines():
+            words = line.split()
+            if words and words[0] in ('mtllib', 'map_Kd'):  # of one or several words, behind options
+                ends = [line.split(None, at)[at].strip() for at in range(1, len(words))]
+                yield from (os.path.normpath(os.path.join(folder, each)) for each in words[1:] + ends if '..' not in each)
+        return
+    if kind == '.json':
+        definition = json.loads(content)
+        values = [(key, value) for key, value in definition.items() if isinstance(value, str)]
+        values += [('noise', name) for name in definition.get('captions', {})]
+        values += [pair for its_class in definition.get('classes', {}).values() for pair in its_class.get('keys', {}).items()]
+        yield from ('maps/%s.bsp' % level for level in definition['levels'])
+        yield from ('%s.bsp' % level for level in definition['levels'])
+    else:
+        values = entity_values(content) if kind == '.bsp' else []
+    for key, value in values:
+        if key == 'map':
+            yield from ('maps/%s.bsp' % value, '%s.bsp' % value)
+        if key in ('model', 'noise', 'music', 'palette', 'demo', 'icon'):
+            last = os.path.basename(value)
+            places = [value, last, 'progs/' + last, 'models/' + last] if key == 'model' else [value]
+            yield from (os.path.normpath(os.path.join(place, each)) for place in ('', 'maps') for each in places
+                        if '..' not in each and not os.path.isabs(each))
+
+
+def used_files(game, museum):
+    """What the game needs: what stands for the museum's files, what it looks for itself, and what these name in turn."""
+    looked = {'game.json', 'gfx/palette.lmp', 'maps/palette.lmp', 'maps/gfx/palette.lmp'}
+    looked |= {name for name in museum if name.startswith(('models/', 'sounds/')) and not name.endswith('.mtl')}
+    looked |= {name for name in os.listdir(game) if re.fullmatch(r'pak\d+\.pak', name.lower())}
+    used, due = {}, sorted(looked)
+    while due:
+        name = due.pop()
+        path = file_below(game, name)
+        if path is None or name in used:
+            continue
+        used[name] = read(path)
+        due += names_in(name, used[name])
+    return sorted(used.items())
+
+
 def packed_data(assets, game):
     files = [(name, read(assets, name)) for name in files_below(assets) if re.fullmatch(PLAYED, name)]
     if game:
-        files += [('game/' + name, read(game, name)) for name in files_below(game) if not name.endswith('.map')]
+        files += [('game/' + name, content) for name, content in used_files(game, [name for name, _ in files])]
     names = json.dumps([{'name': name, 'size': len(content)} for name, content in files]).encode()
     return struct.pack('<I', len(names)) + names + b''.join(content for _, content in files)
 
@@ -59,13 +118,20 @@ def need(maker, *path):
 def under_own_name(page, game):
     """The page with a game's title and icon. What else is wrong with the game it says itself."""
     try:
+        if not file_below(game, 'game.json'):
+            raise ValueError('no file below the folder')
         definition = json.loads(read(game, 'game.json'))
         title, levels, icon = str(definition['title']), list(definition['levels']), definition.get('icon')
+        if icon and not file_below(game, icon):
+            raise ValueError('icon %s is no file below the folder' % icon)
         picture = icon and read(game, icon)
-    except (OSError, ValueError, KeyError, TypeError) as error:
+        for level in levels:
+            if not any(file_below(game, place + level + '.bsp') for place in ('maps/', '')):
+                need('oblong-map makes of its source', game, 'maps', '%s.bsp' % level)
+                raise ValueError('level %s is no file below the folder' % level)
+        list(names_in('game.json', read(game, 'game.json')))
+    except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
         sys.exit('pack.py: %s: %s: %s, expected a game' % (os.path.join(game, 'game.json'), type(error).__name__, error))
-    for level in levels:
-        need('oblong-map makes of its source', game, 'maps', '%s.bsp' % level)
     if icon:
         kind = mimetypes.guess_type(icon)[0]
         page = page.replace('href="data:,"', 'href="data:%s;base64,%s"' % (kind, base64.b64encode(picture).decode()))

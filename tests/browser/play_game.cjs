@@ -6,6 +6,12 @@ const assert = require("assert"), fs = require("fs"), path = require("path"), {r
 const [site, game, scratch] = process.argv.slice(2);
 
 run(async open => {
+  for (const wrong of ["%", "%E4", "--nonsense", "a%20b%20c"]) {
+    const said = await open("file://" + path.resolve(site, "oblong.html") + "?" + wrong);
+    await said.expect("document.title.startsWith('Three Rooms')", "the game's title, after a wrong address");
+    await said.shows();
+    await said.expect("document.getElementById('said').textContent.includes('is left out')", "what is wrong with the address");
+  }
   const tab = await open("file://" + path.resolve(site, "oblong.html"));
   await tab.expect("document.title.startsWith('Three Rooms')", "the game's title");
   const [kind, bytes] = (await tab.evaluate("document.querySelector('link[rel=icon]').href")).split(",");

@@ -269,6 +269,14 @@ TEST(Picture, JpegIsNearItsColours) {
 }
 
 // What stb decodes by, tables of codes and of factors, is read even where the file has none.
+// Each scan costs the time of all pixels.
+TEST(Picture, OfAJpegOnlySomeScansAreDecoded) {
+    Bytes jpeg = bytes_of(kTwoColoursJpeg);
+    const std::string_view scan("\xff\xda\0\x08\x01\x01\0\0\0\0", 10);
+    for (int i = 0; i < 100; ++i) jpeg.insert(jpeg.end() - 2, scan.begin(), scan.end());
+    EXPECT_EQ(complaint_of(jpeg), "image: a JPEG of more than 100 scans, expected fewer");
+}
+
 TEST(Picture, OfAJpegWithoutItsTablesNothingIsLeftToChance) {
     for (const std::uint8_t marker : {std::uint8_t{0xc4}, std::uint8_t{0xdb}}) {
         Bytes jpeg = bytes_of(kTwoColoursJpeg);

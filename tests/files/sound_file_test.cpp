@@ -249,6 +249,35 @@ TEST(Flac, NamesWhatItDoesNotTake) {
     EXPECT_NE(fault_in(short_head).find("metadata shorter than"), std::string::npos);
 }
 
+/// Frames of 65,536 samples of silence; `promised`: the number in the head.
+Bytes silence(std::size_t frames, std::uint64_t promised) {
+    BitWriter frame;
+    frame.put(0x7ffc, 15).put(0, 1).put(7, 4).put(0, 4).put(0, 4).put(4, 3).put(0, 1);
+    frame.put(0, 8).put(0xffff, 16).put(0, 8).put(0, 8).put(0, 16);
+    frame.put(remainder_of(frame.bytes), 16);
+    Bytes file = file_of(write_constant, 1, promised);
+    file.resize(file.size() - 12);
+    for (std::size_t i = 0; i < frames; ++i) file.insert(file.end(), frame.bytes.begin(), frame.bytes.end());
+    return file;
+}
+
+// Of 8,000 frames, 100 KB: a gigabyte.
+TEST(Flac, StandsForNoMoreThanItsHeadSaysAndItsSizeAllows) {
+    constexpr std::uint64_t kFrame = 65'536;
+    EXPECT_EQ(decode_flac(silence(200, 200 * kFrame)).samples.size(), 200 * kFrame);
+    EXPECT_EQ(decode_flac(silence(200, 0)).samples.size(), 200 * kFrame);
+    // Where it is given up: behind the frame that is one too many.
+    const std::size_t head = silence(0, 0).size(), frame = silence(1, 0).size() - head;
+    for (const auto& [promised, read] : {std::pair{std::uint64_t{8'000}, 1},
+                                         {3 * kFrame, 4},
+                                         {std::uint64_t{0}, 257},
+                                         {8'000 * kFrame, 0},
+                                         {(std::uint64_t{1} << 36) - 1, 0}})
+        EXPECT_TRUE(fault_in(silence(8'000, promised))
+                        .starts_with("offset " + std::to_string(head + frame * static_cast<std::size_t>(read)) + ": "))
+            << fault_in(silence(8'000, promised));
+}
+
 TEST(Flac, NoPartOfAFileIsAFile) {
     const Bytes whole = file_of(write_constant);
     for (std::size_t size = 0; size < whole.size(); ++size)

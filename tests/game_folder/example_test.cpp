@@ -1,9 +1,14 @@
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
+#include <map>
 
+#include "engine/base/checksum.h"
+#include "engine/base/table.h"
 #include "engine/files/files.h"
 #include "engine/platform/headless.h"
+#include "game/options/options.h"
 #include "game/program/played_game.h"
 #include "game/program/program.h"
 #include "game/program/program_files.h"
@@ -268,6 +273,53 @@ TEST_F(ExampleGame, AnIconThatIsTooLargeIsRefused) {
     EXPECT_TRUE(said.ends_with("expected up to 256x256 of an icon")) << said;
 }
 
+TEST_F(ExampleGame, WhatIsNotKeptIsSaidInTheWindow) {
+    const auto shown = [&](const std::string& fault) {
+        Options wanted = options();
+        wanted.folders.fault = fault;
+        std::uint64_t hash = 0;
+        HeadlessPlatform platform(
+            2, kTicksPerSecond, [](std::int64_t) { return PlatformInput{}; },
+            [&](Framebuffer picture, const Palette&) {
+                hash = fnv1a_of({picture.pixels, as_size(picture.width_px) * as_size(picture.height_px)});
+            });
+        PreferencesStore store;
+        Program(wanted, load_program_files(wanted, assets_), store, platform, nullptr).run();
+        return hash;
+    };
+    EXPECT_NE(shown("Nothing is saved"), shown(""));
+}
+
+TEST(PlayersFolders, WithoutAHomeItIsSaidWhatIsNotSaved) {
+    const std::map<std::string, std::string> before = [] {
+        std::map<std::string, std::string> values;
+        for (const char* name : {"HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME"})
+            if (const char* value = std::getenv(name)) values[name] = value;
+        return values;
+    }();
+    struct Case {
+        std::vector<const char*> words;
+        const char *home, *config, *data, *said;
+    };
+    for (const Case& each :
+         {Case{{"oblong"}, "/a", "", "", ""}, Case{{"oblong"}, "", "/a", "/b", ""},
+          Case{{"oblong"}, "", "", "", "Nothing is saved: HOME is no absolute path"},
+          Case{{"oblong"}, "here", "", "", "Nothing is saved: HOME"},
+          Case{{"oblong"}, "", "/a", "", "Games are not saved: HOME"},
+          Case{{"oblong"}, "", "", "/b", "Options are not saved: HOME"}, Case{{"oblong", "--portable"}, "", "", "", ""},
+          Case{{"oblong", "--headless", "1", "--out", "x"}, "", "", "", ""}}) {
+        for (const auto& [name, value] : {std::pair{"HOME", each.home}, std::pair{"XDG_CONFIG_HOME", each.config},
+                                          std::pair{"XDG_DATA_HOME", each.data}})
+            *value != '\0' ? setenv(name, value, 1) : unsetenv(name);
+        std::string said = "not run";
+        run_with_options(static_cast<int>(each.words.size()), each.words.data(),
+                         [&](const Options& options, PreferencesStore&) { said = options.folders.fault; });
+        EXPECT_EQ(said.substr(0, std::string(each.said).size()), each.said);
+        EXPECT_EQ(said.empty(), *each.said == '\0') << said;
+    }
+    for (const auto& [name, value] : before) setenv(name.c_str(), value.c_str(), 1);
+}
+
 TEST_F(ExampleGame, ACaptionOfNoSoundIsNamed) {
     replace_in_definition("\"lenses\"", "\"lense\\n\"");
     EXPECT_EQ(run("oblong --game " + folder_ + " --headless 1 --out " + temporary_.path("out")), 1);
@@ -288,6 +340,23 @@ TEST(GameName, IsOfPlainLettersAndDiffersWhereFoldersDo) {
 struct Fault {
     const char *text, *said;
 };
+
+// Each would take minutes if all members were looked through for each.
+TEST(GameDefinition, LongListsAreRead) {
+    const test::TemporaryFolder folder;
+    std::string levels, captions, classes;
+    for (int i = 0; i < 100'000; ++i) {
+        const std::string name = (i > 0 ? ",\"" : "\"") + std::to_string(i) + "\"";
+        levels += name;
+        captions += name + ":\"\"";
+        classes += name + ":{\"is\":\"func_wall\"}";
+    }
+    folder.write("game.json", "{\"title\":\"x\",\"levels\":[" + levels + "],\"captions\":{" + captions +
+                                  "},\"classes\":{" + classes + "}}");
+    const GameDefinition game = read_game_definition(folder.path());
+    for (const std::size_t size : {game.levels.size(), game.captions.size(), game.classes.size()})
+        EXPECT_EQ(size, 100'000u);
+}
 
 TEST(GameDefinition, FaultsAreNamedWithTheirPlace) {
     const test::TemporaryFolder folder;

@@ -43,6 +43,23 @@ TEST_P(LibraryCircle, IsRoundOnTheDisplay) {
     }
 }
 
+// Of a circle far off the canvas, only the rows of the canvas are walked; they are those of a canvas that has all of
+// it.
+TEST_P(LibraryCircle, OnAPartIsThatOfTheWhole) {
+    ScreenMode mode = GetParam();
+    const int radius = 500;
+    for (const bool is_filled : {true, false}) {
+        const auto draw = [&](Framebuffer canvas, int x, int y) {
+            is_filled ? fill_circle(canvas, mode, x, y, radius, 1) : draw_circle(canvas, mode, x, y, radius, 1);
+        };
+        Picture whole = drawn_in(1200, 2400, [&](Framebuffer canvas) { draw(canvas, 600, 1200); });
+        for (const int top : {0, 690, 1190, 1500}) {
+            Picture part = drawn_in(1200, 20, [&](Framebuffer canvas) { draw(canvas, 600, 1200 - top); });
+            EXPECT_TRUE(std::equal(part.pixels.begin(), part.pixels.end(), whole.pixels.begin() + top * 1200)) << top;
+        }
+    }
+}
+
 // A path of neighbours along the border of the filled one, which has no pixel outside it.
 TEST_P(LibraryCircle, LineIsTheBorderOfTheFilledOneWithoutGaps) {
     const ScreenMode mode = GetParam();

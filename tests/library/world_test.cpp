@@ -263,6 +263,26 @@ void add_square(Model& model, std::int32_t at, std::int32_t half, std::uint8_t c
     model.add_triangle(left_up, right_down, left_down, skin);
 }
 
+// It would take minutes if each triangle looked at those before it. The box is that of all: the first alone is ahead.
+TEST(LibraryModel, OfAHundredThousandTrianglesTheFirstIsSeenLikeTheLast) {
+    const Palette palette = grey_palette();
+    Stage stage(palette);
+    stage.look(pose_at(-60, 0, 0));
+    const auto drawn = [&](const Model& model) {
+        Picture picture = Picture::of_size(320, 200);
+        stage.look(pose_at(-60, 0, 0));
+        stage.draw(model, pose_at(0, 0, 0), picture.canvas());
+        return checksum(picture.canvas());
+    };
+    Model alone, many;
+    add_square(alone, 0, 10, 200);
+    add_square(many, 0, 10, 200);
+    const std::int32_t skin = many.add_picture(Picture::of_size(1, 1));
+    for (std::int32_t i = 0; i < 100'000; ++i) many.add_triangle({-200, i, 0}, {-200, i, 1}, {-200, i + 1, 0}, skin);
+    EXPECT_NE(drawn(alone), drawn(Model()));
+    EXPECT_EQ(drawn(many), drawn(alone));
+}
+
 TEST(LibraryLevel, ModelIsShownOnceAlsoIfItIsGoneByThen) {
     Hall hall;
     const Pose eye = pose_at(-100, 0, 46), place = pose_at(100, 0, 46);

@@ -1,4 +1,6 @@
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/stat.h>
 
 #include <chrono>
 #include <filesystem>
@@ -120,6 +122,29 @@ class MapWatchTest : public testing::Test {
         std::make_shared<MapWatch>(path("my.map"), build_folder() + "/bin/oblong-map");
     MapWatch& watch = *shared_watch_;
 };
+
+TEST_F(MapWatchTest, APipeOrAFolderInItsPlaceIsAFaultAndNotWaitedFor) {
+    for (const bool is_pipe : {true, false}) {
+        fs::remove(path("my.map"));
+        EXPECT_EQ((is_pipe ? mkfifo : mkdir)(path("my.map").c_str(), 0700), 0);
+        const std::string said = refusal<FileError>([&] { watch.poll(is_pipe ? 300'000 : 600'000); });
+        EXPECT_TRUE(said.starts_with(path("my.map") + ": open: is ")) << said;
+    }
+}
+
+// Else, a window would close when the compiler has ended.
+TEST_F(MapWatchTest, ItsEndIsThatOfTheCompiler) {
+    write_file(path("slow"), std::string("#!/bin/sh\necho $$ >") + path("number") + "\nexec sleep 3000\n");
+    fs::permissions(path("slow"), fs::perms::owner_all);
+    write_file(path("my.map"), two_rooms(kLamp));
+    {
+        MapWatch slow(path("my.map"), path("slow"));
+        EXPECT_FALSE(slow.poll(300'000));
+        while (!fs::exists(path("number")) || read_text(path("number")).empty()) std::this_thread::yield();
+    }
+    EXPECT_EQ(kill(std::stoi(read_text(path("number"))), 0), -1);
+    EXPECT_EQ(errno, ESRCH);
+}
 
 // A walk in such a level, with a quick save before the level changes.
 class WatchedWalk : public MapWatchTest {

@@ -370,6 +370,36 @@ TEST_F(ObjFiles, AMillionTrianglesAreRead) {
     EXPECT_EQ(mesh.texels.size(), std::size_t{kSide + 1} * (kSide + 1));
 }
 
+/// Each would take minutes or gigabytes if all were looked through for each, or if each were kept.
+TEST_F(ObjFiles, ManyNamesPolygonsAndSkinsCostNoMoreThanTheirSize) {
+    std::string names, polygons;
+    for (int i = 0; i < 150'000; ++i) names += "usemtl m" + std::to_string(i) + "\nf 1 2 3\n";
+    EXPECT_EQ(read(kSquare + names).warnings.size(), 150'000u);
+    for (int i = 0; i < 255; ++i) polygons += "v " + std::to_string(i) + " 0 0\n";
+    for (int i = 0; i < 1'000; ++i) {
+        polygons += "f";
+        for (int corner = 1; corner <= 255; ++corner) polygons += " " + std::to_string(corner);
+        polygons += "\n";
+    }
+    EXPECT_EQ(read(polygons).mesh.triangles.size(), 253'000u);
+
+    std::string materials, faces = "mtllib many.mtl\nmtllib ./many.mtl\nvt 0 0\nvt 256 256\n" + kSquare;
+    for (int i = 0; i < 64; ++i) {
+        materials += "newmtl m" + std::to_string(i) + "\nmap_Kd tile.png\n";
+        faces += "usemtl m" + std::to_string(i) + "\nf 1/1 2/2 3/2\n";
+    }
+    write_file(path("many.mtl"), materials);
+    write_file(path("tile.png"), encode_indexed_png(std::vector<std::uint8_t>(256, 1), 16, 16, grey_palette()));
+    const ObjModel repeated = read(faces);
+    std::size_t texels = 0;
+    for (const Skin& skin : repeated.mesh.skins) texels += skin.texels.size();
+    EXPECT_LE(texels, std::size_t{1} << 26);
+    EXPECT_EQ(repeated.warnings.size(), 61u);
+    for (int i = 64; i <= 4096; ++i) materials += "newmtl m" + std::to_string(i) + "\n";
+    write_file(path("many.mtl"), materials);
+    EXPECT_TRUE(refusal<FileError>([&] { read(faces); }).ends_with("more than 4096 materials, expected fewer"));
+}
+
 /// All faces at one corner, each with a texture place of its own, none of them smooth.
 TEST_F(ObjFiles, AHundredThousandFacesAtOneCornerAreRead) {
     std::string text = kSquare + "s off\n";
