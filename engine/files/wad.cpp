@@ -94,6 +94,7 @@ std::vector<WadTexture> read_wad(std::span<const std::uint8_t> file, std::vector
                                           " of 32 bytes each");
     const ByteView directory = part_of(file, start, count * kEntryBytes, "directory");
     std::vector<WadTexture> textures;
+    std::size_t bytes = 0;  // textures may share theirs, but who keeps a copy of each has a bound
     for (std::size_t i = 0; i < count; ++i) {
         const ByteView entry = directory.subspan(i * kEntryBytes, kEntryBytes);
         constexpr std::size_t kTypeOffset = 12;
@@ -103,7 +104,13 @@ std::vector<WadTexture> read_wad(std::span<const std::uint8_t> file, std::vector
         } catch (const InputError& fault) {
             if (faults == nullptr) throw;
             faults->push_back(fault.where + ": " + fault.what());
+            continue;
         }
+        bytes += textures.back().miptex.size();
+        if (bytes > 4 * file.size())
+            throw InputError("directory", "textures of " + std::to_string(bytes) +
+                                              " bytes or more, expected at most 4 " + "times the file's " +
+                                              std::to_string(file.size()));
     }
     return textures;
 }

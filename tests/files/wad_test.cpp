@@ -60,6 +60,21 @@ TEST(Wad, MoreEntriesThanTheFileHoldsAreRefused) {
     EXPECT_EQ(refusal([&] { read_wad(file); }), "directory: 134217729 entries, expected at most 13 of 32 bytes each");
 }
 
+// 30,000 entries for one of 350 KB: a megabyte would be ten gigabytes.
+TEST(Wad, EntriesShareTheirTextureOnlyAFewTimes) {
+    const MipTexture texture = texture_of("wall", 64, 64);
+    auto file = write_wad(std::span(&texture, 1));
+    const std::vector<std::uint8_t> entry(file.end() - 32, file.end());
+    for (std::uint8_t entries = 2; entries <= 5; ++entries) {
+        file.insert(file.end(), entry.begin(), entry.end());
+        file[4] = entries;
+        if (entries < 5) {
+            EXPECT_EQ(read_wad(file).size(), entries);
+        }
+    }
+    EXPECT_TRUE(refusal([&] { read_wad(file); }).starts_with("directory: textures of "));
+}
+
 TEST(Wad, MipLevelInTheHeaderIsRefused) {
     const MipTexture texture = texture_of("wall", 16, 16);
     for (const std::size_t level : {0, 1, 2, 3}) {
