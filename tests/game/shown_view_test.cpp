@@ -85,7 +85,8 @@ TEST(ShownView, ZoomsBetweenItsLimitsAndIsOffAt90Degrees) {
     ViewOptions options;
     const auto press = [&](Action command) { return apply(command, options, {1600, 1200}); };
     press(Action::Isometric);
-    EXPECT_EQ(press(Action::ZoomIn), "{zoom-in} {zoom-out} Zoom against dolly: 80 degrees, as far as there is room behind you");
+    EXPECT_EQ(press(Action::ZoomIn),
+              "{zoom-in} {zoom-out} Zoom against dolly: 80 degrees, as far as there is room behind you");
     EXPECT_FALSE(options.is_isometric) << "it would hide what the message tells of";
     EXPECT_EQ(press(Action::ZoomOut), "{zoom-in} {zoom-out} Zoom against dolly: off");
     EXPECT_EQ(options.zoom_degrees, 0);

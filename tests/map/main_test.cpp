@@ -194,8 +194,7 @@ TEST_F(Program, AFolderOfPicturesIsPackedByItself) {
     EXPECT_EQ(first_texel(), 250);
     fs::create_directories(path("own"));
     fs::rename(path("pictures/palette.lmp"), path("own/colours.lmp"));
-    write_file(path("own/game.json"),
-               R"({"title": "Own", "palette": "colours.lmp", "levels": ["one"]})");
+    write_file(path("own/game.json"), R"({"title": "Own", "palette": "colours.lmp", "levels": ["one"]})");
     EXPECT_EQ(run(command + " --game " + path("own")), 0) << said_;
     EXPECT_EQ(first_texel(), 223) << "of the game";
     EXPECT_EQ(run(command), 0) << said_;

@@ -181,8 +181,7 @@ TEST_F(SlotFiles, PipesAndDevicesAreRefused) {
     fs::create_symlink(device_for_writing(folder_.path(), "zero"), file("slot2.save"));
     for (const SaveSlot slot : {kQuick, SaveSlot{SaveKind::Numbered, 1}, SaveSlot{SaveKind::Numbered, 2}}) {
         const SlotContent content = slots_.load(slot);
-        EXPECT_NE(content.refusal.find("is no regular file, expected one"), std::string::npos)
-            << content.refusal;
+        EXPECT_NE(content.refusal.find("is no regular file, expected one"), std::string::npos) << content.refusal;
         EXPECT_THROW(slots_.save(slot, first_), FileError);
     }
     EXPECT_TRUE(fs::is_fifo(file("quick1.save")));

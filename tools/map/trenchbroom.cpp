@@ -70,7 +70,8 @@ std::string model_of(const EntityClass& row) {
     const OwnModel& own = row.own_model;
     if (row.role == ClassRole::TriangleModel) return R"({ "path": model, "frame": frame, "skin": skin })";
     if (!own.file.empty())
-        return "{ \"path\": " + in_quotes(own.file) + ", \"scale\": " + std::string(find_entity_key(row, "scale")->usual) + " }";
+        return "{ \"path\": " + in_quotes(own.file) +
+               ", \"scale\": " + std::string(find_entity_key(row, "scale")->usual) + " }";
     std::string choices;
     for (const ClassModel& model : row.models) {
         if (!choices.empty()) choices += ", ";

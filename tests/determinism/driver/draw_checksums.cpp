@@ -110,8 +110,7 @@ void draw(const std::string& palette_path, const std::string& level_path, const 
         // Of methods that no frame runs by itself: those of the span buffer, as oblong-render reports them.
         const std::vector<NamedCount> methods = named_counts(HiddenSurfaceCounts{});
         all.insert(all.end(), methods.begin(), methods.end());
-        for (const NamedCount& count : all)
-            std::printf(" %lld", static_cast<long long>(count.count));
+        for (const NamedCount& count : all) std::printf(" %lld", static_cast<long long>(count.count));
         std::printf("\n");
     }
 }
