@@ -42,8 +42,9 @@ ViewSpec zoomed_view(const Camera& camera, std::int32_t zoom_degrees, const Leve
         return !trace_hull(level, level.world(), Hull::Point, camera.eye, from.eye).is_hit;
     };
     Degrees zoom = Degrees::from_int(zoom_degrees);
-    while (zoom < camera.field_of_view && !is_in_room(zoomed(zoom))) zoom = zoom + kDegree;
-    return first_person_view(zoom < camera.field_of_view || zoom_degrees > 90 ? zoomed(zoom) : camera);
+    while (zoom < camera.field_of_view && !is_in_room(zoomed(zoom)))
+        zoom = std::min(zoom + kDegree, camera.field_of_view);
+    return first_person_view(zoomed(zoom));
 }
 
 constexpr std::int64_t kCycle_ticks = 21;  // 0.6 s

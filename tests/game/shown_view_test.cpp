@@ -77,6 +77,7 @@ TEST(ShownView, ThatCannotBeDrawnIsTheCameras) {
     Camera camera = camera_before_sphere();
     camera.field_of_view = Degrees::from_int(30);
     EXPECT_TRUE(other_view(false, 80, camera, narrow, demo_level()));
+    EXPECT_NE(other_view(false, 80, camera, {}, demo_level())->eye, camera.eye) << "wider than the player's own";
     EXPECT_FALSE(other_view(false, 120, camera, narrow, demo_level()));
     EXPECT_TRUE(other_view(false, 120, camera, {}, demo_level()));
 }
