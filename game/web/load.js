@@ -126,9 +126,9 @@ const keepSaves = hasDatabase => {
 };
 
 const said = document.getElementById("said");
-// Shows a text over the picture until the next input.
+// Shows a text over the picture until the next input, below others that are there.
 Page.warn = text => {
-  said.textContent = text;
+  if (!said.textContent.includes(text)) said.textContent = `${said.textContent}\n${text}`.trim();
   said.className = "over";
   for (const event of ["keydown", "pointerdown"])
     addEventListener(event, () => { if (!Page.hasEnded) said.textContent = ""; }, {once: true});

@@ -11,6 +11,7 @@ run(async open => {
     await said.expect("document.title.startsWith('Three Rooms')", "the game's title, after a wrong address");
     await said.shows();
     await said.expect("document.getElementById('said').textContent.includes('is left out')", "what is wrong with the address");
+    await said.page.close();
   }
   const tab = await open("file://" + path.resolve(site, "oblong.html"));
   await tab.expect("document.title.startsWith('Three Rooms')", "the game's title");
