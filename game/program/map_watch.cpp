@@ -106,6 +106,7 @@ MapWatch::MapWatch(std::string map_file, std::string compiler, std::string game)
     log_file_ = base + ".log";
     points_file_ = base + ".pts";
     reads_file_ = base + ".reads";
+    signal(SIGCHLD, SIG_DFL);  // a shell may have left it ignored: then no exit code would be kept
 }
 
 MapWatch::~MapWatch() {
@@ -132,10 +133,22 @@ bool MapWatch::others_have_changed() {
 }
 
 std::optional<MapWatch::Result> MapWatch::poll(std::uint64_t now_us) {
+    try {
+        return look(now_us);
+    } catch (const FileError&) {
+        seen_ = {};  // tried again at the next look
+        throw;
+    }
+}
+
+std::optional<MapWatch::Result> MapWatch::look(std::uint64_t now_us) {
     if (running_) {
         int status = 0;
-        if (waitpid(*running_, &status, WNOHANG) == 0) return std::nullopt;
+        const pid_t ended = waitpid(*running_, &status, WNOHANG);
+        if (ended == 0) return std::nullopt;
         running_.reset();
+        if (ended < 0)
+            throw FileError(compiler_, "wait", "the system does not tell how it ended, expected an exit code");
         Result result = finish(status);
         if (result.has_level || running_change_ == MapChange::All) {
             remind_of(result.fault);
@@ -159,8 +172,8 @@ std::optional<MapWatch::Result> MapWatch::poll(std::uint64_t now_us) {
 }
 
 void MapWatch::remind_of(std::string fault) {
+    if (fault != fault_) reminded_us_ = 0;
     fault_ = std::move(fault);
-    reminded_us_ = 0;
 }
 
 std::string MapWatch::due_reminder(std::uint64_t now_us) {

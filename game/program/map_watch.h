@@ -38,7 +38,7 @@ class MapWatch {
     };
 
     /// Starts a due compilation, or returns the result of one that has ended, without delay. Reads files at most five
-    /// times a second.
+    /// times a second. Throws FileError where something fails that may not the next time: it is tried again.
     std::optional<Result> poll(std::uint64_t now_us);
     /// The level's fault, every few seconds until it is fixed; empty: none, or not due.
     std::string due_reminder(std::uint64_t now_us);
@@ -56,6 +56,7 @@ class MapWatch {
     };
 
     static Stamp stamp_of(const std::string& file);
+    std::optional<Result> look(std::uint64_t now_us);
     bool others_have_changed();
     void look_for_others();
     void begin(MapChange change);

@@ -184,6 +184,15 @@ void SaveSlots::save(SaveSlot slot, const SavedGame& game) const {
         replace_file(file, former_of(file), encode_save(game));
     else
         write_file(file, encode_save(game), FileUse::Kept);
+    make_latest(slot);
+}
+
+// Also after the clock was set back: else the title would go on with another walk.
+void SaveSlots::make_latest(SaveSlot slot) const {
+    const auto others = walks_and_quick_saves();
+    const SaveSlot latest = others.empty() ? slot : others.front();
+    std::error_code ignored;  // the save is whole without it
+    if (latest != slot) fs::last_write_time(file_of(slot), time_of(link_of(latest)) + std::chrono::seconds(2), ignored);
 }
 
 SlotContent SaveSlots::load(SaveSlot slot) const {

@@ -95,6 +95,7 @@ class SaveSlots {
   private:
     std::string link_of(SaveSlot slot) const;  ///< the file, or a link to it
     std::string file_of(SaveSlot slot) const;
+    void make_latest(SaveSlot slot) const;
     /// The most recent first.
     std::vector<SaveSlot> walks_and_quick_saves() const;
     std::unique_ptr<FileLock> lock(std::int64_t byte, int longest_wait_ms) const;

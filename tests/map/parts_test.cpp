@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <set>
 #include <thread>
 
 #include "engine/files/files.h"
@@ -11,6 +12,7 @@
 #include "game/program/map_watch.h"
 #include "game/program/program.h"
 #include "tests/map/map_source.h"
+#include "tests/saves/traced_process.h"
 #include "tests/support/folders.h"
 #include "tests/support/refusal.h"
 #include "tests/support/scripted_input.h"
@@ -144,6 +146,52 @@ TEST_F(MapWatchTest, ItsEndIsThatOfTheCompiler) {
     }
     EXPECT_EQ(kill(std::stoi(read_text(path("number"))), 0), -1);
     EXPECT_EQ(errno, ESRCH);
+}
+
+// One system call in turn fails, as where a disk is broken or there are too many processes; the next time it does not.
+TEST_F(MapWatchTest, WhatFailsOnceIsAFaultAndTriedAgain) {
+    if (!TracedProcess::kCanFailCalls) GTEST_SKIP() << "calls can't be made to fail on this processor";
+    const std::set<std::uint64_t> failing{SYS_openat, SYS_read,   SYS_write, SYS_newfstatat, SYS_close, SYS_statx,
+                                          SYS_unlink, SYS_clone3, SYS_vfork, SYS_clone,      SYS_wait4, SYS_stat};
+    write_file(path("t.wad"), wad_bytes({"wall"}));
+    write_file(path("my.map"), with_wad(two_rooms(kLamp)));
+    watch.compile_first(false);
+    const std::string whole = level_bytes();
+    const auto follow = [&] {
+        MapWatch follower(path("my.map"), build_folder() + "/bin/oblong-map");
+        int faults = 0;
+        for (std::uint64_t now_us = 0; now_us < 2'000'000'000; now_us += 300'000) {
+            try {
+                if (const auto result = follower.poll(now_us); result && result->has_level) _exit(10 + (faults > 0));
+            } catch (const FileError&) {
+                ++faults;
+            }
+            usleep(2000);
+        }
+        _exit(faults > 0 ? kRefused : kDone);  // there never was a level
+    };
+    int calls = 0, faults = 0;
+    for (int call = -1; call < calls; ++call) {  // at first none fails
+        fs::remove(watch.level_file());
+        TracedProcess process(follow);
+        int made = 0;
+        while (const auto begun = process.next())
+            if (process.is_beginning() && failing.contains(begun->number) && made++ == call) process.fail_call(EIO);
+        if (process.exit_code() == kNotTraced) GTEST_SKIP() << "processes can't be traced here";
+        ASSERT_GE(process.exit_code(), 10) << "call " << call << ": no level";
+        EXPECT_EQ(level_bytes(), whole) << "call " << call;
+        faults += process.exit_code() == 11;
+        if (call < 0) calls = std::min(made, 200);
+    }
+    EXPECT_GT(calls, 10);
+    EXPECT_GT(faults, 3) << "reading the source, writing the log, starting the compiler, waiting for it";
+}
+
+TEST_F(MapWatchTest, TellsAFaultFromALevelWhereEndsOfProcessesAreIgnored) {
+    signal(SIGCHLD, SIG_IGN);
+    MapWatch follower(path("my.map"), build_folder() + "/bin/oblong-map");
+    write_file(path("my.map"), std::string("no level"));
+    EXPECT_THROW(follower.compile_first(false), FileError);
 }
 
 // A walk in such a level, with a quick save before the level changes.

@@ -91,6 +91,16 @@ TEST_F(SlotFiles, TheWalkThatWasSavedLastIsFirst) {
     EXPECT_FALSE(slots_.last_walk()->game);
 }
 
+TEST_F(SlotFiles, TheWalkThatWasSavedLastIsFirstAlsoAfterTheClockWasSetBack) {
+    for (const int number : {1, 2, 1}) {
+        const SaveSlot slot{SaveKind::Walk, number};
+        slots_.save(slot, first_);
+        EXPECT_EQ(slots_.last_walk()->slot.number, number);
+        fs::last_write_time(file("auto" + std::to_string(number) + ".save"),
+                            fs::file_time_type::clock::now() + std::chrono::hours(10'000 * number));
+    }
+}
+
 TEST_F(SlotFiles, WhatEarlierVersionsSavedIsListedAndSaysSo) {
     Bytes bytes = encode_save(first_);
     bytes[8] = 1;
