@@ -253,7 +253,7 @@ SkyNow compose_sky(const SkyTexture& texture, std::int64_t time_ms, std::int64_t
 }
 
 std::int64_t draw_sky(std::span<const Span> spans, const SkyNow& sky, const Basis& axes, const Projection& projection,
-                      Framebuffer out) {
+                      Framebuffer out, BlockKernel draw_blocks) {
     const std::int32_t size = sky.texture.size;
     const SkyScroll scroll = scroll_at(sky.time_ms, size);
     // Three times the size exceeds the dome's radius, so that no coordinate is negative.
@@ -265,9 +265,8 @@ std::int64_t draw_sky(std::span<const Span> spans, const SkyNow& sky, const Basi
             draw_both_layers(blocks, sky.texture, scroll.clouds_further, out.pixels);
         });
     const SurfaceView tile = tile_of(sky.tile, size);
-    const BlockKernel kernel = best_block_kernel();
     return draw_cells(spans, view, out.pitch,
-                      [&](std::span<const TexelBlock> blocks) { kernel(blocks, tile, out.pixels); });
+                      [&](std::span<const TexelBlock> blocks) { draw_blocks(blocks, tile, out.pixels); });
 }
 
 }  // namespace oblong

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/math/basis.h"
+#include "engine/raster/kernels/kernels.h"
 #include "engine/view/projection.h"
 #include "engine/view/screen.h"
 
@@ -53,6 +54,6 @@ SkyNow compose_sky(const SkyTexture& texture, std::int64_t time_ms, std::int64_t
 /// smoothly, the clouds by one more texel for each whole texel that it moves. Returns the number of blocks; one more
 /// direction is computed for each span.
 std::int64_t draw_sky(std::span<const Span> spans, const SkyNow& sky, const Basis& axes, const Projection& projection,
-                      Framebuffer out);
+                      Framebuffer out, BlockKernel draw_blocks);
 
 }  // namespace oblong

@@ -18,6 +18,12 @@ namespace oblong {
 
 namespace {
 
+std::string kernel_names() {
+    std::string names;
+    for (const Kernels& kernels : all_kernels()) names += (names.empty() ? "" : ", ") + std::string(kernels.name);
+    return names;
+}
+
 std::optional<std::int32_t> whole_number(const std::string& text) {
     std::int32_t value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -112,6 +118,16 @@ std::int32_t parse_brightness(const std::string& text) {
     if (!raw_16 || *raw_16 < kOne_16 / 4 || *raw_16 > kOne_16 * 8)
         throw UsageError("--brightness: '" + text + "', expected 0.25 to 8");
     return static_cast<std::int32_t>((*raw_16 * 100 + kOne_16 / 2) / kOne_16);
+}
+
+const Kernels& parse_instructions(const std::string& text) {
+    const Kernels* const kernels = text.empty() ? &best_kernels() : find_kernels(text);
+    if (!kernels) throw UsageError("--instructions: '" + text + "', expected one of " + kernel_names());
+    return *kernels;
+}
+
+std::string instructions_help() {
+    return "the instructions that draw: " + kernel_names() + " (default: the first); the picture is the same";
 }
 
 void check_view(const ScreenMode& mode, Degrees field_of_view) {

@@ -9,6 +9,7 @@
 
 #include "engine/accuracy/accuracy.h"
 #include "engine/fixed/trig.h"
+#include "engine/raster/kernels/kernels.h"
 #include "engine/view/present_rect.h"
 #include "engine/view/screen.h"
 
@@ -34,6 +35,10 @@ Ratio parse_display(const std::string& text);
 Degrees parse_field_of_view(const std::string& text);
 /// The brightness of lit surfaces, decimal, from 0.25 to 8; returned in hundredths.
 std::int32_t parse_brightness(const std::string& text);
+/// The kernels of an instruction set by name; empty: the best that this processor has.
+const Kernels& parse_instructions(const std::string& text);
+/// What --instructions does, with the names that it takes on this processor.
+std::string instructions_help();
 /// Throws UsageError for values that are valid alone but not together: a wide field of view in a mode of few pixels.
 void check_view(const ScreenMode& mode, Degrees field_of_view);
 /// "1991", "1994", "1996", "bounded", "exact".

@@ -1,31 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <type_traits>
 
-// Divisions of numbers that are mostly shorter than 64 bits. i386 divides 64 bits by 32 bits to a 32-bit quotient in
-// one instruction; C++ has no such division, and compilers call a function.
+#include "engine/fixed/native/native.h"
+
+// Divisions of numbers that are mostly shorter than 64 bits.
 
 namespace oblong {
-
-struct ShortDivision {
-    std::uint32_t quotient = 0, remainder = 0;
-};
-
-/// n / d with a quotient of 32 bits: n / 2^32 < d.
-constexpr ShortDivision divide_to_32(std::uint64_t n, std::uint32_t d) {
-#if defined(__i386__)
-    if (!std::is_constant_evaluated()) {
-        ShortDivision result;
-        asm("divl %4"
-            : "=a"(result.quotient), "=d"(result.remainder)
-            : "a"(static_cast<std::uint32_t>(n)), "d"(static_cast<std::uint32_t>(n >> 32)), "rm"(d)
-            : "cc");
-        return result;
-    }
-#endif
-    return {static_cast<std::uint32_t>(n / d), static_cast<std::uint32_t>(n % d)};
-}
 
 struct Division {
     std::uint64_t quotient = 0, remainder = 0;
@@ -33,16 +14,14 @@ struct Division {
 
 /// n / d, d > 0.
 constexpr Division divide(std::uint64_t n, std::uint64_t d) {
-#if defined(__i386__)
-    if (const auto short_d = static_cast<std::uint32_t>(d); short_d == d) {
+    if (const auto short_d = static_cast<std::uint32_t>(d); native::kHasShortRegisters && short_d == d) {
         const auto high = static_cast<std::uint32_t>(n >> 32);
         const ShortDivision upper =
             high < short_d ? ShortDivision{0, high} : ShortDivision{high / short_d, high % short_d};
         const ShortDivision lower =
-            divide_to_32(std::uint64_t{upper.remainder} << 32 | static_cast<std::uint32_t>(n), short_d);
+            native::divide_to_32(std::uint64_t{upper.remainder} << 32 | static_cast<std::uint32_t>(n), short_d);
         return {std::uint64_t{upper.quotient} << 32 | lower.quotient, lower.remainder};
     }
-#endif
     return {n / d, n % d};
 }
 
@@ -52,16 +31,14 @@ struct FlooredDivision {
 
 /// n / d rounded toward minus infinity, d > 0.
 constexpr FlooredDivision floored_division(std::int64_t n, std::int64_t d) {
-#if defined(__i386__)
-    // For n < 0: floor(n / d) = ~floor(~n / d).
-    const std::int64_t sign = n >> 63;
-    const Division size = divide(static_cast<std::uint64_t>(n ^ sign), static_cast<std::uint64_t>(d));
-    const auto rest = static_cast<std::int64_t>(size.remainder);
-    return {static_cast<std::int64_t>(size.quotient) ^ sign, sign == 0 ? rest : d - 1 - rest};
-#else
+    if constexpr (native::kHasShortRegisters) {  // for n < 0: floor(n / d) = ~floor(~n / d)
+        const std::int64_t sign = n >> 63;
+        const Division size = divide(static_cast<std::uint64_t>(n ^ sign), static_cast<std::uint64_t>(d));
+        const auto rest = static_cast<std::int64_t>(size.remainder);
+        return {static_cast<std::int64_t>(size.quotient) ^ sign, sign == 0 ? rest : d - 1 - rest};
+    }
     const std::int64_t quotient = n / d, rest = n % d, is_below = rest < 0;
     return {quotient - is_below, rest + (d & -is_below)};
-#endif
 }
 
 }  // namespace oblong

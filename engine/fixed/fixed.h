@@ -4,7 +4,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "engine/fixed/multiply.h"
+#include "engine/fixed/native/native.h"
 
 namespace oblong {
 
@@ -124,7 +124,7 @@ template <int Frac, class Count>
                                                                    Fixed<std::int64_t, Frac> step, Count count) {
     std::uint64_t sum = 0;
     if constexpr (std::is_same_v<Count, std::uint32_t>)
-        sum = wrapping_sum(value.bits(), step.bits(), count);
+        sum = native::wrapping_sum(value.bits(), step.bits(), count);
     else
         sum = value.bits() + step.bits() * static_cast<std::uint64_t>(std::int64_t{count});
     return Fixed<std::int64_t, Frac>::from_raw(static_cast<std::int64_t>(sum));

@@ -4,7 +4,7 @@
 #include <bit>
 
 #include "engine/base/table.h"
-#include "engine/fixed/multiply.h"
+#include "engine/fixed/native/native.h"
 
 namespace oblong {
 
@@ -42,9 +42,9 @@ constexpr auto kReciprocalRootsOfMiddles = [] {
 /// A Newton step r (3 - m r^2) / 2; m has 32 fraction bits, r 30. It is never above the root, and r below 2 keeps all
 /// within 32 bits.
 std::uint32_t newton_step(std::uint32_t m_32, std::uint32_t r_30) {
-    const auto square_30 = static_cast<std::uint32_t>(product_to_64(r_30, r_30) >> 30);
-    const auto share_30 = static_cast<std::uint32_t>(product_to_64(m_32, square_30) >> 32);
-    return static_cast<std::uint32_t>(product_to_64(r_30, (3u << 30) - share_30) >> 31);
+    const auto square_30 = static_cast<std::uint32_t>(native::product_to_64(r_30, r_30) >> 30);
+    const auto share_30 = static_cast<std::uint32_t>(native::product_to_64(m_32, square_30) >> 32);
+    return static_cast<std::uint32_t>(native::product_to_64(r_30, (3u << 30) - share_30) >> 31);
 }
 
 /// The root of a number from 2^14 to 2^16 - 1.
@@ -98,7 +98,7 @@ ReciprocalRoot reciprocal_root(std::uint64_t value) {
     return {newton_step(m_32, newton_step(m_32, seed)), 32 - even_shift / 2};
 }
 
-std::uint64_t integer_root(portable::Uint128 value) {
+std::uint64_t integer_root(Uint128 value) {
     if (value.high == 0) return integer_root(value.low);
     const int even_shift = std::countl_zero(value.high) & ~1;
     const std::uint64_t from_low = even_shift == 0 ? 0 : value.low >> (64 - even_shift);

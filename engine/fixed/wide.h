@@ -7,7 +7,7 @@
 
 #include "engine/fixed/divide.h"
 #include "engine/fixed/fixed.h"
-#include "engine/fixed/multiply.h"
+#include "engine/fixed/native/native.h"
 
 // 64-bit arithmetic with intermediate results of 128 bits: exact, rounded once by a named rule, and saturating with the
 // right sign. `portable` needs no 128-bit type and is always compiled; if the compiler has one, the functions below use
@@ -45,38 +45,6 @@ constexpr std::int64_t divided_by_zero(bool is_negative, bool is_zero) {
 
 namespace portable {
 
-/// high * 2^64 + low.
-struct Uint128 {
-    std::uint64_t high = 0, low = 0;
-    constexpr auto operator<=>(const Uint128&) const = default;
-};
-
-/// The exact product.
-constexpr Uint128 multiply(std::uint64_t a, std::uint64_t b) {
-#if defined(__i386__)
-    if (!std::is_constant_evaluated()) {  // carries go from addition to addition; GCC puts each into a 64-bit number
-        const auto low_a = static_cast<std::uint32_t>(a), high_a = static_cast<std::uint32_t>(a >> 32),
-                   low_b = static_cast<std::uint32_t>(b), high_b = static_cast<std::uint32_t>(b >> 32);
-        const std::uint64_t first = product_to_64(low_a, low_b);
-        std::uint32_t second = static_cast<std::uint32_t>(first >> 32), third = 0, fourth = 0;
-        asm("movl %[low_a], %%eax\n\tmull %[high_b]\n\taddl %%eax, %[second]\n\tadcl $0, %%edx\n\t"
-            "movl %%edx, %[third]\n\t"
-            "movl %[high_a], %%eax\n\tmull %[low_b]\n\taddl %%eax, %[second]\n\tadcl %%edx, %[third]\n\t"
-            "movl $0, %[fourth]\n\tadcl $0, %[fourth]\n\t"
-            "movl %[high_a], %%eax\n\tmull %[high_b]\n\taddl %%eax, %[third]\n\tadcl %%edx, %[fourth]"
-            : [second] "+&r"(second), [third] "=&r"(third), [fourth] "=&r"(fourth)
-            : [low_a] "m"(low_a), [high_a] "m"(high_a), [low_b] "m"(low_b), [high_b] "m"(high_b)
-            : "eax", "edx", "cc");
-        return {std::uint64_t{fourth} << 32 | third, std::uint64_t{second} << 32 | static_cast<std::uint32_t>(first)};
-    }
-#endif
-    constexpr std::uint64_t kHalf = 0xffffffff;
-    const std::uint64_t low = (a & kHalf) * (b & kHalf);
-    const std::uint64_t cross = (a >> 32) * (b & kHalf) + (low >> 32);
-    const std::uint64_t middle = (a & kHalf) * (b >> 32) + (cross & kHalf);
-    return {(a >> 32) * (b >> 32) + (cross >> 32) + (middle >> 32), (middle << 32) | (low & kHalf)};
-}
-
 /// a + b modulo 2^128.
 constexpr Uint128 add(Uint128 a, Uint128 b) {
     const std::uint64_t low = a.low + b.low;
@@ -90,7 +58,7 @@ constexpr std::uint32_t next_digit(std::uint64_t& n, std::uint32_t next, std::ui
     std::uint32_t digit = ~std::uint32_t{0};
     std::uint64_t left = n - std::uint64_t{digit} * top;
     if (n >> 32 < top) {
-        const ShortDivision guess = divide_to_32(n, top);
+        const ShortDivision guess = native::divide_to_32(n, top);
         digit = guess.quotient;
         left = guess.remainder;
     }
@@ -113,7 +81,7 @@ constexpr Division divide(Uint128 n, std::uint64_t d) {
 /// a * b / c. See oblong::mul_div.
 constexpr std::int64_t mul_div(std::int64_t a, std::int64_t b, std::int64_t c, Rounding rounding) {
     const bool is_negative = ((a < 0) != (b < 0)) != (c < 0);
-    const Uint128 product = multiply(detail::magnitude(a), detail::magnitude(b));
+    const Uint128 product = native::product_to_128(detail::magnitude(a), detail::magnitude(b));
     const std::uint64_t divisor = detail::magnitude(c);
     if (divisor == 0) return detail::divided_by_zero(is_negative, product == Uint128{});
     if (product.high >= divisor) return detail::saturated(is_negative, ~std::uint64_t{0});
@@ -129,37 +97,18 @@ constexpr Uint128 shift_right(Uint128 value, int shift) {
     return {value.high >> shift, (value.high << (64 - shift)) | (value.low >> shift)};
 }
 
-/// high * 2^32 + low.
-struct Int96 {
-    std::int64_t high = 0;
-    std::uint32_t low = 0;
-};
-
 /// a * b + more, exactly.
 constexpr Int96 multiply_add(std::int32_t a, std::int64_t b, std::uint32_t more) {
     const auto low_b = static_cast<std::uint32_t>(b);
-    const std::uint64_t low = product_to_64(static_cast<std::uint32_t>(a), low_b) + more;
+    const std::uint64_t low = native::product_to_64(static_cast<std::uint32_t>(a), low_b) + more;
     const std::uint32_t too_much = static_cast<std::uint32_t>(a >> 31) & low_b;  // of an `a` below 0
     const auto carry = static_cast<std::int32_t>(static_cast<std::uint32_t>(low >> 32) - too_much);
-    return {product_to_64(a, static_cast<std::int32_t>(b >> 32)) + carry, static_cast<std::uint32_t>(low)};
+    return {native::product_to_64(a, static_cast<std::int32_t>(b >> 32)) + carry, static_cast<std::uint32_t>(low)};
 }
 
 /// value / 2^shift, floored, modulo 2^64; `shift` 1 to 32.
 [[gnu::always_inline]] constexpr std::int64_t shift_right(Int96 value, int shift) {
-#if defined(__i386__)
-    if (!std::is_constant_evaluated() && shift < 32) {  // in place: GCC moves the halves of 64-bit numbers about
-        std::uint32_t low = value.low, middle = static_cast<std::uint32_t>(value.high);
-        asm("shrdl %b2, %1, %0" : "+r"(low) : "r"(middle), "cI"(shift) : "cc");
-        asm("shrdl %b2, %1, %0"
-            : "+r"(middle)
-            : "r"(static_cast<std::uint32_t>(static_cast<std::uint64_t>(value.high) >> 32)), "cI"(shift)
-            : "cc");
-        return static_cast<std::int64_t>(std::uint64_t{middle} << 32 | low);
-    }
-#endif
-    const std::uint64_t lower = (static_cast<std::uint64_t>(value.high) << 32 | value.low) >> shift;
-    const auto upper = static_cast<std::uint32_t>(floor_shift(value.high, shift));
-    return static_cast<std::int64_t>(std::uint64_t{upper} << 32 | static_cast<std::uint32_t>(lower));
+    return shift == 32 ? value.high : native::shift_right(value, shift);
 }
 
 /// a * b / 2^shift, `shift` 33 to 94, from the product's floored quotient by 2^32.
@@ -186,14 +135,14 @@ constexpr std::int64_t short_mul_shift_by_less(std::int32_t a, std::int64_t b, i
 /// a * b / 2^shift. See oblong::wrapping_mul_shift.
 constexpr std::int64_t wrapping_mul_shift(std::int32_t a, std::int64_t b, int shift) {
     if (const auto short_b = static_cast<std::int32_t>(b); short_b == b)
-        return floor_shift(product_to_64(a, short_b) + half_of(shift, Rounding::NearestHalfUp), shift);
+        return floor_shift(native::product_to_64(a, short_b) + half_of(shift, Rounding::NearestHalfUp), shift);
     return shift_right(multiply_add(a, b, half_of(shift, Rounding::NearestHalfUp)), shift);
 }
 
 /// a * b / 2^shift: the product in two's complement, plus half a step, floored.
 constexpr std::int64_t long_mul_shift(std::int64_t a, std::int64_t b, int shift, Rounding rounding) {
     const auto bits_a = static_cast<std::uint64_t>(a), bits_b = static_cast<std::uint64_t>(b);
-    Uint128 product = multiply(bits_a, bits_b);
+    Uint128 product = native::product_to_128(bits_a, bits_b);
     product.high -= (a < 0 ? bits_b : 0) + (b < 0 ? bits_a : 0);
     if (rounding == Rounding::NearestHalfUp && shift > 0) {
         const std::uint64_t half = std::uint64_t{1} << ((shift - 1) & 63);
@@ -216,14 +165,14 @@ constexpr std::int64_t long_mul_shift(std::int64_t a, std::int64_t b, int shift,
 
 /// Compares a * b with c * d exactly.
 constexpr std::strong_ordering compare_products(std::uint64_t a, std::uint64_t b, std::uint64_t c, std::uint64_t d) {
-    return multiply(a, b) <=> multiply(c, d);
+    return native::product_to_128(a, b) <=> native::product_to_128(c, d);
 }
 
 }  // namespace portable
 
 #ifdef __SIZEOF_INT128__
 
-namespace native {
+namespace by_128_bits {
 
 __extension__ using Int128 = __int128;
 __extension__ using Uint128 = unsigned __int128;
@@ -273,9 +222,9 @@ constexpr std::strong_ordering compare_products(std::uint64_t a, std::uint64_t b
     return Uint128{a} * b <=> Uint128{c} * d;
 }
 
-}  // namespace native
+}  // namespace by_128_bits
 
-namespace chosen_wide = native;
+namespace chosen_wide = by_128_bits;
 #else
 namespace chosen_wide = portable;
 #endif

@@ -48,7 +48,7 @@ FrameContext make_context(const Scene& scene, const ViewSpec& spec, const Screen
                        work.observers,
                        view,
                        make_inverse_projection(view.projection, spec.shear_x, spec.shear_y),
-                       make_span_texturing(accuracy),
+                       make_span_texturing(accuracy, *settings.kernels),
                        out,
                        limits_of(spec)};
     frame.fog = make_frame_fog(frame);
@@ -128,7 +128,7 @@ void draw_frame(const Scene& scene, const ViewSpec& view, const ScreenMode& mode
     const Settings in_view = settings_in(view, settings);
     const FrameContext frame = make_context(scene, placed, mode, in_view, work, out);
 
-    work.cache.surfaces.start_frame(settings.accuracy, settings.brightness_100, scene.colormap);
+    work.cache.surfaces.start_frame(settings.accuracy, settings.brightness_100, scene.colormap, *settings.kernels);
     start_view(frame, eye.leaf, work.view);
     work.view.claiming->span_buffer.reset();
     EffectSet& effects = work.view.claims.effects;

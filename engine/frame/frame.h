@@ -26,6 +26,7 @@ struct Settings {
     Flashes flashes = Flashes::Full;
     std::int32_t brightness_100 = 100;  ///< percent, of the light on lit surfaces; clamped to the brightest shade
     bool correct_aspect = true;         ///< false: the projection assumes square pixels (F2 in the game)
+    const Kernels* kernels = &best_kernels();  ///< what draws; others draw the same bytes
     bool operator==(const Settings&) const = default;
 };
 

@@ -85,7 +85,8 @@ void draw_sky_faces(const FrameContext& frame, ViewScratch& scratch) {
     const SkyNow sky = compose_sky({texture.mips[0].data(), texture.height, texture.width}, frame.scene.time_ms,
                                    pixels_of(all), frame.cache.sky_layers);
     if (is_shared(frame)) return frame.shared->add_sky(sky, all);
-    const std::int64_t blocks = draw_sky(all, sky, frame.view.ray_directions(), frame.view.projection, frame.out);
+    const std::int64_t blocks = draw_sky(all, sky, frame.view.ray_directions(), frame.view.projection, frame.out,
+                                         frame.settings.kernels->draw_blocks);
     if (frame.observers.counts) count_sky(all, blocks, sky, frame.observers.counts->stages);
 }
 

@@ -79,7 +79,8 @@ void SharedDrawing::do_item(std::uint32_t number, int worker) {
     const FrameContext& frame = *frame_;
     const Item& work = items_[number - first_item_];
     if (work.is_sky) {
-        draw_sky(work.spans, sky_, frame.view.ray_directions(), frame.view.projection, frame.out);
+        draw_sky(work.spans, sky_, frame.view.ray_directions(), frame.view.projection, frame.out,
+                 frame.settings.kernels->draw_blocks);
         return;
     }
     draw_textured(work.face, work.spans, {frame.texturing, frame.out, item(scratches_, worker)});

@@ -56,7 +56,7 @@ SurfaceEffect effect_of(const SurfaceOptions& options, const FaceSurface& surfac
         cache.warp = make_warp_tables(frame.scene.time_ms);
         cache.warp_time_ms = frame.scene.time_ms;
     }
-    return {effect_kernel(traits),
+    return {effect_kernel(traits, *frame.settings.kernels),
             {surface.view, &item(cache.warp, surface.mip), options.colours, options.blend},
             traits.warps && !traits.has_holes && !traits.blends};
 }
@@ -136,12 +136,12 @@ void draw_blocks(const TexturedFace& face, std::span<const Span> spans, BlockCut
     }
 }
 
-/// The kernel for pieces with almost linear texels; null if a search for them is not worth it: for Bounded it is only
+/// The kernels for pieces with almost linear texels; null if a search for them is not worth it: for Bounded it is only
 /// if there are many pixels, near a wall.
-BlockKernel line_kernel(std::span<const Span> spans, const TexturedFace& face, const SpanTarget& target) {
+const Kernels* line_kernels(std::span<const Span> spans, const SpanTarget& target) {
     constexpr std::int64_t kMany = 8192;
     const bool is_worth_it = target.texturing.texturing == Texturing::Exact || pixels_of(spans) >= kMany;
-    return is_worth_it ? face.surface.kernel : nullptr;
+    return is_worth_it ? target.texturing.kernels : nullptr;
 }
 
 /// Draws without blocks if surface and effect allow it.
@@ -155,7 +155,7 @@ void divide_at_each_pixel(const TexturedFace& face, std::span<const Span> spans,
     const std::int64_t divisions =
         face.effect.warps_alone
             ? draw_exact_warped_spans(spans, cutting, face.effect.texels, target.out)
-            : draw_exact_spans(spans, cutting, surface.view, line_kernel(spans, face, target), target.out);
+            : draw_exact_spans(spans, cutting, surface.view, line_kernels(spans, target), target.out);
     const auto [counts, record, times] = target.observers;
     if (counts) count_divided_pixels(spans, divisions, target.out.pitch, *counts);
     if (record) record_divided_pixels(record_of(face.face), spans, cutting, surface, target.out, *record);
@@ -227,11 +227,15 @@ void draw_bounded(const TexturedFace& face, std::span<const Span> spans, const S
 
 }  // namespace
 
-SpanTexturing make_span_texturing(const Accuracy& accuracy) {
+SpanTexturing make_span_texturing(const Accuracy& accuracy, const Kernels& kernels) {
     Accuracy pixels = accuracy;
     pixels.texturing = Texturing::Exact;
-    return {accuracy.texturing, make_block_rule(accuracy), block_cutter(accuracy), block_cutter(pixels),
-            accuracy.reciprocal == ReciprocalMethod::Exact};
+    return {accuracy.texturing,
+            make_block_rule(accuracy),
+            block_cutter(accuracy, kernels),
+            block_cutter(pixels, kernels),
+            accuracy.reciprocal == ReciprocalMethod::Exact,
+            &kernels};
 }
 
 void set_cutting(TexturedFace& face, std::span<const Span> spans, const SpanTexturing& texturing) {

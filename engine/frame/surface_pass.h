@@ -22,8 +22,9 @@ struct SpanTexturing {
     BlockCutter cut_blocks = nullptr;
     BlockCutter cut_pixels = nullptr;  ///< blocks of one pixel
     bool divides_exactly = true;       ///< false: by a table method, for which only blocks exist
+    const Kernels* kernels = nullptr;
 };
-SpanTexturing make_span_texturing(const Accuracy& accuracy);
+SpanTexturing make_span_texturing(const Accuracy& accuracy, const Kernels& kernels = best_kernels());
 
 /// How a pass draws surfaces: plain texels, or with effects (EffectTexels).
 struct SurfaceOptions {

@@ -40,13 +40,11 @@ constexpr Vec3<View> to_view(const Vec3<World>& world_point, const Vec3<World>& 
         return Vec3<View>{view_coordinate(from_eye, basis.right), view_coordinate(from_eye, basis.up),
                           view_coordinate(from_eye, basis.forward)};
     };
-#if defined(__i386__)
     Vec3<World> near;
-    if (!__builtin_sub_overflow(world_point.x.raw, world_eye.x.raw, &near.x.raw) &&
+    if (native::kHasShortRegisters && !__builtin_sub_overflow(world_point.x.raw, world_eye.x.raw, &near.x.raw) &&
         !__builtin_sub_overflow(world_point.y.raw, world_eye.y.raw, &near.y.raw) &&
         !__builtin_sub_overflow(world_point.z.raw, world_eye.z.raw, &near.z.raw))
         return in_view(near);
-#endif
     return in_view(widening_difference(world_point, world_eye));
 }
 

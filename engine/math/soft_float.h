@@ -81,7 +81,7 @@ constexpr std::optional<To> fixed_of(const SoftFloat& value) {
 class WideSum {
   public:
     constexpr void add_product(std::int64_t a, std::int64_t b) {
-        const portable::Uint128 size = portable::multiply(detail::magnitude(a), detail::magnitude(b));
+        const Uint128 size = native::product_to_128(detail::magnitude(a), detail::magnitude(b));
         sum_ = portable::add(sum_, (a < 0) != (b < 0) ? negated(size) : size);
     }
 
@@ -94,7 +94,7 @@ class WideSum {
     /// The sum times 2^exponent, truncated to the leading 62 bits.
     constexpr SoftFloat scaled(int exponent) const {
         const bool is_negative = sum_.high >> 63 != 0;
-        const portable::Uint128 size = is_negative ? negated(sum_) : sum_;
+        const Uint128 size = is_negative ? negated(sum_) : sum_;
         const int bits = 128 - (size.high != 0 ? std::countl_zero(size.high) : 64 + std::countl_zero(size.low));
         const int drop = bits > 62 ? bits - 62 : 0;
         const auto leading = static_cast<std::int64_t>(portable::shift_right(size, drop).low);
@@ -102,11 +102,9 @@ class WideSum {
     }
 
   private:
-    static constexpr portable::Uint128 negated(portable::Uint128 value) {
-        return portable::add({~value.high, ~value.low}, {0, 1});
-    }
+    static constexpr Uint128 negated(Uint128 value) { return portable::add({~value.high, ~value.low}, {0, 1}); }
 
-    portable::Uint128 sum_;  ///< two's complement
+    Uint128 sum_;  ///< two's complement
 };
 
 }  // namespace oblong

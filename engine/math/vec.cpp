@@ -13,10 +13,10 @@ namespace {
 
 template <std::size_t N>
 std::uint64_t length_of(const std::array<std::int64_t, N>& vector) {
-    portable::Uint128 sum;
+    Uint128 sum;
     for (const std::int64_t component : vector) {
         const std::uint64_t size = detail::magnitude(component);
-        sum = portable::add(sum, portable::multiply(size, size));
+        sum = portable::add(sum, native::product_to_128(size, size));
     }
     return integer_root(sum);
 }

@@ -26,8 +26,8 @@ WeightStep step_of(Screen part, ScreenArea whole) {
     const auto divisor = static_cast<std::uint32_t>(whole.bits());
     if (divisor != whole.bits()) return divide<WeightStep>(part, whole);
     const auto size = static_cast<std::uint32_t>(magnitude(part));
-    const ShortDivision high = divide_to_32(std::uint64_t{size} << kBits, divisor);
-    const ShortDivision low = divide_to_32(std::uint64_t{high.remainder} << kBits, divisor);
+    const ShortDivision high = native::divide_to_32(std::uint64_t{size} << kBits, divisor);
+    const ShortDivision low = native::divide_to_32(std::uint64_t{high.remainder} << kBits, divisor);
     // To nearest, ties up.
     const bool is_more = low.remainder + (part >= Screen{}) > divisor - low.remainder;
     const auto quotient = static_cast<std::int64_t>((std::uint64_t{high.quotient} << kBits) + low.quotient + is_more);
@@ -58,7 +58,7 @@ void set_at_pixel(const std::array<const ScreenPlace*, 3>& corners, std::uint32_
                               Screen::from_int(weights.first_row) + kHalfPixel};
     const auto share = [&](const ScreenPlace& from, const ScreenPlace& to) {
         const ScreenArea part = edge_function(from.screen, to.screen, centre);
-        const ShortDivision quotient = divide_to_32(part.bits() << PixelWeight::kFractionBits, area);
+        const ShortDivision quotient = native::divide_to_32(part.bits() << PixelWeight::kFractionBits, area);
         return PixelWeight::from_raw(static_cast<std::int32_t>(quotient.quotient));
     };
     weights.b = share(*c, *a);
@@ -74,23 +74,10 @@ std::int32_t least_column(std::span<const Span> spans) {
 /// The part of a quantity's step that a difference of its values at two corners makes.
 template <class Value, class Difference>
 [[gnu::always_inline]] inline Value part_of(Difference difference, const StoredStep& step) {
-#if defined(__i386__)
     static_assert(WeightStep::kFractionBits == 48);
-    if (const auto short_difference = static_cast<std::int32_t>(difference.raw);
-        short_difference == difference.raw && Difference::kFractionBits == Value::kFractionBits) {
-        // floor((difference (high * 2^32 + low) + 2^47) / 2^48), from the lower product's upper half on
-        std::int64_t product;
-        std::int32_t low, high;
-        asm("movl %[difference], %%eax\n\timull %[step_low]\n\tleal 0x8000(%%edx), %%eax\n\tcltd\n\t"
-            "movl %%eax, %[low]\n\tmovl %%edx, %[high]\n\t"
-            "movl %[difference], %%eax\n\timull %[step_high]\n\taddl %[low], %%eax\n\tadcl %[high], %%edx\n\t"
-            "shrdl $16, %%edx, %%eax\n\tsarl $16, %%edx"
-            : "=&A"(product), [low] "=&r"(low), [high] "=&r"(high)
-            : [difference] "rm"(short_difference), [step_low] "m"(step.low), [step_high] "m"(step.high)
-            : "cc");
-        return Value::from_raw(product);
-    }
-#endif
+    if constexpr (native::kHasShortRegisters && Difference::kFractionBits == Value::kFractionBits)
+        if (const auto short_difference = static_cast<std::int32_t>(difference.raw); short_difference == difference.raw)
+            return Value::from_raw(native::rounded_product_48(short_difference, step.low, step.high));
     return product<Value>(difference, WeightStep(step));
 }
 

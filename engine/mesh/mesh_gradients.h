@@ -18,7 +18,6 @@ struct MeshGradients {
 /// Change of a barycentric coordinate per pixel, at most 16.
 using WeightStep = Fixed<std::int64_t, 48>;
 
-#if defined(__i386__)
 /// A WeightStep as high * 2^32 + low, both with a sign: times 32 bits it is two products and their sum.
 struct StoredStep {
     std::int32_t low = 0, high = 0;
@@ -28,9 +27,6 @@ struct StoredStep {
         : low(static_cast<std::int32_t>(step.raw)), high(static_cast<std::int32_t>((step.raw - low) >> 32)) {}
     operator WeightStep() const { return WeightStep::from_raw(high * (std::int64_t{1} << 32) + low); }
 };
-#else
-using StoredStep = WeightStep;
-#endif
 
 /// A barycentric coordinate at a pixel, 0 to 1.
 using PixelWeight = Fixed<std::int32_t, 30>;

@@ -6,7 +6,7 @@
 #include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"
 #include "engine/fixed/divide.h"
-#include "engine/fixed/multiply.h"
+#include "engine/fixed/native/native.h"
 #include "engine/fixed/root.h"
 #include "engine/raster/edges.h"
 #include "engine/raster/kernels/effect_kernels.h"
@@ -83,7 +83,7 @@ std::int32_t cosine_8(const Vec3<Fixed<std::int32_t, 14>>& normal, const Recipro
     const auto along = static_cast<std::int32_t>(floor_of<14>(dot(normal, to)));
     if (along <= 0) return 0;
     // The length has 14 fraction bits too.
-    const std::uint64_t cosine = product_to_64(static_cast<std::uint32_t>(along), over_length.mantissa);
+    const std::uint64_t cosine = native::product_to_64(static_cast<std::uint32_t>(along), over_length.mantissa);
     return static_cast<std::int32_t>(std::min<std::uint64_t>(cosine >> (22 + over_length.shift), 256));
 }
 

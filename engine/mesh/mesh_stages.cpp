@@ -71,7 +71,6 @@ constexpr bool is_within_bits(const Vec3<World>& v) {
     return ((v.x.bits() + kEnd) | (v.y.bits() + kEnd) | (v.z.bits() + kEnd)) >> (kBits + 1) == 0;
 }
 
-#if defined(__i386__)
 /// a x b of vectors within 2^15 steps: its parts are below 2^31.
 constexpr Vec3<Fixed<std::int32_t, 24>> short_cross(const Vec3<World>& a, const Vec3<World>& b) {
     const auto area = [](World ax, World ay, World bx, World by) {
@@ -95,16 +94,14 @@ std::optional<bool> is_short_facing(const Vec3<World>& a, const Vec3<World>& b_a
         return std::nullopt;
     return dot(short_cross(c, b), to_eye) > Fixed<std::int64_t, 36>{};
 }
-#endif
 
 /// Whether a triangle faces the eye, exactly.
 bool is_facing(const MeshTriangle& triangle, std::span<const MeshVertex> vertices, const Vec3<World>& object_eye) {
     const Vec3<World>& a = vertices[triangle.vertices[0]].position;
-#if defined(__i386__)
-    if (const auto is_short = is_short_facing(a, vertices[triangle.vertices[1]].position,
-                                              vertices[triangle.vertices[2]].position, object_eye))
-        return *is_short;
-#endif
+    if constexpr (native::kHasShortRegisters)
+        if (const auto is_short = is_short_facing(a, vertices[triangle.vertices[1]].position,
+                                                  vertices[triangle.vertices[2]].position, object_eye))
+            return *is_short;
     const auto from_a = [&](const Vec3<World>& p) { return widening_difference(p, a); };
     const auto to_eye = from_a(object_eye), b = from_a(vertices[triangle.vertices[1]].position),
                c = from_a(vertices[triangle.vertices[2]].position);
@@ -306,12 +303,8 @@ void view_vertex(const Vec3<World>& object_position, const MeshTransform& transf
         const auto& [right, up, forward] = to_view.rows;
         const auto& [x, y, z] = to_view.origin;
         seen.position = {along(right, x), along(up, y), along(forward, z)};
-#if defined(__i386__)
-        if (const auto near = to_short(seen.position))
-            is_inside = place_vertex_at(*near, view, seen);
-        else
-#endif
-            is_inside = place_vertex_at(seen.position, view, seen);
+        const auto near = native::kHasShortRegisters ? to_short(seen.position) : std::nullopt;
+        is_inside = near ? place_vertex_at(*near, view, seen) : place_vertex_at(seen.position, view, seen);
     } else {
         is_inside = place_vertex(world_position(object_position, transform), view, seen);
     }

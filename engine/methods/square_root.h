@@ -13,7 +13,7 @@ To square_root(Fixed<Int, Frac> value, Rounding rounding = Rounding::Floor) {
     static_assert(kShift >= 0 && kShift <= 63, "the radicand fits 128 bits");
     if (value <= decltype(value){}) return To{};
     const std::uint64_t root =
-        integer_root(portable::multiply(std::uint64_t{value.bits()}, std::uint64_t{1} << kShift));
+        integer_root(native::product_to_128(std::uint64_t{value.bits()}, std::uint64_t{1} << kShift));
     const std::uint64_t rounded = rounding == Rounding::Floor ? root >> 1 : (root >> 1) + (root & 1);
     return saturated_to<To>(detail::saturated(false, rounded));
 }

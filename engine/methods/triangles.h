@@ -6,26 +6,13 @@
 #include <vector>
 
 #include "engine/math/vec.h"
+#include "engine/raster/kernels/kernels.h"
 #include "engine/raster/scan.h"
 #include "engine/view/gradients.h"
 #include "engine/view/projection.h"
 #include "engine/view/screen.h"
 
 namespace oblong {
-
-/// A triangle's three edge functions along a row of pixels: at the first one, and their step to the next. A pixel is
-/// inside if none is below 0.
-struct EdgeRow {
-    std::array<std::int64_t, 3> value, step;
-};
-
-/// Which of a row's first `count` pixels are inside: consecutive ones, since a triangle is convex.
-using EdgeRowKernel = PixelRange (*)(const EdgeRow& row, std::int32_t count);
-
-/// The reference implementation: a pixel at a time.
-PixelRange inside_edges_plain(const EdgeRow& row, std::int32_t count);
-/// SSE2, eight pixels at a time (plain on other processors). All values for the pixels must fit 32 bits.
-PixelRange inside_edges_sse2(const EdgeRow& row, std::int32_t count);
 
 /// How the pixels of a triangle are found. All find exactly the same ones: those whose centre is inside, on a left edge
 /// (not horizontal, with the triangle on its right; there may be two) or on a top edge (horizontal, above the rest).
@@ -43,7 +30,8 @@ using ScreenTriangle = std::array<ScreenVertex, 3>;
 /// of rows; the pixels do not depend on the number of bands.
 class TriangleScanner {
   public:
-    TriangleScanner(TriangleMethod method, const ScreenRectangle& part, EdgeRowKernel kernel = inside_edges_sse2);
+    TriangleScanner(TriangleMethod method, const ScreenRectangle& part,
+                    EdgeRowKernel kernel = best_kernels().inside_edges);
 
     /// Appends the triangle's pixels, a span a row from top to bottom. Corners may run either way; a triangle without
     /// area has no pixels. Coordinates beyond kLargestScreen are clamped.

@@ -20,7 +20,6 @@ struct TexelStep {
     std::int32_t u_16 = 0, v_16 = 0;
 };
 
-#if defined(__i386__)
 /// Whether both are below 32,768 texels, so that a difference fits 32 bits.
 [[gnu::always_inline]] inline bool are_short(TexelPosition from, TexelPosition to) {
     return (from.u_16 | from.v_16 | to.u_16 | to.v_16) >> 31 == 0;
@@ -30,15 +29,12 @@ struct TexelStep {
 [[gnu::always_inline]] inline std::int32_t floored(std::int32_t whole, std::int32_t steps) {
     return whole / steps + (whole % steps >> 31);
 }
-#endif
 
 /// The steps over 2^log2 pixels, rounded down.
 [[gnu::always_inline]] inline TexelStep steps_by_shift(TexelPosition from, TexelPosition to, int log2) {
-#if defined(__i386__)
-    if (are_short(from, to))
+    if (native::kHasShortRegisters && are_short(from, to))
         return {static_cast<std::int32_t>(to.u_16 - from.u_16) >> log2,
                 static_cast<std::int32_t>(to.v_16 - from.v_16) >> log2};
-#endif
     return {static_cast<std::int32_t>(floor_shift(std::int64_t{to.u_16} - from.u_16, log2)),
             static_cast<std::int32_t>(floor_shift(std::int64_t{to.v_16} - from.v_16, log2))};
 }
@@ -63,11 +59,9 @@ inline constexpr std::array<std::int64_t, kStepReciprocals> kStepReciprocal_36 =
 
 /// The steps over 1 to 4,095 pixels, equal to step_by_division(), by the table where that is exact.
 [[gnu::always_inline]] inline TexelStep steps_by_division(TexelPosition from, TexelPosition to, std::int32_t steps) {
-#if defined(__i386__)
-    if (are_short(from, to))
+    if (native::kHasShortRegisters && are_short(from, to))
         return {floored(static_cast<std::int32_t>(to.u_16 - from.u_16), steps),
                 floored(static_cast<std::int32_t>(to.v_16 - from.v_16), steps)};
-#endif
     constexpr std::int64_t kMost = std::int64_t{1} << 26;
     const std::int64_t u = std::int64_t{to.u_16} - from.u_16, v = std::int64_t{to.v_16} - from.v_16;
     const auto beyond = static_cast<std::uint64_t>(u + kMost) | static_cast<std::uint64_t>(v + kMost);

@@ -49,8 +49,8 @@ std::int64_t line_error_16(const Piece& piece) {
 /// Collects pieces whose texture coordinates are almost linear, and draws them with a kernel.
 class LinePieces {
   public:
-    LinePieces(const OctaveRow& row, BlockKernel kernel, const SurfaceView& surface, std::uint8_t* out)
-        : row_(row), kernel_(kernel), surface_(surface), out_(out) {}
+    LinePieces(const OctaveRow& row, const Kernels& kernels, const SurfaceView& surface, std::uint8_t* out)
+        : row_(row), kernels_(kernels), surface_(surface), out_(out) {}
 
     /// `pixel` counts from the octave's first.
     void add(const Piece& piece, std::int32_t pixel, std::int64_t error_16) {
@@ -64,9 +64,10 @@ class LinePieces {
     /// Draws the pieces; pixels so near a texel's border that the exact texel may be the next are divided.
     void draw() {
         if (count_ == 0) return;
-        kernel_(std::span(blocks_).first(count_), surface_, out_);
+        kernels_.draw_blocks(std::span(blocks_).first(count_), surface_, out_);
         for (std::size_t i = 0; i < count_; ++i)
-            for (std::uint64_t near = pixels_near_borders(blocks_[i], errors_16_[i]); near != 0; near &= near - 1) {
+            for (std::uint64_t near = kernels_.pixels_near_borders(blocks_[i], errors_16_[i]); near != 0;
+                 near &= near - 1) {
                 const auto pixel = static_cast<std::int32_t>(blocks_[i].pixel) + std::countr_zero(near);
                 out_[pixel] = row_.colour_at(row_.at(pixel));
                 ++divisions_;
@@ -77,7 +78,7 @@ class LinePieces {
 
   private:
     const OctaveRow& row_;
-    const BlockKernel kernel_;
+    const Kernels& kernels_;
     const SurfaceView& surface_;
     std::uint8_t* const out_;
     std::size_t count_ = 0;
@@ -98,12 +99,12 @@ struct PieceLengths {
 
 /// Draws the same bytes as a division at each pixel would, with two divisions for each piece that is almost linear.
 /// `out` is the octave's first pixel. Returns the number of divisions.
-std::int64_t draw_octave(const Octave& octave, const OctaveRow& row, BlockKernel kernel, const SurfaceView& surface,
+std::int64_t draw_octave(const Octave& octave, const OctaveRow& row, const Kernels* kernels, const SurfaceView& surface,
                          PieceLengths& lengths, std::uint8_t* out) {
     constexpr std::int64_t kMost_16 = 2048;  // above this, too many pixels are near a border
     const std::int32_t end = octave.end - octave.first;
-    if (!kernel || row.is_constant()) return row.draw_divided(0, end, out);
-    LinePieces pieces(row, kernel, surface, out);
+    if (!kernels || row.is_constant()) return row.draw_divided(0, end, out);
+    LinePieces pieces(row, *kernels, surface, out);
     std::int64_t divisions = 0;
     for (std::int32_t pixel = 0; pixel < end;) {
         const std::int32_t left = end - 1 - pixel, count = left < 2 * lengths.next ? left : lengths.next;
@@ -214,7 +215,7 @@ std::int64_t draw_with_columns(std::span<const Span> spans, const BlockCutting& 
 }  // namespace
 
 std::int64_t draw_exact_spans(std::span<const Span> spans, const BlockCutting& cutting, const SurfaceView& surface,
-                              BlockKernel kernel, Framebuffer out) {
+                              const Kernels* kernels, Framebuffer out) {
     const TextureGradients& gradients = cutting.gradients;
     const auto colour_at = [&](TexelPosition texel) { return texel_from(surface, texel.u_16 >> 16, texel.v_16 >> 16); };
     if (shares_columns(spans, gradients)) {
@@ -229,7 +230,7 @@ std::int64_t draw_exact_spans(std::span<const Span> spans, const BlockCutting& c
     SurfaceView wrapping = surface;
     wrapping.holds_blocks = false;  // pieces are not cut to limits
     const auto draw = [&](const Octave& octave, const OctaveRow& row, std::uint8_t* pixels) {
-        return draw_octave(octave, row, kernel, wrapping, lengths, pixels);
+        return draw_octave(octave, row, kernels, wrapping, lengths, pixels);
     };
     return draw_octaves(spans, cutting, surface, out, draw, colour_at);
 }

@@ -7,7 +7,7 @@
 #include "engine/base/range_probe.h"
 #include "engine/fixed/divide.h"
 #include "engine/fixed/fixed.h"
-#include "engine/fixed/multiply.h"
+#include "engine/fixed/native/native.h"
 #include "engine/fixed/reciprocal.h"
 #include "engine/raster/texture_blocks.h"
 
@@ -22,7 +22,7 @@ template <PerspectiveRange Range, int Frac>
 [[gnu::always_inline]] inline auto stepped_in(Fixed<std::int64_t, Frac> value, Fixed<std::int64_t, Frac> step,
                                               std::uint32_t count) {
     if constexpr (Range != PerspectiveRange::FitsWithShortSteps) return stepped(value, step, count);
-    const auto way = product_to_64(static_cast<std::int32_t>(step.raw), static_cast<std::int32_t>(count));
+    const auto way = native::product_to_64(static_cast<std::int32_t>(step.raw), static_cast<std::int32_t>(count));
     return stepped(value, Fixed<std::int64_t, Frac>::from_raw(way), 1);
 }
 
@@ -30,12 +30,9 @@ template <PerspectiveRange Range, int Frac>
 template <PerspectiveRange Range, int Frac>
 [[gnu::always_inline]] inline auto stepped_by_power(Fixed<std::int64_t, Frac> value, Fixed<std::int64_t, Frac> step,
                                                     int log2) {
-#if defined(__i386__)
-    return stepped_in<Range>(value, step, std::uint32_t{1} << log2);
-#else
+    if constexpr (native::kHasShortRegisters) return stepped_in<Range>(value, step, std::uint32_t{1} << log2);
     const auto way = static_cast<std::int64_t>(step.bits() << log2);
     return stepped(value, Fixed<std::int64_t, Frac>::from_raw(way), 1);
-#endif
 }
 
 /// LinearQuantity::at_shown().
@@ -74,29 +71,24 @@ constexpr Number clamp_value(Number value, Number least, Number greatest) {
 
 /// A texel clamped to limits of 32 bits, in raw steps.
 [[gnu::always_inline]] inline std::uint32_t texel_within(Texel texel, Texel least, Texel greatest) {
-#if defined(__i386__)
-    const auto high = static_cast<std::int32_t>(texel.raw >> 32);
-    auto steps = static_cast<std::uint32_t>(texel.raw);
-    if (high != 0) steps = high < 0 ? 0 : ~std::uint32_t{0};
-    return clamp_value(steps, static_cast<std::uint32_t>(least.raw), static_cast<std::uint32_t>(greatest.raw));
-#else
+    if constexpr (native::kHasShortRegisters) {
+        const auto high = static_cast<std::int32_t>(texel.raw >> 32);
+        auto steps = static_cast<std::uint32_t>(texel.raw);
+        if (high != 0) steps = high < 0 ? 0 : ~std::uint32_t{0};
+        return clamp_value(steps, static_cast<std::uint32_t>(least.raw), static_cast<std::uint32_t>(greatest.raw));
+    }
     return static_cast<std::uint32_t>(clamp_value(texel, least, greatest).raw);
-#endif
 }
 
 /// value * 2^shift / 2^32, floored; value * 2^shift fits 64 bits. `shift` is below 32 unless MayBeLong.
 template <bool MayBeLong>
 [[gnu::always_inline]] inline std::int32_t upper_half(std::int64_t value, int shift) {
-#if defined(__i386__)
-    // One `shldl`; the compiler's code would test again whether the shift is 32 or more.
-    const auto low = static_cast<std::uint32_t>(value);
-    auto high = static_cast<std::int32_t>(value >> 32);
-    if (MayBeLong && shift >= 32) return static_cast<std::int32_t>(low << (shift & 31));
-    asm("shldl %b2, %1, %0" : "+r"(high) : "r"(low), "cI"(shift) : "cc");
-    return high;
-#else
+    if constexpr (native::kHasShortRegisters) {
+        if (MayBeLong && shift >= 32)
+            return static_cast<std::int32_t>(static_cast<std::uint32_t>(value) << (shift & 31));
+        return static_cast<std::int32_t>(native::shift_left(value, shift).bits);
+    }
     return static_cast<std::int32_t>(floor_shift(value * (std::int64_t{1} << shift), 32));
-#endif
 }
 
 /// 2^92 / (value * 2^shift), whose divisor is from 2^59 to 2^60. One 64-bit division, relative error below 2^-26.
@@ -104,22 +96,17 @@ struct DividedReciprocal {
     static constexpr std::int64_t kLeast = (std::int64_t{1} << 32) + 1;
 
     [[gnu::always_inline]] static std::int64_t of(std::int64_t value, int shift) {
-#if defined(__i386__)
-        return kLeast + above_least<true>(value, shift);
-#else
+        if constexpr (native::kHasShortRegisters) return kLeast + above_least<true>(value, shift);
         return static_cast<std::int64_t>(
             divide(std::uint64_t{1} << 60, static_cast<std::uint64_t>(upper_half<true>(value, shift))).quotient);
-#endif
     }
 
-#if defined(__i386__)
     /// of() - kLeast. With d from 2^27 to 2^28 - 1, that is (2^60 - 2^32 d - d) / d.
     template <bool MayBeLong>
     [[gnu::always_inline]] static std::uint32_t above_least(std::int64_t value, int shift) {
         const auto divisor = static_cast<std::uint32_t>(upper_half<MayBeLong>(value, shift));
-        return divide_to_32(std::uint64_t{(1u << 28) - 1 - divisor} << 32 | (0 - divisor), divisor).quotient;
+        return native::divide_to_32(std::uint64_t{(1u << 28) - 1 - divisor} << 32 | (0 - divisor), divisor).quotient;
     }
-#endif
 };
 
 /// The same by a table method.
@@ -137,11 +124,8 @@ struct Depth {
     static constexpr bool kClamps = Range == PerspectiveRange::MayOverflow;
 
     /// Whether only what the mantissa is above DividedReciprocal::kLeast is stored.
-#if defined(__i386__)
-    static constexpr bool kIsShort = !kClamps && std::is_same_v<Reciprocal, DividedReciprocal>;
-#else
-    static constexpr bool kIsShort = false;
-#endif
+    static constexpr bool kIsShort =
+        native::kHasShortRegisters && !kClamps && std::is_same_v<Reciprocal, DividedReciprocal>;
 
     /// 2^60 / (the leading 28 bits of 1/z), in (2^32, 2^33]
     std::conditional_t<kIsShort, std::uint32_t, std::int64_t> mantissa = 0;
@@ -173,42 +157,35 @@ struct Depth {
 
     /// The same in steps, clamped to limits of 32 bits.
     [[gnu::always_inline]] std::uint32_t times(TexelOverZ over_z, Texel least, Texel greatest) const {
-#if defined(__i386__)
-        if constexpr (!kClamps) {
-            // upper_half<false>(), whose shift is 1 or more here: it sets the sign flag.
-            auto upper = static_cast<std::int32_t>(over_z.raw >> 32);
-            bool is_below_zero = false;
-            asm("shldl %b3, %2, %0"
-                : "+r"(upper), "=@ccs"(is_below_zero)
-                : "r"(static_cast<std::uint32_t>(over_z.raw)), "cI"(shift));
-            if (is_below_zero) return static_cast<std::uint32_t>(least.raw);
-            const auto size = static_cast<std::uint32_t>(upper), low = static_cast<std::uint32_t>(mantissa);
-            std::uint32_t lower = size, high = 0;
-            if constexpr (kIsShort) {
-                asm("mull %2\n\taddl %3, %0\n\tadcl %3, %1" : "+&a"(lower), "=&d"(high) : "rm"(low), "r"(size) : "cc");
-            } else {  // the mantissa is 2^33, or 2^32 and 32 bits more
-                const std::uint64_t product = product_to_64(size, low);
-                const bool is_greatest = static_cast<std::uint32_t>(mantissa >> 32) == 2;
-                lower = static_cast<std::uint32_t>(product);
-                high = size + (is_greatest ? size : static_cast<std::uint32_t>(product >> 32));
-            }
-            // In units of four steps: one comparison where the limits are not near.
-            const auto first = static_cast<std::uint32_t>(least.raw), last = static_cast<std::uint32_t>(greatest.raw);
-            const std::uint32_t first_4 = first / 4 + 1, count_4 = std::max(first_4, last / 4) - first_4;
-            const auto steps = static_cast<std::uint32_t>(
-                upper_half<false>(static_cast<std::int64_t>(std::uint64_t{high} << 32 | lower), 2));
-            // high - first_4 < count_4, without loading what is in memory.
-            std::uint32_t beyond_first = high;
-            bool is_between = false;
-            asm("subl %[first], %[beyond]\n\tcmpl %[count], %[beyond]"
-                : [beyond] "+&r"(beyond_first), "=@ccb"(is_between)
-                : [first] "rm"(first_4), [count] "rm"(count_4));
-            if (is_between) [[likely]]
-                return steps;
-            return high > ~std::uint32_t{0} >> 2 ? last : clamp_value(steps, first, last);
-        } else
-#endif
+        if constexpr (kClamps || !native::kHasShortRegisters)
             return texel_within(times(over_z), least, greatest);
+        else
+            return short_times(over_z, least, greatest);
+    }
+
+  private:
+    /// times() where a number of 64 bits takes two registers; `shift` is 1 or more here.
+    [[gnu::always_inline]] std::uint32_t short_times(TexelOverZ over_z, Texel least, Texel greatest) const {
+        const ShiftedUpper upper = native::shift_left(over_z.raw, shift);
+        if (upper.is_below_zero) return static_cast<std::uint32_t>(least.raw);
+        const std::uint32_t size = upper.bits, low = static_cast<std::uint32_t>(mantissa);
+        std::uint64_t product = 0;
+        if constexpr (kIsShort) {
+            product = native::product_above_one(size, low);
+        } else {  // the mantissa is 2^33, or 2^32 and 32 bits more
+            const std::uint64_t lower = native::product_to_64(size, low);
+            const bool is_greatest = static_cast<std::uint32_t>(mantissa >> 32) == 2;
+            product = std::uint64_t{size + (is_greatest ? size : static_cast<std::uint32_t>(lower >> 32))} << 32 |
+                      static_cast<std::uint32_t>(lower);
+        }
+        // In units of four steps: one comparison where the limits are not near.
+        const auto first = static_cast<std::uint32_t>(least.raw), last = static_cast<std::uint32_t>(greatest.raw);
+        const std::uint32_t first_4 = first / 4 + 1, count_4 = std::max(first_4, last / 4) - first_4;
+        const auto steps = static_cast<std::uint32_t>(upper_half<false>(static_cast<std::int64_t>(product), 2));
+        const auto high = static_cast<std::uint32_t>(product >> 32);
+        if (native::is_in_range(high, first_4, count_4)) [[likely]]
+            return steps;
+        return high > ~std::uint32_t{0} >> 2 ? last : clamp_value(steps, first, last);
     }
 };
 

@@ -62,13 +62,8 @@ struct BlockCutting {
     bool takes_whole_spans = false;    ///< every span is one block: affine, or within the bound
 };
 
-/// Appends the blocks of spans, left to right, while there is room for a span's worst case. Returns the remaining
-/// spans. `pitch` is the framebuffer's.
-using BlockCutter = std::span<const Span> (*)(std::span<const Span> spans, std::int32_t pitch,
-                                              const BlockCutting& cutting, BlockList& blocks);
-
 /// The cutter for these dials, chosen once a frame.
-BlockCutter block_cutter(const Accuracy& accuracy, Instructions instructions = best_instructions());
+BlockCutter block_cutter(const Accuracy& accuracy, const Kernels& kernels = best_kernels());
 
 /// The number of divisions for cutting these spans into these blocks: one where a span begins, and one at each end of a
 /// block, tried ends included; none for a last block of one pixel, if 1/z is constant along rows, or if the row repeats

@@ -120,7 +120,9 @@ FaceSurfaces::FaceSurfaces(const Level& level, const FaceTable& faces, const Scr
       moving_lights_(level, faces),
       corner_shades_(most_light_samples(level, faces)) {}
 
-void FaceSurfaces::start_frame(const Accuracy& accuracy, std::int32_t brightness_100, const Colormap& colormap) {
+void FaceSurfaces::start_frame(const Accuracy& accuracy, std::int32_t brightness_100, const Colormap& colormap,
+                               const Kernels& kernels) {
+    kernels_ = &kernels;
     cache_.start_frame();
     const LightQuality quality{accuracy.light, accuracy.shades, accuracy.dithers_light, brightness_100};
     if (colormap_ == &colormap && light_quality_ == quality) return;
@@ -156,7 +158,7 @@ FaceSurface FaceSurfaces::lit(FaceIndex index, int mip, const SurfaceState& stat
                         face.texel_min_v,
                         make_texel_limits(std::max(face.texel_extent_u >> mip, 1),
                                           std::max(face.texel_extent_v >> mip, 1), longest_px_),
-                        kernel};
+                        kernels_->draw_blocks};
 
     LightmapView light = light_of(level_, face, state.styles);
     const bool may_be_touched = !moving_lights_.is_empty() && !light.has_no_lightmaps;
@@ -186,7 +188,7 @@ void FaceSurfaces::build(FaceIndex index, const FaceSurface& surface, TextureInd
     const TextureView source{item(texture.mips, mip).data(), texture.width >> mip, texture.height >> mip,
                              floor_shift(face.texel_min_u, mip), floor_shift(face.texel_min_v, mip)};
     build_lit_surface(source, light, colormap(), light_quality_, mip, 1 << surface.view.stride_log2,
-                      corner_shades_.data(), texels);
+                      corner_shades_.data(), texels, kernels_->light_cells);
     built_texels_ += std::int64_t{surface.view.width} * surface.view.height;
     ++built_surfaces_;
 }
@@ -200,7 +202,7 @@ FaceSurface FaceSurfaces::tiled(const Face& face, int mip, const MipTexture& tex
     surface.origin_v = floor_to_multiple(face.texel_min_v, texture.height);
     surface.limits = make_texel_limits(kMostTexels, kMostTexels, longest_px_);
     surface.is_wrapped_by_masks = is_wrapped_by_masks(surface.view);
-    surface.kernel = surface.is_wrapped_by_masks ? kernel : draw_blocks_any_size;
+    surface.kernel = surface.is_wrapped_by_masks ? kernels_->draw_blocks : draw_blocks_any_size;
     return surface;
 }
 

@@ -40,8 +40,10 @@ class FaceSurfaces {
     /// `level` and `faces` must outlive it.
     FaceSurfaces(const Level& level, const FaceTable& faces, const ScreenMode& mode);
 
-    /// Sets how light is computed from now on. Texels returned earlier may be overwritten from now on.
-    void start_frame(const Accuracy& accuracy, std::int32_t brightness_100, const Colormap& colormap);
+    /// Sets how light is computed and surfaces are drawn from now on. Texels returned earlier may be overwritten from
+    /// now on.
+    void start_frame(const Accuracy& accuracy, std::int32_t brightness_100, const Colormap& colormap,
+                     const Kernels& kernels);
     /// The colormap used for light: the scene's, or a copy with fewer shades.
     const Colormap& colormap() const { return fewer_shades_ ? *fewer_shades_ : *colormap_; }
     /// The mip level of a lit or liquid face, or a part of one, whose nearest point in view has the depth `nearest_z`.
@@ -63,8 +65,6 @@ class FaceSurfaces {
     std::int64_t built_surfaces() const { return built_surfaces_; }  ///< number of lit surfaces ever built
     const SurfaceCache& cache() const { return cache_; }
 
-    BlockKernel kernel = best_block_kernel();
-
   private:
     FaceSurface lit(FaceIndex face, int mip, const SurfaceState& state);
     FaceSurface tiled(const Face& face, int mip, const MipTexture& texture) const;
@@ -78,6 +78,7 @@ class FaceSurfaces {
     std::int32_t longest_px_;
     SurfaceCache cache_;
     MovingLights moving_lights_;
+    const Kernels* kernels_ = nullptr;
     LightQuality light_quality_;                ///< of the surfaces in the cache
     const Colormap* colormap_ = nullptr;        ///< the scene's
     std::optional<Colormap> fewer_shades_;      ///< used instead of `colormap_`

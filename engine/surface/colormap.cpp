@@ -45,7 +45,7 @@ std::int32_t linear_30(std::int32_t channel_8) {
 
 std::int32_t cone_response_30(const Row& cone, std::int32_t red_30, std::int32_t green_30, std::int32_t blue_30) {
     const auto light = static_cast<std::uint64_t>(cone.times(red_30, green_30, blue_30));
-    return static_cast<std::int32_t>(power_30(divide_to_32(light, kMillion).quotient, 1, 3));
+    return static_cast<std::int32_t>(power_30(native::divide_to_32(light, kMillion).quotient, 1, 3));
 }
 
 }  // namespace

@@ -58,10 +58,12 @@ constexpr std::array<std::uint8_t, 16> kThresholds{0, 8, 2, 10, 12, 4, 14, 6, 3,
 template <LightSampling Sampling, bool Dithers, int Mip>
 class SurfaceBuilder {
   public:
-    SurfaceBuilder(const TextureView& texture, const Colormap& colormap, const LightQuality& quality)
+    SurfaceBuilder(const TextureView& texture, const Colormap& colormap, const LightQuality& quality,
+                   CellKernel light_cells)
         : texture_(texture),
           first_u_(wrap(texture.min_u, texture.width)),
           colormap_(colormap),
+          light_cells_(light_cells),
           threshold_24_(static_cast<std::uint32_t>(Colormap::kShades / quality.shades) << 20) {}
 
     /// For a surface without extent in one direction (a texture axis perpendicular to the face): one colour.
@@ -92,8 +94,8 @@ class SurfaceBuilder {
                      std::int32_t stride, std::uint8_t* out) const {
         const std::int32_t width = texture_.width;
         if constexpr (kInterpolates && !Dithers && Mip < 2)
-            if (light_cells_by_eights({upper_16, columns, texels, first_u_, width, stride, out}, Mip, colormap_))
-                return;
+            if (light_cells_)
+                return light_cells_({upper_16, columns, texels, first_u_, width, stride, out}, Mip, colormap_);
         std::int32_t u = first_u_;
         for (std::int32_t column = 1; column < columns; ++column, ++upper_16, out += kCell) {
             build_cell(y, upper_16, upper_16 + columns, texels + u, stride, out);
@@ -140,13 +142,15 @@ class SurfaceBuilder {
     const TextureView& texture_;
     std::int32_t first_u_;
     const Colormap& colormap_;
+    const CellKernel light_cells_;
     std::uint32_t threshold_24_;  ///< a sixteenth of the step between two shades
 };
 
 template <LightSampling Sampling, bool Dithers, int Mip>
 void build_mip(const TextureView& texture, const LightmapView& light, const Colormap& colormap,
-               const LightQuality& quality, std::int32_t stride, const std::int32_t* corner_shades, std::uint8_t* out) {
-    const SurfaceBuilder<Sampling, Dithers, Mip> builder(texture, colormap, quality);
+               const LightQuality& quality, std::int32_t stride, const std::int32_t* corner_shades, std::uint8_t* out,
+               CellKernel light_cells) {
+    const SurfaceBuilder<Sampling, Dithers, Mip> builder(texture, colormap, quality, light_cells);
     if (light.columns < 2 || light.rows < 2)
         return builder.build_line(corner_shades[0], std::max(lit_size(light.rows, Mip), 1) * stride, out);
     builder.build(light, corner_shades, stride, out);
@@ -182,9 +186,9 @@ std::int32_t shade_of(std::int32_t light_8) {
 
 void build_lit_surface(const TextureView& texture, const LightmapView& light, const Colormap& colormap,
                        const LightQuality& quality, int mip, std::int32_t stride, std::int32_t* corner_shades,
-                       std::uint8_t* out) {
+                       std::uint8_t* out, CellKernel light_cells) {
     compute_corner_shades(light, quality.brightness_100, corner_shades);
-    build_of(quality, mip)(texture, light, colormap, quality, stride, corner_shades, out);
+    build_of(quality, mip)(texture, light, colormap, quality, stride, corner_shades, out, light_cells);
 }
 
 }  // namespace oblong

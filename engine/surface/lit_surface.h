@@ -61,15 +61,6 @@ constexpr std::int32_t lit_size(std::int32_t samples, int mip) {
     return (samples - 1) * (16 >> mip);
 }
 
-/// Writes texture times light to `out`: shades are interpolated in each cell between four samples, or taken from the
-/// nearest one, and looked up in the colormap (Abrash, Black Book, ch. 68). They are rounded down, or with dithering
-/// rounded up in as many of 4x4 texels as their fraction says. For fewer than 64 shades, `colormap` is from
-/// with_shades(). `out` has lit_size(rows) rows of `stride` bytes, at least one; a surface without extent in a
-/// direction is one colour. `corner_shades` is scratch of columns * rows entries.
-void build_lit_surface(const TextureView& texture, const LightmapView& light, const Colormap& colormap,
-                       const LightQuality& quality, int mip, std::int32_t stride, std::int32_t* corner_shades,
-                       std::uint8_t* out);
-
 /// A row of cells of a lit surface (build_lit_surface), at least one; each is between four light samples.
 struct LitCells {
     const std::int32_t* upper_16;  ///< `columns` shades above the cells, followed by those below
@@ -79,9 +70,16 @@ struct LitCells {
     std::int32_t stride;  ///< of `out`
     std::uint8_t* out;
 };
+/// Lights cells of mip level 0 or 1 with interpolated shades, not dithered.
+using CellKernel = void (*)(const LitCells& cells, int mip, const Colormap& colormap);
 
-/// Lights cells of mip level 0 or 1 with interpolated shades, not dithered, eight texels at a time. Returns false and
-/// writes nothing if the processor does not support it. In lit_cells.cpp.
-bool light_cells_by_eights(const LitCells& cells, int mip, const Colormap& colormap);
+/// Writes texture times light to `out`: shades are interpolated in each cell between four samples, or taken from the
+/// nearest one, and looked up in the colormap (Abrash, Black Book, ch. 68). They are rounded down, or with dithering
+/// rounded up in as many of 4x4 texels as their fraction says. For fewer than 64 shades, `colormap` is from
+/// with_shades(). `out` has lit_size(rows) rows of `stride` bytes, at least one; a surface without extent in a
+/// direction is one colour. `corner_shades` is scratch of columns * rows entries.
+void build_lit_surface(const TextureView& texture, const LightmapView& light, const Colormap& colormap,
+                       const LightQuality& quality, int mip, std::int32_t stride, std::int32_t* corner_shades,
+                       std::uint8_t* out, CellKernel light_cells = nullptr);
 
 }  // namespace oblong

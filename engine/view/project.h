@@ -43,7 +43,6 @@ Screen within_screen(Position along, std::int32_t size_px, const SubpixelGrid& g
     return grid.snap(convert<Screen>(std::clamp(along, Position{}, Position::from_int(size_px))));
 }
 
-#if defined(__i386__)
 /// A position in viewspace within 2^15 units of the eye along each axis.
 using ShortView = Fixed<std::int32_t, View::kFractionBits>;
 
@@ -80,17 +79,16 @@ using ShortView = Fixed<std::int32_t, View::kFractionBits>;
     if (convert<View>(near) != p) return std::nullopt;
     return near;
 }
-#endif
 
 /// A clipped point in viewspace as a screen vertex.
 [[gnu::always_inline]] inline ScreenVertex to_screen_vertex(const Vec3<View>& p, const Projection& projection,
                                                             const SubpixelGrid& grid) {
-#if defined(__i386__)
-    ScreenVertex screen;
-    if (const auto near = to_short(p); near && project_near(*near, projection, screen)) [[likely]]
-        return {within_screen(screen.x, projection.width_px, grid),
-                within_screen(screen.y, projection.height_px, grid)};
-#endif
+    if constexpr (native::kHasShortRegisters) {
+        ScreenVertex screen;
+        if (const auto near = to_short(p); near && project_near(*near, projection, screen)) [[likely]]
+            return {within_screen(screen.x, projection.width_px, grid),
+                    within_screen(screen.y, projection.height_px, grid)};
+    }
     const ScreenPosition position = project(p, projection);
     return {within_screen(position.x, projection.width_px, grid),
             within_screen(position.y, projection.height_px, grid)};

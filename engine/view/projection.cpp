@@ -47,10 +47,8 @@ Projection make_projection(const ScreenMode& mode, const ViewWindow& window, boo
     projection.y = make_axis(correct_aspect ? squeezed : distance, mode.height_px);
     projection.width_px = mode.width_px;
     projection.height_px = mode.height_px;
-#if defined(__i386__)
     constexpr auto kEnd = CoarseMultiplier::from_raw(1 << 26);
     projection.short_z_end = std::max(projection.x.coarse, projection.y.coarse) < kEnd ? 1u << 30 : 0;
-#endif
     return projection;
 }
 

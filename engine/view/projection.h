@@ -7,7 +7,7 @@
 #include "engine/fixed/arithmetic.h"
 #include "engine/fixed/divide.h"
 #include "engine/fixed/fixed.h"
-#include "engine/fixed/multiply.h"
+#include "engine/fixed/native/native.h"
 #include "engine/fixed/trig.h"
 #include "engine/math/vec.h"
 #include "engine/view/screen.h"
@@ -29,9 +29,7 @@ struct ProjectionAxis {
 struct Projection {
     ProjectionAxis x, y;  ///< y's multiplier is positive; project() negates y, as rows grow downward
     std::int32_t width_px = 0, height_px = 0;
-#if defined(__i386__)
     std::uint32_t short_z_end = 0;  ///< where projections in 32 bits end; 0 if multipliers are too large for them
-#endif
 };
 
 /// The part of the view plane that the screen shows, in any unit: half its width and its distance from the eye, whose
@@ -64,26 +62,15 @@ bool is_drawable(const Projection& projection);
 /// project_axis() if a 64-bit product would overflow.
 ScreenWide project_axis_wide(const ProjectionAxis& axis, View view, View z);
 
-#if defined(__i386__)
 /// Whether a point's 32-bit numbers suffice for project_axis(): -64 z <= view < 64 z. z is below 2^30.
 [[gnu::always_inline]] inline bool is_near_axis(std::int32_t view, std::uint32_t z) {
     return static_cast<std::uint32_t>(view >> 6) + z < 2 * z;
 }
 
-/// project_axis() of such a point, with a coarse multiplier below 2^26: one product and one division. 2^33 z is added
-/// before the division, so that it needs no sign, and taken from its result; all is below 2^64.
+/// project_axis() of such a point, with a coarse multiplier below 2^26: one product and one division.
 [[gnu::always_inline]] inline Screen project_near_axis(std::int32_t coarse, std::int32_t view, std::uint32_t z) {
-    std::int32_t quotient;
-    asm("imull %[coarse]\n\t"
-        "addl %[low], %%eax\n\t"
-        "adcl %[high], %%edx\n\t"
-        "shrdl $8, %%edx, %%eax\n\t"
-        "shrl $8, %%edx\n\t"
-        "divl %[z]"
-        : "=&a"(quotient)
-        : "0"(view), [coarse] "rm"(coarse), [low] "rm"(z << 7), [high] "rm"(2 * z + (z >> 25)), [z] "rm"(z)
-        : "edx", "cc");
-    return Screen::from_raw(quotient - (1 << 25));
+    static_assert(CoarseMultiplier::kFractionBits - Screen::kFractionBits == 8);
+    return Screen::from_raw(native::rounded_quotient_8(view, coarse, z));
 }
 
 [[gnu::always_inline]] inline std::optional<Screen> project_axis_in_32_bits(const ProjectionAxis& axis, View view,
@@ -95,16 +82,14 @@ ScreenWide project_axis_wide(const ProjectionAxis& axis, View view, View z);
         return std::nullopt;
     return project_near_axis(static_cast<std::int32_t>(axis.coarse.raw), short_view, short_z);
 }
-#endif
 
 /// multiplier * view / z, rounded to the nearest 1/256 pixel; z > 0. Near the screen (|view| <= 64 z) the multiplier
 /// has 16 fraction bits, so that the product fits 64 bits; the error is at most 64 * 2^-17 pixel. Beyond, it is the
 /// exact quotient, but not nearer to the centre than the first method's result at 64 z. So the result depends on view /
 /// z only and is monotonic in it.
 inline ScreenWide project_axis(const ProjectionAxis& axis, View view, View z) {
-#if defined(__i386__)
-    if (const auto near = project_axis_in_32_bits(axis, view, z)) return convert<ScreenWide>(*near);
-#endif
+    if constexpr (native::kHasShortRegisters)
+        if (const auto near = project_axis_in_32_bits(axis, view, z)) return convert<ScreenWide>(*near);
     const View size = absolute(view);
     if (size >= axis.fast_limit || size > z * 64) return project_axis_wide(axis, view, z);
     const auto numerator = bounded_product(view, axis.coarse);

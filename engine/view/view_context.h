@@ -57,7 +57,6 @@ inline Vec3<View> to_view(const Vec3<World>& point, const ViewContext& view) {
     return view.adjusts_positions ? adjusted(position, view) : position;
 }
 
-#if defined(__i386__)
 /// to_view() in 32 bits; none for points 2^12 units or more from the eye along an axis of the world. (Components of
 /// sheared axes are below 2, so the sum of three products is below 6 * 2^12 units.)
 [[gnu::always_inline]] inline std::optional<Vec3<ShortView>> to_short_view(const Vec3<World>& point,
@@ -74,14 +73,12 @@ inline Vec3<View> to_view(const Vec3<World>& point, const ViewContext& view) {
     };
     return Vec3<ShortView>{along(view.axes.right), along(view.axes.up), along(view.axes.forward)};
 }
-#endif
 
 /// A position in viewspace without view_bits and parallel_depth.
 inline Vec3<View> to_unadjusted_view(const Vec3<World>& point, const ViewContext& view) {
-#if defined(__i386__)
-    if (const auto near = to_short_view(point, view))
-        return {convert<View>(near->x), convert<View>(near->y), convert<View>(near->z)};
-#endif
+    if constexpr (native::kHasShortRegisters)
+        if (const auto near = to_short_view(point, view))
+            return {convert<View>(near->x), convert<View>(near->y), convert<View>(near->z)};
     return to_view(point, view.eye, view.axes);
 }
 
@@ -90,7 +87,6 @@ inline Vec3<View> to_unadjusted_view(const Vec3<World>& point, const ViewContext
 template <class Position, class Vertex>
 [[gnu::always_inline]] inline bool place_vertex_at(const Vec3<Position>& position, const ViewContext& view,
                                                    Vertex& vertex) {
-#if defined(__i386__)
     if constexpr (std::is_same_v<Position, ShortView>) {
         ScreenVertex screen;
         if (project_near(position, view.projection, screen) && is_well_inside(screen, view.projection)) [[likely]] {
@@ -99,7 +95,6 @@ template <class Position, class Vertex>
             return true;
         }
     }
-#endif
     vertex.outcode = outcode_of(view.frustum, position);
     if (vertex.outcode != 0) return false;
     vertex.screen = to_screen_vertex(vertex.position, view.projection, view.grid);
@@ -109,12 +104,11 @@ template <class Position, class Vertex>
 /// The same; also sets the position from its place in the world.
 template <bool AdjustsPositions, class Vertex>
 [[gnu::always_inline]] inline bool place_vertex(const Vec3<World>& point, const ViewContext& view, Vertex& vertex) {
-#if defined(__i386__)
-    if (const auto near = AdjustsPositions ? std::nullopt : to_short_view(point, view)) {
-        vertex.position = convert<View>(*near);
-        return place_vertex_at(*near, view, vertex);
-    }
-#endif
+    if constexpr (native::kHasShortRegisters && !AdjustsPositions)
+        if (const auto near = to_short_view(point, view)) {
+            vertex.position = convert<View>(*near);
+            return place_vertex_at(*near, view, vertex);
+        }
     vertex.position = to_view(point, view.eye, view.axes);
     if constexpr (AdjustsPositions) vertex.position = adjusted(vertex.position, view);
     return place_vertex_at(vertex.position, view, vertex);

@@ -26,7 +26,7 @@ bool is_dial(const Preference& preference) {
 struct OptionTexts {
     std::map<std::string, std::string> preferences;  // by name; empty: not given
     std::vector<std::string> dials;
-    std::string window, map = "off", wireframe = "off", lines = "gupta-sproull", log, config;
+    std::string instructions, window, map = "off", wireframe = "off", lines = "gupta-sproull", log, config;
     bool is_portable = false;
 };
 
@@ -81,6 +81,7 @@ void declare(CommandArguments& line, Options& options, OptionTexts& texts) {
     line.add("--threads", options.threads,
              "number of threads that draw; default: 1. A second one saves time from about 640x480 on")
         .limit(1, 256);
+    line.add("--instructions", texts.instructions, instructions_help());
     line.add("--window", texts.window, "WxH, size of the window; default: as large as the desktop allows");
     line.add_flag("--error-box", options.shows_error_box,
                   "show errors in a window too: for starts from the desktop's menu");
@@ -97,6 +98,7 @@ void change_by_command_line(const OptionTexts& texts, Preferences& preferences) 
         if (text != texts.preferences.end() && !text->second.empty()) preference.parse(preferences, text->second);
     }
     for (const std::string& dial : texts.dials) parse_dial(dial, preferences.accuracy);
+    preferences.kernels = &parse_instructions(texts.instructions);
     check_view(preferences.mode, preferences.field_of_view);
 }
 

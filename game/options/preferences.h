@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/accuracy/accuracy.h"
+#include "engine/raster/kernels/kernels.h"
 #include "engine/scene/light_styles.h"
 #include "engine/view/present_rect.h"
 #include "engine/view/projection.h"
@@ -107,9 +108,10 @@ struct Preferences : PicturePreferences,
                      ComfortPreferences,
                      Steering,
                      SoundPreferences {
-    Preset preset = Preset::Bounded;         ///< the last one chosen
-    Accuracy accuracy;                       ///< the preset's dials, with later changes
-    Bindings bindings = default_bindings();  ///< the inputs of each action
+    Preset preset = Preset::Bounded;           ///< the last one chosen
+    Accuracy accuracy;                         ///< the preset's dials, with later changes
+    Bindings bindings = default_bindings();    ///< the inputs of each action
+    const Kernels* kernels = &best_kernels();  ///< of the command line; not kept
 
     bool operator==(const Preferences&) const = default;
 };

@@ -83,6 +83,7 @@ Settings settings_of(const Preferences& preferences) {
     settings.brightness_100 = preferences.light().brightness_100;
     settings.flashes = preferences.flashes;
     settings.correct_aspect = preferences.corrects_projection;
+    settings.kernels = preferences.kernels;
     return settings;
 }
 

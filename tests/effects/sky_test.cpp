@@ -57,7 +57,7 @@ class SkyPicture {
     }
     std::int64_t draw(std::span<const Span> spans, const SkyTexture& sky, std::int64_t time_ms) {
         return draw_sky(spans, compose_sky(sky, time_ms, pixels_of(spans), layers_), axes_, projection_,
-                        {pixels_.data(), 320, 200, 320});
+                        {pixels_.data(), 320, 200, 320}, best_kernels().draw_blocks);
     }
     const std::vector<std::uint8_t>& pixels() const { return pixels_; }
     std::size_t scratch_bytes() const { return layers_.tile.size(); }
@@ -242,7 +242,8 @@ TEST(Sky, HoldsEveryTextureSizeModeAndFieldOfView) {
             const std::vector<Span> spans{{0, 0, width}, {height / 2, 1, width - 1}, {height - 1, width - 1, width}};
             const Projection projection = make_projection({width, height}, Degrees::from_int(degrees));
             const SkyNow sky = compose_sky({texels.data(), size, 2 * size}, random(), pixels_of(spans), layers);
-            draw_sky(spans, sky, random_axes(random), projection, {pixels.data(), width, height, width});
+            draw_sky(spans, sky, random_axes(random), projection, {pixels.data(), width, height, width},
+                     best_kernels().draw_blocks);
             std::vector<std::uint8_t> expected(pixels.size());
             for (const Span& span : spans)
                 std::fill_n(expected.begin() + span.y * width + span.first, span.end - span.first, std::uint8_t{9});

@@ -104,7 +104,9 @@ TEST(Purity, WhatIsWatchedTakesThePathThatIsDrawn) {
     Stage stage = demo_stage();
     stage.settings.allowed_effects = {};  // which have kernels of their own
     ObservedWorkspace work(stage.level, stage.mode);
-    work.cache.surfaces.kernel = draw_and_note;
+    Kernels noting = best_kernels();
+    noting.draw_blocks = draw_and_note;
+    stage.settings.kernels = &noting;
     std::int64_t held = 0;
     for (const Preset preset : kPresets) {
         stage.settings.accuracy = accuracy_of(preset);

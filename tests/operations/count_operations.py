@@ -28,7 +28,7 @@ PARTS = {
     ("spans",): "visibility/span_buffer frame/frame frame/claims frame/passes",
     ("gradients",): "view/texture_gradients scene/face_surface surface/surface_cache raster/block_rule",
     ("blocks", "1/z", "pixels"): "raster/texture_blocks raster/perspective_range frame/surface_pass fixed/reciprocal "
-                                 "raster/exact_spans raster/kernels/plain raster/kernels/near_borders",
+                                 "raster/exact_spans raster/kernels/plain",
     ("sky",): "effects/sky view/gradients fixed/root",
     ("lit texels",): "surface/lit_surface",
 }
@@ -104,8 +104,7 @@ class CountingBuild:
         self.pool = concurrent.futures.ThreadPoolExecutor(os.cpu_count())
         os.makedirs(self.work, exist_ok=True)
         parts = {part: [f"engine/{name}.cpp" for name in names.split()] for part, names in PARTS.items()}
-        # In place of these there is what does without vectors (counter/count_operations.cpp).
-        counted = sum(parts.values(), ["engine/raster/kernels/choice.cpp", "engine/surface/lit_cells.cpp"])
+        counted = sum(parts.values(), [])
         rest = [file for file in sorted(glob.glob("engine/**/*.cpp", root_dir=source, recursive=True))
                 if file not in counted and not NOT_COUNTED.search(file)]
         loading = [file for file in rest if BEFORE_FRAMES.match(file)]

@@ -33,8 +33,8 @@ void add_spans(const std::vector<Span>& spans, Picture& picture) {
             ++picture.at(static_cast<std::size_t>(span.y * kWidth + x));
 }
 
-Picture scanned(const ScreenTriangle& triangle, TriangleMethod method, EdgeRowKernel kernel = inside_edges_sse2,
-                const ScreenRectangle& part = kScreen) {
+Picture scanned(const ScreenTriangle& triangle, TriangleMethod method,
+                EdgeRowKernel kernel = best_kernels().inside_edges, const ScreenRectangle& part = kScreen) {
     TriangleScanner scanner(method, part, kernel);
     std::vector<Span> spans;
     scanner.scan(triangle, spans);
@@ -87,7 +87,7 @@ RC_GTEST_PROP(Triangles, CoverTheSameInBandsOfRows, ()) {
         Picture sum(kWidth * kHeight);
         for (const ScreenRectangle& part :
              {ScreenRectangle{0, across, 0, cut}, {across, kWidth, 0, cut}, {0, kWidth, cut, kHeight}}) {
-            const Picture of_part = scanned(triangle, method, inside_edges_sse2, part);
+            const Picture of_part = scanned(triangle, method, best_kernels().inside_edges, part);
             std::transform(sum.begin(), sum.end(), of_part.begin(), sum.begin(), std::plus<>());
         }
         RC_ASSERT(sum == whole);

@@ -59,9 +59,8 @@ void expect_the_definition(std::mt19937& random, const RandomTexels& texels, Tex
     if (!traits.warps) needed.warp = nullptr;
     if (!traits.blends) needed.blend = nullptr;
     if (!traits.blends && !traits.has_holes) needed.colours = nullptr;
-    for (const Instructions instructions : {Instructions::Baseline, Instructions::Bmi2}) {
-        if (instructions > best_instructions()) continue;
-        const EffectKernel draw = effect_kernel(traits, instructions);
+    for (const Kernels& kernels : all_kernels()) {
+        const EffectKernel draw = effect_kernel(traits, kernels);
         std::vector<std::uint8_t> drawn = behind;
         draw(blocks, needed, drawn.data());
         ASSERT_EQ(drawn, expected) << traits.warps << traits.has_holes << traits.blends << traits.is_wrapped_by_masks;

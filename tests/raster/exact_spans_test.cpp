@@ -143,10 +143,11 @@ TEST(ExactSpans, DrawTheBytesOfBlocksOfOnePixel) {
             const Case face = row.make(random, trial);
             std::vector<std::uint8_t> expected(kWidth * kHeight);
             draw_blocks_plain(blocks_of(face).waiting(), surface.view, expected.data());
-            for (const BlockKernel kernel : {best_block_kernel(), BlockKernel{}})
+            for (const Kernels* const kernels :
+                 {&all_kernels().back(), &best_kernels(), static_cast<const Kernels*>(nullptr)})
                 for (const bool knows_range : {true, false}) {
                     std::vector<std::uint8_t> pixels(kWidth * kHeight);
-                    draw_exact_spans(face.spans, cutting_of(face, knows_range), surface.view, kernel,
+                    draw_exact_spans(face.spans, cutting_of(face, knows_range), surface.view, kernels,
                                      {pixels.data(), kWidth, kHeight, kWidth});
                     ASSERT_EQ(pixels, expected) << row.name << ", " << trial << (knows_range ? "" : ", by octaves");
                 }
@@ -189,7 +190,7 @@ TEST(ExactSpans, DrawTheBytesOfWarpedBlocksOfOnePixel) {
     for (int trial = 0; trial < 2000; ++trial) {
         const Case face = trial % 2 == 0 ? any_liquid(random, trial / 2) : wall_or_floor(random, trial / 2);
         std::vector<std::uint8_t> expected(kWidth * kHeight);
-        effect_kernel(kWarpsAlone, Instructions::Baseline)(blocks_of(face).waiting(), texels, expected.data());
+        plain_effect_kernel(kWarpsAlone)(blocks_of(face).waiting(), texels, expected.data());
         std::vector<std::uint8_t> drawn(kWidth * kHeight);
         draw_exact_warped_spans(face.spans, cutting_of(face, trial % 4 < 2), texels,
                                 {drawn.data(), kWidth, kHeight, kWidth});

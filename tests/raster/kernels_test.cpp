@@ -85,15 +85,19 @@ TEST(Kernels, AllWriteTheDefinition) {
         std::uint32_t pixel_count = 0;
         const std::vector<TexelBlock> blocks = random_blocks(random, pixel_count);
         const auto expected = defined(blocks, surface.view, surface.view.width, pixel_count);
-        for (const NamedKernel& kernel : block_kernels())
-            ASSERT_EQ(drawn(kernel.draw, blocks, surface.view, pixel_count), expected) << kernel.name;
-        ASSERT_EQ(drawn(draw_blocks_any_size, blocks, surface.view, pixel_count), expected);
+        for (const Kernels& kernels : all_kernels())
+            ASSERT_EQ(drawn(kernels.draw_blocks, blocks, surface.view, pixel_count), expected) << kernels.name;
+        for (const BlockKernel other : {draw_blocks_packed, draw_blocks_any_size})
+            ASSERT_EQ(drawn(other, blocks, surface.view, pixel_count), expected);
     }
 }
 
-TEST(Kernels, AreListedFromTheBestToThePlainOne) {
-    EXPECT_EQ(best_block_kernel(), block_kernels().front().draw);
-    EXPECT_EQ(block_kernels().back().draw, draw_blocks_plain);
+TEST(Kernels, AreFoundByNameFromTheBestToThePlainOnes) {
+    EXPECT_EQ(&best_kernels(), &all_kernels().front());
+    EXPECT_EQ(all_kernels().back().draw_blocks, draw_blocks_plain);
+    for (const Kernels& kernels : all_kernels()) EXPECT_EQ(find_kernels(kernels.name), &kernels);
+    ASSERT_TRUE(find_kernels("baseline")) << "on every processor";
+    EXPECT_FALSE(find_kernels("avx1024"));
 }
 
 TEST(Kernels, BlocksOfEveryLengthAtTheLimitsOfTheirCoordinates) {
@@ -105,8 +109,9 @@ TEST(Kernels, BlocksOfEveryLengthAtTheLimitsOfTheirCoordinates) {
         const std::vector<TexelBlock> blocks{block_at_limits(random, 3, count)};
         const auto pixel_count = static_cast<std::uint32_t>(count) + 3;
         const auto expected = defined(blocks, surface.view, surface.view.width, pixel_count);
-        for (const NamedKernel& kernel : block_kernels())
-            ASSERT_EQ(drawn(kernel.draw, blocks, surface.view, pixel_count), expected) << kernel.name << ' ' << count;
+        for (const Kernels& kernels : all_kernels())
+            ASSERT_EQ(drawn(kernels.draw_blocks, blocks, surface.view, pixel_count), expected)
+                << kernels.name << ' ' << count;
     }
 }
 
@@ -154,8 +159,8 @@ TEST(Kernels, ReadNothingBeforeASurfaceNorBehindIt) {
                         {600, count, last(surface.width), last(surface.height), 0, -step(surface.height)},
                         {1200, count, last(surface.width), last(surface.height), 0, 0}};
                     const auto expected = drawn(draw_blocks_plain, blocks, surface, 1300);
-                    for (const NamedKernel& kernel : block_kernels())
-                        ASSERT_EQ(drawn(kernel.draw, blocks, surface, 1300), expected) << kernel.name;
+                    for (const Kernels& kernels : all_kernels())
+                        ASSERT_EQ(drawn(kernels.draw_blocks, blocks, surface, 1300), expected) << kernels.name;
                 }
             }
         }
@@ -187,7 +192,9 @@ TEST(NearBorders, EightAtATimeFindWhatOneByOneFinds) {
         const auto step = [&] { return static_cast<std::int32_t>(any()) >> any() % 31; };
         const TexelBlock block{0, static_cast<std::int32_t>(1 + any() % 64), any(), any(), step(), step()};
         const std::uint32_t error_16 = 1 + any() % 16383;
-        ASSERT_EQ(pixels_near_borders(block, error_16), pixels_near_borders_plain(block, error_16)) << trial;
+        for (const Kernels& kernels : all_kernels())
+            ASSERT_EQ(kernels.pixels_near_borders(block, error_16), pixels_near_borders_plain(block, error_16))
+                << trial;
     }
 }
 

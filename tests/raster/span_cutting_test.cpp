@@ -14,7 +14,6 @@ namespace oblong::test::span_cutting_test {
 namespace {
 
 constexpr std::int32_t kWidth = 320, kHeight = 200;
-constexpr Instructions kInstructions[] = {Instructions::Baseline, Instructions::Bmi2};
 
 template <class Value>
 double value_at(const LinearQuantity<Value>& quantity, std::int32_t column, std::int32_t row) {
@@ -116,14 +115,13 @@ TEST(SpanCutting, EveryCutterCutsTheSameBlocks) {
             const BlockRule rule = make_block_rule(accuracy);
             BlockCutting cutting{plane, make_texel_limits(width, 300, kWidth),
                                  make_block_thresholds(rule, plane.inverse_z.per_column), rule.texel_bound_256};
-            const auto expected = cut(spans, cutting, block_cutter(accuracy, Instructions::Baseline));
+            const auto expected = cut(spans, cutting, block_cutter(accuracy, all_kernels().back()));
             const bool fits = fits_range(plane, rectangle_around(spans));
-            for (const Instructions instructions : kInstructions) {
-                if (instructions > best_instructions()) continue;
+            for (const Kernels& kernels : all_kernels()) {
                 cutting.fits_range = false;
-                ASSERT_EQ(cut(spans, cutting, block_cutter(accuracy, instructions)), expected) << trial;
+                ASSERT_EQ(cut(spans, cutting, block_cutter(accuracy, kernels)), expected) << trial;
                 cutting.fits_range = fits;
-                ASSERT_EQ(cut(spans, cutting, block_cutter(accuracy, instructions)), expected) << trial;
+                ASSERT_EQ(cut(spans, cutting, block_cutter(accuracy, kernels)), expected) << trial;
             }
         }
     }
@@ -145,13 +143,12 @@ TEST(SpanCutting, WholeSpansAreTheBlocksThatThresholdsLeave) {
         if (!fits_range(plane, around)) continue;
         BlockCutting cutting{plane, make_texel_limits(1 + trial % 3000, 64, kWidth),
                              make_block_thresholds(rule, plane.inverse_z.per_column)};
-        const auto expected = cut(spans, cutting, block_cutter(accuracy, Instructions::Baseline));
+        const auto expected = cut(spans, cutting, block_cutter(accuracy, all_kernels().back()));
         if (expected.size() != spans.size()) continue;
         with_many_rows += spans.size() > 8;
         cutting.fits_range = cutting.takes_whole_spans = true;
-        for (const Instructions instructions : kInstructions) {
-            if (instructions > best_instructions()) continue;
-            ASSERT_EQ(cut(spans, cutting, block_cutter(accuracy, instructions)), expected) << trial;
+        for (const Kernels& kernels : all_kernels()) {
+            ASSERT_EQ(cut(spans, cutting, block_cutter(accuracy, kernels)), expected) << trial;
         }
     }
     EXPECT_GT(with_many_rows, 50);
@@ -166,10 +163,9 @@ TEST(SpanCutting, StepsAcrossWholeSurfacesAreTheSame) {
         floor.gradients.inverse_z = {fixed_of<InverseZ>(0x1p-7), {}, {}};
         floor.gradients.u_over_z = {fixed_of<TexelOverZ>(width * 0x1p-7), fixed_of<TexelOverZ>(width * -0x1p-7), {}};
         floor.fits_range = floor.takes_whole_spans = true;
-        const auto expected = cut(spans, floor, block_cutter({}, Instructions::Baseline));
-        for (const Instructions instructions : kInstructions) {
-            if (instructions > best_instructions()) continue;
-            ASSERT_EQ(cut(spans, floor, block_cutter({}, instructions)), expected) << width;
+        const auto expected = cut(spans, floor, block_cutter({}, all_kernels().back()));
+        for (const Kernels& kernels : all_kernels()) {
+            ASSERT_EQ(cut(spans, floor, block_cutter({}, kernels)), expected) << width;
         }
     }
 }
@@ -179,10 +175,9 @@ TEST(SpanCutting, EndsInTheColumnOfAnEndBeforeAreNoDivisions) {
     wall.gradients.inverse_z = {fixed_of<InverseZ>(0.01), fixed_of<InverseZ>(1e-8), {}};
     wall.fits_range = wall.takes_whole_spans = true;
     const std::vector<Span> spans = {{0, 0, 50}, {1, 0, 50}, {2, 5, 50}, {3, 5, 6}, {4, 6, 9}};
-    for (const Instructions instructions : kInstructions) {
-        if (instructions > best_instructions()) continue;
+    for (const Kernels& kernels : all_kernels()) {
         BlockList blocks(kWidth);
-        block_cutter({}, instructions)(spans, kWidth, wall, blocks);
+        block_cutter({}, kernels)(spans, kWidth, wall, blocks);
         EXPECT_EQ(divisions_of(spans, wall, blocks), 5);  // at 0 and 49, 5, 6 and 8
     }
 }
@@ -207,12 +202,11 @@ TEST(SpanCutting, RowsInTheSameColumnsStopWhereTheListIsFull) {
                          make_block_thresholds(make_block_rule(accuracy), wall.inverse_z.per_column)};
     const std::size_t expected = cut(rows, cutting, block_cutter(accuracy)).size();
     cutting.fits_range = true;
-    for (const Instructions instructions : kInstructions) {
-        if (instructions > best_instructions()) continue;
+    for (const Kernels& kernels : all_kernels()) {
         BlockList blocks(kWidth);
         std::size_t count = 0;
         for (std::span<const Span> left = rows; !left.empty(); blocks.clear()) {
-            left = block_cutter(accuracy, instructions)(left, kWidth, cutting, blocks);
+            left = block_cutter(accuracy, kernels)(left, kWidth, cutting, blocks);
             count += blocks.waiting().size();
             ASSERT_LT(blocks.end(), blocks.last_start() + kWidth);
         }

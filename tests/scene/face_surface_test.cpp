@@ -33,7 +33,7 @@ struct Surfaces {
 
     explicit Surfaces(Level made)
         : level(std::move(made)), faces(make_face_table(level)), surfaces(level, faces, ScreenMode{}) {
-        surfaces.start_frame({}, 100, colormap);
+        surfaces.start_frame({}, 100, colormap, best_kernels());
     }
 
     Texels look(FaceIndex face, const SurfaceState& state, int mip = 0) {

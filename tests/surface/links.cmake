@@ -1,1 +1,1 @@
-set(LINKS oblong_surface)
+set(LINKS oblong_raster)

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/base/table.h"
+#include "engine/raster/kernels/kernels.h"
 #include "tests/support/palettes.h"
 
 namespace oblong::test {
@@ -168,13 +169,16 @@ TEST(LitSurface, EachTexelIsWhatTheFormulaSays) {
         light.samples = styles.data();
         if (below(3) == 0) light.added_8 = added.data();
         const std::int32_t width = lit_size(light.columns, mip), height = lit_size(light.rows, mip), stride = width + 3;
-        std::vector<std::uint8_t> out(static_cast<std::size_t>(stride * height), 77);
-        build_lit_surface(texture, light, map, quality, mip, stride, patch.scratch.data(), out.data());
-        for (std::int32_t y = 0; y < height; ++y)
-            for (std::int32_t x = 0; x < stride; ++x)
-                ASSERT_EQ(item(out, y * stride + x),
-                          x < width ? plain_texel(texture, light, map, quality, mip, x, y) : 77)
-                    << x << "," << y << " of round " << round;
+        for (const Kernels& kernels : all_kernels()) {
+            std::vector<std::uint8_t> out(static_cast<std::size_t>(stride * height), 77);
+            build_lit_surface(texture, light, map, quality, mip, stride, patch.scratch.data(), out.data(),
+                              kernels.light_cells);
+            for (std::int32_t y = 0; y < height; ++y)
+                for (std::int32_t x = 0; x < stride; ++x)
+                    ASSERT_EQ(item(out, y * stride + x),
+                              x < width ? plain_texel(texture, light, map, quality, mip, x, y) : 77)
+                        << x << "," << y << " of round " << round << ", " << kernels.name;
+        }
     }
 }
 

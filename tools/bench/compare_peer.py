@@ -32,7 +32,7 @@ import runs
 # Name -> options of oblong-render.
 SETTINGS = {
     "bounded": [],
-    "no-bmi2": ["--kernel", "fours"],
+    "no-bmi2": ["--instructions", "baseline"],
     "1996": ["--accuracy", "1996"],
     "exact": ["--accuracy", "exact"],
     "threads-2": ["--threads", "2"],

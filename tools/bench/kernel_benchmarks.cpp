@@ -69,7 +69,7 @@ void time_effect_kernel(benchmark::State& state, const TexelTraits& traits) {
     const ColourRow shades = make_identity();
     const BlendTable blend = make_blend_table();
     const EffectTexels texels{input.surface, &warp, &shades, &blend};
-    const EffectKernel kernel = effect_kernel(traits);
+    const EffectKernel kernel = effect_kernel(traits, best_kernels());
     for (auto _ : state) {
         kernel(input.blocks, texels, input.pixels.data());
         benchmark::ClobberMemory();
@@ -102,7 +102,7 @@ void time_sky(benchmark::State& state) {
     const Framebuffer out{pixels.data(), kMode.width_px, kMode.height_px, kMode.width_px};
     for (auto _ : state) {
         const SkyNow sky = compose_sky({texels.data(), kSize, 2 * kSize}, 0, std::ssize(pixels), layers);
-        draw_sky(spans, sky, view.ray_directions(), view.projection, out);
+        draw_sky(spans, sky, view.ray_directions(), view.projection, out, best_kernels().draw_blocks);
         benchmark::ClobberMemory();
     }
     show_time_per("pixel", std::ssize(pixels), state);
@@ -121,7 +121,7 @@ void time_lit_surface(benchmark::State& state) {
     std::vector<std::uint8_t> out(pixel_count(kSize, kSize));
     for (auto _ : state) {
         build_lit_surface({texels.data(), kTexture, kTexture, 0, 0}, light, colormap, {}, 0, kSize,
-                          corner_shades.data(), out.data());
+                          corner_shades.data(), out.data(), best_kernels().light_cells);
         benchmark::ClobberMemory();
     }
     show_time_per("texel", std::ssize(out), state);
@@ -130,10 +130,11 @@ void time_lit_surface(benchmark::State& state) {
 }  // namespace
 
 void register_kernel_benchmarks() {
-    std::vector<NamedKernel> kernels(block_kernels().begin(), block_kernels().end());
-    kernels.push_back({"any_size", draw_blocks_any_size});
-    for (const NamedKernel& known : kernels)
-        benchmark::RegisterBenchmark((std::string("kernel/") + known.name).c_str(), time_block_kernel, known.draw)
+    std::vector<std::pair<std::string, BlockKernel>> block_kernels{{"packed", draw_blocks_packed},
+                                                                   {"any_size", draw_blocks_any_size}};
+    for (const Kernels& kernels : all_kernels()) block_kernels.emplace_back(kernels.name, kernels.draw_blocks);
+    for (const auto& [name, draw] : block_kernels)
+        benchmark::RegisterBenchmark(("kernel/" + name).c_str(), time_block_kernel, draw)
             ->ArgName("block_px")
             ->Arg(8)
             ->Arg(16)

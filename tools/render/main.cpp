@@ -26,7 +26,7 @@ struct Options {
     std::string level, cameras, palette, models, out, json;
     std::string mode = "320x200", display = "4:3", field_of_view = "90", brightness = "1", preset = "bounded",
                 effects = "auto", hidden_surfaces = "span-buffer", log, texel_error, view = "first-person",
-                seconds = "0", step_seconds = "0", kernel;
+                seconds = "0", step_seconds = "0", instructions;
     std::vector<std::string> dials;
     std::int64_t repeat = 1, threads = 1;
     bool prints_plan = false, times_whole_frames = false;
@@ -36,20 +36,6 @@ std::string effect_names() {
     std::string names;
     for (const std::string_view name : kEffectNames) names += (names.empty() ? "" : ",") + std::string(name);
     return names;
-}
-
-/// The kernels that this processor supports.
-std::string kernel_names() {
-    std::string names;
-    for (const NamedKernel& kernel : block_kernels()) names += (names.empty() ? "" : ", ") + std::string(kernel.name);
-    return names;
-}
-
-BlockKernel parse_kernel(const std::string& text) {
-    if (text.empty()) return best_block_kernel();
-    for (const NamedKernel& kernel : block_kernels())
-        if (text == kernel.name) return kernel.draw;
-    throw UsageError("--kernel: '" + text + "', expected one of " + kernel_names());
 }
 
 void declare(CommandArguments& line, Options& options) {
@@ -77,7 +63,7 @@ void declare(CommandArguments& line, Options& options) {
         "--plan", options.prints_plan,
         "print the passes and effects of each frame, with their pixels and times (with --json - on standard error)");
     line.add("--log", options.log, "write lines of these kinds on standard error: " + names_of(LogChannels::all()));
-    line.add("--kernel", options.kernel, "the kernel that draws blocks: " + kernel_names() + " (default: the first)");
+    line.add("--instructions", options.instructions, instructions_help());
     line.add("--threads", options.threads,
              "number of threads that draw; default: 1. A second one saves time from about 640x480 on")
         .limit(1, 256);
@@ -103,6 +89,7 @@ Settings make_settings(const Options& options, Preset preset) {
     settings.accuracy = parse_accuracy(preset, options.dials);
     settings.brightness_100 = parse_brightness(options.brightness);
     settings.allowed_effects = parse_effects(options.effects);
+    settings.kernels = &parse_instructions(options.instructions);
     if (options.texel_error.empty()) return settings;
     if (settings.accuracy.texturing != Texturing::Bounded)
         throw UsageError("--texel-error: is the bound of --accuracy bounded, expected no --accuracy " + options.preset);
@@ -180,7 +167,6 @@ void render(const Options& options) {
     const Settings settings = make_settings(options, preset);
     HiddenSurfaceMethod hidden_surfaces(
         static_cast<HiddenSurfaces>(parse_choice("--hidden-surfaces", options.hidden_surfaces, kHiddenSurfaceNames)));
-    const BlockKernel kernel = parse_kernel(options.kernel);
     const LogChannels channels = options.log.empty() ? LogChannels{} : parse_log_channels(options.log);
     constexpr std::int64_t kMostTime_s = 1 << 24, kMostStep_s = 60;
     const std::int64_t time_ms = parse_time_ms("--time", options.seconds, kMostTime_s),
@@ -199,7 +185,6 @@ void render(const Options& options) {
     const LevelModels level_models = read_level_models(level, palette, {options.level, options.models});
     WorkerThreads workers(static_cast<int>(options.threads));
     FrameWorkspace work(level, mode, &workers);
-    work.cache.surfaces.kernel = kernel;
     work.claimer = &hidden_surfaces;
     const std::chrono::duration<double, std::milli> load = std::chrono::steady_clock::now() - start;
 

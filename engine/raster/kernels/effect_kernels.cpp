@@ -67,14 +67,17 @@ template <std::size_t... Index>
 constexpr std::array<EffectKernel, sizeof...(Index)> all_kernels(std::index_sequence<Index...>) {
     return {draw_effect_blocks<traits_of(Index)>...};
 }
-constexpr auto kKernels = all_kernels(std::make_index_sequence<16>());
+constexpr auto kEffectKernels = all_kernels(std::make_index_sequence<16>());
 
 }  // namespace
 
-EffectKernel effect_kernel(TexelTraits traits, Instructions instructions) {
+EffectKernel plain_effect_kernel(TexelTraits traits) {
+    return kEffectKernels[index_of(traits)];
+}
+
+EffectKernel effect_kernel(TexelTraits traits, const Kernels& kernels) {
     const bool warps_alone = traits.warps && traits.is_wrapped_by_masks && !traits.has_holes && !traits.blends;
-    if (warps_alone && instructions == Instructions::Bmi2) return draw_warped_blocks_bmi2;
-    return kKernels[index_of(traits)];
+    return warps_alone && kernels.draw_warped ? kernels.draw_warped : plain_effect_kernel(traits);
 }
 
 }  // namespace oblong

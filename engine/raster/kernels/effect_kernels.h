@@ -50,14 +50,11 @@ struct TexelTraits {
     bool is_wrapped_by_masks = true;  ///< false: any size, wrapped by division, stride = width
 };
 
-using EffectKernel = void (*)(std::span<const TexelBlock> blocks, const EffectTexels& texels, std::uint8_t* pixels);
-
-/// The fastest kernel of the processor for these traits; it does no work for traits that are false.
-EffectKernel effect_kernel(TexelTraits traits, Instructions instructions = best_instructions());
-
 inline constexpr TexelTraits kWarpsAlone{.warps = true};
 
-/// For kWarpsAlone: u and v in one word, as in draw_blocks_bmi2. Only if has_bmi2().
-void draw_warped_blocks_bmi2(std::span<const TexelBlock> blocks, const EffectTexels& texels, std::uint8_t* pixels);
+/// The kernel for these traits; it does no work for traits that are false.
+EffectKernel effect_kernel(TexelTraits traits, const Kernels& kernels);
+/// The same in portable C++.
+EffectKernel plain_effect_kernel(TexelTraits traits);
 
 }  // namespace oblong

@@ -20,32 +20,6 @@ struct PixelStores {
     [[gnu::always_inline]] void finish() const {}
 };
 
-#if defined(__x86_64__) && defined(__SSE2__)
-
-/// Up to eight consecutive pixels, collected in a vector and stored at once, which takes less time. `vpinsrb` is
-/// of AVX, which is not enabled for the compiler elsewhere.
-struct PixelVector {
-    std::uint8_t* out;
-    std::uint8_t __attribute__((vector_size(16))) pixels = {};
-
-    template <int kPlace>
-    [[gnu::always_inline]] void put(const std::uint8_t& texel) {
-        asm("vpinsrb %3, %2, %1, %0" : "=x"(pixels) : "x"(pixels), "m"(texel), "i"(kPlace));
-    }
-    template <int kCount>
-    [[gnu::always_inline]] void finish() const {
-        using Words = std::uint64_t __attribute__((vector_size(16)));
-        const std::uint64_t word = reinterpret_cast<Words>(pixels)[0];  // `pixels` itself stays in its register
-        std::memcpy(out, &word, kCount);
-    }
-};
-
-#else
-
-using PixelVector = PixelStores;
-
-#endif
-
 template <int kFirst, class Pixels, class Fetch>
 [[gnu::always_inline]] inline void put_four(Pixels& pixels, std::uint64_t vu, std::uint64_t step, const Fetch& fetch) {
     pixels.template put<kFirst>(fetch(vu));
@@ -118,32 +92,5 @@ struct PackedFetch {
         return texels[((vu >> row_shift) & row_mask) | ((vu >> 16) & u_mask)];
     }
 };
-
-#if defined(__x86_64__)
-
-/// One `pext`, without enabling BMI2 for the compiler elsewhere.
-[[gnu::always_inline]] inline std::uint64_t extracted(std::uint64_t from, std::uint64_t mask) {
-    std::uint64_t bits;
-    asm("pext %2, %1, %0" : "=r"(bits) : "r"(from), "r"(mask));
-    return bits;
-}
-
-/// Extracts the texel's offset from the word with `pext`.
-struct Bmi2Fetch {
-    using Pixels = PixelVector;
-
-    std::uint64_t offset_mask;
-    const std::uint8_t* texels;
-
-    explicit Bmi2Fetch(const SurfaceView& surface)
-        : offset_mask(std::uint64_t{surface.v_mask} << 48 | std::uint64_t{surface.u_mask} << 16),
-          texels(surface.texels) {}
-
-    [[gnu::always_inline]] const std::uint8_t& operator()(std::uint64_t vu) const {
-        return texels[extracted(vu, offset_mask)];
-    }
-};
-
-#endif
 
 }  // namespace oblong

@@ -27,4 +27,41 @@ void draw_blocks_any_size(std::span<const TexelBlock> blocks, const SurfaceView&
     }
 }
 
+namespace {
+
+/// Moved up by the error, a coordinate near a whole texel has a fraction below twice the error.
+bool is_near_whole(std::uint32_t texel_16, std::uint32_t error_16) {
+    return ((texel_16 + error_16) & 0xffff) < 2 * error_16;
+}
+
+}  // namespace
+
+std::uint64_t pixels_near_borders_plain(const TexelBlock& block, std::uint32_t error_16) {
+    std::uint64_t near = 0;
+    std::uint32_t u_16 = block.u_16, v_16 = block.v_16;
+    for (std::int32_t i = 0; i < block.count; ++i) {
+        near |= std::uint64_t{is_near_whole(u_16, error_16) || is_near_whole(v_16, error_16)} << i;
+        u_16 += static_cast<std::uint32_t>(block.u_step_16);
+        v_16 += static_cast<std::uint32_t>(block.v_step_16);
+    }
+    return near;
+}
+
+PixelRange inside_edges_plain(const EdgeRow& row, std::int32_t count) {
+    auto [a, b, c] = row.value;
+    PixelRange inside{count, count};
+    for (std::int32_t column = 0; column < count; ++column) {
+        const bool is_inside = (a | b | c) >= 0;
+        if (is_inside && inside.first == count) inside.first = column;
+        if (!is_inside && inside.first < count) {
+            inside.end = column;
+            break;
+        }
+        a += row.step[0];
+        b += row.step[1];
+        c += row.step[2];
+    }
+    return inside;
+}
+
 }  // namespace oblong

@@ -58,6 +58,29 @@ void add_block(Results& results, std::int64_t depth, std::int64_t over_z, std::u
     }
 }
 
+/// The results of native code alone, where they have no number of their own above.
+void add_native(Results& results, std::uint64_t a, std::uint64_t b, std::uint64_t c) {
+    const auto a_32 = static_cast<std::uint32_t>(a), b_32 = static_cast<std::uint32_t>(b);
+    const auto signed_a = static_cast<std::int32_t>(a >> 32), signed_b = static_cast<std::int32_t>(b >> 32);
+    const int shift = static_cast<int>(c % 31) + 1;
+    results.add(native::product_to_64(a_32, b_32));
+    results.add(native::product_to_64(signed_a, signed_b));
+    results.add(native::product_to_128(a, b).high);
+    results.add(native::product_to_128(a, b).low);
+    results.add(native::wrapping_sum(a, b, static_cast<std::uint32_t>(c)));
+    results.add(native::shift_right({static_cast<std::int64_t>(a), b_32}, shift));
+    results.add(native::shift_left(static_cast<std::int64_t>(a), shift).bits);
+    results.add(std::int32_t{native::shift_left(static_cast<std::int64_t>(a), shift).is_below_zero});
+    results.add(native::product_above_one(a_32, b_32));
+    results.add(std::int32_t{native::is_in_range(a_32, b_32, static_cast<std::uint32_t>(c))});
+    const std::uint32_t d = (b_32 >> 2 >> (c >> 40) % 24) + 1;
+    const auto quotient_8 = static_cast<std::int64_t>(a % (std::uint64_t{d} << 33)) - (std::int64_t{d} << 32);
+    const std::int32_t factor = static_cast<std::int32_t>(c & 0x3ffffff) + 1;
+    results.add(native::rounded_quotient_8(
+        static_cast<std::int32_t>(std::clamp<std::int64_t>(quotient_8 / factor, -0x7fffffff, 0x7fffffff)), factor, d));
+    results.add(native::rounded_product_48(signed_a, static_cast<std::int32_t>(b), static_cast<std::int32_t>(c)));
+}
+
 }  // namespace
 
 int main() {
@@ -74,6 +97,7 @@ int main() {
             results.add(mul_div(a, b, c, rounding));
             results.add(mul_shift(a, b, shift, rounding));
         }
+        add_native(results, static_cast<std::uint64_t>(a), static_cast<std::uint64_t>(b), random());
         const std::uint64_t n = detail::magnitude(a), d = std::max<std::uint64_t>(detail::magnitude(b), 1);
         results.add(divide(n, d).quotient);
         results.add(divide(n, d).remainder);
@@ -82,8 +106,8 @@ int main() {
         results.add(floored_division(a, positive).remainder);
         const auto short_d = static_cast<std::uint32_t>(d | 1);
         const std::uint64_t fitting = n % (std::uint64_t{short_d} << 32);
-        results.add(divide_to_32(fitting, short_d).quotient);
-        results.add(divide_to_32(fitting, short_d).remainder);
+        results.add(native::divide_to_32(fitting, short_d).quotient);
+        results.add(native::divide_to_32(fitting, short_d).remainder);
         const std::int64_t depth = std::max<std::int64_t>(detail::magnitude(c) & ((std::int64_t{1} << 59) - 1), 1);
         for (const std::int64_t inverse_z : {depth, std::int64_t{1} << shift % 60})
             add_block(results, inverse_z, a, random());

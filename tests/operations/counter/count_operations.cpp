@@ -20,23 +20,6 @@
 extern "C" void __gcov_reset();
 extern "C" void __gcov_dump();
 
-namespace oblong {
-
-/// In place of engine/raster/kernels/choice.cpp: the kernel that is counted, and no vectors.
-BlockKernel best_block_kernel() {
-    return draw_blocks_plain;
-}
-Instructions best_instructions() {
-    return Instructions::Baseline;
-}
-
-/// In place of engine/surface/lit_cells.cpp: cells are lit a texel at a time.
-bool light_cells_by_eights(const LitCells&, int, const Colormap&) {
-    return false;
-}
-
-}  // namespace oblong
-
 namespace {
 
 using namespace oblong;
@@ -54,6 +37,7 @@ void draw(const Scene& scene, const std::vector<Camera>& cameras, const Accuracy
     const ScreenMode mode;
     Settings settings;
     settings.accuracy = accuracy;
+    settings.kernels = find_kernels("plain");                                            // the code that is worked out
     settings.allowed_effects = EffectSet{}.with(Effect::Sky).with(Effect::BrushModels);  // those that are worked out
     std::vector<std::uint8_t> pixels(pixel_count(mode.width_px, mode.height_px));
     for (const Camera& camera : cameras) {
