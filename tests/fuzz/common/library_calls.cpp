@@ -22,15 +22,22 @@ std::int32_t pixel_under(std::int64_t at, std::int64_t size, std::int64_t pixels
 
 std::int32_t LibraryCalls::number() {
     const std::uint8_t kind = byte();
-    if (kind < 192) return kind - 64;
-    const std::uint32_t power = 1u << (kind & 31), beside = power + byte() % 3 - 1;
-    return static_cast<std::int32_t>(kind < 224 ? beside : 0 - beside);
+    if (kind < 128) return kind - 32;
+    const std::uint32_t power = (1u << (kind & 31)) - (kind >> 6 & 1);
+    return static_cast<std::int32_t>(kind & 32 ? power : 0 - power);
 }
 
 std::string LibraryCalls::bytes() {
     std::string text;
     for (std::size_t count = below(9); count > 0; --count) text += static_cast<char>(byte() | 1);
     return text;
+}
+
+bool is_allowed(const ScreenMode& mode) {
+    const auto is_among = [](std::int64_t number, std::int64_t most) { return number >= 1 && number <= most; };
+    const auto [width, height] = mode.display;
+    return is_among(mode.width_px, 4096) && is_among(mode.height_px, 4096) && is_among(width, 10'000) &&
+           is_among(height, 10'000) && width <= 100 * height && height <= 100 * width;
 }
 
 bool is_whole(const Picture& picture) {
@@ -47,6 +54,7 @@ void FedWindow::call(LibraryCalls& arguments) {
         case 1: {
             const ScreenMode before = window_.mode(), mode{width, height, {arguments.number(), arguments.number()}};
             const bool is_taken = accepts([&] { window_.set_mode(mode); });
+            expect(is_taken == is_allowed(mode), "a mode that windows can have");
             expect(window_.mode() == (is_taken ? mode : before), "the mode that was set");
             if (width > 100 || height > 100) window_.set_mode({24, 16});
             const auto is_black = [&](PixelPosition) { return is_taken ? 0 : kUnknown; };

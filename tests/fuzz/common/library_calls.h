@@ -21,7 +21,7 @@ class LibraryCalls {
     bool are_left() const { return at_ < bytes_.size(); }
     std::uint8_t byte() { return are_left() ? bytes_[at_++] : std::uint8_t{0}; }
     std::size_t below(std::size_t limit) { return byte() % limit; }
-    /// A small number, or a power of two or a number beside it.
+    /// A small number, or a power of two or one less; or the negative.
     std::int32_t number();
     /// A few bytes, none of them 0.
     std::string bytes();
@@ -43,6 +43,7 @@ bool accepts(Call call) {
     }
 }
 
+bool is_allowed(const ScreenMode& mode);
 bool is_whole(const Picture& picture);
 
 /// Demands of each pixel the colour that `rule` gives for its position; or kNone, the one before; or kUnknown.

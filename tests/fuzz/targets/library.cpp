@@ -195,8 +195,9 @@ void Session::draw() {
         }
         case 8: {
             const ScreenMode any{third.column, third.row, {width, height}};
-            accepts([&] { fill_circle(canvas, any, x, y, 20, colour); });
-            accepts([&] { draw_circle(canvas, any, x, y, 20, colour); });
+            expect(accepts([&] { fill_circle(canvas, any, x, y, 20, colour); }) == is_allowed(any) &&
+                       accepts([&] { draw_circle(canvas, any, x, y, 20, colour); }) == is_allowed(any),
+                   "a mode that windows can have");
             return;
         }
         default: {
