@@ -27,6 +27,7 @@ Area clipped(const Area& area, Framebuffer canvas) {
 
 Framebuffer part_of(Framebuffer canvas, const Area& area) {
     const Area part = clipped(area, canvas);
+    if (part.width == 0 || part.height == 0) return {canvas.pixels, 0, 0, canvas.pitch};
     return {canvas.row(part.y) + part.x, part.width, part.height, canvas.pitch};
 }
 

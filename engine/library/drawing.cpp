@@ -18,20 +18,22 @@ bool is_in(Framebuffer canvas, std::int64_t x, std::int64_t y) {
     return x >= 0 && y >= 0 && x < canvas.width_px && y < canvas.height_px;
 }
 
-// Bounds a number so that sums of two fit.
-std::int32_t bounded(std::int32_t any_px) {
-    return std::clamp(any_px, -(1 << 28), 1 << 28);
-}
-
+// Without the part that is so far off the canvas that sums would not fit.
 Area area_of(std::int32_t x, std::int32_t y, std::int32_t width, std::int32_t height) {
-    return {bounded(x), bounded(y), bounded(std::max(width, 0)), bounded(std::max(height, 0))};
+    const auto bounded = [](std::int64_t at) {
+        constexpr std::int64_t kFarthest = 1 << 28;
+        return static_cast<std::int32_t>(std::clamp(at, -kFarthest, kFarthest));
+    };
+    const std::int32_t left = bounded(x), top = bounded(y);
+    return {left, top, bounded(std::int64_t{x} + std::max(width, 0)) - left,
+            bounded(std::int64_t{y} + std::max(height, 0)) - top};
 }
 
 /// A circle on the display, half a pixel larger so that its extreme sides look round, too: (across x)^2 + (down y)^2 =
 /// (across (radius + 1/2))^2, x in columns, y in rows.
 struct Circle {
     Circle(const ScreenMode& mode, std::int32_t radius_px) {
-        const Ratio pixel = mode.pixel();
+        const Ratio pixel = checked(mode).pixel();
         across = pixel.numerator;
         down = pixel.denominator;
         for (; std::max(across, down) > 65'536; across /= 2, down /= 2) {

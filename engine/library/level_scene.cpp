@@ -211,7 +211,8 @@ void LevelScene::show(const Model& model, const Pose& pose, std::int32_t frame) 
 
 namespace {
 
-// Places of bodies and their ways stay so near that their sums fit: levels do not reach half as far.
+// Places of bodies, their ways and offsets of brushes stay so near that their sums fit: levels do not reach as far.
+constexpr World kFarthestMoved = World::from_int(100'000);
 World within_walks(World along) {
     constexpr World kFarthest = World::from_int(200'000);
     return std::clamp(along, -kFarthest, kFarthest);
@@ -256,12 +257,14 @@ std::string LevelScene::entity_value(std::int32_t entity, const std::string& key
 void LevelScene::move_entity(std::int32_t entity, std::int32_t east_256, std::int32_t north_256, std::int32_t up_256) {
     State& state = *state_;
     const ModelIndex model = state.brushes_of(entity);
+    const auto within = [](std::int32_t offset_256) {
+        return std::clamp(world_from_256(offset_256), -kFarthestMoved, kFarthestMoved);
+    };
     if (state.turning_door(entity))
         throw FileError(state.file, "entity " + std::to_string(entity), "turns, expected a door that moves");
     for (std::vector<PlacedModel>* list : {&state.brushes, &state.solid_brushes})
         for (PlacedModel& placed : *list)
-            if (placed.model == model)
-                placed.offset = {world_from_256(east_256), world_from_256(north_256), world_from_256(up_256)};
+            if (placed.model == model) placed.offset = {within(east_256), within(north_256), within(up_256)};
 }
 
 void LevelScene::turn_entity(std::int32_t entity, std::int32_t degrees_256) {

@@ -63,6 +63,7 @@ Model::~Model() {
 std::int32_t Model::add_picture(const Picture& picture) {
     std::vector<Skin>& skins = state_->mesh->skins;
     const std::vector<std::uint8_t>& pixels = checked(picture).pixels;
+    if (pixels.empty()) throw argument_error("model", "a picture without pixels, expected one or more");
     const bool has_holes = std::find(pixels.begin(), pixels.end(), kTransparent) != pixels.end();
     skins.push_back({"picture", picture.width_px, picture.height_px, pixels, has_holes});
     return static_cast<std::int32_t>(skins.size()) - 1;

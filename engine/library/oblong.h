@@ -71,13 +71,15 @@ void draw_rectangle(Framebuffer canvas, std::int32_t x, std::int32_t y, std::int
 /// A filled rectangle.
 void fill_rectangle(Framebuffer canvas, std::int32_t x, std::int32_t y, std::int32_t width, std::int32_t height,
                     std::int32_t colour);
-/// A circle that is round on the mode's display: the radius is `radius_px` columns, and fewer or more rows.
+/// A circle that is round on the mode's display: the radius is `radius_px` columns, clamped to 0 to 8,192, and fewer or
+/// more rows. Throws for a mode that no window can have.
 void draw_circle(Framebuffer canvas, const ScreenMode& mode, std::int32_t x, std::int32_t y, std::int32_t radius_px,
                  std::int32_t colour);
 /// The same, filled.
 void fill_circle(Framebuffer canvas, const ScreenMode& mode, std::int32_t x, std::int32_t y, std::int32_t radius_px,
                  std::int32_t colour);
-/// A triangle between three pixels' middles, filled; adjacent triangles share no pixel and leave no gap.
+/// A triangle between three pixels' middles, filled; adjacent triangles share no pixel and leave no gap. Corners are
+/// clamped to 2^20 pixels.
 void fill_triangle(Framebuffer canvas, PixelPosition a, PixelPosition b, PixelPosition c, std::int32_t colour);
 /// A picture, its left upper corner at (x, y), without its pixels of kTransparent.
 void draw_picture(Framebuffer canvas, const Picture& picture, std::int32_t x, std::int32_t y);
@@ -211,7 +213,7 @@ class Model {
     Model(const Model&) = delete;
     Model& operator=(const Model&) = delete;
 
-    /// Adds a picture for triangles, with holes where it is kTransparent; returns its number.
+    /// Adds a picture of one pixel or more for triangles, with holes where it is kTransparent; returns its number.
     std::int32_t add_picture(const Picture& picture);
     /// Adds a triangle, visible from the side on which its corners run clockwise.
     void add_triangle(const Corner& a, const Corner& b, const Corner& c, std::int32_t picture);
@@ -277,7 +279,8 @@ class LevelScene {
     std::int32_t find_entity(const std::string& key, const std::string& value, std::int32_t after = -1) const;
     /// The value of an entity's key; may be empty.
     std::string entity_value(std::int32_t entity, const std::string& key) const;
-    /// Moves the brushes of an entity (a door, a lift) by an offset from their place in the level.
+    /// Moves the brushes of an entity (a door, a lift) by an offset from their place in the level, clamped to 100,000
+    /// units along each axis.
     void move_entity(std::int32_t entity, std::int32_t east_256, std::int32_t north_256, std::int32_t up_256);
     /// Turns a func_door_rotating from its place in the level about its axis, counter-clockwise seen with the axis
     /// pointing at the eye. It is solid only at 0.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -18,6 +19,11 @@ Palette even_palette() {
     Palette palette = even_colours();
     set_ramp(palette, 216, 255, {0, 0, 0}, {255, 255, 255});
     return palette;
+}
+
+std::int32_t nearest_32(std::int64_t any) {
+    using Limits = std::numeric_limits<std::int32_t>;
+    return static_cast<std::int32_t>(std::clamp<std::int64_t>(any, Limits::min(), Limits::max()));
 }
 
 // OBLONG_HEADLESS: FRAMES or FRAMES:FILE.png.
@@ -84,12 +90,13 @@ void Window::State::take(const InputEvent& event) {
             break;
         case Kind::Axis:
             if (event.x > 0)
-                held[event.input] = event.x;
+                held[event.input] = std::min(event.x, kFullAxis);
             else
                 held.erase(event.input);
             break;
         case Kind::MouseMotion:
-            motion = {motion.column + event.x, motion.row + event.y};
+            motion = {nearest_32(std::int64_t{motion.column} + event.x),
+                      nearest_32(std::int64_t{motion.row} + event.y)};
             break;
         case Kind::ReleasePressed:
             std::erase_if(held, [](const auto& one) { return one.first.device != Device::PadAxis; });
@@ -112,10 +119,10 @@ void Window::State::point(const Pointer& pointer) {
     if (rect.width_px == 0 || rect.height_px == 0) return;
     const auto scaled = [](std::int64_t at, std::int64_t from, std::int64_t to) {
         const std::int64_t product = at * to;
-        return static_cast<std::int32_t>((product - (product < 0 ? from - 1 : 0)) / from);
+        return nearest_32((product - (product < 0 ? from - 1 : 0)) / from);
     };
-    mouse = {scaled(pointer.x_px - rect.x_px, rect.width_px, mode.width_px),
-             scaled(pointer.y_px - rect.y_px, rect.height_px, mode.height_px)};
+    mouse = {scaled(std::int64_t{pointer.x_px} - rect.x_px, rect.width_px, mode.width_px),
+             scaled(std::int64_t{pointer.y_px} - rect.y_px, rect.height_px, mode.height_px)};
 }
 
 void Window::State::take_input() {

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """A program of somebody else's takes the library in, as the page of engine/library says, and draws what it should.
-consume.py WAY SOURCE_FOLDER BUILD_FOLDER      WAY: find_package, pkg_config, add_subdirectory, fetch_content or shared
+consume.py WAY SOURCE_FOLDER BUILD_FOLDER      WAY: find_package, pkg_config, add_subdirectory, fetch_content, shared or libcxx
 
 In a folder of its own outside the project. What is installed is moved before it is used."""
 import json
@@ -68,7 +68,7 @@ class Consumer:
         self.demand_output(self.made_with_cmake('FetchContent_Declare(', COMPILERS[-1], '', '-DBUILD_SHARED_LIBS=ON'))
 
     def shared(self):
-        prefix = self.built_and_installed()
+        prefix = self.built_and_installed('-D BUILD_SHARED_LIBS=ON')
         for compiler in COMPILERS:
             game = self.made_with_cmake('find_package(', compiler, prefix)
             self.demand_output(game)
@@ -77,6 +77,17 @@ class Consumer:
             self.demand_output(game, LD_LIBRARY_PATH=prefix + '/lib')
             self.demand_shared(game)
 
+    def libcxx(self):
+        """By Clang with LLVM's C++ library, for which Debian's tinyobjloader is not compiled: it comes with the program."""
+        compiler = 'clang++ -stdlib=libc++'
+        if subprocess.run(compiler + ' -x c++ -include vector -fsyntax-only /dev/null', shell=True).returncode:
+            print('not tried: needs the Debian packages clang libc++-dev libc++abi-dev')
+            sys.exit(77)
+        with open(self.project + '/tinyobj.cpp', 'w') as file:
+            file.write('#define TINYOBJLOADER_IMPLEMENTATION\n#define TINYOBJLOADER_USE_DOUBLE\n#include <tiny_obj_loader.h>\n')
+        prefix = self.built_and_installed('', CXX='clang++', CXXFLAGS='-stdlib=libc++')
+        self.demand_output(self.made_with_pkg_config(prefix, compiler + ' tinyobj.cpp'))
+
     # Taking in
 
     def installed(self, build):
@@ -84,11 +95,11 @@ class Consumer:
         run('cmake', '--install', build, '--component', 'development', '--prefix', self.folder + '/installed')
         return self.moved()
 
-    def built_and_installed(self):
-        """The same of a shared library, by the page's own commands."""
+    def built_and_installed(self, options, **variables):
+        """The same of another library, by the page's own commands."""
         commands = self.snippet('cmake --install').replace('PREFIX', self.folder + '/installed')
-        commands = commands.replace('build/library', self.folder + '/library').replace(' -C ', ' -D BUILD_SHARED_LIBS=ON -C ')
-        run('sh', '-e', '-c', 'cd "$1"\n' + commands, 'sh', self.source, CMAKE_GENERATOR='Ninja')
+        commands = commands.replace('build/library', self.folder + '/library').replace(' -C ', ' %s -C ' % options)
+        run('sh', '-e', '-c', 'cd "$1"\n' + commands, 'sh', self.source, CMAKE_GENERATOR='Ninja', **variables)
         return self.moved()
 
     def moved(self):

@@ -1,6 +1,7 @@
 # Each file in targets/ with the inputs of its corpus and INPUTS more, in less than a minute: the same ones each time.
 # tools/fuzz builds it separately (in build/fuzz, by tools/presets/fuzz.cmake).
-set(FEWER_INPUTS levels 1500 entities 1500 maps 400 saves 1500 demos 1500 mdl 3000 obj 3000 options 2000 command_line 500)
+set(FEWER_INPUTS levels 1500 entities 1500 maps 400 saves 1500 demos 1500 mdl 3000 obj 3000 options 2000 command_line 500
+                 library 2000)
 file(GLOB FUZZ_TARGETS CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/targets/*.cpp)
 foreach(SOURCE ${FUZZ_TARGETS})
     get_filename_component(NAME ${SOURCE} NAME_WE)
@@ -21,7 +22,7 @@ endif()
 find_package(ZLIB REQUIRED)
 file(GLOB SOURCES CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/common/*.cpp)
 add_library(fuzzed STATIC ${SOURCES})
-target_link_libraries(fuzzed PUBLIC oblong_frame oblong_platform_sdl oblong_game_saves oblong_game_options oblong_game_sound
+target_link_libraries(fuzzed PUBLIC oblong_frame oblong_platform_sdl oblong_game_saves oblong_game_options oblong_game_sound oblong_library
                                     test_levels oblong_tool_probe oblong_tool_cameras test_support GTest::gtest ZLIB::ZLIB)
 foreach(SOURCE ${FUZZ_TARGETS})
     get_filename_component(NAME ${SOURCE} NAME_WE)

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -187,6 +188,20 @@ TEST(LibraryDrawing, NothingIsDrawnOutsideOfACanvas) {
             if (x < 16 || x >= 48 || y < 16 || y >= 32) {
                 ASSERT_EQ(pixel_at(whole.canvas(), x, y), 0) << x << ", " << y;
             }
+}
+
+TEST(LibraryDrawing, ARectangleAroundEverythingFillsTheCanvas) {
+    Picture picture = Picture::of_size(8, 8);
+    fill_rectangle(picture.canvas(), -(1 << 30), -(1 << 30), kMost, kMost, 1);
+    EXPECT_EQ(std::count(picture.pixels.begin(), picture.pixels.end(), 1), 64);
+}
+
+TEST(LibraryDrawing, ACircleOfAModeThatNoWindowHasIsRefused) {
+    Picture picture = Picture::of_size(8, 8);
+    for (const ScreenMode mode : {ScreenMode{0, 200, {4, 3}}, ScreenMode{320, 200, {4, 0}}}) {
+        EXPECT_THROW(draw_circle(picture.canvas(), mode, 4, 4, 2, 1), std::runtime_error);
+        EXPECT_THROW(fill_circle(picture.canvas(), mode, 4, 4, 2, 1), std::runtime_error);
+    }
 }
 
 TEST(LibraryDrawing, ALabelIsInUtf8) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <thread>
 
 #include "engine/library/oblong.h"
@@ -118,6 +119,20 @@ TEST(LibraryWindow, MouseIsOverThePixelThatIsShownThere) {
     EXPECT_EQ(scripted.window.mouse_motion(), (PixelPosition{4, -3}));
     scripted.window.show();
     EXPECT_EQ(scripted.window.mouse_motion(), (PixelPosition{}));
+}
+
+// As far as numbers reach.
+TEST(LibraryWindow, MouseAndSticksOfAnotherPlatformMayReportAnyNumbers) {
+    using Limits = std::numeric_limits<std::int32_t>;
+    constexpr std::int32_t least = Limits::min(), most = Limits::max();
+    PlatformInput input = of({event(Kind::MouseMotion, {}, most, least), event(Kind::MouseMotion, {}, 9, -9),
+                              event(Kind::Axis, pad_axis(PadAxis::LeftX, true), most)});
+    input.pointer = Pointer{most, least, true, false};
+    ScriptedWindow scripted({input}, {4096, 4096, {4, 3}});
+    scripted.window.show();
+    EXPECT_EQ(scripted.window.mouse_motion(), (PixelPosition{most, least}));
+    EXPECT_EQ(scripted.window.mouse(), (PixelPosition{most, least}));
+    EXPECT_EQ(scripted.window.pressure_256("Pad Left Stick Right"), 256);
 }
 
 TEST(LibraryWindow, EndsWhenItIsClosed) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/library/oblong.h"
 #include "tests/map/map_source.h"
@@ -116,8 +117,10 @@ TEST(LibraryLevel, DoorIsInTheWayAndSeenUntilItIsMoved) {
     EXPECT_EQ(hall.level.entity_value(door, "classname"), "func_door");
     EXPECT_NEAR(units(hall.walk_east(hall.level.start(), 40).x_256), 50 - 16, 1.1);
     EXPECT_GT(red_pixels(), 1000);
-    hall.level.move_entity(door, 0, 0, 400 * 256);
-    EXPECT_NEAR(units(hall.walk_east(hall.level.start(), 60).x_256), kStop, 0.1);
+    for (const std::int32_t up_256 : {400 * 256, std::numeric_limits<std::int32_t>::max()}) {
+        hall.level.move_entity(door, 0, 0, up_256);
+        EXPECT_NEAR(units(hall.walk_east(hall.level.start(), 60).x_256), kStop, 0.1);
+    }
     EXPECT_EQ(red_pixels(), 0);
     EXPECT_THROW(hall.level.draw({}, 0, Picture::of_size(64, 64).canvas()), std::runtime_error);
     EXPECT_THROW(LevelScene(hall.file, grey_palette(), {320, 200, {4, 0}}), std::runtime_error);
@@ -423,7 +426,7 @@ TEST(LibraryModel, WarningsOfItsFileAndOfALevelsAreTold) {
 
 TEST(LibraryModel, WrongNumbersAreRefused) {
     Model model;
-    for (const Picture& picture : {Picture{2, 2, {1, 2, 3}}, Picture{2, 1, {1, 2, 3}}, Picture{-1, -1, {1}}})
+    for (const Picture& picture : {Picture{2, 2, {1, 2, 3}}, Picture{2, 1, {1, 2, 3}}, Picture{-1, -1, {1}}, Picture{}})
         EXPECT_THROW(model.add_picture(picture), std::runtime_error);
     EXPECT_EQ(model.frame_count(), 1);
     EXPECT_THROW(model.add_triangle({}, {}, {}, 0), std::runtime_error);

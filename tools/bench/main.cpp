@@ -1,3 +1,4 @@
+#include <ostream>
 #include <string_view>
 #include <utility>
 #include <vector>

@@ -226,7 +226,7 @@ Figures draw_cycle(const RowInput& input, Framebuffer canvas) {
     const bool is_sorted = method == Method::SortedByFarthest || method == Method::SortedByMean;
     const Figure wrong_pixels = is_sorted ? Figure{"wrong pixels", "more than 0", std::to_string(wrong), wrong > 0}
                                           : count_figure("wrong pixels", 0, wrong);
-    return {wrong_pixels, measured("polygons", pieces.size()),
+    return {wrong_pixels, measured("polygons", std::ssize(pieces)),
             measured("pixels at outlines that only one of two methods covers", uncovered)};
 }
 

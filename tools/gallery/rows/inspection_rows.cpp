@@ -103,7 +103,7 @@ Figures draw_log(const RowInput& input, Framebuffer canvas) {
     FrameLog({}, [&when_off](const std::string& line) { when_off.push_back(line); }).note(logged.frame());
     return {count_figure("pixels of all spans: each one once", std::int64_t{input.mode.width_px} * input.mode.height_px,
                          spans_px),
-            measured("lines of this kind", lines.size()),
+            measured("lines of this kind", std::ssize(lines)),
             count_figure("lines with no channel on", 0, std::ssize(when_off))};
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
+#include <optional>
 
 #include "engine/base/input_error.h"
 #include "engine/base/text.h"
@@ -66,14 +68,28 @@ void MapTokens::expect(std::string_view symbol, std::string_view where) {
     advance();
 }
 
+// A decimal number; none if all of a text is not one.
+std::optional<double> number_of(std::string_view text) {
+    double value = 0;
+#ifdef __cpp_lib_to_chars
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    const bool is_number = error == std::errc() && stop == end;
+#else  // libc++ before 20 has it for integers only
+    const std::string copy(text);
+    char* stop = nullptr;
+    value = std::strtod(copy.c_str(), &stop);
+    const bool is_number = copy.find_first_not_of("-.0123456789eE") == copy.npos && stop == copy.c_str() + copy.size();
+#endif
+    return is_number ? std::optional(value) : std::nullopt;
+}
+
 double MapTokens::take_number(std::string_view what) {
     const MapToken token = take();
-    double value = 0;
-    const char* const end = token.text.data() + token.text.size();
-    const auto [stop, error] = std::from_chars(token.text.data(), end, value);
-    if (token.is_end || error != std::errc() || stop != end || !(std::abs(value) <= kFarthest))
+    const std::optional<double> value = number_of(token.text);
+    if (token.is_end || !value || !(std::abs(*value) <= kFarthest))
         fail(token, "a number for " + std::string(what) + ", at most " + std::to_string(kFarthest));
-    return value;
+    return *value;
 }
 
 void MapTokens::fail(const MapToken& at, std::string_view expected) const {
