@@ -21,17 +21,17 @@ struct TexelStep {
 };
 
 /// Whether both are below 32,768 texels, so that a difference fits 32 bits.
-[[gnu::always_inline]] inline bool are_short(TexelPosition from, TexelPosition to) {
+inline bool are_short(TexelPosition from, TexelPosition to) {
     return (from.u_16 | from.v_16 | to.u_16 | to.v_16) >> 31 == 0;
 }
 
 /// whole / steps, rounded down, with one division instruction.
-[[gnu::always_inline]] inline std::int32_t floored(std::int32_t whole, std::int32_t steps) {
+inline std::int32_t floored(std::int32_t whole, std::int32_t steps) {
     return whole / steps + (whole % steps >> 31);
 }
 
 /// The steps over 2^log2 pixels, rounded down.
-[[gnu::always_inline]] inline TexelStep steps_by_shift(TexelPosition from, TexelPosition to, int log2) {
+inline TexelStep steps_by_shift(TexelPosition from, TexelPosition to, int log2) {
     if (native::kHasShortRegisters && are_short(from, to))
         return {static_cast<std::int32_t>(to.u_16 - from.u_16) >> log2,
                 static_cast<std::int32_t>(to.v_16 - from.v_16) >> log2};
@@ -58,7 +58,7 @@ inline constexpr std::array<std::int64_t, kStepReciprocals> kStepReciprocal_36 =
 }();
 
 /// The steps over 1 to 4,095 pixels, equal to step_by_division(), by the table where that is exact.
-[[gnu::always_inline]] inline TexelStep steps_by_division(TexelPosition from, TexelPosition to, std::int32_t steps) {
+inline TexelStep steps_by_division(TexelPosition from, TexelPosition to, std::int32_t steps) {
     if (native::kHasShortRegisters && are_short(from, to))
         return {floored(static_cast<std::int32_t>(to.u_16 - from.u_16), steps),
                 floored(static_cast<std::int32_t>(to.v_16 - from.v_16), steps)};

@@ -15,15 +15,14 @@
 namespace oblong {
 
 template <class Cutter>
-[[gnu::always_inline]] inline void cut_every(Cutter& cutter, int log2) {
+inline void cut_every(Cutter& cutter, int log2) {
     while (cutter.remaining() > 1 << log2) cutter.cut_power(log2);
     cutter.cut_rest();
 }
 
 /// Cuts blocks as long as the bound allows at their first pixel; the search starts at the last block's size.
 template <class Cutter>
-[[gnu::always_inline]] inline void cut_bounded(Cutter& cutter, const BlockThresholds& thresholds,
-                                               std::ptrdiff_t& log2) {
+inline void cut_bounded(Cutter& cutter, const BlockThresholds& thresholds, std::ptrdiff_t& log2) {
     const auto& least = thresholds.least_inverse_z;
     while (true) {
         while (cutter.inverse_z() >= item(least, log2 + 1)) ++log2;
@@ -35,7 +34,7 @@ template <class Cutter>
 
 /// Tries a block twice as long as the last, then halves it until it is within the bound.
 template <class Cutter>
-[[gnu::always_inline]] inline void cut_bounded_texels(Cutter& cutter, std::int32_t bound_256) {
+inline void cut_bounded_texels(Cutter& cutter, std::int32_t bound_256) {
     int log2 = 3;
     while (cutter.remaining() > 1) {
         while (!cutter.try_block(log2, bound_256)) --log2;
@@ -45,7 +44,7 @@ template <class Cutter>
 }
 
 template <Texturing How, class Cutter>
-[[gnu::always_inline]] inline void cut_span(Cutter& cutter, const BlockCutting& cutting, std::ptrdiff_t& log2) {
+inline void cut_span(Cutter& cutter, const BlockCutting& cutting, std::ptrdiff_t& log2) {
     if constexpr (How == Texturing::Affine) cutter.cut_rest();
     if constexpr (How == Texturing::Every32) cut_every(cutter, 5);
     if constexpr (How == Texturing::Every16) cut_every(cutter, 4);
@@ -57,9 +56,8 @@ template <Texturing How, class Cutter>
 
 /// Returns the remaining spans.
 template <Texturing How, PerspectiveRange Range, class Reciprocal>
-[[gnu::always_inline]] inline std::span<const Span> cut_spans(std::span<const Span> spans, std::int32_t pitch,
-                                                              const BlockCutting& cutting, Reciprocal reciprocal,
-                                                              BlockList& blocks) {
+inline std::span<const Span> cut_spans(std::span<const Span> spans, std::int32_t pitch, const BlockCutting& cutting,
+                                       Reciprocal reciprocal, BlockList& blocks) {
     SpanCutter<Reciprocal, Range> cutter(cutting, reciprocal, blocks.end());
     const TexelBlock* const last_start = blocks.last_start();
     std::ptrdiff_t log2 = 0;
@@ -75,8 +73,8 @@ template <Texturing How, PerspectiveRange Range, class Reciprocal>
 }
 
 /// The leading spans with the same columns as `columns`, as many as have room for `blocks` blocks each.
-[[gnu::always_inline]] inline std::span<const Span> spans_in(const Span& columns, std::span<const Span> spans,
-                                                             std::ptrdiff_t blocks, std::ptrdiff_t room) {
+inline std::span<const Span> spans_in(const Span& columns, std::span<const Span> spans, std::ptrdiff_t blocks,
+                                      std::ptrdiff_t room) {
     std::size_t count = 0;
     for (; room >= 0 && count < spans.size(); room -= blocks, ++count)
         if (spans[count].first != columns.first || spans[count].end != columns.end) break;
@@ -85,9 +83,8 @@ template <Texturing How, PerspectiveRange Range, class Reciprocal>
 
 /// cut_spans() for RowRepeater's surfaces.
 template <PerspectiveRange Range, class Reciprocal>
-[[gnu::always_inline]] inline std::span<const Span> cut_repeating_rows(std::span<const Span> spans, std::int32_t pitch,
-                                                                       const BlockCutting& cutting,
-                                                                       Reciprocal reciprocal, BlockList& blocks) {
+inline std::span<const Span> cut_repeating_rows(std::span<const Span> spans, std::int32_t pitch,
+                                                const BlockCutting& cutting, Reciprocal reciprocal, BlockList& blocks) {
     SpanCutter<Reciprocal, Range> cutter(cutting, reciprocal, blocks.end());
     const TexelBlock* const last_start = blocks.last_start();
     std::ptrdiff_t log2 = 0;
@@ -116,8 +113,8 @@ template <PerspectiveRange Range, class Reciprocal>
 
 /// For spans that are one block each.
 template <class Ends>
-[[gnu::always_inline]] inline std::span<const Span> cut_whole_spans(std::span<const Span> spans, std::int32_t pitch,
-                                                                    Ends ends, BlockList& blocks) {
+inline std::span<const Span> cut_whole_spans(std::span<const Span> spans, std::int32_t pitch, Ends ends,
+                                             BlockList& blocks) {
     const Span* span = spans.data();
     const Span* const end = span + spans.size();
     TexelBlock* out = blocks.end();
@@ -139,9 +136,8 @@ template <class Ends>
 
 /// cut_in_range() of a range that fits.
 template <Texturing How, PerspectiveRange Range, class Reciprocal>
-[[gnu::always_inline]] inline std::span<const Span> cut_fitting(std::span<const Span> spans, std::int32_t pitch,
-                                                                const BlockCutting& cutting, Reciprocal reciprocal,
-                                                                BlockList& blocks) {
+inline std::span<const Span> cut_fitting(std::span<const Span> spans, std::int32_t pitch, const BlockCutting& cutting,
+                                         Reciprocal reciprocal, BlockList& blocks) {
     constexpr bool kIsBounded = How == Texturing::Bounded, kIsAffine = How == Texturing::Affine;
     const bool repeats_rows = (kIsBounded || kIsAffine) && RowRepeater<Reciprocal>::serves(cutting.gradients);
     if (kIsAffine || (kIsBounded && cutting.takes_whole_spans)) {
@@ -162,9 +158,8 @@ bool has_short_steps(const TextureGradients& gradients) {
 }
 
 template <Texturing How, class Reciprocal>
-[[gnu::always_inline]] inline std::span<const Span> cut_in_range(std::span<const Span> spans, std::int32_t pitch,
-                                                                 const BlockCutting& cutting, Reciprocal reciprocal,
-                                                                 BlockList& blocks) {
+inline std::span<const Span> cut_in_range(std::span<const Span> spans, std::int32_t pitch, const BlockCutting& cutting,
+                                          Reciprocal reciprocal, BlockList& blocks) {
     using enum PerspectiveRange;
     if (!cutting.fits_range) return cut_spans<How, MayOverflow>(spans, pitch, cutting, reciprocal, blocks);
     if constexpr (native::kHasShortRegisters)

@@ -19,8 +19,7 @@ enum class PerspectiveRange { MayOverflow, Fits, FitsWithShortSteps };
 
 /// value + step * count modulo 2^64.
 template <PerspectiveRange Range, int Frac>
-[[gnu::always_inline]] inline auto stepped_in(Fixed<std::int64_t, Frac> value, Fixed<std::int64_t, Frac> step,
-                                              std::uint32_t count) {
+inline auto stepped_in(Fixed<std::int64_t, Frac> value, Fixed<std::int64_t, Frac> step, std::uint32_t count) {
     if constexpr (Range != PerspectiveRange::FitsWithShortSteps) return stepped(value, step, count);
     const auto way = native::product_to_64(static_cast<std::int32_t>(step.raw), static_cast<std::int32_t>(count));
     return stepped(value, Fixed<std::int64_t, Frac>::from_raw(way), 1);
@@ -28,8 +27,7 @@ template <PerspectiveRange Range, int Frac>
 
 /// The same for a count of 2^log2: by shifts, but on i386, where those of 64 bits take longer than products.
 template <PerspectiveRange Range, int Frac>
-[[gnu::always_inline]] inline auto stepped_by_power(Fixed<std::int64_t, Frac> value, Fixed<std::int64_t, Frac> step,
-                                                    int log2) {
+inline auto stepped_by_power(Fixed<std::int64_t, Frac> value, Fixed<std::int64_t, Frac> step, int log2) {
     if constexpr (native::kHasShortRegisters) return stepped_in<Range>(value, step, std::uint32_t{1} << log2);
     const auto way = static_cast<std::int64_t>(step.bits() << log2);
     return stepped(value, Fixed<std::int64_t, Frac>::from_raw(way), 1);
@@ -37,8 +35,7 @@ template <PerspectiveRange Range, int Frac>
 
 /// LinearQuantity::at_shown().
 template <PerspectiveRange Range, class Value>
-[[gnu::always_inline]] inline Value value_at(const LinearQuantity<Value>& quantity, std::int32_t column,
-                                             std::int32_t row) {
+inline Value value_at(const LinearQuantity<Value>& quantity, std::int32_t column, std::int32_t row) {
     const Value in_first_row =
         stepped_in<Range>(quantity.origin, quantity.per_column, static_cast<std::uint32_t>(column));
     return stepped_in<Range>(in_first_row, quantity.per_row, static_cast<std::uint32_t>(row));
@@ -50,8 +47,7 @@ struct Perspective {
     TexelOverZ u_over_z, v_over_z;
 
     template <PerspectiveRange Range = PerspectiveRange::Fits>
-    [[gnu::always_inline]] static Perspective at(const TextureGradients& gradients, std::int32_t column,
-                                                 std::int32_t row) {
+    static Perspective at(const TextureGradients& gradients, std::int32_t column, std::int32_t row) {
         const Perspective here{value_at<Range>(gradients.inverse_z, column, row),
                                value_at<Range>(gradients.u_over_z, column, row),
                                value_at<Range>(gradients.v_over_z, column, row)};
@@ -70,7 +66,7 @@ constexpr Number clamp_value(Number value, Number least, Number greatest) {
 }
 
 /// A texel clamped to limits of 32 bits, in raw steps.
-[[gnu::always_inline]] inline std::uint32_t texel_within(Texel texel, Texel least, Texel greatest) {
+inline std::uint32_t texel_within(Texel texel, Texel least, Texel greatest) {
     if constexpr (native::kHasShortRegisters) {
         const auto high = static_cast<std::int32_t>(texel.raw >> 32);
         auto steps = static_cast<std::uint32_t>(texel.raw);
@@ -82,7 +78,7 @@ constexpr Number clamp_value(Number value, Number least, Number greatest) {
 
 /// value * 2^shift / 2^32, floored; value * 2^shift fits 64 bits. `shift` is below 32 unless MayBeLong.
 template <bool MayBeLong>
-[[gnu::always_inline]] inline std::int32_t upper_half(std::int64_t value, int shift) {
+inline std::int32_t upper_half(std::int64_t value, int shift) {
     if constexpr (native::kHasShortRegisters) {
         if (MayBeLong && shift >= 32)
             return static_cast<std::int32_t>(static_cast<std::uint32_t>(value) << (shift & 31));
@@ -95,7 +91,7 @@ template <bool MayBeLong>
 struct DividedReciprocal {
     static constexpr std::int64_t kLeast = (std::int64_t{1} << 32) + 1;
 
-    [[gnu::always_inline]] static std::int64_t of(std::int64_t value, int shift) {
+    static std::int64_t of(std::int64_t value, int shift) {
         if constexpr (native::kHasShortRegisters) return kLeast + above_least<true>(value, shift);
         return static_cast<std::int64_t>(
             divide(std::uint64_t{1} << 60, static_cast<std::uint64_t>(upper_half<true>(value, shift))).quotient);
@@ -103,7 +99,7 @@ struct DividedReciprocal {
 
     /// of() - kLeast. With d from 2^27 to 2^28 - 1, that is (2^60 - 2^32 d - d) / d.
     template <bool MayBeLong>
-    [[gnu::always_inline]] static std::uint32_t above_least(std::int64_t value, int shift) {
+    static std::uint32_t above_least(std::int64_t value, int shift) {
         const auto divisor = static_cast<std::uint32_t>(upper_half<MayBeLong>(value, shift));
         return native::divide_to_32(std::uint64_t{(1u << 28) - 1 - divisor} << 32 | (0 - divisor), divisor).quotient;
     }
@@ -113,7 +109,7 @@ struct DividedReciprocal {
 struct TabledReciprocal {
     ReciprocalMethod method;
 
-    [[gnu::always_inline]] std::int64_t of(std::int64_t value, int shift) const {
+    std::int64_t of(std::int64_t value, int shift) const {
         return std::int64_t{mantissa_reciprocal(static_cast<std::uint32_t>(value << shift >> 28), method)} * 4;
     }
 };
@@ -133,7 +129,7 @@ struct Depth {
     int shift = 0;               ///< brings 1/z to 60 bits
 
     Depth() = default;
-    [[gnu::always_inline]] Depth(InverseZ inverse_z, Reciprocal reciprocal) {
+    Depth(InverseZ inverse_z, Reciprocal reciprocal) {
         const std::int64_t positive =
             kClamps ? clamp_value(inverse_z, kLeastInverseZ, kGreatestInverseZ).raw : inverse_z.raw;
         if (positive == 0) __builtin_unreachable();  // fits_range(); saves i386 two tests of a half for 0
@@ -146,7 +142,7 @@ struct Depth {
     }
 
     /// (u/z) * z; clamped to 0 to 65,535 texels if it may overflow.
-    [[gnu::always_inline]] Texel times(TexelOverZ over_z) const requires(!kIsShort) {
+    Texel times(TexelOverZ over_z) const requires(!kIsShort) {
         using Scaled = Fixed<std::int64_t, 60>;
         if constexpr (kClamps) over_z = clamp_value(over_z, {}, greatest_over_z);
         const std::int64_t product = std::int64_t{upper_half<kClamps>(over_z.raw, shift)} * mantissa;
@@ -156,7 +152,7 @@ struct Depth {
     }
 
     /// The same in steps, clamped to limits of 32 bits.
-    [[gnu::always_inline]] std::uint32_t times(TexelOverZ over_z, Texel least, Texel greatest) const {
+    std::uint32_t times(TexelOverZ over_z, Texel least, Texel greatest) const {
         if constexpr (kClamps || !native::kHasShortRegisters)
             return texel_within(times(over_z), least, greatest);
         else
@@ -165,7 +161,7 @@ struct Depth {
 
   private:
     /// times() where a number of 64 bits takes two registers; `shift` is 1 or more here.
-    [[gnu::always_inline]] std::uint32_t short_times(TexelOverZ over_z, Texel least, Texel greatest) const {
+    std::uint32_t short_times(TexelOverZ over_z, Texel least, Texel greatest) const {
         const ShiftedUpper upper = native::shift_left(over_z.raw, shift);
         if (upper.is_below_zero) return static_cast<std::uint32_t>(least.raw);
         const std::uint32_t size = upper.bits, low = static_cast<std::uint32_t>(mantissa);
@@ -190,8 +186,7 @@ struct Depth {
 };
 
 template <class Reciprocal, PerspectiveRange Range>
-[[gnu::always_inline]] inline TexelPosition texel_of(const Perspective& at, const Depth<Reciprocal, Range>& depth,
-                                                     const TexelLimits& limits) {
+inline TexelPosition texel_of(const Perspective& at, const Depth<Reciprocal, Range>& depth, const TexelLimits& limits) {
     return {depth.times(at.u_over_z, limits.least, limits.greatest_u),
             depth.times(at.v_over_z, limits.least, limits.greatest_v)};
 }

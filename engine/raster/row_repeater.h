@@ -20,14 +20,14 @@ class RowRepeater {
     }
 
     /// For rows with the columns of `above`. `blocks` are fewer than kMostEnds and must outlive this.
-    [[gnu::always_inline]] RowRepeater(const Span& above, std::span<const TexelBlock> blocks,
-                                       const BlockCutting& cutting, Reciprocal reciprocal)
+    RowRepeater(const Span& above, std::span<const TexelBlock> blocks, const BlockCutting& cutting,
+                Reciprocal reciprocal)
         : above_(above), blocks_(blocks), gradients_(cutting.gradients), limits_(cutting.limits) {
         find_depths(reciprocal);
     }
 
     /// Appends the blocks of a row. Returns the list's new end.
-    [[gnu::always_inline]] TexelBlock* repeat(std::int32_t row, std::int32_t pitch, TexelBlock* out) const {
+    TexelBlock* repeat(std::int32_t row, std::int32_t pitch, TexelBlock* out) const {
         const auto down = static_cast<std::uint32_t>((row - above_.y) * pitch);
         TexelOverZ v_over_z = gradients_.v_over_z.at(above_.first, row);
         const BlockDepth* depth = depths_.data();
@@ -71,15 +71,14 @@ class RowRepeater {
         add(column - 1);
     }
 
-    [[gnu::always_inline]] std::uint32_t v_at(TexelOverZ v_over_z, const BlockDepth& known) const {
+    std::uint32_t v_at(TexelOverZ v_over_z, const BlockDepth& known) const {
         FittingDepth depth;
         depth.mantissa = known.mantissa;
         depth.shift = known.shift;
         return depth.times(v_over_z, limits_.least, limits_.greatest_v);
     }
 
-    [[gnu::always_inline]] static TexelBlock moved(const TexelBlock& block, std::uint32_t pixels, std::uint32_t v_16,
-                                                   std::int32_t v_step_16) {
+    static TexelBlock moved(const TexelBlock& block, std::uint32_t pixels, std::uint32_t v_16, std::int32_t v_step_16) {
         return {block.pixel + pixels, block.count, block.u_16, v_16, block.u_step_16, v_step_16};
     }
 

@@ -18,10 +18,10 @@ namespace oblong {
 template <class Reciprocal, PerspectiveRange Range>
 class SpanCutter {
   public:
-    [[gnu::always_inline]] SpanCutter(const BlockCutting& cutting, Reciprocal reciprocal, TexelBlock* out)
+    SpanCutter(const BlockCutting& cutting, Reciprocal reciprocal, TexelBlock* out)
         : gradients_(cutting.gradients), limits_(cutting.limits), reciprocal_(reciprocal), out_(out) {}
 
-    [[gnu::always_inline]] void start(const Span& span, std::int32_t pitch) {
+    void start(const Span& span, std::int32_t pitch) {
         remaining_px_ = span.end - span.first;
         pixel_ = static_cast<std::uint32_t>(span.y * pitch + span.first);
         here_ = Perspective::at<Range>(gradients_, span.first, span.y);
@@ -37,7 +37,7 @@ class SpanCutter {
     std::int64_t tries() const { return tries_; }
 
     /// Cuts a block of 2^log2 pixels, all in the span.
-    [[gnu::always_inline]] void cut_power(int log2) {
+    void cut_power(int log2) {
         const TexelPosition from = texel_;
         advance_by([log2](auto value, auto step) { return stepped_by_power<Range>(value, step, log2); });
         append(1 << log2, from, steps_by_shift(from, texel_, log2));
@@ -45,7 +45,7 @@ class SpanCutter {
 
     /// Cuts the last block, of the remaining pixels (1 or more). It ends at the span's last pixel: beyond may be the
     /// end of the surface, or the horizon of its plane.
-    [[gnu::always_inline]] void cut_rest() {
+    void cut_rest() {
         const std::int32_t steps = remaining_px_ - 1;
         if (steps == 0) return append(1, texel_, {});
         const TexelPosition from = texel_;
@@ -55,7 +55,7 @@ class SpanCutter {
 
     /// Cuts a block of 2^log2 pixels, or the last one, if it keeps the error of u and v within `bound_256`, which
     /// blocks of one or two pixels always do. Returns whether it was cut.
-    [[gnu::always_inline]] bool try_block(int log2, std::int32_t bound_256) {
+    bool try_block(int log2, std::int32_t bound_256) {
         const std::int32_t size = std::int32_t{1} << log2, steps = std::min(size, remaining_px_ - 1);
         const auto start = std::tuple(here_, depth_, texel_);
         const TexelPosition from = texel_;
@@ -85,13 +85,13 @@ class SpanCutter {
         return texels_16 * rise_in_steps <= 4 * room_16 * floor_shift(least, shift).raw;
     }
 
-    [[gnu::always_inline]] void advance(std::int32_t count) {
+    void advance(std::int32_t count) {
         const auto columns = static_cast<std::uint32_t>(count);
         advance_by([columns](auto value, auto step) { return stepped_in<Range>(value, step, columns); });
     }
     /// stepped(value, step per column) is the value some columns further on.
     template <class Stepped>
-    [[gnu::always_inline]] void advance_by(Stepped stepped) {
+    void advance_by(Stepped stepped) {
         const InverseZ before = here_.inverse_z;
         here_.inverse_z = stepped(before, gradients_.inverse_z.per_column);
         here_.u_over_z = stepped(here_.u_over_z, gradients_.u_over_z.per_column);
@@ -100,7 +100,7 @@ class SpanCutter {
         texel_ = texel_of(here_, depth_, limits_);
     }
 
-    [[gnu::always_inline]] void append(std::int32_t count, TexelPosition from, TexelStep step) {
+    void append(std::int32_t count, TexelPosition from, TexelStep step) {
         *out_++ = {pixel_, count, from.u_16, from.v_16, step.u_16, step.v_16};
         pixel_ += static_cast<std::uint32_t>(count);
         remaining_px_ -= count;
@@ -122,13 +122,13 @@ class SpanCutter {
 template <class Reciprocal, PerspectiveRange Range>
 class SpanEnds {
   public:
-    [[gnu::always_inline]] SpanEnds(const BlockCutting& cutting, Reciprocal reciprocal)
+    SpanEnds(const BlockCutting& cutting, Reciprocal reciprocal)
         : gradients_(cutting.gradients),
           limits_(cutting.limits),
           reciprocal_(reciprocal),
           is_of_one_depth_(cutting.gradients.inverse_z.per_column == InverseZ{}) {}
 
-    [[gnu::always_inline]] TexelPosition first(const Span& span) {
+    TexelPosition first(const Span& span) {
         here_.inverse_z = value_at<Range>(gradients_.inverse_z, span.first, span.y);
         depth_ = FittingDepth(here_.inverse_z, reciprocal_);
         here_.u_over_z = value_at<Range>(gradients_.u_over_z, span.first, span.y);
@@ -137,7 +137,7 @@ class SpanEnds {
         return {u_16, depth_.times(here_.v_over_z, limits_.least, limits_.greatest_v)};
     }
     /// Call after first(), for the same span.
-    [[gnu::always_inline]] TexelPosition last(const Span& span) {
+    TexelPosition last(const Span& span) {
         const auto columns = static_cast<std::uint32_t>(span.end - 1 - span.first);
         if (!is_of_one_depth_)
             depth_ =
@@ -164,18 +164,18 @@ class SpanEnds {
 template <class Reciprocal, PerspectiveRange Range>
 class RepeatedSpanEnds {
   public:
-    [[gnu::always_inline]] RepeatedSpanEnds(const BlockCutting& cutting, Reciprocal reciprocal)
+    RepeatedSpanEnds(const BlockCutting& cutting, Reciprocal reciprocal)
         : gradients_(cutting.gradients),
           limits_(cutting.limits),
           reciprocal_(reciprocal),
           is_of_one_depth_(cutting.gradients.inverse_z.per_column == InverseZ{}) {}
 
-    [[gnu::always_inline]] TexelPosition first(const Span& span) {
+    TexelPosition first(const Span& span) {
         if (span.first != first_.column) set(first_, span.first, span.y, depth_at(span.first, span.y));
         return {first_.u_16, v_16(first_, span.y)};
     }
     /// Call after first(), for a span of at least two pixels.
-    [[gnu::always_inline]] TexelPosition last(const Span& span) {
+    TexelPosition last(const Span& span) {
         const std::int32_t column = span.end - 1;
         if (is_of_one_depth_)
             set(last_, column, span.y, first_.depth);
@@ -192,15 +192,15 @@ class RepeatedSpanEnds {
         FittingDepth depth;
     };
 
-    [[gnu::always_inline]] void set(End& end, std::int32_t column, std::int32_t row, const FittingDepth& depth) const {
+    void set(End& end, std::int32_t column, std::int32_t row, const FittingDepth& depth) const {
         end = {column,
                depth.times(value_at<Range>(gradients_.u_over_z, column, row), limits_.least, limits_.greatest_u),
                depth};
     }
-    [[gnu::always_inline]] FittingDepth depth_at(std::int32_t column, std::int32_t row) const {
+    FittingDepth depth_at(std::int32_t column, std::int32_t row) const {
         return FittingDepth(value_at<Range>(gradients_.inverse_z, column, row), reciprocal_);
     }
-    [[gnu::always_inline]] std::uint32_t v_16(const End& end, std::int32_t row) const {
+    std::uint32_t v_16(const End& end, std::int32_t row) const {
         return end.depth.times(value_at<Range>(gradients_.v_over_z, end.column, row), limits_.least,
                                limits_.greatest_v);
     }

@@ -11,15 +11,15 @@ namespace {
 
 /// One function for all tables: choosing the method costs nothing compared with a reciprocal.
 template <Texturing How>
-[[gnu::noinline]] std::span<const Span> cut_by_table(std::span<const Span> spans, std::int32_t pitch,
-                                                     const BlockCutting& cutting, TabledReciprocal reciprocal,
-                                                     BlockList& blocks) {
+[[gnu::noinline, gnu::flatten]] std::span<const Span> cut_by_table(std::span<const Span> spans, std::int32_t pitch,
+                                                                   const BlockCutting& cutting,
+                                                                   TabledReciprocal reciprocal, BlockList& blocks) {
     return cut_in_range<How>(spans, pitch, cutting, reciprocal, blocks);
 }
 
 template <Texturing How, ReciprocalMethod Method>
-std::span<const Span> append_blocks(std::span<const Span> spans, std::int32_t pitch, const BlockCutting& cutting,
-                                    BlockList& blocks) {
+[[gnu::flatten]] std::span<const Span> append_blocks(std::span<const Span> spans, std::int32_t pitch,
+                                                     const BlockCutting& cutting, BlockList& blocks) {
     if constexpr (Method == ReciprocalMethod::Exact)
         return cut_in_range<How>(spans, pitch, cutting, DividedReciprocal{}, blocks);
     else

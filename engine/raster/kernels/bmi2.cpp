@@ -109,8 +109,10 @@ void draw_warped_blocks_bmi2(std::span<const TexelBlock> blocks, const EffectTex
 }
 
 /// For processors with BMI2, whose shifts take their count from any register.
-[[gnu::target("bmi2,lzcnt")]] std::span<const Span> cut_bounded_bmi2(std::span<const Span> spans, std::int32_t pitch,
-                                                                     const BlockCutting& cutting, BlockList& blocks) {
+[[gnu::target("bmi2,lzcnt"), gnu::flatten]] std::span<const Span> cut_bounded_bmi2(std::span<const Span> spans,
+                                                                                   std::int32_t pitch,
+                                                                                   const BlockCutting& cutting,
+                                                                                   BlockList& blocks) {
     return cut_in_range<Texturing::Bounded>(spans, pitch, cutting, DividedReciprocal{}, blocks);
 }
 
