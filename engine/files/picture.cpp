@@ -17,8 +17,8 @@
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_ONLY_JPEG
 #define STBI_NO_STDIO
-#define STBI_NO_SIMD  // the same colours on every machine
-#define STBI_MAX_DIMENSIONS 4096
+#define STBI_NO_SIMD               // the same colours on every machine
+#define STBI_MAX_DIMENSIONS 65535  // check_jpeg_size() says more
 // Zeroed memory: a JPEG without tables is decoded with what is in their place.
 #define STBI_MALLOC(size) std::calloc(1, size)
 #define STBI_REALLOC std::realloc

@@ -174,6 +174,17 @@ TEST(BadInput, ErrorTellsTheByteOfTheFile) {
     EXPECT_EQ(fault_of(file), "lump 'faces', offset " + std::to_string(faces + 10));
 }
 
+TEST(BadInput, NoByteOfALumpIsInTheHeader) {
+    for (const int size : {0, 1, 4}) {
+        Bytes file = join_lumps(29, make_tiny_lumps());
+        const std::size_t place = 4 + 8 * static_cast<std::size_t>(Lump::Lighting);
+        put_number(file, place, 4, kBspHeaderSize - 1);
+        put_number(file, place + 4, 4, size);
+        const std::string fault = refusal([&] { read_bsp(file); });
+        EXPECT_EQ(fault.starts_with("lump 'lighting', offset " + std::to_string(place)), size > 0) << fault;
+    }
+}
+
 TEST(BadInput, ErrorSaysWhichRecordsThereAre) {
     Lumps lumps = make_tiny_lumps();
     put_number(lump_of(lumps, Lump::Faces), 10, 2, 1);  // the texinfo
