@@ -43,6 +43,17 @@ struct ModelFile {
     }
 };
 
+/// Of a level's models, each reading counted: the size of the file, and of the mesh made of it. A few letters in the
+/// level can name a large file again, at another scale. A reading counts as much as a small model at least.
+constexpr std::size_t kMostModels_bytes = std::size_t{1} << 27, kLeastReading_bytes = std::size_t{1} << 16;
+
+std::size_t size_in_bytes(const Mesh& mesh) {
+    std::size_t bytes = mesh.triangles.size() * (sizeof(MeshTriangle) + sizeof(FacingPlane));
+    for (const MeshFrame& frame : mesh.frames) bytes += frame.vertices.size() * sizeof(MeshVertex);
+    for (const Skin& skin : mesh.skins) bytes += skin.texels.size();
+    return bytes;
+}
+
 constexpr NumberRange kScales{World::from_raw(4), World::from_int(4096)};
 
 class ModelFinder {
@@ -129,7 +140,10 @@ class LevelModelReader {
         if (!file)
             return values.warn("there is no file " + path.string() + " for the model at " + values.text("origin") +
                                ": it is left out");
-        LevelModel model = model_of(file_of(*file, values), values);
+        const ModelFile read = file_of(*file, values);
+        const Mesh* const mesh = mesh_of(read, values);
+        if (mesh == nullptr) return;
+        LevelModel model = model_of(*mesh, values);
         model.placed.position = *origin;
         models_.models.push_back(model);
     }
@@ -145,9 +159,8 @@ class LevelModelReader {
         return file;
     }
 
-    LevelModel model_of(const ModelFile& file, const EntityValues& values) {
+    static LevelModel model_of(const Mesh& mesh, const EntityValues& values) {
         LevelModel model;
-        const Mesh& mesh = mesh_of(file, values);
         model.placed.mesh = &mesh;
         const auto last = [](const auto& list) { return static_cast<std::int32_t>(list.size()) - 1; };
         const std::int32_t last_frame = last(mesh.frame_sequences);
@@ -188,13 +201,14 @@ class LevelModelReader {
             if (!its_class.own_model.file.empty()) return read_own_item(its_class.own_model, values);
             return report_missing(quakes, entity, index);
         }
-        const Mesh& mesh = mesh_of({*file}, values);
+        const Mesh* const mesh = mesh_of({*file}, values);
+        if (mesh == nullptr) return;
         LevelModel model;
-        model.placed.mesh = &mesh;
+        model.placed.mesh = mesh;
         model.placed.position = resting_place(*origin, its_class.over_floor);
-        model.first_frame = std::min(quakes.frame, static_cast<std::uint32_t>(mesh.frame_sequences.size() - 1));
-        model.skin = std::min(quakes.skin, static_cast<std::uint32_t>(mesh.skin_sequences.size() - 1));
-        if (mesh.turns) model.turn_ms = kItemTurn_ms;
+        model.first_frame = std::min(quakes.frame, static_cast<std::uint32_t>(mesh->frame_sequences.size() - 1));
+        model.skin = std::min(quakes.skin, static_cast<std::uint32_t>(mesh->skin_sequences.size() - 1));
+        if (mesh->turns) model.turn_ms = kItemTurn_ms;
         models_.models.push_back(model);
     }
 
@@ -209,11 +223,11 @@ class LevelModelReader {
             values.warn("there is no file " + named.string() + " for the model at " + values.text("origin") +
                         ", which is not shown");
         if (!file) return;
+        const Mesh* const mesh = mesh_of({*file, values.number("scale", kScales), false, Dither::None}, values);
+        if (mesh == nullptr) return;
         LevelModel model;
-        const World scale = values.number("scale", kScales);
-        const Mesh& mesh = mesh_of({*file, scale, false, Dither::None}, values);
-        model.placed.mesh = &mesh;
-        model.skin = skin_of_glass(values.text("glass"), mesh);
+        model.placed.mesh = mesh;
+        model.skin = skin_of_glass(values.text("glass"), *mesh);
         model.placed.position = resting_place(*origin, own.over_floor);
         model.placed.shading = Shading::Phong;
         model.placed.highlight = 120;
@@ -251,19 +265,32 @@ class LevelModelReader {
         return place;
     }
 
-    const Mesh& mesh_of(const ModelFile& file, const EntityValues& values) {
+    /// Null, with a warning, if the models that were read before are too large already.
+    const Mesh* mesh_of(const ModelFile& file, const EntityValues& values) {
         const auto known = meshes_.find(file);
-        if (known != meshes_.end()) return *known->second;
+        if (known != meshes_.end()) return known->second;
+        if (bytes_read_ >= kMostModels_bytes) {
+            values.warn("the level's models, at each of their scales, have more than " +
+                        std::to_string(kMostModels_bytes) + " bytes: " + file.path + " is left out");
+            return nullptr;
+        }
         Mesh mesh = read_mesh(file, values);
+        bytes_read_ += kLeastReading_bytes + size_in_bytes(mesh);
         mesh.planes = facing_planes(mesh);
         mesh.places = shared_places(mesh);
         models_.meshes.push_back(std::make_unique<const Mesh>(std::move(mesh)));
-        return *meshes_.emplace(file, models_.meshes.back().get()).first->second;
+        return meshes_.emplace(file, models_.meshes.back().get()).first->second;
     }
 
-    Mesh read_mesh(const ModelFile& file, const EntityValues& values) const {
+    Mesh read_mesh(const ModelFile& file, const EntityValues& values) {
         if (lower_case(fs::path(file.path).extension().string()) != ".obj")
-            return read_parsed_game_file(file.path, [&](const auto& bytes) { return read_mdl(bytes, file.scale); });
+            return read_parsed_game_file(file.path, [&](const auto& bytes) {
+                bytes_read_ += bytes.size();
+                return read_mdl(bytes, file.scale);
+            });
+        std::error_code has_none;
+        const std::uintmax_t size = fs::file_size(file.path, has_none);
+        if (!has_none) bytes_read_ += static_cast<std::size_t>(size);
         const double scale = number_of(file.scale);
         ObjModel model = read_obj(file.path, palette_, {scale, file.is_z_up, file.dither, glasses_});
         for (const std::string& warning : model.warnings) values.warn(file.path + ": " + warning);
@@ -277,6 +304,7 @@ class LevelModelReader {
     std::int64_t world_type_ = 0;
     LevelModels models_;
     std::map<ModelFile, const Mesh*> meshes_;
+    std::size_t bytes_read_ = 0;  ///< see kMostModels_bytes
     TurningBrushes turning_;
     std::vector<std::string> glasses_;  ///< that the level's entities name, sorted
     std::set<std::string> missing_;     ///< files of Quake's classes

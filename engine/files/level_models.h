@@ -49,8 +49,8 @@ struct ModelFolders {
 
 inline constexpr std::size_t kMostLevelModels = 4096;
 
-/// Reads the models of a level, each file once. A missing file is a warning; for Quake's own classes, one for each
-/// file. Throws FileError for a broken file, or if `named` is no folder.
+/// Reads the models of a level, each file once at each scale, up to 128 MB in all. A missing file is a warning; for
+/// Quake's own classes, one for each file. Throws FileError for a broken file, or if `named` is no folder.
 LevelModels read_level_models(const Level& level, const Palette& palette, const ModelFolders& folders);
 
 /// The game's changes of a level's models; each list is empty, or has an entry for each model.

@@ -216,12 +216,16 @@ Skin SkinMaker::skin_of(const tinyobj::material_t& material) {
     const std::string& name = material.diffuse_texname;
     Skin coloured = skin_of_colour(material.name, diffuse_colour(material), palette_);
     if (name.empty()) return coloured;
-    auto known = pictures_.find(name);
-    if (known == pictures_.end() && texels_left > 0) known = pictures_.emplace(name, read(name)).first;
+    std::error_code ignored;  // then it has no such file
+    const std::string file = std::filesystem::weakly_canonical(folder_ / with_slashes(name), ignored).string();
+    auto known = pictures_.find(file);
+    if (known == pictures_.end() && texels_left > 0) known = pictures_.emplace(file, read(name)).first;
     std::string fault = known == pictures_.end() ? "" : known->second.fault;
-    if (fault.empty() && (known == pictures_.end() || !takes(known->second.skin.texels.size())))
+    if (fault.empty() && (known == pictures_.end() || !takes(known->second.skin.texels.size()))) {
+        texels_left = 0;  // no more pictures are read to find that they do not fit either
         fault = (folder_ / name).string() + ": size: the model's pictures have more than " +
                 std::to_string(kMostSkinTexels) + " texels, expected fewer";
+    }
     if (!fault.empty()) {
         warnings_.push_back(fault + ": the material's colour stands for it");
         return coloured;

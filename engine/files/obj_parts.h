@@ -67,7 +67,8 @@ class SkinMaker {
     SkinMaker(std::filesystem::path folder, const Palette& palette, Dither dither, std::vector<std::string>& warnings)
         : folder_(std::move(folder)), palette_(palette), dither_(dither), warnings_(warnings) {}
 
-    /// Adds a warning if the picture cannot be read, or is too large for what is left of kMostSkinTexels.
+    /// Adds a warning if the picture cannot be read, or is too large for what is left of kMostSkinTexels: then no other
+    /// is read.
     Skin skin_of(const tinyobj::material_t& material);
     /// Takes this many texels of those that are left, if there are as many.
     bool takes(std::size_t texels);
@@ -85,7 +86,7 @@ class SkinMaker {
     const Palette& palette_;
     Dither dither_;
     std::vector<std::string>& warnings_;
-    std::map<std::string, Picture> pictures_;
+    std::map<std::string, Picture> pictures_;  ///< by their files, which may have many names
 };
 
 /// A place on a skin, in repetitions of it, v down.

@@ -17,8 +17,8 @@
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_ONLY_JPEG
 #define STBI_NO_STDIO
-#define STBI_NO_SIMD  // the same colours on every machine
-#define STBI_MAX_DIMENSIONS 4096
+#define STBI_NO_SIMD               // the same colours on every machine
+#define STBI_MAX_DIMENSIONS 65535  // check_jpeg_size() says more
 // Zeroed memory: a JPEG without tables is decoded with what is in their place.
 #define STBI_MALLOC(size) std::calloc(1, size)
 #define STBI_REALLOC std::realloc
@@ -91,7 +91,7 @@ void check_jpeg_segments(std::span<const std::uint8_t> file) {
         if (marker == 0xc4) check_huffman_tables(file, at + 4, end);
         if (marker == 0xda && ++scans > kMostScans)
             throw InputError("image", "a JPEG of more than " + std::to_string(kMostScans) + " scans, expected fewer");
-        at = std::max(end, at + 2);
+        at = end;
     }
 }
 

@@ -50,20 +50,36 @@ class PngReader {
         steps(png_, info_);
     }
 
+    /// From here on libpng reads the rows of a picture.
+    void begin_rows(std::uint32_t height) { height_ = height; }
+
   private:
+    /// Compressed bytes that may follow the last row: libpng inflates all to find their end, a thousand times as many.
+    static constexpr std::size_t kMostBehindRows_bytes = 1 << 14;
+
+    bool is_behind_rows() const {
+        constexpr int kPasses = 7;  // of an interlaced picture
+        const bool is_behind =
+            png_get_current_row_number(png_) >= height_ || png_get_current_pass_number(png_) >= kPasses;
+        return height_ > 0 && is_behind;
+    }
     [[noreturn]] static void fail(png_structp png, png_const_charp message) {
         std::snprintf(static_cast<PngReader*>(png_get_error_ptr(png))->message_, sizeof message_, "%s", message);
         png_longjmp(png, 1);
     }
     static void ignore(png_structp, png_const_charp) {}
     static void take(png_structp png, png_bytep to, std::size_t count) {
-        std::span<const std::uint8_t>& left = static_cast<PngReader*>(png_get_io_ptr(png))->left_;
-        if (count > left.size()) png_error(png, "the file ends here");
-        std::copy_n(left.begin(), count, to);
-        left = left.subspan(count);
+        PngReader& self = *static_cast<PngReader*>(png_get_io_ptr(png));
+        if (count > self.left_.size()) png_error(png, "the file ends here");
+        if (self.is_behind_rows() && (self.behind_rows_bytes_ += count) > kMostBehindRows_bytes)
+            png_error(png, "too much data behind the picture's rows");
+        std::copy_n(self.left_.begin(), count, to);
+        self.left_ = self.left_.subspan(count);
     }
 
     std::span<const std::uint8_t> left_;
+    std::uint32_t height_ = 0;
+    std::size_t behind_rows_bytes_ = 0;
     char message_[128] = "";
     png_structp png_;
     png_infop info_;
@@ -84,7 +100,9 @@ struct PngRows {
 
 PngRows read_rows(PngReader& reader) {
     PngRows rows;
+    static constexpr png_byte kSkipped[] = "zTXt\0iTXt\0tEXt\0sPLT";  // else the first two are inflated
     reader.run("not a readable PNG", [&](png_structp png, png_infop info) {
+        png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, kSkipped, sizeof kSkipped / 5);
         png_read_info(png, info);
         png_get_IHDR(png, info, &rows.width, &rows.height, &rows.depth, &rows.type, nullptr, nullptr, nullptr);
     });
@@ -108,6 +126,7 @@ PngRows read_rows(PngReader& reader) {
     rows.bytes.resize(rows.row_bytes * rows.height);
     std::vector<png_bytep> starts;
     for (std::size_t y = 0; y < rows.height; ++y) starts.push_back(&rows.bytes[y * rows.row_bytes]);
+    reader.begin_rows(rows.height);
     reader.run("a damaged PNG", [&](png_structp png, png_infop) { png_read_image(png, starts.data()); });
     return rows;
 }

@@ -52,17 +52,42 @@ Rgb8 rounded(const Channels16& colour) {
     return {channel(colour[0]), channel(colour[1]), channel(colour[2])};
 }
 
+/// nearest_colour() for the pixels of a picture, which has each colour many times: remembers one colour for each hash.
+class NearestColours {
+  public:
+    NearestColours(const Palette& palette, ColourRange range) : palette_(palette), range_(range) {}
+
+    std::uint8_t of(Rgb8 colour) {
+        const std::uint32_t rgb = std::uint32_t{colour.red} << 16 | std::uint32_t{colour.green} << 8 | colour.blue;
+        Known& known = known_[rgb * 0x9e3779b1 >> (32 - kHashBits)];
+        if (known.rgb != rgb) known = {rgb, nearest_colour(palette_, colour, range_)};
+        return known.index;
+    }
+
+  private:
+    static constexpr int kHashBits = 12;
+    struct Known {
+        std::uint32_t rgb = 0xffff'ffff;  // none
+        std::uint8_t index = 0;
+    };
+
+    const Palette& palette_;
+    const ColourRange range_;
+    std::vector<Known> known_ = std::vector<Known>(std::size_t{1} << kHashBits);
+};
+
 // Rows alternate in direction: otherwise the patterns would slant.
 std::vector<std::uint8_t> dithered(const PngImage& image, const Palette& palette, ColourRange range) {
     std::vector<std::uint8_t> indices(pixel_count(image.width_px, image.height_px));
     PassedErrors passed(image.width_px);
+    NearestColours nearest(palette, range);
     for (int y = 0; y < image.height_px; ++y) {
         const int step = y % 2 == 0 ? 1 : -1;
         for (int i = 0; i < image.width_px; ++i) {
             const int x = step > 0 ? i : image.width_px - 1 - i;
             const auto place = pixel_count(image.width_px, y) + as_size(x);
             const Channels16 wanted = wanted_colour(image.pixel(place).colour, item(passed.here, x + 1));
-            indices[place] = nearest_colour(palette, rounded(wanted), range);
+            indices[place] = nearest.of(rounded(wanted));
             const Channels16 taken = in_16(palette.colours[indices[place]]);
             passed.pass(x, step, {wanted[0] - taken[0], wanted[1] - taken[1], wanted[2] - taken[2]});
         }
@@ -82,9 +107,10 @@ bool has_palette(const PngImage& image, const Palette& palette) {
 std::vector<std::uint8_t> indices_of(const PngImage& image, const Palette& palette, ColourRange range, Dither dither) {
     if (has_palette(image, palette)) return image.indices;
     if (dither == Dither::FloydSteinberg) return dithered(image, palette, range);
+    NearestColours nearest(palette, range);
     std::vector<std::uint8_t> indices;
     for (std::size_t i = 0; i < pixel_count(image.width_px, image.height_px); ++i)
-        indices.push_back(nearest_colour(palette, image.pixel(i).colour, range));
+        indices.push_back(nearest.of(image.pixel(i).colour));
     return indices;
 }
 

@@ -40,7 +40,7 @@ struct Floor {
     Vec3<World> position;  ///< straight below the point
 };
 
-/// The first solid of the world straight below `from`, through liquids, at most `most` below. None from inside solid,
+/// The first solid of the world straight below `from`, through liquids, less than `most` below. None from inside solid,
 /// above sky, or if the plane is steeper than 45 degrees. Brush models are not floors.
 std::optional<Floor> find_floor(const Level& level, const Vec3<World>& from, World most);
 

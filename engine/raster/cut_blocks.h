@@ -96,7 +96,7 @@ inline std::span<const Span> cut_repeating_rows(std::span<const Span> spans, std
         cut_bounded(cutter, cutting.thresholds, log2);
         spans = spans.subspan(1);
         const std::span<const TexelBlock> row(first, cutter.end());
-        if (row.size() >= RowRepeater<Reciprocal>::kMostEnds || cutter.end() > last_start) continue;
+        if (row.size() > RowRepeater<Reciprocal>::kMostBlocks || cutter.end() > last_start) continue;
         const std::span<const Span> below = spans_in(above, spans, std::ssize(row), last_start - cutter.end());
         if (below.empty()) continue;
         const RowRepeater<Reciprocal> repeater(above, row, cutting, reciprocal);

@@ -19,7 +19,7 @@ class RowRepeater {
         return gradients.inverse_z.per_row == InverseZ{} && gradients.u_over_z.per_row == TexelOverZ{};
     }
 
-    /// For rows with the columns of `above`. `blocks` are fewer than kMostEnds and must outlive this.
+    /// For rows with the columns of `above`. `blocks` are kMostBlocks at most and must outlive this.
     RowRepeater(const Span& above, std::span<const TexelBlock> blocks, const BlockCutting& cutting,
                 Reciprocal reciprocal)
         : above_(above), blocks_(blocks), gradients_(cutting.gradients), limits_(cutting.limits) {
@@ -47,7 +47,7 @@ class RowRepeater {
         return out;
     }
 
-    static constexpr std::size_t kMostEnds = 64;
+    static constexpr std::size_t kMostBlocks = 63;
 
   private:
     using FittingDepth = Depth<Reciprocal, PerspectiveRange::Fits>;
@@ -86,7 +86,7 @@ class RowRepeater {
     const std::span<const TexelBlock> blocks_;
     const TextureGradients& gradients_;
     const TexelLimits& limits_;
-    std::array<BlockDepth, kMostEnds> depths_;
+    std::array<BlockDepth, kMostBlocks + 1> depths_;
 };
 
 }  // namespace oblong

@@ -251,6 +251,7 @@ TEST(Programs, HelpAndVersionExitWith0) {
         EXPECT_EQ(run_program({name, "--no-such-option"}).exit_code, 2) << name;
     }
     EXPECT_GE(count, 4);
+    EXPECT_EQ(run_program({"oblong-texture"}).exit_code, 2) << "no command";
 }
 
 // oblong --route against routes that it must refuse.

@@ -42,10 +42,15 @@ MapText room_of(const std::vector<ColouredBox>& boxes) {
     return text;
 }
 
-/// Draws the boxes and compares the pixels that rays decide.
-void expect_nearest_boxes(const std::vector<ColouredBox>& boxes, const Whole& eye, double yaw) {
-    EffectStage stage(room_of(boxes), camera_at(to_world(place_of(eye)), yaw), unshaded());
+/// Draws the boxes and compares the pixels that rays decide. `moved`: how far the level has them from their places.
+void expect_nearest_boxes(const std::vector<ColouredBox>& boxes, const Whole& eye, double yaw,
+                          const Whole& moved = {}) {
+    std::vector<ColouredBox> built = boxes;
+    for (ColouredBox& one : built)
+        for (std::size_t axis = 0; axis < 3; ++axis) one.mins[axis] -= moved[axis], one.maxs[axis] -= moved[axis];
+    EffectStage stage(room_of(built), camera_at(to_world(place_of(eye)), yaw), unshaded());
     ASSERT_EQ(stage.models.size(), boxes.size());
+    for (PlacedModel& model : stage.models) model.offset = to_world(place_of(moved));
     const Picture picture = stage.draw_without(Effect::AnimatedTextures);
     const TrueCamera camera(stage.camera);
     int wrong = 0, decided = 0, of_models = 0;
@@ -111,6 +116,7 @@ TEST(Mirrors, ShowWhatIsBeforeThem) {
     expect_nearest_boxes(boxes, {-100, 0, 0}, 0);
     expect_nearest_boxes(boxes, {-60, 90, 40}, -16.5);
     expect_nearest_boxes(boxes, {70, -100, 10}, 49.5);
+    expect_nearest_boxes(boxes, {-60, 90, 40}, -16.5, {30, -20, 10});
 }
 
 /// A liquid that only a brush model has is on the frame's plan, and not without that model.

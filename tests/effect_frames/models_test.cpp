@@ -245,6 +245,28 @@ TEST(Models, AreLitByTheFloorBelowAndByWhatMoves) {
     EXPECT_GT(dim, torch + 3);
 }
 
+/// A ball that is stretched to a pole of 160 units each way from z = 0, with a light beside its upper end.
+TEST(Models, AreLitAtTheirFarEnds) {
+    Mesh pole = ball_mesh(40, 10, plain_skin(8));
+    for (MeshVertex& vertex : pole.frames[0].vertices) vertex.position.z = vertex.position.z * 4;
+    set_boxes(pole.frames[0], pole.triangles);
+    EffectStage stage(
+        {room({-256, -256, -192}, {256, 256, 192}, 16, "wall"),
+         entity_at("info_player_start", {-100, 0, 64}) + entity_at("light", {-60, 0, 150}, {{"light", "30"}}),
+         {}},
+        camera_at(point_at(-200, 0, 0), 0, 0), shades_as_colours());
+    stage.meshes = {ball_at(point_at(0, 0, 0))};
+    stage.meshes[0].mesh = &pole;
+    stage.meshes[0].least_light = 0;
+    const Picture dark = stage.draw();
+    stage.moving_lights = {{point_at(-40, 0, 150), World::from_int(60), 256}};
+    const Picture lit = stage.draw();
+    const auto shade_below_top = [](const Picture& picture) {
+        return int{picture[std::size_t{15} * kPictureWidth + 160]};
+    };
+    EXPECT_GT(shade_below_top(dark), shade_below_top(lit) + 3);
+}
+
 /// A ball in a room without lightmaps, whose floor has full light: 5/8 of it comes from everywhere, 5/8 from one side.
 TEST(Models, HaveFiveEighthsOfTheFloorsLightFromEverywhereAndAsMuchFromAbove) {
     constexpr double kRadius = 40;

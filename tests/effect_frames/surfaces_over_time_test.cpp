@@ -79,6 +79,20 @@ TEST(LightStyles, RelightOnlyFacesThatHaveThem) {
     EXPECT_EQ(stage.draw((std::int64_t{1} << 32) / 400 * 400 + 200), bright);
 }
 
+TEST(LightStyles, HaveTheTimeOfTheirSurfacesAlone) {
+    for (const int yaw : {0, 180}) {  // out of sight, in sight
+        EffectStage stage(lit_room("aazz"), camera_at(point_at(200, 3, 100), yaw), shades_as_colours());
+        PassTimes times{[] {
+            static std::int64_t now_ns = 0;
+            return ++now_ns;
+        }};
+        stage.work.observers.times = &times;
+        stage.draw(0);
+        EXPECT_EQ(item(times.effects_ns, Effect::Styles) > 0, yaw == 180);
+        EXPECT_EQ(item(times.effects_ns, Effect::AnimatedTextures), 0);
+    }
+}
+
 TEST(LightStyles, OutOfSightCostNothing) {
     EffectStage stage(lit_room("aazz"), camera_at(point_at(200, 3, 100), 0), shades_as_colours());
     const Picture away = stage.draw(0);

@@ -304,7 +304,11 @@ TEST(Picture, FaultsAreNamed) {
     EXPECT_TRUE(complaint_of(tga_header(2, 0, 16, 24)).starts_with("image: "));
     EXPECT_EQ(complaint_of(tga_header(10, 16, 16, 24)), "image: the file ends within the picture, expected all of it");
     Bytes jpeg = bytes_of(kTwoColoursJpeg);
-    const std::array<std::uint8_t, 2> kTableMarker{0xff, 0xc4};
+    Bytes wide = jpeg;
+    const std::array<std::uint8_t, 2> kFrameMarker{0xff, 0xc0}, kTableMarker{0xff, 0xc4};
+    const auto width = std::search(wide.begin(), wide.end(), kFrameMarker.begin(), kFrameMarker.end()) + 7;
+    std::copy_n(std::array<std::uint8_t, 2>{0x10, 0x01}.begin(), 2, width);
+    EXPECT_TRUE(complaint_of(wide).starts_with("image: 4097x")) << complaint_of(wide);
     const auto counts = std::search(jpeg.begin(), jpeg.end(), kTableMarker.begin(), kTableMarker.end()) + 5;
     std::fill_n(counts, 2, std::uint8_t{200});
     EXPECT_TRUE(complaint_of(jpeg).starts_with("image: a Huffman table of 4"));

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "engine/base/input_error.h"
 #include "engine/files/picture.h"
@@ -113,9 +115,10 @@ std::uint32_t sample_at(int x, int y, int channel, int depth) {
     return mixed >> (16 - depth);
 }
 
-/// A file of each pixel's samples, by the seven passes of Adam7 (PNG specification, 8.2) or row by row.
+/// A file of each pixel's samples, by the seven passes of Adam7 (PNG specification, 8.2) or row by row. `behind`: bytes
+/// deflated behind the rows.
 PngBytes png_of_samples(int width, int height, int depth, int type, int channels, bool is_interlaced,
-                        const std::vector<PngChunk>& more) {
+                        const std::vector<PngChunk>& more, const PngBytes& behind = {}) {
     struct Pass {
         int x, y, across, down;
     };
@@ -141,6 +144,7 @@ PngBytes png_of_samples(int width, int height, int depth, int type, int channels
     PngBytes header = png_header(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height),
                                  static_cast<std::uint8_t>(depth), static_cast<std::uint8_t>(type));
     header.back() = is_interlaced ? 1 : 0;
+    rows.insert(rows.end(), behind.begin(), behind.end());
     return png_of_rows(header, rows, more);
 }
 
@@ -203,6 +207,20 @@ TEST(Png, FaultsAreNamed) {
     EXPECT_TRUE(complaint_of(png_of_rows(png_header(8, 8, 8, 0), {0, 1})).starts_with("image: a damaged PNG"));
     const PngBytes beyond = png_of_rows(png_header(2, 1, 8, 3), {0, 0, 9}, {{"PLTE", {1, 2, 3}}});
     EXPECT_EQ(complaint_of(beyond), "image: a pixel of colour 9, expected one of the palette's 1");
+}
+
+TEST(Png, DataBehindTheRowsIsIgnoredUnlessThereIsMuchOfIt) {
+    std::mt19937 random(1);
+    PngBytes noise(1 << 17);
+    std::generate(noise.begin(), noise.end(), random);
+    const PngBytes little(noise.begin(), noise.begin() + 1000);
+    for (const bool is_interlaced : {false, true}) {
+        const auto file = [&](const PngBytes& behind) {
+            return png_of_samples(130, 90, 8, 2, 3, is_interlaced, {}, behind);
+        };
+        EXPECT_EQ(decode_png(file(little)).colours, decode_png(file({})).colours);
+        EXPECT_EQ(complaint_of(file(noise)), "image: a damaged PNG (libpng: too much data behind the picture's rows)");
+    }
 }
 
 TEST(Png, NoPrefixOfAFileIsTakenForAWhole) {

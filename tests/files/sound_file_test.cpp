@@ -176,6 +176,10 @@ void write_constant(BitWriter& frame) {
 
 using Samples = std::vector<std::int16_t>;
 
+std::string fault_in(const Bytes& file) {
+    return test::refusal([&] { decode_flac(file); });
+}
+
 TEST(Flac, HasSubframesOfOneSample) {
     const SoundSamples sound = decode_flac(file_of(write_constant));
     EXPECT_EQ(sound.rate_hz, 22'050);
@@ -201,6 +205,16 @@ TEST(Flac, HasLowBitsThatAreZeroInAllSamples) {
         for (int i = 0; i < 8; ++i) frame.put(static_cast<std::uint64_t>(i), 13);
     };
     EXPECT_EQ(decode_flac(file_of(write)).samples, (Samples{0, 8, 16, 24, 32, 40, 48, 56}));
+}
+
+TEST(Flac, LeavesEachSampleABit) {
+    const auto one_bit_each = [](std::uint64_t zeros) {
+        return file_of(
+            [=](BitWriter& frame) { frame.put(1 << 1 | 1, 8).put(1, static_cast<int>(zeros)).put(0b01100101, 8); });
+    };
+    EXPECT_EQ(decode_flac(one_bit_each(15)).samples, (Samples{0, -32'768, -32'768, 0, 0, -32'768, 0, -32'768}));
+    EXPECT_EQ(fault_in(one_bit_each(16)),
+              "offset 58: samples without a bit, expected a whole FLAC file of one channel of 16 bits");
 }
 
 // A residual as Rice's code with two low bits: its sign folded into the lowest.
@@ -233,10 +247,6 @@ TEST(Flac, PredictsByCoefficientsWithAShift) {
         }
     };
     EXPECT_EQ(decode_flac(file_of(write)).samples, samples);
-}
-
-std::string fault_in(const Bytes& file) {
-    return test::refusal([&] { decode_flac(file); });
 }
 
 TEST(Flac, NamesWhatItDoesNotTake) {

@@ -142,6 +142,9 @@ TEST(Dials, CountsAddUp) {
         EXPECT_GE(stages.blocks, (work.counts.divisions - stages.exact_divisions) / 2);
         EXPECT_LE(stages.last_blocks, stages.blocks);
         EXPECT_LE(stages.projected, stages.vertices);
+        EXPECT_GT(stages.projected, 0);
+        EXPECT_GT(stages.surfaces, 0);
+        EXPECT_GE(stages.edges, 3 * stages.surfaces);
         if (texturing == Texturing::Exact) {
             EXPECT_EQ(stages.blocks, stages.textured_pixels - stages.divided_pixels);
             EXPECT_LT(stages.exact_divisions, stages.divided_pixels);

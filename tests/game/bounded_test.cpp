@@ -66,6 +66,14 @@ TEST_P(Hostile, NoTickDoesMoreThanItsBoundsAndSavesGoOnTheSame) {
     EXPECT_EQ(left.empty(), !GetParam().is_too_much) << testing::PrintToString(left);
 }
 
+TEST(TickReports, CountTheBoxesThatAreTouched) {
+    LogicLevel source;
+    for (int i = 0; i < 3; ++i) source.add("trigger_multiple", {-50, -50, 0, 50, 50, 64}, {{"target", "none"}});
+    source.add("trigger_multiple", {500, -50, 0, 600, 50, 64}, {{"target", "none"}});
+    LogicGame game(source);
+    EXPECT_EQ(step(game.level, game.state, {}).touches, 3);
+}
+
 // Counters that say their number at their last count, one after the other: what waits keeps its order and loses
 // nothing. Each count takes three activations, which no tick's number is a multiple of: one may end between them.
 TEST(Backlog, WhatIsTooMuchForATickHappensLaterInItsOrder) {

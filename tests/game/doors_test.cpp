@@ -111,6 +111,14 @@ constexpr test::Scenario kDoors[] = {
         stand -970 0; wait 1: phase0 = returning
         wait 10; stand -970 0; wait 1: phase0 = leaving     # on its way back, too
     )"},
+    {"AnswerToATouchOnceASecond", R"(
+        + func_door 200 -64 0 216 64 128 angle=-1 spawnflags=32
+        stand 150 0: phase0 = leaving
+        at 150 0; play 34: phase0 = leaving
+        play 1: phase0 = returning
+        play 34: phase0 = returning
+        play 1: phase0 = leaving
+    )"},
     {"ThatStartOpenShutWhenTheyAreActivated", R"(
         + func_door 200 -64 0 216 64 128 angle=-1 targetname=door spawnflags=1 wait=-1
         + trigger_once -1000 -50 0 -950 50 64 target=door
@@ -249,7 +257,9 @@ constexpr test::Scenario kSecretDoors[] = {
     {"WithANameOpenOnlyWhenTheyAreActivated", R"(
         + func_door_secret 200 -32 0 232 32 96 targetname=wall message="A hollow wall"
         + trigger_once -1000 -50 0 -950 50 64 target=wall
-        stand 183 0: phase0 = start, message = "A hollow wall"
+        stand 183 0: phase0 = start, message = "A hollow wall", said_at = 1
+        at 183 0; play 69: said_at = 1
+        play 1: said_at = 71        # every two seconds
         stand -970 0; wait 1: phase0 = leaving
     )"},
     {"WithANameOpenToATouchByTheirFlag", R"(

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -88,6 +89,21 @@ TEST(Sliding, BetweenTwoWallsFollowsTheSecondOrTheCreaseOfAnAcuteAngle) {
         const Point place = to_point(motion.position);
         ASSERT_GE(std::min(dot(place, first), dot(place, second)), -kGap) << acute << ' ' << wide;
         ++(turn < 0 ? acute : wide);
+    }
+}
+
+// Quake's limit: a normal with a z of 0.7, 45.57 degrees.
+TEST(Ground, IsNotSteeperThanItsLimit) {
+    for (const double degrees : {0.0, 30.0, 45.0, 46.0, 60.0}) {
+        const double angle = degrees * std::numbers::pi / 180;
+        const ToyLevel toy = between({{-std::sin(angle), 0, std::cos(angle)}});
+        const GameLevel level = make_game_level(toy.level);
+        const auto is_over_ground = [&](std::int32_t z, std::int32_t reach) {
+            return find_ground(level, start_of(level), world_vector(0, 0, z), World::from_int(reach)).has_hit;
+        };
+        EXPECT_EQ(is_over_ground(0, 3), std::cos(angle) >= 0.7) << degrees;
+        EXPECT_FALSE(is_over_ground(3, 3)) << degrees << ": too far below";
+        EXPECT_FALSE(is_over_ground(-3, 3)) << degrees << ": in solid";
     }
 }
 

@@ -50,6 +50,13 @@ constexpr test::Scenario kTriggers[] = {
         look -10; stand 120 0: counted = 0
         look 10; stand 120 0: counted = 1
     )"},
+    {"WithASlantingAngleFiresForWhoLooksWithinARightAngleOfIt", R"(
+        + trigger_once 100 -50 0 150 50 64 angle=53 target=count
+        + trigger_counter targetname=count count=100
+        look 145; stand 120 0: counted = 0
+        look 322; stand 120 0: counted = 0
+        look 141; stand 120 0: counted = 1
+    )"},
     {"OnlyregisteredAlwaysFiresAndKeepsItsMessage", R"(
         + trigger_onlyregistered 100 -50 0 150 50 64 message="Buy it" target=count
         + trigger_counter targetname=count count=100

@@ -146,6 +146,15 @@ TEST(BadInput, TreesOfModelsAreTheirOwn) {
     Lumps planes = make_tiny_lumps();
     ByteWriter(lump_of(planes, Lump::Planes)).f32(0).f32(0).f32(1).f32(9).i32(2);
     EXPECT_TRUE(fault_with({"a node's plane", Lump::Nodes, 0, 4, 1}, planes).starts_with("lump 'nodes', offset "));
+    // The same of a node below the root, which has the face then.
+    Bytes& nodes = lump_of(planes, Lump::Nodes);
+    nodes.insert(nodes.end(), nodes.begin(), nodes.begin() + 24);
+    put_number(nodes, 22, 2, 0);
+    put_number(nodes, 4, 2, 1);
+    EXPECT_EQ(fault_of(join_lumps(29, planes)), "");
+    const std::uint32_t at = number_at(join_lumps(29, planes), 4 + 5 * 8, 4);
+    EXPECT_EQ(fault_with({"a lower node's plane", Lump::Nodes, 24, 4, 1}, planes),
+              "lump 'nodes', offset " + std::to_string(at + 24));
 }
 
 /// Its lit surface would take as much memory as the numbers of the file ask for, 64 GiB for some.
@@ -163,6 +172,26 @@ TEST(BadInput, ErrorTellsTheByteOfTheFile) {
     const Bytes file = join_lumps(29, lumps);
     const std::uint32_t faces = number_at(file, 4 + 7 * 8, 4);
     EXPECT_EQ(fault_of(file), "lump 'faces', offset " + std::to_string(faces + 10));
+}
+
+TEST(BadInput, NoByteOfALumpIsInTheHeader) {
+    for (const int size : {0, 1, 4}) {
+        Bytes file = join_lumps(29, make_tiny_lumps());
+        const std::size_t place = 4 + 8 * static_cast<std::size_t>(Lump::Lighting);
+        put_number(file, place, 4, kBspHeaderSize - 1);
+        put_number(file, place + 4, 4, size);
+        const std::string fault = refusal([&] { read_bsp(file); });
+        EXPECT_EQ(fault.starts_with("lump 'lighting', offset " + std::to_string(place)), size > 0) << fault;
+    }
+}
+
+TEST(BadInput, ErrorSaysWhichRecordsThereAre) {
+    Lumps lumps = make_tiny_lumps();
+    put_number(lump_of(lumps, Lump::Faces), 10, 2, 1);  // the texinfo
+    const auto said = [&] { return refusal([&] { read_bsp(join_lumps(29, lumps)); }); };
+    EXPECT_TRUE(said().ends_with("1, expected 0 to 0")) << said();
+    lump_of(lumps, Lump::TexInfos).clear();
+    EXPECT_NE(said().find("1, expected none: the file has no "), std::string::npos) << said();
 }
 
 TEST(BadInput, BrokenEntitiesAreFound) {

@@ -217,6 +217,7 @@ TEST(Floor, IsFoundBelowAPoint) {
 TEST(Floor, IsNotFoundTooFarBelowOrFromSolid) {
     const Level level = tiny_level();
     EXPECT_TRUE(find_floor(level, at_height(136), World::from_int(129)));
+    EXPECT_FALSE(find_floor(level, at_height(136), World::from_int(128)));
     EXPECT_FALSE(find_floor(level, at_height(136), World::from_int(127)));
     EXPECT_FALSE(find_floor(level, at_height(4), World::from_int(128)));
     EXPECT_FALSE(find_floor(level, point_at(0, 0, -524288), World::from_int(128)));

@@ -336,6 +336,23 @@ TEST(LibraryStage, SquareIsSquareOnTheDisplayAndNearerOnesHideIt) {
     }
 }
 
+// Turned left by 30 degrees: its left side comes to 75 units, its right side goes to 125.
+TEST(LibraryStage, AModelTurnsByItsYaw) {
+    Stage stage(grey_palette());
+    Model square;
+    add_square(square, 0, 50, 200);
+    Picture picture = Picture::of_size(320, 200);
+    stage.look({});
+    Pose turned = pose_at(100, 0, 0);
+    turned.yaw_256 = 30 * 256;
+    stage.draw(square, turned, picture.canvas());
+    const double left = 160 - 160 * 50 * std::sqrt(0.75) / 75, right = 160 + 160 * 50 * std::sqrt(0.75) / 125;
+    for (int x = 0; x < 320; ++x)
+        if (std::abs(x + 0.5 - left) > 1 && std::abs(x + 0.5 - right) > 1) {
+            ASSERT_EQ(pixel_at(picture.canvas(), x, 100), x > left && x < right ? 200 : 0) << x;
+        }
+}
+
 // Also the last 32, which glow in levels.
 TEST(LibraryStage, LightsEveryColour) {
     Stage stage(grey_palette());

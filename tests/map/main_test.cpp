@@ -258,6 +258,7 @@ TEST_F(Program, TakesOneWadForEachOption) {
     EXPECT_EQ(run(wad + wad + wad + " " + path("good.map") + " -o " + path("good.bsp")), 0) << said_;
     EXPECT_EQ(run("--help"), 0);
     EXPECT_NE(read_text(path("out.txt")).find("--wad TEXT  "), std::string::npos) << read_text(path("out.txt"));
+    EXPECT_NE(read_text(path("out.txt")).find("--dither TEXT=none  "), std::string::npos) << "what it is without";
 }
 
 TEST_F(Program, ALevelWithoutALeakRemovesTheWayOut) {

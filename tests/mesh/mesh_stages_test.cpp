@@ -264,5 +264,24 @@ TEST(MeshStages, ABoxHoldsAllVertices) {
     }
 }
 
+// Three products of 1.5: a coefficient is below 32.
+TEST(MeshToView, IsUsedOnlyWhereItsCoefficientsFit) {
+    for (const int entry : {1, 7, 8, 15}) {
+        MeshTransform transform;
+        for (std::size_t row = 0; row < 3; ++row)
+            for (std::size_t column = 0; column < 3; ++column)
+                transform.to_world.rows[row][column] = Entry::from_int(entry);
+        transform.has_small_entries = true;
+        ViewContext sheared{};
+        const Unit part = Unit::from_raw(3 << 29);
+        sheared.axes = {{part, part, part}, {part, part, part}, {part, part, part}};
+        const MeshToView to_view = make_mesh_to_view({}, transform, sheared);
+        EXPECT_EQ(to_view.is_usable, entry < 8) << entry;
+        if (to_view.is_usable) {
+            EXPECT_EQ(number_of(to_view.rows[1].z), 4.5 * entry);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace oblong::test::mesh_stages_test

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "engine/files/files.h"
 #include "engine/level/bsp_read.h"
 #include "engine/level/entities.h"
@@ -280,6 +282,20 @@ TEST_F(ModelFolder, AnObjFileIsScaledWhereItIsRead) {
                       z_up = read(misc_model("\"model\" \"lens.obj\" \"scale\" \"1000\" \"up\" \"z\""));
     EXPECT_EQ(at(y_up, 0).mesh->frames[0].maxs, point_at(0, 1, 2));
     EXPECT_EQ(at(z_up, 0).mesh->frames[0].maxs, point_at(1, 2, 0));
+}
+
+// 64 MB at each of three scales: a level's models have 128 MB or less, whatever it names.
+TEST_F(ModelFolder, ALargeFileIsNotReadAgainAtEveryScale) {
+    write_model("models/large.mdl");
+    std::filesystem::resize_file(path("models/large.mdl"), std::uintmax_t{1} << 26);
+    std::string entities;
+    for (const char* scale : {"1", "2", "3", "2"})
+        entities += misc_model(std::string("\"model\" \"large.mdl\" \"scale\" \"") + scale + "\"");
+    const LevelModels models = read(entities);
+    EXPECT_EQ(models.meshes.size(), 2u);
+    EXPECT_EQ(models.models.size(), 3u);
+    ASSERT_EQ(models.warnings.size(), 1u);
+    EXPECT_NE(models.warnings[0].find("have more than 134217728 bytes: "), std::string::npos) << models.warnings[0];
 }
 
 /// Armour and batteries of the real levels, by their entities.

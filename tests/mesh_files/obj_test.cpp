@@ -395,6 +395,23 @@ TEST_F(ObjFiles, ManyNamesPolygonsAndSkinsCostNoMoreThanTheirSize) {
     for (const Skin& skin : repeated.mesh.skins) texels += skin.texels.size();
     EXPECT_LE(texels, std::size_t{1} << 26);
     EXPECT_EQ(repeated.warnings.size(), 61u);
+
+    // One picture by five names, the last of which finds no room; nor does a small one then, which is not read.
+    const auto picture = [](std::int32_t width_px, std::int32_t height_px) {
+        return encode_indexed_png(std::vector<std::uint8_t>(as_size(width_px * height_px), 1), width_px, height_px,
+                                  grey_palette());
+    };
+    write_file(path("large.png"), picture(4096, 4095));
+    std::string five = "newmtl m5\nmap_Kd tile.png\n", uses = kSquare + "mtllib five.mtl\n";
+    for (std::size_t i = 0; i < 5; ++i)
+        five.insert(0,
+                    "newmtl m" + std::to_string(i) + "\nmap_Kd " + std::string(i, '/').insert(0, "./") + "large.png\n");
+    for (int i = 0; i < 6; ++i) uses += "usemtl m" + std::to_string(i) + "\nf 1 2 3\n";
+    write_file(path("five.mtl"), five);
+    const ObjModel full = read(uses);
+    EXPECT_EQ(full.warnings.size(), 2u);
+    for (const std::string& warning : full.warnings)
+        EXPECT_NE(warning.find("pictures have more than 67108864 texels"), std::string::npos) << warning;
     for (int i = 64; i <= 4096; ++i) materials += "newmtl m" + std::to_string(i) + "\n";
     write_file(path("many.mtl"), materials);
     EXPECT_TRUE(refusal<FileError>([&] { read(faces); }).ends_with("more than 4096 materials, expected fewer"));

@@ -157,6 +157,11 @@ TEST_F(Game, APakFileInCapitalsIsFoundAndReadAsOneInSmallLetters) {
     EXPECT_EQ(find_level("e1m1", places_), folder_.path("game/pak0.pak/maps/e1m1.bsp")) << "not the other one's";
 }
 
+TEST_F(Game, AFolderWithAPakFilesNameIsNone) {
+    make_folder(folder_.path("game/pak2.pak"));
+    EXPECT_EQ(find_level("e1m1", places_), folder_.path("game/pak0.pak/maps/e1m1.bsp"));
+}
+
 TEST_F(Game, QuakesFolderIsFoundInAnyCase) {
     namespace fs = std::filesystem;
     const fs::path before = fs::current_path();

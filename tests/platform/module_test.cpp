@@ -193,6 +193,28 @@ TEST(Module, PannedBetweenTheSides) {
     EXPECT_EQ(next.front(), 64 * 256 * (128 * 255 / 256) / 256);
 }
 
+TEST(Module, ChannelsAreLeftRightRightLeftAndSoOn) {
+    for (std::size_t channel = 0; channel < 8; ++channel) {
+        ModuleFile file({0}, 1, 8);
+        file.sample(std::vector<int>(64, 64), 0, 0, 64).note(0, 0, channel, 1, 428);
+        ModulePlayer left(parse_module(file.bytes())), right(parse_module(file.bytes()));
+        const bool is_right = channel % 4 == 1 || channel % 4 == 2;
+        EXPECT_EQ(heard(left, 9).front() < heard(right, 9, 1).front(), is_right) << channel;
+    }
+}
+
+TEST(Module, BeginsAgainWhereItSaysIfThatIsAmongItsOrders) {
+    for (const auto& [said, begins] : {std::pair{0, 0u}, {1, 1u}, {2, 2u}, {3, 0u}, {127, 0u}}) {
+        ModuleFile file({0, 0, 0});
+        for (std::size_t channel = 0; channel < 2; ++channel) file.note(0, 0, channel, 0, 0, 0xd00);
+        std::vector<std::uint8_t> bytes = file.bytes();
+        bytes[951] = static_cast<std::uint8_t>(said);
+        ModulePlayer player(parse_module(bytes));
+        heard(player, 3 * kRowFrames);
+        EXPECT_EQ(player.place().order, begins) << said;
+    }
+}
+
 // Whatever the size of the pieces that are asked for.
 TEST(Module, SaysTheSameInPieces) {
     const ModuleFile file =

@@ -90,6 +90,31 @@ TEST(BlockBound, HoldsToTheLastPixelOfASurfaceThatEndsThere) {
     }
 }
 
+TEST(BlockBound, ErrorOnTheTextureStaysUnderItsDialAndComesNearIt) {
+    std::mt19937 random(6);
+    for (const std::int32_t bound_256 : {16, 64, 256, 1024}) {
+        Accuracy accuracy;
+        accuracy.texturing = Texturing::BoundedTexels;
+        accuracy.texel_bound_256 = bound_256;
+        double largest = 0;
+        for (int trial = 0; trial < 500; ++trial) {
+            const TextureGradients row = random_row(random);
+            BlockList blocks(kWidth);
+            constexpr Span kRow{0, 0, kWidth};
+            block_cutter(accuracy)({&kRow, 1}, kWidth, {row, kNoLimits, {}, bound_256}, blocks);
+            for (const TexelBlock& block : blocks.waiting())
+                for (std::int32_t i = 0; i < block.count; ++i) {
+                    const auto x = static_cast<std::int32_t>(block.pixel) + i;
+                    const double u = (block.u_16 + static_cast<double>(i) * block.u_step_16) / 65536;
+                    const double exact = number_of(row.u_over_z.at(x, 0)) / number_of(row.inverse_z.at(x, 0));
+                    largest = std::max(largest, std::abs(u - exact));
+                }
+        }
+        EXPECT_LE(largest, bound_256 / 256.0 + 0.001);  // a depth right to 2^-26
+        EXPECT_GT(largest, 0.9 * bound_256 / 256.0);
+    }
+}
+
 TEST(BlockBound, CoarserDialsTakeFewerBlocks) {
     const TextureGradients wall = row_of(16, 1600, 4000);
     std::size_t before = kWidth + 1;

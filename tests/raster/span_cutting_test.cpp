@@ -170,6 +170,25 @@ TEST(SpanCutting, StepsAcrossWholeSurfacesAreTheSame) {
     }
 }
 
+// Blocks of one pixel each: so many in a row that none below repeats it, and fewer.
+TEST(SpanCutting, RowsOfAnyNumberOfBlocksAreTheSameBelowOneAnother) {
+    BlockCutting wall{{}, make_texel_limits(64, 64, kWidth), {}};
+    wall.gradients.inverse_z = {fixed_of<InverseZ>(0.01), fixed_of<InverseZ>(1e-5), {}};
+    wall.gradients.v_over_z = {fixed_of<TexelOverZ>(0.1), fixed_of<TexelOverZ>(1e-3), fixed_of<TexelOverZ>(1e-2)};
+    std::fill(wall.thresholds.least_inverse_z.begin() + 1, wall.thresholds.least_inverse_z.end(), InverseZ::highest());
+    for (std::int32_t width = 1; width <= 200; ++width) {
+        const std::vector<Span> spans = {{0, 0, width}, {1, 0, width}, {2, 0, width}, {5, 0, width}};
+        wall.fits_range = false;
+        const auto expected = cut(spans, wall, block_cutter({}, Instructions::Baseline));
+        ASSERT_EQ(expected.size(), as_size(4 * width));
+        wall.fits_range = true;
+        for (const Instructions instructions : kInstructions) {
+            if (instructions > best_instructions()) continue;
+            ASSERT_EQ(cut(spans, wall, block_cutter({}, instructions)), expected) << width;
+        }
+    }
+}
+
 TEST(SpanCutting, EndsInTheColumnOfAnEndBeforeAreNoDivisions) {
     BlockCutting wall{{}, make_texel_limits(64, 64, kWidth), {}};
     wall.gradients.inverse_z = {fixed_of<InverseZ>(0.01), fixed_of<InverseZ>(1e-8), {}};

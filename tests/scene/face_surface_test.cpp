@@ -6,6 +6,7 @@
 #include <random>
 #include <set>
 
+#include "engine/raster/kernels/kernels.h"
 #include "tests/scene/scene_fixture.h"
 
 namespace oblong::test {
@@ -103,6 +104,18 @@ TEST(FaceSurfaces, ALiquidShowsItsFrame) {
     EXPECT_EQ(scene.look(kNear, {styles})[0], 50);
     EXPECT_EQ(scene.look(kNear, {styles, second})[0], 60);
     EXPECT_EQ(scene.built_by([&] { scene.look(kNear, {styles, second}); }), 0) << "the texture itself";
+}
+
+TEST(FaceSurfaces, OneWithoutLightHasAKernelForItsSize) {
+    for (const std::int32_t width : {16, 48}) {
+        Level level = two_floors();
+        level.texinfos[TexInfoIndex(0)].texture = add_texture(level, "plain", 50, width);
+        level.texinfos[TexInfoIndex(0)].material = Material::Unlit;
+        Surfaces scene(level);
+        const LightStyles styles = plain_light_styles();
+        EXPECT_EQ(scene.surfaces.get(kNear, 0, {styles}).kernel,
+                  width == 16 ? scene.surfaces.kernel : draw_blocks_any_size);
+    }
 }
 
 MovingLight light_at(int x) {

@@ -49,6 +49,19 @@ TEST(TextureAnimation, SwitchedModelsShowTheLetters) {
     }
 }
 
+TEST(TextureAnimation, HaveTenFramesOfEachKind) {
+    std::vector<std::string> names;
+    for (const char frame : std::string("0123456789abcdefghIJ")) names.push_back(std::string{'+', frame} + "lamp");
+    const Animated scene(names);
+    EXPECT_TRUE(scene.warnings.empty());
+    for (std::size_t i = 0; i < 20; ++i)
+        EXPECT_EQ(scene.shown(i < 10 ? "+9lamp" : "+alamp", static_cast<std::int64_t>(i % 10 * 200)), names[i]);
+    names[19] = "+jlamp";
+    EXPECT_EQ(Animated(names).shown("+alamp", 1800), "+jlamp");
+    for (const char* wrong : {"+klamp", "+Klamp", "+:lamp", "+/lamp", "+@lamp", "+`lamp"})
+        EXPECT_EQ(Animated({wrong}).warnings.size(), 1u) << wrong;
+}
+
 TEST(TextureAnimation, OneFrameStandsStillUnlessSwitched) {
     const Animated alone({"+0alone"}), pair({"+0pair", "+apair"}), letters({"+aletters", "+bletters"});
     EXPECT_TRUE(alone.animations.is_empty());

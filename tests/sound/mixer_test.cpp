@@ -111,6 +111,19 @@ TEST(Mixer, PlaysTheTitlesMusic) {
     EXPECT_GT(sides.right, 200);
 }
 
+TEST(Mixer, IsSilentOnceTheMusicIsStopped) {
+    Mixer mixer;
+    std::vector<std::int16_t> samples(8'820);
+    const auto loudest = [&] {
+        mixer.mix(samples);
+        return *std::max_element(samples.begin(), samples.end());
+    };
+    mixer.play_music(read_file(test::source_folder() + "/assets/music/title.mod"), 256);
+    EXPECT_GT(loudest(), 200);
+    mixer.stop_music();
+    EXPECT_EQ(loudest(), 0);
+}
+
 TEST(Mixer, SaysWhereThereIsNoDevice) {
     setenv("SDL_AUDIODRIVER", "nonsense", 1);
     EXPECT_TRUE(test::refusal<std::runtime_error>(open_mixer).starts_with("no sound: "));
@@ -126,6 +139,17 @@ TEST(VoiceFilter, GoesToItsLevelsWithoutAStep) {
     for (std::size_t i = 2; i < samples.size(); i += 2) EXPECT_LE(std::abs(samples[i] - samples[i - 2]), 12);
     EXPECT_EQ(samples[samples.size() - 2], 10'000);
     EXPECT_EQ(samples.back(), 0);
+}
+
+TEST(VoiceFilter, ChangesBothSidesAlike) {
+    VoiceFilter filter;
+    filter.begin({256, 256, false}, false);
+    filter.set({256, 256, true});
+    std::vector<std::int16_t> samples(2 * 2'000);
+    for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = static_cast<std::int16_t>(i / 2 % 7 * 5'000);
+    filter.apply(samples);
+    for (std::size_t i = 0; i < samples.size(); i += 2) ASSERT_EQ(samples[i], samples[i + 1]) << i;
+    EXPECT_NE(samples[0], samples[2]);
 }
 
 TEST(VoiceFilter, LeavesFullLevelsAsTheyAre) {

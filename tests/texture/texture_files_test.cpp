@@ -273,6 +273,28 @@ TEST(Quantise, DitheringKeepsTheMeanOfEachBlock) {
     }
 }
 
+// The palette lacks the greys between 100 and 132: a pixel of 116 is 16 too bright for its colour. Floyd and
+// Steinberg's sixteenths of that (1976) are whole greys, which the pixels around it have.
+TEST(Quantise, DitheringPassesOnTheSixteenthsOfFloydAndSteinberg) {
+    BetweenGreys scene(50);
+    for (std::size_t i = 0; i < 256; ++i) {
+        const auto grey = static_cast<std::uint8_t>(i <= 100 ? i : std::max<std::size_t>(i, 132));
+        scene.palette.colours[i] = {grey, grey, grey};
+    }
+    for (const std::size_t row : {4, 9}) {  // from left to right, and from right to left
+        BetweenGreys spoilt = scene;
+        spoilt.image.colours[row * 32 + 10].colour = {116, 116, 116};
+        std::vector<std::uint8_t> expected(32 * 32, 50);
+        const std::size_t place = row * 32 + 10, ahead = row == 4 ? 1 : static_cast<std::size_t>(-1);
+        expected[place] = 100;
+        expected[place + ahead] = 50 + 7;
+        expected[place + 32 - ahead] = 50 + 3;
+        expected[place + 32] = 50 + 5;
+        expected[place + 32 + ahead] = 50 + 1;
+        EXPECT_EQ(indices_of(spoilt.image, scene.palette, kOrdinaryColours, Dither::FloydSteinberg), expected);
+    }
+}
+
 TEST(Quantise, ColoursBeyondThePalettesDoNotAddUp) {
     // Half white, then a grey that the palette has: what white lacked must not brighten it for long.
     BetweenGreys scene(255);

@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "engine/math/matrix.h"
 #include "engine/methods/polygons.h"
 #include "engine/methods/transforms.h"
+#include "engine/view/frustum.h"
 #include "engine/view/texture_gradients.h"
 #include "tests/support/random.h"
 
@@ -52,6 +55,24 @@ TEST(DrawableLens, BeginsAtHalfAPixel) {
     // 90 degrees, one pixel: exactly half a pixel, whose reciprocal of 2 takes one bit too many.
     EXPECT_FALSE(is_drawable(projection_of(1, 1, 90)));
     EXPECT_TRUE(is_drawable(projection_of(1, 1, 89)));
+}
+
+// With as many bits as a component has: the larger one is from 1/2 to 1.
+TEST(ClipPlanes, HaveTheSlopesOfTheLens) {
+    for (const int degrees : {5, 60, 90, 120, 170})
+        for (const std::int32_t width_px : {320, 4096}) {
+            const Projection projection = projection_of(width_px, width_px * 5 / 8, degrees);
+            const Frustum frustum = make_frustum({}, projection);
+            const auto check = [&](ClipNormal across, ClipNormal along, double slope) {
+                const double greatest = std::max(number_of(across), number_of(along));
+                EXPECT_GE(greatest, 0.5 - 0x1p-26) << degrees;
+                EXPECT_LE(greatest, 1) << degrees;
+                EXPECT_NEAR(number_of(across), number_of(along) * slope, 0x1p-25 * (1 + slope)) << degrees;
+            };
+            const auto& planes = frustum.clip_planes;
+            check(planes[0].normal.x, planes[0].normal.z, 2 * number_of(projection.x.multiplier) / width_px);
+            check(planes[2].normal.y, planes[2].normal.z, 2 * number_of(projection.y.multiplier) / (width_px * 5 / 8));
+        }
 }
 
 /// The eye is brought into the object's space instead of the object into the eye's.
