@@ -15,8 +15,7 @@ namespace oblong {
 namespace {
 
 /// The corners of a face of the world, with those at T-junctions if the dial mends them.
-[[gnu::always_inline]] inline std::span<const VertexIndex> corners_of(FaceIndex index, const FrameContext& frame,
-                                                                      CornerScratch& scratch) {
+inline std::span<const VertexIndex> corners_of(FaceIndex index, const FrameContext& frame, CornerScratch& scratch) {
     if (frame.accuracy().mends_t_junctions) return frame.cache.faces.corners_of(index);
     const Level& level = frame.scene.level;
     scratch.own.clear();

@@ -73,7 +73,7 @@ std::int32_t least_column(std::span<const Span> spans) {
 
 /// The part of a quantity's step that a difference of its values at two corners makes.
 template <class Value, class Difference>
-[[gnu::always_inline]] inline Value part_of(Difference difference, const StoredStep& step) {
+inline Value part_of(Difference difference, const StoredStep& step) {
     static_assert(WeightStep::kFractionBits == 48);
     if constexpr (native::kHasShortRegisters && Difference::kFractionBits == Value::kFractionBits)
         if (const auto short_difference = static_cast<std::int32_t>(difference.raw); short_difference == difference.raw)

@@ -28,7 +28,7 @@ struct MeshPixel {
     Vec3<Fixed<std::int64_t, 30>> normal;
 
     template <bool IsPhong>
-    [[gnu::always_inline]] static MeshPixel at(const MeshGradients& gradients, auto at) {
+    static MeshPixel at(const MeshGradients& gradients, auto at) {
         const auto& [inverse_z, u_over_z, v_over_z] = gradients.texture;
         MeshPixel pixel{at(inverse_z), at(u_over_z), at(v_over_z), at(gradients.light), {}};
         if constexpr (IsPhong) pixel.normal = {at(gradients.normal.x), at(gradients.normal.y), at(gradients.normal.z)};

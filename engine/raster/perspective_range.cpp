@@ -25,7 +25,7 @@ Slopes slopes_over(const ScreenRectangle& rectangle, const LinearQuantity<Value>
 }
 
 /// Whether |over_z| is below 7 times 1/z everywhere, both in raw steps.
-[[gnu::always_inline]] inline bool is_below_7_times(const Slopes& over_z, const Slopes& z) {
+inline bool is_below_7_times(const Slopes& over_z, const Slopes& z) {
     return Slopes{7 * z.first - over_z.first, 7 * z.columns - over_z.columns, 7 * z.rows - over_z.rows}.least() > 0 &&
            Slopes{7 * z.first + over_z.first, 7 * z.columns + over_z.columns, 7 * z.rows + over_z.rows}.least() > 0;
 }

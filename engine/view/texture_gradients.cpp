@@ -26,8 +26,7 @@ auto rotate_to_view(const Vec3<Fixed<std::int32_t, Frac>>& world, const Basis& a
 }
 
 template <class Value>
-[[gnu::always_inline]] inline LinearQuantity<Value> anchor_at_centre(const ViewSlope<Value>& slope,
-                                                                     const InverseProjection& projection) {
+inline LinearQuantity<Value> anchor_at_centre(const ViewSlope<Value>& slope, const InverseProjection& projection) {
     // Half pixels from the optical centre to the centre of pixel (0, 0), which is at half a pixel.
     const auto halves = [](Value step, std::int32_t centre_1) {
         return product<Value>(Fixed<std::int32_t, 1>::from_raw(1 - centre_1), step, Rounding::Floor);

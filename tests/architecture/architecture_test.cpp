@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
 #include <stdio.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <regex>
+#include <sstream>
 
 #include "tests/architecture/source_checks.h"
 #include "tests/support/folders.h"
@@ -14,6 +17,9 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path kRoot = test::source_folder();
+
+/// The rooms for machine code, and the system that DOS lacks.
+constexpr const char* kMachineRooms[] = {"engine/fixed/native/", "engine/raster/kernels/", "engine/platform/dos/"};
 
 std::string read_text(const fs::path& path) {
     std::ifstream in(path, std::ios::binary);
@@ -90,6 +96,31 @@ TEST(Architecture, NoSourceAsksForMoreThanTheOldestLibraryHas) {
         for (const char* lacking : {"std::ranges::", "std::views::", "std::bit_cast<", "make_unique_for_overwrite",
                                     "std::format(", "std::source_location", "std::jthread"})
             EXPECT_EQ(file.text.find(lacking), std::string::npos) << file.path << ": " << lacking;
+}
+
+// Tests of a processor, assembly and intrinsics: the lines of a file outside the rooms for machine code.
+std::vector<std::string> find_machine_code(const std::vector<SourceFile>& files) {
+    static const std::regex code(
+        R"(__(i386|x86_64|aarch64|arm|ARM_NEON|SSE\d?|AVX\w*|BMI2?|ALTIVEC)\w*|_mm\d*_|intrin\.h|gnu::target|\basm\b)");
+    std::vector<std::string> found;
+    for (const SourceFile& file : files) {
+        const bool is_allowed = std::any_of(std::begin(kMachineRooms), std::end(kMachineRooms),
+                                            [&](const char* room) { return file.path.starts_with(room); });
+        std::istringstream lines(is_allowed ? "" : file.text);
+        for (std::string line; std::getline(lines, line);)
+            if (std::regex_search(line.substr(0, line.find("//")), code)) found.push_back(file.path + ": " + line);
+    }
+    return found;
+}
+
+TEST(Architecture, MachineCodeStandsBehindItsDoors) {
+    std::vector<SourceFile> files = read_sources();
+    files.push_back(
+        {"engine/math/fast.h", "#if defined(__i386__)  // a test\nasm(\"nop\");\n#include <emmintrin.h>\n// asm\n"});
+    EXPECT_EQ(joined(find_machine_code(files)),
+              "engine/math/fast.h: #if defined(__i386__)  // a test\n"
+              "engine/math/fast.h: asm(\"nop\");\n"
+              "engine/math/fast.h: #include <emmintrin.h>\n");
 }
 
 TEST(Architecture, TopLevelHoldsOnlyWhatIsNamed) {

@@ -113,8 +113,8 @@ void look_up_four(std::int64_t places, const std::uint8_t* colours, std::uint8_t
 }
 
 /// Writes eight texels in these shades; their indices in the colormap have 16 bits.
-[[gnu::always_inline]] inline void light_eight(const EightSteps& shades_24, const std::uint8_t* texels,
-                                               const std::uint8_t* colours, std::uint8_t* out) {
+inline void light_eight(const EightSteps& shades_24, const std::uint8_t* texels, const std::uint8_t* colours,
+                        std::uint8_t* out) {
     const __m128i shades = _mm_packs_epi32(_mm_srli_epi32(shades_24.first, 24), _mm_srli_epi32(shades_24.second, 24));
     const __m128i eight = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(texels));
     const __m128i places = _mm_or_si128(_mm_slli_epi16(shades, 8), _mm_unpacklo_epi8(eight, _mm_setzero_si128()));
