@@ -114,7 +114,7 @@ TEST(FaceSurfaces, OneWithoutLightHasAKernelForItsSize) {
         Surfaces scene(level);
         const LightStyles styles = plain_light_styles();
         EXPECT_EQ(scene.surfaces.get(kNear, 0, {styles}).kernel,
-                  width == 16 ? scene.surfaces.kernel : draw_blocks_any_size);
+                  width == 16 ? best_kernels().draw_blocks : draw_blocks_any_size);
     }
 }
 
