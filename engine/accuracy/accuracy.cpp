@@ -9,7 +9,8 @@
 namespace oblong {
 namespace {
 
-/// Whole pixels, short tables, and additions instead of divisions.
+/// Whole pixels, short tables, and additions instead of divisions; floors and ceilings without textures, as in Catacomb
+/// 3-D and Wolfenstein 3D (F. Sanglard, Game Engine Black Book: Wolfenstein 3D).
 Accuracy of_1991() {
     Accuracy accuracy;
     accuracy.texturing = Texturing::Affine;
@@ -17,6 +18,7 @@ Accuracy of_1991() {
     accuracy.edges = EdgeStepping::Accumulated;
     accuracy.reciprocal = ReciprocalMethod::Table256;
     accuracy.sine = SineMethod::Lerp256;
+    accuracy.textures_floors = false;
     return accuracy;
 }
 
@@ -75,6 +77,7 @@ constexpr std::array kMipBiases{named("2", 2), named("1", 1), named("-1", -1), n
 constexpr std::array kLights{named("nearest", LightSampling::Nearest),
                              named("interpolated", LightSampling::Interpolated)};
 constexpr std::array kShades{named("16", 16), named("32", 32), named("64", 64)};
+constexpr std::array kFloors{named("flat", false), named("textured", true)};
 constexpr std::array kDithers{named("off", false), named("on", true)};
 
 template <auto Field>
@@ -110,6 +113,9 @@ constexpr std::array kDials{
         "engine/frame/surface_pass.cpp", true, kMips),
     dial<&Accuracy::mip_bias>("mip-bias", "mip bias", "Added to mip levels: above 0 blurs, below 0 flickers.", "levels",
                               "engine/frame/surface_pass.cpp", true, kMipBiases, -3, 3),
+    dial<&Accuracy::textures_floors>(
+        "floors", "floors", "Whether floors and ceilings have textures, or each face one colour of its texture.", "",
+        "engine/frame/surface_pass.cpp", true, kFloors),
     dial<&Accuracy::light>("light", "light",
                            "The light of a texel: that of the nearest sample, or interpolated between four.", "",
                            "engine/scene/face_surface.cpp", true, kLights),

@@ -100,6 +100,21 @@ void draw_mip(const VisibleFace& face, int mip, std::span<const Span> spans, con
     draw_textured(textured, spans, {frame.texturing, frame.out, scratch.surfaces->spans, observers});
 }
 
+/// Whether a face is seen as a floor or a ceiling, within 45 degrees.
+bool is_level(const Face& face, const Level& level) {
+    constexpr auto kLeast = Unit::from_raw(759'250'125);  // the cosine of 45 degrees
+    return absolute(level.planes[face.plane].normal.z) >= kLeast;
+}
+
+/// In the colour of the middle of its smallest surface.
+void draw_in_one_colour(const VisibleFace& face, std::span<const Span> spans, const SurfaceOptions& options,
+                        const FrameContext& frame, const ViewScratch& scratch) {
+    constexpr int kSmallest = 3;
+    const SurfaceView view = surface_of(face, kSmallest, frame, scratch).view;
+    if (options.is_observed) observe_spans(face, spans, frame.out, frame.observers);
+    fill_spans(spans, view.texels[((view.height / 2) << view.stride_log2) + view.width / 2], frame.out);
+}
+
 /// Draws each span at the mip level of its nearest pixel.
 void draw_by_span_mips(const VisibleFace& claimed, std::span<const Span> whole, const SurfaceOptions& options,
                        const FrameContext& frame, ViewScratch& scratch) {
@@ -257,6 +272,9 @@ void draw_textured(const TexturedFace& face, std::span<const Span> spans, const 
 
 void draw_surface(const VisibleFace& claimed, std::span<const Span> spans, const SurfaceOptions& options,
                   const FrameContext& frame, ViewScratch& scratch) {
+    const Level& level = frame.scene.level;
+    if (!frame.accuracy().textures_floors && options.is_plain && is_level(level.faces[claimed.face], level))
+        return draw_in_one_colour(claimed, spans, options, frame, scratch);
     const MipSelection selection = frame.accuracy().mip;
     if (selection == MipSelection::Span) return draw_by_span_mips(claimed, spans, options, frame, scratch);
     const bool is_chosen = selection == MipSelection::Face;

@@ -150,7 +150,7 @@ inline std::span<const Span> cut_fitting(std::span<const Span> spans, std::int32
 }
 
 /// Whether all steps have 32 bits; only near walls seen from the side have longer ones.
-bool has_short_steps(const TextureGradients& gradients) {
+inline bool has_short_steps(const TextureGradients& gradients) {
     const auto is_short = [](auto step) { return static_cast<std::int32_t>(step.raw) == step.raw; };
     const auto& [inverse_z, u_over_z, v_over_z] = gradients;
     return is_short(inverse_z.per_column) && is_short(inverse_z.per_row) && is_short(u_over_z.per_column) &&

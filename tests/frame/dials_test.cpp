@@ -1,5 +1,7 @@
 // What each dial does to a frame.
 
+#include <cmath>
+#include <map>
 #include <set>
 
 #include "engine/accuracy/accuracy.h"
@@ -88,6 +90,39 @@ TEST(Dials, MipLevelsOfSpansAreNeverFinerThanThoseOfTheirFaces) {
         coarser += by_span[i].mip > by_face[i].mip;
     }
     EXPECT_GT(coarser, 100);
+}
+
+/// One colour for each floor and ceiling (normals by doubles); all else is as with textures.
+TEST(Dials, FlatFloorsAreOfOneColourAndChangeNothingElse) {
+    Stage stage = demo_stage();
+    ObservedWorkspace work(stage.level, stage.mode);
+    work.keep_record();
+    int level_faces = 0, steep_pixels = 0;
+    for (const Camera& camera : cameras()) {
+        stage.settings.accuracy = {};
+        stage.settings.allowed_effects = {};
+        stage.draw(camera, work);
+        const std::vector<std::uint8_t> textured = stage.pixels;
+        const std::vector<PixelRecord> before = work.record.pixels;
+        stage.settings.accuracy = with("floors", 0);
+        stage.draw(camera, work);
+        std::map<FaceIndex, std::set<std::uint8_t>> colours;
+        for (std::size_t i = 0; i < textured.size(); ++i) {
+            const PixelRecord& pixel = work.record.pixels[i];
+            ASSERT_EQ(pixel.face, before[i].face);
+            const Face& face = stage.level.faces[pixel.face];
+            const double up = std::abs(number_of(stage.level.planes[face.plane].normal.z));
+            const bool is_flat = before[i].mip >= 0 && up > std::sqrt(0.5);
+            ASSERT_EQ(pixel.mip, is_flat ? -1 : before[i].mip) << i;
+            if (is_flat) colours[pixel.face].insert(stage.pixels[i]);
+            ASSERT_TRUE(is_flat || stage.pixels[i] == textured[i]) << i;
+            steep_pixels += !is_flat;
+        }
+        for (const auto& [face, shown] : colours) EXPECT_EQ(shown.size(), 1u) << face.position();
+        level_faces += static_cast<int>(colours.size());
+    }
+    EXPECT_GT(level_faces, 10);
+    EXPECT_GT(steep_pixels, 10'000);
 }
 
 /// Neighbours step along the edge that they share in the same way, whatever its error.

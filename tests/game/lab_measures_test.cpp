@@ -179,7 +179,7 @@ TEST_F(LabMeasure, ErrorsAreThoseOfTheSetting) {
 }
 
 TEST_F(LabMeasure, ColoursAreOffByTheDialsOfLightAndMipLevelsAlone) {
-    const std::set<std::string_view> of_colour{"light", "shades", "dither", "mip", "mip-bias"};
+    const std::set<std::string_view> of_colour{"light", "shades", "dither", "mip", "mip-bias", "floors"};
     for (const Dial& dial : all_dials()) {
         Accuracy turned = accuracy_of(Preset::Exact);
         const std::int32_t exact = dial.get(turned);

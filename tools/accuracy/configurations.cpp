@@ -52,7 +52,7 @@ Measure measure_of(const Dial& dial) {
     if (is_one_of({"edges"})) return Measure::EdgePixels;
     if (is_one_of({"t-junctions"})) return Measure::FreePixels;
     if (is_one_of({"light", "shades", "dither"})) return Measure::LightColour;
-    if (is_one_of({"mip", "mip-bias"})) return Measure::PixelColour;
+    if (is_one_of({"mip", "mip-bias", "floors"})) return Measure::PixelColour;
     return Measure::Displacement;
 }
 
