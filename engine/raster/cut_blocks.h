@@ -82,7 +82,7 @@ inline std::span<const Span> spans_in(const Span& columns, std::span<const Span>
 }
 
 /// cut_spans() for RowRepeater's surfaces.
-template <PerspectiveRange Range, class Reciprocal>
+template <Texturing How, PerspectiveRange Range, class Reciprocal>
 inline std::span<const Span> cut_repeating_rows(std::span<const Span> spans, std::int32_t pitch,
                                                 const BlockCutting& cutting, Reciprocal reciprocal, BlockList& blocks) {
     SpanCutter<Reciprocal, Range> cutter(cutting, reciprocal, blocks.end());
@@ -93,7 +93,7 @@ inline std::span<const Span> cut_repeating_rows(std::span<const Span> spans, std
         const Span& above = spans.front();
         const TexelBlock* const first = cutter.end();
         cutter.start(above, pitch);
-        cut_bounded(cutter, cutting.thresholds, log2);
+        cut_span<How>(cutter, cutting, log2);
         spans = spans.subspan(1);
         const std::span<const TexelBlock> row(first, cutter.end());
         if (row.size() > RowRepeater<Reciprocal>::kMostBlocks || cutter.end() > last_start) continue;
@@ -139,13 +139,15 @@ template <Texturing How, PerspectiveRange Range, class Reciprocal>
 inline std::span<const Span> cut_fitting(std::span<const Span> spans, std::int32_t pitch, const BlockCutting& cutting,
                                          Reciprocal reciprocal, BlockList& blocks) {
     constexpr bool kIsBounded = How == Texturing::Bounded, kIsAffine = How == Texturing::Affine;
-    const bool repeats_rows = (kIsBounded || kIsAffine) && RowRepeater<Reciprocal>::serves(cutting.gradients);
+    constexpr bool kMayRepeat = How != Texturing::BoundedTexels && How != Texturing::Exact;
+    const bool repeats_rows = kMayRepeat && RowRepeater<Reciprocal>::serves(cutting.gradients);
     if (kIsAffine || (kIsBounded && cutting.takes_whole_spans)) {
         if (repeats_rows)
             return cut_whole_spans(spans, pitch, RepeatedSpanEnds<Reciprocal, Range>(cutting, reciprocal), blocks);
         return cut_whole_spans(spans, pitch, SpanEnds<Reciprocal, Range>(cutting, reciprocal), blocks);
     }
-    if (repeats_rows) return cut_repeating_rows<Range>(spans, pitch, cutting, reciprocal, blocks);
+    if constexpr (kMayRepeat && !kIsAffine)
+        if (repeats_rows) return cut_repeating_rows<How, Range>(spans, pitch, cutting, reciprocal, blocks);
     return cut_spans<How, Range>(spans, pitch, cutting, reciprocal, blocks);
 }
 
