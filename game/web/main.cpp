@@ -64,8 +64,14 @@ void run_game(const Options& options, PreferencesStore& store) {
 
 int main(int argc, char** argv) {
     constexpr int kWrongUsage = 2;
-    int code = oblong::run_with_options(argc, argv, oblong::run_game);
-    if (code == kWrongUsage) code = oblong::run_with_options(oblong::page_without_address(), argv, oblong::run_game);
+    bool has_begun = false;  // not where the options are wrong, or ask for help alone
+    const auto run = [&](const oblong::Options& options, oblong::PreferencesStore& store) {
+        has_begun = true;
+        oblong::run_game(options, store);
+    };
+    int code = oblong::run_with_options(argc, argv, run);
+    if (!has_begun && (code == kWrongUsage || code == 0))
+        code = oblong::run_with_options(oblong::page_without_address(), argv, run);
     if (code != 0) oblong::page_end("");
     return code;
 }

@@ -6,7 +6,7 @@ const assert = require("assert"), fs = require("fs"), path = require("path"), {r
 const [site, game, scratch] = process.argv.slice(2);
 
 run(async open => {
-  for (const wrong of ["%", "%E4", "--nonsense", "a%20b%20c"]) {
+  for (const wrong of ["%", "%E4", "--nonsense", "a%20b%20c", "--help"]) {
     const said = await open("file://" + path.resolve(site, "oblong.html") + "?" + wrong);
     await said.expect("document.title.startsWith('Three Rooms')", "the game's title, after a wrong address");
     await said.shows();
