@@ -19,7 +19,8 @@ inline constexpr std::array kReciprocalMethods = {ReciprocalMethod::Table256, Re
                                                   ReciprocalMethod::Table1024Newton,
                                                   ReciprocalMethod::Table256TwoNewton, ReciprocalMethod::Exact};
 
-/// 2^62 / mantissa for a mantissa from 2^31 to 2^32 - 1: a number from 2^30 + 1 (2^30 for the tables) to 2^31.
+/// 2^62 / mantissa for a mantissa from 2^31 to 2^32 - 1: a number from 2^30 + 1 to 2^31; of the tables from 2^30
+/// less their error.
 std::uint32_t mantissa_reciprocal(std::uint32_t mantissa, ReciprocalMethod method);
 
 }  // namespace oblong

@@ -81,8 +81,8 @@ constexpr Vec3<Fixed<std::int32_t, 24>> short_cross(const Vec3<World>& a, const 
 
 /// is_facing() in 32 bits; none if these do not suffice. Differences are taken modulo 2^32: as A is within 2^30 steps,
 /// those that come out below 2^29 are exact.
-std::optional<bool> is_short_facing(const Vec3<World>& a, const Vec3<World>& b_at, const Vec3<World>& c_at,
-                                    const Vec3<World>& object_eye) {
+[[maybe_unused]] std::optional<bool> is_short_facing(const Vec3<World>& a, const Vec3<World>& b_at,
+                                                     const Vec3<World>& c_at, const Vec3<World>& object_eye) {
     const auto from_a = [&](const Vec3<World>& p) {
         const auto way = [](World to, World from) {
             return World::from_raw(static_cast<std::int32_t>(to.bits() - from.bits()));

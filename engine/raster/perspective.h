@@ -123,7 +123,7 @@ struct Depth {
     static constexpr bool kIsShort =
         native::kHasShortRegisters && !kClamps && std::is_same_v<Reciprocal, DividedReciprocal>;
 
-    /// 2^60 / (the leading 28 bits of 1/z), in (2^32, 2^33]
+    /// 2^60 / (the leading 28 bits of 1/z), in (2^32, 2^33]; of the tables also a little less
     std::conditional_t<kIsShort, std::uint32_t, std::int64_t> mantissa = 0;
     TexelOverZ greatest_over_z;  ///< for larger u/z, u would exceed 65,535 texels
     int shift = 0;               ///< brings 1/z to 60 bits
@@ -168,11 +168,11 @@ struct Depth {
         std::uint64_t product = 0;
         if constexpr (kIsShort) {
             product = native::product_above_one(size, low);
-        } else {  // the mantissa is 2^33, or 2^32 and 32 bits more
+        } else {
             const std::uint64_t lower = native::product_to_64(size, low);
-            const bool is_greatest = static_cast<std::uint32_t>(mantissa >> 32) == 2;
-            product = std::uint64_t{size + (is_greatest ? size : static_cast<std::uint32_t>(lower >> 32))} << 32 |
-                      static_cast<std::uint32_t>(lower);
+            const std::uint32_t high = size * static_cast<std::uint32_t>(mantissa >> 32);
+            product =
+                std::uint64_t{high + static_cast<std::uint32_t>(lower >> 32)} << 32 | static_cast<std::uint32_t>(lower);
         }
         // In units of four steps: one comparison where the limits are not near.
         const auto first = static_cast<std::uint32_t>(least.raw), last = static_cast<std::uint32_t>(greatest.raw);

@@ -6,7 +6,7 @@
 
 namespace oblong {
 
-#if defined(__x86_64__)
+#if defined(__x86_64__) && defined(__SSE2__)
 
 namespace {
 

@@ -10,7 +10,7 @@ namespace {
 constexpr Kernels kPlain{"plain", draw_blocks_plain, pixels_near_borders_plain, inside_edges_plain, nullptr, nullptr,
                          nullptr};
 
-#if defined(__x86_64__)
+#if defined(__x86_64__) && defined(__SSE2__)
 constexpr Kernels kBaseline{
     "baseline", draw_blocks_by_fours, pixels_near_borders_sse2, inside_edges_sse2, light_cells_sse2, nullptr, nullptr};
 constexpr std::array kKernels{Kernels{"bmi2", draw_blocks_bmi2, pixels_near_borders_sse2, inside_edges_sse2,
@@ -31,7 +31,7 @@ constexpr std::array kKernels{Kernels{"baseline",
 
 /// Whether the first of the kernels can run.
 bool has_best() {
-#if defined(__x86_64__)
+#if defined(__x86_64__) && defined(__SSE2__)
     // On AMD's Zen 1 and 2 `pext` is microcoded and slower than shifts and masks.
     return __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("avx") && !__builtin_cpu_is("znver1") &&
            !__builtin_cpu_is("znver2");

@@ -3,7 +3,7 @@
 
 #include "engine/raster/kernels/kernels.h"
 
-#if defined(__x86_64__)
+#if defined(__x86_64__) && defined(__SSE2__)
 #include <emmintrin.h>
 
 namespace oblong {

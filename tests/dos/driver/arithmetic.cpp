@@ -30,8 +30,12 @@ class Results {
 
 template <PerspectiveRange Range>
 void add_texel(Results& results, std::int64_t depth, std::int64_t over_z) {
-    const Depth<DividedReciprocal, Range> at(InverseZ::from_raw(depth), {});
-    results.add(at.times(TexelOverZ::from_raw(over_z), Texel::from_raw(40), Texel::from_raw(0xffff0000)));
+    const auto add = [&](auto reciprocal) {
+        const Depth<decltype(reciprocal), Range> at(InverseZ::from_raw(depth), reciprocal);
+        results.add(at.times(TexelOverZ::from_raw(over_z), Texel::from_raw(40), Texel::from_raw(0xffff0000)));
+    };
+    add(DividedReciprocal{});
+    for (const ReciprocalMethod method : kReciprocalMethods) add(TabledReciprocal{method});
 }
 
 /// What a block of texels is made of: `depth` is 1/z, `over_z` u/z.
