@@ -16,7 +16,7 @@ struct Trial {
     std::array<double, 2> costs{};
 };
 
-/// Searches the combinations of settings of the dials of texels' places for those that no other beats: by either cost,
+/// Searches the combinations of settings of the dials of texturing spans for those that no other beats: by either cost,
 /// each has at most 1 / `step` of the error of all cheaper ones. Starts from the presets and turns, of each of the best
 /// found so far, every dial to every setting, until that finds nothing better or `most_trials` have been measured.
 std::vector<Accuracy> search_frontier(const std::function<Trial(const Accuracy&)>& measure, std::size_t most_trials,
