@@ -22,7 +22,7 @@ struct PanelColours {
 };
 PanelColours panel_colours_of(const Palette& palette, std::int32_t scale);
 
-/// Draws the lab's panel over the bottom of the canvas: the dials, times, errors and operations. Returns its top row.
+/// Draws the lab's panel over the bottom of the canvas: the dials, times, errors and costs. Returns its top row.
 /// `is_short`: only the chosen dial, times and errors, so that another panel fits. A canvas narrower than 320 pixels of
 /// its letters gets one column and fewer lines.
 std::int32_t draw_lab_panel(const LabOptions& options, const LabFigures& figures, const PanelColours& colours,

@@ -9,7 +9,7 @@
 namespace oblong {
 namespace {
 
-// The turns of a round: the current and the previous setting, the presets, operations, errors of places, wrong faces,
+// The turns of a round: the current and the previous setting, the presets, costs, errors of places, wrong faces,
 // errors of colours.
 constexpr std::size_t kFirstPreset = 2, kCount = kFirstPreset + kPresets.size(), kErrors = kCount + 1,
                       kFaces = kErrors + 1, kColours = kFaces + 1, kTurns = kColours + 1;
@@ -114,9 +114,7 @@ void LabMeasures::time(TimedSetting& setting, const GameView& view, Settings set
 
 void LabMeasures::count(const GameView& view, const Settings& now, GameRenderer& renderer) {
     renderer.draw(view, now);  // lights its surfaces
-    figures_.operations = sum_of(operations_by_stage(renderer.draw_and_count(view, now), now.accuracy));
-    for (std::size_t i = 0; i < kProcessors.size(); ++i)
-        figures_.frame_rates[i] = frame_rate(kProcessors[i], cycles_on(kProcessors[i], figures_.operations));
+    figures_.events = events_of(renderer.draw_and_count(view, now), now.accuracy);
 }
 
 void LabMeasures::compare_colours(const GameView& view, Settings settings, GameRenderer& renderer,

@@ -9,7 +9,7 @@
 #include "engine/accuracy/accuracy.h"
 #include "engine/view/views.h"
 #include "game/view/game_renderer.h"
-#include "tools/measure/operations.h"
+#include "tools/measure/costs.h"
 #include "tools/measure/texel_error.h"
 #include "tools/reference/level.h"
 
@@ -52,11 +52,10 @@ struct TimedSetting {
 struct LabFigures {
     TimedSetting now, before;
     std::array<TimedSetting, kPresets.size()> presets;
-    Operations operations;                                 ///< of a frame with the current setting
-    std::array<double, kProcessors.size()> frame_rates{};  ///< that the operations allow
-    std::optional<ErrorSummary> errors;                    ///< pixels on the screen
-    std::optional<std::int64_t> wrong_faces;               ///< pixels
-    std::string problem;                                   ///< why there are no errors
+    Events events{};                          ///< of a frame with the current setting
+    std::optional<ErrorSummary> errors;       ///< pixels on the screen
+    std::optional<std::int64_t> wrong_faces;  ///< pixels
+    std::string problem;                      ///< why there are no errors
     /// Of light and mip levels: the distance of colours from exact ones at the same texels, RGB, 0 to 442; of the
     /// pixels that differ.
     std::optional<ErrorSummary> colour_errors;
@@ -69,7 +68,7 @@ Accuracy with_exact_colours(Accuracy accuracy);
 ErrorSummary colour_errors(std::span<const std::uint8_t> picture, std::span<const std::uint8_t> exact,
                            const Palette& palette);
 
-/// Measures the view in turns, one a frame: the time of one setting; operations; errors of places; wrong faces; errors
+/// Measures the view in turns, one a frame: the time of one setting; costs; errors of places; wrong faces; errors
 /// of colours.
 class LabMeasures {
   public:

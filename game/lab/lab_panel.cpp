@@ -180,18 +180,21 @@ std::string describe_colours(const LabFigures& figures) {
            with_decimals(percent, percent < 9.95 ? 1 : 0) + " %";
 }
 
-std::string describe_operations(const Operations& operations) {
-    return "Work: " + short_count(operations.adds.total()) + " adds, " +
-           short_count(operations.multiplications.total()) + " muls, " + short_count(operations.divisions.total()) +
-           " divs, " + short_count(operations.lookups) + " look-ups";
+std::string describe_cost(const Events& events) {
+    const auto cost = [&](Currency currency) {
+        return short_count(static_cast<std::int64_t>(cost_of(events, currency)));
+    };
+    return "Instructions: " + cost(Currency::Instructions) + " on x86-64, " + cost(Currency::Instructions486) +
+           " on a 486";
 }
 
-std::string describe_frame_rates(const LabFigures& figures) {
-    const auto rate = [&](std::size_t processor) {
-        const double frames = figures.frame_rates[processor];
+std::string describe_frame_rates(const Events& events) {
+    const auto rate = [&](Processor processor) {
+        const double cycles = cycles_on(processor, events), frames = cycles > 0 ? frame_rate(processor, cycles) : 0;
         return with_decimals(frames, frames < 9.95 ? 1 : 0);
     };
-    return "Frames/s: 386/33 " + rate(0) + ", 486/66 " + rate(1) + ", Pentium/90 " + rate(2);
+    return "Frames/s: 386/33 " + rate(Processor::I386) + ", 486/66 " + rate(Processor::I486) + ", Pentium/90 " +
+           rate(Processor::Pentium);
 }
 
 }  // namespace
@@ -222,8 +225,8 @@ std::int32_t draw_lab_panel(const LabOptions& options, const LabFigures& figures
     std::vector<std::string> texts{describe_errors(figures), describe_colours(figures)};
     if (!has_two_columns) texts.insert(texts.begin(), describe_times(figures, !is_short || width >= kTwoColumns_px));
     if (!is_short) {
-        texts.push_back(describe_operations(figures.operations));
-        texts.push_back(describe_frame_rates(figures));
+        texts.push_back(describe_cost(figures.events));
+        texts.push_back(describe_frame_rates(figures.events));
     }
     const std::int32_t most_px = panel_room_px(canvas, scale);
     const std::int32_t room_px =

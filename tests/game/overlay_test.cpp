@@ -64,9 +64,7 @@ LabFigures long_figures() {
     figures.now.accuracy.texturing = Texturing::BoundedTexels;
     figures.now.frame_ns = {23'456'000, 1'000'000, 29'000'000};
     figures.before.frame_ns = {34'567'000, 30'000'000, 110'000'000};
-    figures.operations.adds[Width::Bits32] = figures.operations.multiplications[Width::Bits64] =
-        figures.operations.divisions[Width::Bits64] = figures.operations.lookups = 888'888;
-    figures.frame_rates = {888, 888, 888};
+    figures.events.fill(888);
     figures.errors = ErrorSummary{64'000, 377.36, 377.36, 377.36};
     figures.wrong_faces = 63'999;
     return figures;

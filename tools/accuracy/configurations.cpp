@@ -9,15 +9,6 @@ namespace oblong {
 
 namespace {
 
-std::size_t index_of(const Accuracy& accuracy, Configurations& all) {
-    const auto found = std::find(all.accuracies.begin(), all.accuracies.end(), accuracy);
-    if (found != all.accuracies.end()) return as_size(found - all.accuracies.begin());
-    all.accuracies.push_back(accuracy);
-    all.is_timed.push_back(false);
-    all.is_counted.push_back(false);
-    return all.accuracies.size() - 1;
-}
-
 bool is_about_blocks(const Dial& dial) {
     return dial.name == "perspective" || dial.name == "pixel-bound" || dial.name == "texel-bound";
 }
@@ -34,8 +25,7 @@ Configurations::DialRows rows_of(const Dial& dial, Configurations& all) {
         Accuracy accuracy = base;
         dial.set(accuracy, setting.value);
         const std::size_t index = index_of(accuracy, all);
-        if (dial.changes_work) all.is_timed[index] = true;
-        all.is_counted[index] = true;
+        all.has_cost[index] = true;
         if (rows.is_below_bound) accuracy.texturing = Texturing::Exact;
         rows.rows.push_back({std::string(setting.name), index, index_of(accuracy, all)});
     }
@@ -43,6 +33,14 @@ Configurations::DialRows rows_of(const Dial& dial, Configurations& all) {
 }
 
 }  // namespace
+
+std::size_t index_of(const Accuracy& accuracy, Configurations& all) {
+    const auto found = std::find(all.accuracies.begin(), all.accuracies.end(), accuracy);
+    if (found != all.accuracies.end()) return as_size(found - all.accuracies.begin());
+    all.accuracies.push_back(accuracy);
+    all.has_cost.push_back(false);
+    return all.accuracies.size() - 1;
+}
 
 Measure measure_of(const Dial& dial) {
     const auto is_one_of = [&](std::initializer_list<std::string_view> names) {
@@ -63,12 +61,12 @@ bool has_same_surfaces(const Accuracy& a, const Accuracy& b) {
 Configurations make_configurations(std::span<const Dial> dials) {
     Configurations all;
     all.default_index = index_of(Accuracy{}, all);
-    all.is_timed[all.default_index] = all.is_counted[all.default_index] = true;
+    all.has_cost[all.default_index] = true;
     for (const Dial& dial : dials) all.dials.push_back(rows_of(dial, all));
     for (const Preset preset : kPresets) {
         const std::size_t index = index_of(accuracy_of(preset), all);
         all.presets.push_back({std::string(name_of(preset)), index, index});
-        all.is_timed[index] = all.is_counted[index] = true;
+        all.has_cost[index] = true;
     }
     return all;
 }

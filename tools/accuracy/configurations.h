@@ -42,13 +42,16 @@ struct Configurations {
     std::size_t default_index = 0;
     std::vector<DialRows> dials;
     std::vector<Row> presets;
-    std::vector<bool> is_timed;    ///< by accuracy: it runs other code than the default
-    std::vector<bool> is_counted;  ///< by accuracy: its cost is reported
+    std::vector<Row> frontier;   ///< combinations that a search found (frontier.h)
+    std::vector<bool> has_cost;  ///< by accuracy: its cost is reported
 };
 
 /// Every setting of these dials with the others at their defaults (for the bound in texels:
 /// perspective=bounded-texels), and the presets.
 Configurations make_configurations(std::span<const Dial> dials);
+
+/// The index of an accuracy among all, to which it is added if it is new.
+std::size_t index_of(const Accuracy& accuracy, Configurations& all);
 
 /// How a dial's settings are measured.
 Measure measure_of(const Dial& dial);

@@ -59,7 +59,7 @@ void for_each_frame(std::span<LevelFrames> levels, Visit visit) {
 std::vector<std::size_t> timed_settings(const Configurations& configurations) {
     std::vector<std::size_t> timed;
     for (std::size_t i = 0; i < configurations.accuracies.size(); ++i)
-        if (configurations.is_timed[i]) timed.push_back(i);
+        if (configurations.has_cost[i]) timed.push_back(i);
     return timed;
 }
 

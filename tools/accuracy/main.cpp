@@ -108,7 +108,8 @@ void report_to_files(const Options& options, const std::string& assets) {
         places.push_back({level, colours.palette, colours.colormap});
     }
     map::ProgressLine progress("oblong-accuracy");
-    const Effort effort{options.is_quick ? 7 : 31, options.is_quick ? 2 : 4, options.is_quick};
+    const Effort effort{options.is_quick ? 7 : 31, options.is_quick ? 2 : 4, options.is_quick,
+                        options.is_quick ? 40u : 200u};
     Report report = measure_all(make_configurations(all_dials()), places, effort, &progress);
     report.machine = machine_name();
     report.compiler = compiler_name();

@@ -91,7 +91,6 @@ const ErrorSummaries& floor_of(const Report& report, const Configurations::DialR
 
 std::vector<std::string> notes_on_presets(const Report& report) {
     std::vector<std::string> notes;
-    const auto i486 = as_size(Processor::I486);
     for (const Configurations::Row& row : report.configurations.presets)
         for (const Configurations::Row& other : report.configurations.presets) {
             const auto &time = report.times.settings[row.index]->frame,
@@ -102,7 +101,8 @@ std::vector<std::string> notes_on_presets(const Report& report) {
                 return item(result.errors, Measure::Displacement).rms;
             };
             if (error_of(theirs) >= error_of(mine) || !is_slower) continue;
-            const double cycles = mine.cost.cycles[i486], other_cycles = theirs.cost.cycles[i486];
+            const double cycles = cost_of(mine.cost.frame, Currency::Cycles486),
+                         other_cycles = cost_of(theirs.cost.frame, Currency::Cycles486);
             const std::string on_486 =
                 cycles < other_cycles ? "on a 486 the other would take " + percent_more(other_cycles, cycles) + " more"
                                       : "on a 486 it would take " + percent_more(cycles, other_cycles) + " more, too";

@@ -5,6 +5,7 @@
 #include "engine/base/table.h"
 #include "engine/files/picture.h"
 #include "tools/accuracy/errors.h"
+#include "tools/accuracy/frontier.h"
 
 namespace oblong {
 
@@ -39,41 +40,16 @@ struct Preparation {
     }
 };
 
-/// Each count divided and rounded to the nearest.
-Operations divided(const Operations& sum, std::int64_t count) {
-    const auto mean = [count](std::int64_t value) { return (value + count / 2) / count; };
-    Operations part = sum;
-    for (ByWidth* kind : {&part.adds, &part.multiplications, &part.divisions})
-        for (std::int64_t& value : kind->counts) value = mean(value);
-    part.lookups = mean(sum.lookups);
-    part.bytes_read = mean(sum.bytes_read);
-    part.bytes_written = mean(sum.bytes_written);
-    return part;
-}
-
-Operations lighting_of(const std::array<StageOperations, kStageCount>& stages) {
-    const auto found =
-        std::find_if(stages.begin(), stages.end(), [](const auto& s) { return s.stage == "lit texels"; });
-    return found == stages.end() ? Operations{} : found->operations;
-}
-
 CountedCost count_cost(const Accuracy& accuracy, std::span<const FrameJob> jobs) {
     CountedCost cost;
     for (const FrameJob& job : jobs) {
         job.frames.forget_surfaces(accuracy);
-        cost.lighting += lighting_of(operations_by_stage(job.frames.count(job.view(), accuracy), accuracy));
-        const auto stages = operations_by_stage(job.frames.count(job.view(), accuracy), accuracy);
-        cost.operations += sum_of(stages);
-        for (std::size_t i = 0; i < stages.size(); ++i)
-            cost.stages[i] = {stages[i].stage, cost.stages[i].events + stages[i].events};
-    }
-    const auto frames = static_cast<std::int64_t>(jobs.size());
-    for (StageEvents& stage : cost.stages) stage.events = (stage.events + frames / 2) / frames;
-    cost.operations = divided(cost.operations, frames);
-    cost.lighting = divided(cost.lighting, frames);
-    for (std::size_t i = 0; i < kProcessors.size(); ++i) {
-        cost.cycles[i] = cycles_on(kProcessors[i], cost.operations);
-        cost.lighting_cycles[i] = cycles_on(kProcessors[i], cost.lighting);
+        const Events unlit = events_of(job.frames.count(job.view(), accuracy), accuracy),
+                     lit = events_of(job.frames.count(job.view(), accuracy), accuracy);
+        for (std::size_t i = 0; i < kEventCount; ++i) {
+            cost.frame[i] += lit[i] / static_cast<double>(jobs.size());
+            cost.lighting[i] += (unlit[i] - lit[i]) / static_cast<double>(jobs.size());
+        }
     }
     return cost;
 }
@@ -93,7 +69,7 @@ struct WorstFrames {
     }
 };
 
-SettingResult measure_setting(const Accuracy& accuracy, bool is_counted, std::span<const FrameJob> jobs,
+SettingResult measure_setting(const Accuracy& accuracy, bool has_cost, std::span<const FrameJob> jobs,
                               std::size_t level_count, WorstFrames& worst) {
     ErrorCollector all;
     std::vector<ErrorCollector> by_level(level_count);
@@ -103,9 +79,34 @@ SettingResult measure_setting(const Accuracy& accuracy, bool is_counted, std::sp
         by_level[jobs[i].level].add(errors);
         worst.add(errors, i);
     }
-    SettingResult result{all.summarize(), {}, is_counted ? count_cost(accuracy, jobs) : CountedCost{}};
+    SettingResult result{all.summarize(), {}, has_cost ? count_cost(accuracy, jobs) : CountedCost{}};
     for (const ErrorCollector& level : by_level) result.by_level.push_back(level.summarize());
     return result;
+}
+
+/// Adds the best combinations of dials that a search in some of the frames finds.
+void add_frontier(std::span<const FrameJob> jobs, std::size_t most_trials, const map::WorkSharing& work,
+                  Configurations& all) {
+    constexpr std::size_t kMostFrames = 16;
+    constexpr double kStep = 1.1;
+    std::vector<FrameJob> some;
+    for (std::size_t i = 0; i < jobs.size(); i += jobs.size() / kMostFrames + 1) some.push_back(jobs[i]);
+    work.begin("combinations of dials", most_trials);
+    const auto measure = [&](const Accuracy& accuracy) {
+        SettingResult result;
+        WorstFrames worst;
+        work.for_each(
+            1, [&](std::size_t) { result = measure_setting(accuracy, true, some, some.back().level + 1, worst); });
+        const Events& frame = result.cost.frame;
+        return Trial{accuracy,
+                     item(result.errors, Measure::Displacement).rms,
+                     {cost_of(frame, Currency::Instructions), cost_of(frame, Currency::Cycles486)}};
+    };
+    for (const Accuracy& accuracy : search_frontier(measure, most_trials, kStep)) {
+        const std::size_t index = index_of(accuracy, all);
+        all.has_cost[index] = true;
+        all.frontier.push_back({name_of_combination(accuracy), index, index});
+    }
 }
 
 HeatMap draw_heat_map(const Configurations::Row& row, const Accuracy& accuracy, Measure measure, const FrameJob& job) {
@@ -158,11 +159,12 @@ LevelSummary summary_of_level(const MeasuredLevel& level, std::span<const FrameT
 
 }  // namespace
 
-Report measure_all(const Configurations& configurations, std::span<const MeasuredPlace> places, const Effort& effort,
+Report measure_all(const Configurations& settings, std::span<const MeasuredPlace> places, const Effort& effort,
                    map::Progress* progress) {
     const map::WorkSharing work(nullptr, progress);  // in order, as frames share workspaces
     Report report;
-    report.configurations = configurations;
+    report.configurations = settings;
+    const Configurations& configurations = report.configurations;
     report.samples_per_axis = effort.samples_per_axis;
     report.is_quick = effort.is_quick;
     for (const MeasuredPlace& place : places) report.frames += place.level.cameras.size();
@@ -173,11 +175,12 @@ Report measure_all(const Configurations& configurations, std::span<const Measure
     for (std::size_t i = 0; i < places.size(); ++i)
         report.levels.push_back(summary_of_level(places[i].level, prepared.truths[i]));
 
+    if (effort.most_trials > 0) add_frontier(jobs, effort.most_trials, work, report.configurations);
     std::vector<WorstFrames> worst(configurations.accuracies.size());
-    work.begin("errors and operations", worst.size());
+    work.begin("errors and events", worst.size());
     work.for_each(worst.size(), [&](std::size_t i) {
         report.results.push_back(
-            measure_setting(configurations.accuracies[i], configurations.is_counted[i], jobs, places.size(), worst[i]));
+            measure_setting(configurations.accuracies[i], configurations.has_cost[i], jobs, places.size(), worst[i]));
     });
     for (const Configurations::DialRows& dial : configurations.dials)
         report.heat_maps.push_back(draw_heat_maps(dial, report, jobs, worst));

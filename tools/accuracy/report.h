@@ -9,22 +9,14 @@
 #include "tools/accuracy/errors.h"
 #include "tools/accuracy/frame_times.h"
 #include "tools/accuracy/measured_level.h"
-#include "tools/measure/operations.h"
+#include "tools/measure/costs.h"
 
 namespace oblong {
 
-/// The number of a stage's events in a mean frame.
-struct StageEvents {
-    std::string_view stage;
-    std::int64_t events = 0;
-};
-
-/// The counted cost of one setting's frames, means over the frames.
+/// The events of one setting's mean frame.
 struct CountedCost {
-    std::array<StageEvents, kStageCount> stages{};  ///< of a frame whose surfaces are lit already
-    Operations operations;                          ///< of a frame whose surfaces are lit already
-    Operations lighting;                            ///< of building all surfaces of a frame
-    std::array<double, kProcessors.size()> cycles{}, lighting_cycles{};
+    Events frame{};     ///< of one whose surfaces are lit already
+    Events lighting{};  ///< of building all its surfaces
 };
 
 struct SettingResult {
@@ -67,6 +59,7 @@ struct Effort {
     int rounds = 31;
     int samples_per_axis = 4;
     bool is_quick = false;
+    std::size_t most_trials = 0;  ///< of combinations of dials
 };
 
 /// A level to measure, with the palette and colormap that it is drawn with.
@@ -76,7 +69,7 @@ struct MeasuredPlace {
     const Colormap& colormap;
 };
 /// Tells `progress`, if not null.
-Report measure_all(const Configurations& configurations, std::span<const MeasuredPlace> places, const Effort& effort,
+Report measure_all(const Configurations& settings, std::span<const MeasuredPlace> places, const Effort& effort,
                    map::Progress* progress = nullptr);
 
 /// A number for readers: three significant digits without exponent, "0.0213", "375", "12,400"; "0" for 0.

@@ -37,19 +37,14 @@ Json errors_json(const ErrorSummaries& errors) {
     return json;
 }
 
-Json widths_json(const ByWidth& counts) {
-    Json json;
-    for (std::size_t i = 0; i < kWidthNames.size(); ++i) json[std::string(kWidthNames[i])] = counts.counts[i];
-    return json;
-}
-
-Json operations_json(const Operations& operations) {
-    return {{"adds", widths_json(operations.adds)},
-            {"multiplications", widths_json(operations.multiplications)},
-            {"divisions", widths_json(operations.divisions)},
-            {"lookups", operations.lookups},
-            {"bytes_read", operations.bytes_read},
-            {"bytes_written", operations.bytes_written}};
+/// The events of a frame and their prices.
+void add_events(const Events& events, const std::string& prefix, Json& cost) {
+    Json& operations = cost[prefix + "operations"];
+    for (std::size_t i = 0; i < kEventCount; ++i) operations[std::string(event_name(i))] = std::round(events[i]);
+    constexpr std::array<const char*, kCurrencyCount> kNames{"instructions", "instructions_486", "cycles_386",
+                                                             "cycles_486", "cycles_pentium"};
+    for (std::size_t i = 0; i < kCurrencyCount; ++i)
+        cost[prefix + kNames[i]] = std::round(cost_of(events, Currency(i)));
 }
 
 Json spread_json(const TimeSpread& times) {
@@ -64,20 +59,17 @@ void add_times(const SettingTimes& times, Json& cost) {
     if (times.unlit) cost["nanoseconds_all_surfaces_built"] = spread_json(*times.unlit);
 }
 
-Json cost_json(const Report& report, std::size_t index, bool is_measured) {
+Json cost_json(const Report& report, std::size_t index) {
     const CountedCost& counted = report.results[index].cost;
-    Json cost{{"operations", operations_json(counted.operations)}};
+    Json cost;
+    add_events(counted.frame, "", cost);
+    add_events(counted.lighting, "lighting_", cost);
     constexpr std::array kNames{"386", "486", "pentium"};
-    for (std::size_t i = 0; i < kProcessors.size(); ++i) {
-        const std::string name = kNames[i];
-        cost["cycles_" + name] = std::round(counted.cycles[i]);
-        cost["frames_per_second_" + name] = rounded(frame_rate(kProcessors[i], counted.cycles[i]));
-        cost["lighting_cycles_" + name] = std::round(counted.lighting_cycles[i]);
-    }
+    for (std::size_t i = 0; i < kProcessors.size(); ++i)
+        cost[std::string("frames_per_second_") + kNames[i]] =
+            rounded(frame_rate(kProcessors[i], cycles_on(kProcessors[i], counted.frame)));
     cost["nanoseconds"] = nullptr;
-    if (is_measured && report.times.settings[index]) add_times(*report.times.settings[index], cost);
-    for (const StageEvents& stage : counted.stages) cost["stages"][std::string(stage.stage)] = stage.events;
-    cost["lighting_operations"] = operations_json(counted.lighting);
+    if (report.times.settings[index]) add_times(*report.times.settings[index], cost);
     return cost;
 }
 
@@ -89,14 +81,14 @@ Json levels_json(const Report& report, std::size_t index, Measure measure) {
     return levels;
 }
 
-Json setting_json(const Report& report, const Configurations::Row& row, Measure measure, bool is_measured) {
+Json setting_json(const Report& report, const Configurations::Row& row, Measure measure) {
     const ErrorSummaries& errors = report.results[row.index].errors;
     return {{"name", row.name},
             {"configuration", row.index},
             {"error", error_json(errors, measure)},
             {"alone", error_json(report.results[row.alone].errors, measure)},
-            {"cost", cost_json(report, row.index, is_measured)},
-            {"time", is_measured ? "measured" : "modelled"},
+            {"cost", cost_json(report, row.index)},
+            {"time", "measured"},
             {"errors", errors_json(errors)},
             {"levels", levels_json(report, row.index, measure)}};
 }
@@ -127,8 +119,7 @@ Json dial_json(const Report& report, std::size_t index) {
     const Configurations::DialRows& rows = report.configurations.dials[index];
     const Dial& dial = *rows.dial;
     Json settings = Json::array();
-    for (const Configurations::Row& row : rows.rows)
-        settings.push_back(setting_json(report, row, rows.measure, dial.changes_work));
+    for (const Configurations::Row& row : rows.rows) settings.push_back(setting_json(report, row, rows.measure));
     return {{"name", dial.name},
             {"about", dial.about},
             {"unit", dial.unit},
@@ -175,10 +166,12 @@ Json run_json(const Report& report) {
 }  // namespace
 
 std::string report_json(const Report& report) {
-    Json json{{"dials", Json::array()}, {"tiers", Json::array()}};
+    Json json{{"dials", Json::array()}, {"tiers", Json::array()}, {"frontier", Json::array()}};
     for (std::size_t i = 0; i < report.configurations.dials.size(); ++i) json["dials"].push_back(dial_json(report, i));
     for (const Configurations::Row& preset : report.configurations.presets)
-        json["tiers"].push_back(setting_json(report, preset, Measure::Displacement, true));
+        json["tiers"].push_back(setting_json(report, preset, Measure::Displacement));
+    for (const Configurations::Row& combination : report.configurations.frontier)
+        json["frontier"].push_back(setting_json(report, combination, Measure::Displacement));
     json["notes"] = notes_on_presets(report);
     json["run"] = run_json(report);
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";  // a file's name may be invalid UTF-8
@@ -204,7 +197,8 @@ std::string preset_table(const Report& report) {
         add(item(result.errors, Measure::Displacement).rms);
         add(item(result.errors, Measure::Displacement).max);
         add(item(result.errors, Measure::WrongPixels).rms);
-        for (std::size_t i = 0; i < kProcessors.size(); ++i) add(frame_rate(kProcessors[i], result.cost.cycles[i]));
+        for (const Processor processor : kProcessors)
+            add(frame_rate(processor, cycles_on(processor, result.cost.frame)));
         table += "\n";
     }
     return table;
