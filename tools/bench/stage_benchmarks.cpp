@@ -196,8 +196,7 @@ void time_exact_spans(benchmark::State& state, const SharedFrames& stages) {
     for (auto _ : state)
         for (const StageInputs& frame : stages->frames)
             for (const TexturedInput& wall : frame.walls)
-                draw_exact_spans(wall.spans, wall.face.cutting, wall.face.surface.view, &best_kernels(),
-                                 stages->out());
+                draw_exact_spans(wall.spans, wall.face.cutting, wall.face.surface.view, &best_kernels(), stages->out());
     show_time_per("pixel", stages->sum([](const StageInputs& frame) { return frame.pixels; }), state);
 }
 
