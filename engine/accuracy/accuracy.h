@@ -89,7 +89,8 @@ struct Dial {
     std::string_view unit;     ///< empty if its values have names
     std::string_view read_in;  ///< the file that reads it from Accuracy
     /// Whether another setting changes the work done. If not, a value is only rounded to fewer bits in a wide type: its
-    /// error is real, but its time is that of the wide type; the cost of a narrow type can only be modelled.
+    /// error is real, and it saves no time. (Gradients in 32 bits were tried: on an i486 spans were cut with 3 % fewer
+    /// instructions, which their setting up cost several times.)
     bool changes_work;
     std::span<const DialSetting> settings;  ///< from the coarsest to the most exact
     /// Numbers from `least` to `greatest`, in steps of 2^-fraction_bits, are valid too, unless both are 0.

@@ -13,7 +13,7 @@ constexpr std::uint64_t kFlipEvery_us = 500'000;
 // The panel has no row for explanations, so a dial is explained when it is chosen.
 std::string describe(const Dial& dial) {
     std::string text = std::string(dial.caption) + ": " + std::string(dial.about);
-    if (!dial.changes_work) text += " Its error is real; the time does not show what narrower numbers would save.";
+    if (!dial.changes_work) text += " Its error is real, and it saves no time.";
     return text;
 }
 
