@@ -42,7 +42,7 @@ class InterruptedSave : public testing::Test {
     const SavedGame first_ = SavedWalk(10).saved(), second_ = SavedWalk(20).saved(), third_ = SavedWalk(30).saved();
 };
 
-// What a disk says that is full, or broken, to each system call in turn.
+// What a full disk says, or one whose quota is used up, to each system call in turn.
 TEST_F(InterruptedSave, ARefusedSystemCallLosesNothing) {
     if (!TracedProcess::kCanFailCalls) GTEST_SKIP() << "calls can't be made to fail on this processor";
     const std::set<std::uint64_t> of_files{SYS_openat, SYS_read,   SYS_write,  SYS_newfstatat, SYS_fsync,
@@ -52,7 +52,8 @@ TEST_F(InterruptedSave, ARefusedSystemCallLosesNothing) {
         TracedProcess process([&] { save_third(); });
         int made = 0;
         while (const auto begun = process.next())
-            if (process.is_beginning() && of_files.contains(begun->number) && made++ == call) process.fail_call(ENOSPC);
+            if (process.is_beginning() && of_files.contains(begun->number) && made++ == call)
+                process.fail_call(call % 2 == 0 ? ENOSPC : EDQUOT);
         if (process.exit_code() == kNotTraced) GTEST_SKIP() << "processes can't be traced here";
         ASSERT_TRUE(process.exit_code() == kDone || process.exit_code() == kRefused) << "call " << call;
         if (call < 0) calls = made;
