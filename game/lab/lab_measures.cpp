@@ -58,6 +58,7 @@ Accuracy with_exact_colours(Accuracy accuracy) {
     accuracy.dithers_light = exact.dithers_light;
     accuracy.mip = exact.mip;
     accuracy.mip_bias = exact.mip_bias;
+    accuracy.textures_floors = exact.textures_floors;
     return accuracy;
 }
 
