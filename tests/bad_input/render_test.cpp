@@ -168,7 +168,7 @@ TEST_F(BadRender, WrongUsageExitsWith2) {
         {"--hidden-surfaces", {"edge-list", "z-buffer --view isometric"}},
         {"--texel-error", {"-1", "a_lot", "0.5 --accuracy 1991", "0.5 --accuracy exact", ""}},
         {"--view", {"left", "front:", "front:width", "front:width=0", "front:front=5,back=5", "vrp:front=5,back=1"}},
-        {"--kernel", {"fastest"}},
+        {"--instructions", {"fastest"}},
         {"--threads", {"0"}},
         {"--time", {"noon", "inf", "-1"}},
         {"--time-step", {"61"}},
