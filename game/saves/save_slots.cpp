@@ -184,7 +184,7 @@ void SaveSlots::save(SaveSlot slot, const SavedGame& game) const {
         replace_file(file, former_of(file), encode_save(game));
     else
         write_file(file, encode_save(game), FileUse::Kept);
-    make_latest(slot);
+    if (slot.kind != SaveKind::Numbered) make_latest(slot);  // those are listed by number
 }
 
 // Also after the clock was set back: else the title would go on with another walk.

@@ -177,7 +177,7 @@ TEST_F(LabMeasure, ErrorsAreThoseOfTheSetting) {
     EXPECT_GT(errors_of(accuracy_of(Preset::Year1991)).rms, errors_of(accuracy_of(Preset::Bounded)).rms);
 }
 
-TEST_F(LabMeasure, ColoursAreOffByTheDialsOfLightAndMipLevelsAlone) {
+TEST_F(LabMeasure, ColoursAreOffByTheDialsOfColourAlone) {
     const std::set<std::string_view> of_colour{"light", "shades", "dither", "mip", "mip-bias", "floors"};
     for (const Dial& dial : all_dials()) {
         Accuracy turned = accuracy_of(Preset::Exact);

@@ -65,20 +65,6 @@ TEST(Costs, EachEventHasANameAndAPrice) {
     }
 }
 
-TEST(Costs, AFrameCostsTheSumOfItsEvents) {
-    const Events events = events_of(different_counts(), {});
-    for (std::size_t k = 0; k < kCurrencyCount; ++k) {
-        double sum = 0;
-        for (std::size_t i = 0; i < kEventCount; ++i) {
-            Events one{};
-            one[i] = events[i];
-            sum += cost_of(one, Currency(k));
-        }
-        EXPECT_NEAR(cost_of(events, Currency(k)), sum, 1e-9 * sum);
-    }
-}
-
-// What a setting does other work for is another event, and nothing is counted as two of them.
 TEST(Costs, EventsAreApartByTheSettingsThatDoOtherWorkForThem) {
     const FrameCounts counts = different_counts();
     const StageCounts& stages = counts.stages;

@@ -85,12 +85,6 @@ bool stays_in_half(const TexelBlock& block) {
 
 }  // namespace
 
-bool has_bmi2() {
-    // On AMD's Zen 1 and 2 `pext` is microcoded and slower than shifts and masks.
-    return __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("avx") && !__builtin_cpu_is("znver1") &&
-           !__builtin_cpu_is("znver2");
-}
-
 void draw_blocks_bmi2(std::span<const TexelBlock> blocks, const SurfaceView& surface, std::uint8_t* pixels) {
     const Bmi2Fetch fetch(surface);
     for (const TexelBlock& block : blocks) draw_packed_block(block, pixels, fetch);

@@ -17,16 +17,15 @@ constexpr std::array kKernels{Kernels{"bmi2", draw_blocks_bmi2, pixels_near_bord
                                       light_cells_sse2, draw_warped_blocks_bmi2, cut_bounded_bmi2},
                               kBaseline, kPlain};
 #else
-constexpr std::array kKernels{Kernels{"baseline",
 #if defined(__i386__)
-                                      draw_blocks_i386,
+constexpr BlockKernel kBlocks = draw_blocks_i386;
 #elif defined(__ARM_NEON) || defined(__ALTIVEC__)
-                                      draw_blocks_by_fours,
+constexpr BlockKernel kBlocks = draw_blocks_by_fours;
 #else
-                                      draw_blocks_packed,
+constexpr BlockKernel kBlocks = draw_blocks_packed;
 #endif
-                                      pixels_near_borders_plain, inside_edges_plain, nullptr, nullptr, nullptr},
-                              kPlain};
+constexpr std::array kKernels{
+    Kernels{"baseline", kBlocks, pixels_near_borders_plain, inside_edges_plain, nullptr, nullptr, nullptr}, kPlain};
 #endif
 
 /// Whether the first of the kernels can run.
