@@ -106,13 +106,28 @@ bool is_level(const Face& face, const Level& level) {
     return absolute(level.planes[face.plane].normal.z) >= kLeast;
 }
 
-/// In the colour of the middle of its smallest surface.
+/// The texel of a surface's row or column that is nearest to its middle and shows the middle of the texture, if it has
+/// one; `origin` is the first one's place in the repeated texture.
+std::int32_t nearest_to_middle(std::int32_t size, std::int32_t origin, std::int32_t texture_size) {
+    const std::int32_t middle = size / 2, place = (middle + origin) % texture_size;
+    const std::int32_t beyond = place < 0 ? place + texture_size : place;
+    const std::int32_t there = middle + texture_size / 2 - beyond;
+    return there >= 0 && there < size ? there : middle;
+}
+
+/// In the colour of its texture's middle, so that faces of one floor differ by their light alone.
 void draw_in_one_colour(const VisibleFace& face, std::span<const Span> spans, const SurfaceOptions& options,
                         const FrameContext& frame, const ViewScratch& scratch) {
     constexpr int kSmallest = 3;
-    const SurfaceView view = surface_of(face, kSmallest, frame, scratch).view;
+    const FaceSurface surface = surface_of(face, kSmallest, frame, scratch);
+    const SurfaceView& view = surface.view;
+    const MipTexture& texture = frame.scene.level.texture_of(frame.scene.level.faces[face.face]);
+    const std::int32_t column =
+        nearest_to_middle(view.width, floor_shift(surface.origin_u, kSmallest), texture.width >> kSmallest);
+    const std::int32_t row =
+        nearest_to_middle(view.height, floor_shift(surface.origin_v, kSmallest), texture.height >> kSmallest);
     if (options.is_observed) observe_spans(face, spans, frame.out, frame.observers);
-    fill_spans(spans, view.texels[((view.height / 2) << view.stride_log2) + view.width / 2], frame.out);
+    fill_spans(spans, view.texels[(row << view.stride_log2) + column], frame.out);
 }
 
 /// Draws each span at the mip level of its nearest pixel.
