@@ -1,6 +1,6 @@
 // A recorded demo, played back and hashed. Each picture is a tick of 1/70 second and depends only on the moves before
 // it, so that the same moves give the same pictures on every machine. Their checksums are printed; one different pixel
-// changes one, and so does another accuracy: 1991, 1994, 1996, bounded or exact.
+// changes one, and so does another accuracy: 1991, 1994, 1996, pixel, bounded or exact.
 //
 // Usage: example_demo [ASSETS [ACCURACY]]
 #include <oblong.h>

@@ -139,7 +139,7 @@ void check_view(const ScreenMode& mode, Degrees field_of_view) {
 
 Preset parse_preset(const std::string& text) {
     if (const std::optional<Preset> preset = preset_named(text)) return *preset;
-    throw UsageError("--accuracy: '" + text + "', expected 1991, 1994, 1996, bounded or exact");
+    throw UsageError("--accuracy: '" + text + "', expected " + std::string(kPresetNames));
 }
 
 namespace {

@@ -41,7 +41,7 @@ const Kernels& parse_instructions(const std::string& text);
 std::string instructions_help();
 /// Throws UsageError for values that are valid alone but not together: a wide field of view in a mode of few pixels.
 void check_view(const ScreenMode& mode, Degrees field_of_view);
-/// "1991", "1994", "1996", "bounded", "exact".
+/// One of kPresetNames.
 Preset parse_preset(const std::string& text);
 /// The values of a dial: "off, on", "16, 32, 64, or any from 12 to 44".
 std::string values_of(const Dial& dial);

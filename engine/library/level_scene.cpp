@@ -280,7 +280,7 @@ void LevelScene::turn_entity(std::int32_t entity, std::int32_t degrees_256) {
 
 void LevelScene::set_accuracy(const std::string& preset) {
     const std::optional<Preset> named = preset_named(preset);
-    if (!named) throw argument_error("accuracy", "'" + preset + "', expected 1991, 1994, 1996, bounded or exact");
+    if (!named) throw argument_error("accuracy", "'" + preset + "', expected " + std::string(kPresetNames));
     state_->settings.accuracy = accuracy_of(*named);
 }
 

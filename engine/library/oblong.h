@@ -286,7 +286,7 @@ class LevelScene {
     /// pointing at the eye. It is solid only at 0.
     void turn_entity(std::int32_t entity, std::int32_t degrees_256);
 
-    /// The accuracy of pictures: "1991", "1994", "1996", "bounded" or "exact".
+    /// The accuracy of pictures: "1991", "1994", "1996", "pixel", "bounded" or "exact".
     void set_accuracy(const std::string& preset);
     /// All settings (engine/frame/frame.h).
     Settings& settings();

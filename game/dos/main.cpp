@@ -88,6 +88,7 @@ void take(const std::string& name, const std::string& value, Arguments& argument
 // DOS has no small letters of its own.
 Arguments read_arguments(int count, char** words) {
     Arguments arguments;
+    take("accuracy", "pixel", arguments);  // what a 486 affords (tools/accuracy/README.md)
     for (int i = 1; i < count; ++i) {
         const std::string word = lower_case(words[i]);
         const std::size_t equals = std::min(word.find('='), word.size());

@@ -15,7 +15,7 @@ namespace {
 // In pixels of letters, each of `scale` columns and rows of the canvas.
 constexpr std::int32_t kRow_px = 9, kMargin_px = 3, kBackground = 40;
 constexpr std::int32_t kTwoColumns_px = 320;  // the least width for times beside the dials
-constexpr std::size_t kDialRows = 7, kDialColumns = 30;
+constexpr std::size_t kDialRows = kPresets.size() + 2, kDialColumns = 30;
 constexpr std::int32_t kDials_px = kDialColumns * kGlyphAdvance_px;
 constexpr std::int32_t kTimes_px = kMargin_px + kDials_px + 6, kNames_px = 8 * kGlyphAdvance_px;
 constexpr std::int32_t kLongestBar_px = 15;

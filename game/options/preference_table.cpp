@@ -108,7 +108,7 @@ void add_accuracy(Rows& rows) {
     std::vector<std::string_view> presets;
     for (const Preset preset : kPresets) presets.emplace_back(name_of(preset));
     rows.push_back(one_of(
-        {"accuracy", "Accuracy", "preset of all dials, named by the year whose machines could afford it",
+        {"accuracy", "Accuracy", "preset of all dials: what games of a year did, or a bound of the error",
          PreferencePage::Accuracy, "{accuracy}"},
         presets, [](const Preferences& of) { return static_cast<int>(of.preset); },
         [](Preferences& of, int value) {

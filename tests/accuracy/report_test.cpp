@@ -71,7 +71,7 @@ void expect_every_dial_and_tier(const Json& json) {
         EXPECT_EQ(tier["error"]["unit"], "pixels");
         expect_setting(tier);
     }
-    EXPECT_EQ(names, (std::vector<std::string>{"1991", "1994", "1996", "bounded", "exact"}));
+    EXPECT_EQ(names, (std::vector<std::string>{"1991", "1994", "1996", "pixel", "bounded", "exact"}));
 }
 
 /// What is counted or compared, without times.
@@ -116,7 +116,7 @@ TEST(AccuracyPage, HasTheReportInItWhateverItsNamesAre) {
 TEST(Configurations, AreAllDialsAloneAroundTheDefaultAndThePresets) {
     const Configurations all = make_configurations(all_dials());
     EXPECT_EQ(all.accuracies[all.default_index], Accuracy{});
-    EXPECT_EQ(all.presets.size(), 5u);
+    EXPECT_EQ(all.presets.size(), kPresets.size());
     for (const Configurations::DialRows& rows : all.dials)
         for (std::size_t i = 0; i < rows.rows.size(); ++i) {
             Accuracy expected;

@@ -49,4 +49,11 @@ inline std::unique_ptr<ObservedWorkspace> counting_workspace(const Stage& stage)
     return work;
 }
 
+/// The places of entities that are in the open.
+inline std::vector<Vec3<World>> open_origins(const Level& level) {
+    std::vector<Vec3<World>> points = entity_origins(level);
+    std::erase_if(points, [&](const Vec3<World>& p) { return !is_open(level, p); });
+    return points;
+}
+
 }  // namespace oblong::test

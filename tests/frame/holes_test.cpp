@@ -14,13 +14,6 @@ namespace oblong::test {
 
 namespace {
 
-/// Those that are in the open.
-std::vector<Vec3<World>> open_origins(const Level& level) {
-    std::vector<Vec3<World>> points = entity_origins(level);
-    std::erase_if(points, [&](const Vec3<World>& p) { return !is_open(level, p); });
-    return points;
-}
-
 Vec3<World> box_point(const LevelBox& box, const std::array<std::int32_t, 3>& parts_of_16) {
     const auto at = [&](std::size_t axis) {
         const std::int64_t low = std::int64_t{box.mins[axis]} * 4096, high = std::int64_t{box.maxs[axis]} * 4096;
@@ -128,8 +121,7 @@ TEST_P(RealHoles, HardCaseV12_NoneFromCornersOfLeaves) {
 TEST_P(RealHoles, NoneInAnyModeOrTier) {
     for (const ScreenMode mode : {ScreenMode{640, 400, {4, 3}}, ScreenMode{1280, 800, {16, 10}},
                                   ScreenMode{4096, 200, {4, 3}}, ScreenMode{61, 47, {4, 3}}})
-        for (const Preset preset :
-             {Preset::Year1991, Preset::Year1994, Preset::Year1996, Preset::Bounded, Preset::Exact}) {
+        for (const Preset preset : kPresets) {
             SCOPED_TRACE(std::to_string(mode.width_px) + " wide, " + std::string(name_of(preset)));
             Stage stage = real_stage(GetParam(), mode);
             stage.settings.accuracy = accuracy_of(preset);

@@ -46,7 +46,7 @@ class LabMeasure : public testing::Test {
     void round(const Accuracy& now, const Accuracy& before) {
         Settings settings;
         settings.accuracy = now;
-        for (int turn = 0; turn < 11; ++turn)
+        for (int turn = 0; turn < static_cast<int>(kPresets.size()) + 6; ++turn)
             measures_.measure(view(), settings, before, *renderer_, *meter_, data_.palette);
     }
     ErrorSummary errors_of(const Accuracy& accuracy) {

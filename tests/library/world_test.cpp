@@ -243,7 +243,7 @@ TEST(Library, ErrorsOfArgumentsNameThem) {
     EXPECT_EQ(said([&] { save_picture("a.png", empty.canvas(), palette); }),
               "a.png: image: 0 pixels of 0x0, expected all, and one or more a side");
     EXPECT_EQ(said([] { Hall().level.set_accuracy("2026"); }),
-              "accuracy: '2026', expected 1991, 1994, 1996, bounded or exact");
+              "accuracy: '2026', expected 1991, 1994, 1996, pixel, bounded or exact");
     EXPECT_EQ(said([&] { save_picture("a.bmp", empty.canvas(), palette); }),
               "a.bmp: name: expected one that ends in .png");
 }

@@ -9,6 +9,7 @@
 #include "engine/visibility/eye.h"
 #include "tests/frame/holes.h"
 #include "tests/support/folders.h"
+#include "tools/measure/costs.h"
 #include "tools/measure/texel_error.h"
 
 namespace oblong::test {
@@ -100,4 +101,42 @@ TEST(Bound, HoldsNextToWallsOfRealLevels) {
 }
 
 }  // namespace
+
+/// What frames all around from the level's open places cost in each currency, and their largest error, pixels.
+struct Measured {
+    std::array<double, kCurrencyCount> costs{};
+    double largest_px = 0;
+};
+
+Measured measure(MeasuredStage& measured, Preset preset, ObservedWorkspace& work) {
+    const Accuracy accuracy = measured.stage.settings.accuracy = accuracy_of(preset);
+    const std::vector<Vec3<World>> places = open_origins(measured.stage.level);
+    Measured sum;
+    for (std::size_t i = 0; i < places.size(); i += 4) {
+        const Camera camera{places[i], Angle::from_bam(static_cast<std::int32_t>(i * 9001 % 65536)), {}, {}};
+        sum.largest_px =
+            std::max<double>(sum.largest_px, largest_error(measured, camera, accuracy.pixel_bound_256, work));
+        work.count();
+        measured.stage.draw(camera, work);
+        const Events events = events_of(work.counts, accuracy);
+        for (std::size_t k = 0; k < kCurrencyCount; ++k) sum.costs[k] += cost_of(events, Currency(k));
+    }
+    return sum;
+}
+
+TEST(Bound, OfAPixelIsCheaperAndNearerThanDivisionsEvery16Pixels) {
+    OBLONG_NEEDS_SHARED_LEVELS();
+    for (const std::string name : kRealLevels) {
+        SCOPED_TRACE(name);
+        const std::filesystem::path bsp = find_shared_folder() / "levels" / (name + ".bsp");
+        MeasuredStage measured{real_stage(name), reference::read_level(read_file_bytes(bsp))};
+        ObservedWorkspace work(measured.stage.level, measured.stage.mode);
+        const Measured pixel = measure(measured, Preset::Pixel, work),
+                       of_1996 = measure(measured, Preset::Year1996, work);
+        EXPECT_LT(pixel.largest_px, 1 + kMeasuring_px);
+        EXPECT_GT(of_1996.largest_px, 1);
+        for (std::size_t i = 0; i < kCurrencyCount; ++i) EXPECT_LT(pixel.costs[i], 0.97 * of_1996.costs[i]) << i;
+    }
+}
+
 }  // namespace oblong::test

@@ -34,7 +34,7 @@ void declare(CommandArguments& line, Options& options) {
     line.add("--assets", options.assets, "folder of demo.bsp and palette.lmp (default: the project's)");
     line.add("--mode", options.mode, "pixels of a picture, WIDTHxHEIGHT from 160x100");
     line.add("--display", options.display, "shape of the display, WIDTH:HEIGHT");
-    line.add("--accuracy", options.preset, "1991, 1994, 1996, bounded or exact");
+    line.add("--accuracy", options.preset, std::string(kPresetNames));
     line.add("--dial", options.dials, "NAME=VALUE, on top of --accuracy; may be given several times (README)");
 }
 

@@ -54,7 +54,7 @@ void declare(CommandArguments& line, Options& options) {
     line.add("--view", options.view, kViewSyntax);
     line.add("--fov", options.field_of_view, "degrees across");
     line.add("--brightness", options.brightness, "of the light on surfaces, 0.25 to 8");
-    line.add("--accuracy", options.preset, "1991, 1994, 1996, bounded or exact");
+    line.add("--accuracy", options.preset, std::string(kPresetNames));
     line.add("--dial", options.dials, "NAME=VALUE, on top of --accuracy; may be given several times (README)");
     line.add("--texel-error", options.texel_error, "largest texture error on screen, pixels (default 0.375)");
     line.add("--effects", options.effects, "auto, none, or names: " + effect_names());

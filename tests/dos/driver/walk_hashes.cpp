@@ -34,11 +34,13 @@ void print_hashes(const std::string& assets, std::size_t ticks, const std::strin
     const LoadedLevel loaded(files);
     const Demo demo = read_parsed(assets + "/walk.demo", decode_demo);
     GameRenderer renderer(loaded.data, loaded.level, ScreenMode{}, nullptr);
+    Settings settings;
+    settings.accuracy = accuracy_of(Preset::Pixel);
     GameState state = start_of(loaded.level);
     for (std::size_t tick = 0; tick < ticks && tick < demo.ticks.size(); ++tick) {
         step(loaded.level, state, demo.ticks[tick].input);
         const InterpolatedState frame{state, state, 0};
-        renderer.draw({frame, camera_at(frame, {}, Degrees::from_int(90))}, Settings{});
+        renderer.draw({frame, camera_at(frame, {}, Degrees::from_int(90))}, settings);
         const Framebuffer canvas = renderer.canvas();
         Fnv1a hash;
         for (std::int32_t y = 0; y < canvas.height_px; ++y)

@@ -401,7 +401,7 @@ void Session::use_level() {
     const std::int32_t entity = below(8) == 0 ? number() : static_cast<std::int32_t>(below(entities.size())),
                        east = number(), north = number(), up = number();
     const bool is_there = entity >= 0 && entity < std::ssize(entities);
-    constexpr const char* kPresets[] = {"1991", "1994", "1996", "bounded", "exact", "", "none"};
+    constexpr const char* kPresets[] = {"1991", "1994", "1996", "pixel", "bounded", "exact", "", "none"};
     switch (below(6)) {
         case 0:
             if (accepts([&] { scene.move_entity(entity, east, north, up); })) moved_[entity] = {east, north, up};
