@@ -36,6 +36,7 @@ enum class Action : std::uint8_t {
     ProjectionAspect,
     DisplayAspect,
     AccuracyTier,
+    Machine,
     ScalingMode,
     FrameCost,
     LabPanel,

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "engine/accuracy/accuracy.h"
+#include "engine/costs/costs.h"
 #include "engine/view/views.h"
 #include "game/view/game_renderer.h"
-#include "tools/measure/costs.h"
 #include "tools/measure/texel_error.h"
 #include "tools/reference/level.h"
 

@@ -181,20 +181,13 @@ std::string describe_colours(const LabFigures& figures) {
 }
 
 std::string describe_cost(const Events& events) {
-    const auto cost = [&](Currency currency) {
-        return short_count(static_cast<std::int64_t>(cost_of(events, currency)));
-    };
-    return "Instructions: " + cost(Currency::Instructions) + " on x86-64, " + cost(Currency::Instructions486) +
-           " on a 486";
-}
-
-std::string describe_frame_rates(const Events& events) {
     const auto rate = [&](Processor processor) {
-        const double cycles = cycles_on(processor, events), frames = cycles > 0 ? frame_rate(processor, cycles) : 0;
+        const std::int64_t cycles = std::max<std::int64_t>(cycles_on(processor, events), 1);
+        const double frames = static_cast<double>(megahertz_of(processor)) * 1e6 / static_cast<double>(cycles);
         return with_decimals(frames, frames < 9.95 ? 1 : 0);
     };
-    return "Frames/s: 386/33 " + rate(Processor::I386) + ", 486/66 " + rate(Processor::I486) + ", Pentium/90 " +
-           rate(Processor::Pentium);
+    return short_count(cost_of(events, Currency::Instructions)) + " instructions; 386 " + rate(Processor::I386) +
+           ", 486 " + rate(Processor::I486) + ", P90 " + rate(Processor::Pentium) + " frames/s";
 }
 
 }  // namespace
@@ -224,10 +217,7 @@ std::int32_t draw_lab_panel(const LabOptions& options, const LabFigures& figures
         has_two_columns ? kDialColumns : as_size(std::max((width - 2 * kMargin_px) / kGlyphAdvance_px, 1));
     std::vector<std::string> texts{describe_errors(figures), describe_colours(figures)};
     if (!has_two_columns) texts.insert(texts.begin(), describe_times(figures, !is_short || width >= kTwoColumns_px));
-    if (!is_short) {
-        texts.push_back(describe_cost(figures.events));
-        texts.push_back(describe_frame_rates(figures.events));
-    }
+    if (!is_short) texts.push_back(describe_cost(figures.events));
     const std::int32_t most_px = panel_room_px(canvas, scale);
     const std::int32_t room_px =
         (is_short ? std::min(most_px, canvas.height_px / 3) : most_px) / scale - 2 * kMargin_px;

@@ -104,6 +104,18 @@ Preference dial_preference(const Dial& dial) {
     return row;
 }
 
+Preference machine_preference() {
+    constexpr int kToday = static_cast<int>(kProcessors.size());
+    return one_of(
+        {"machine", "Machine", "each picture stays as long as a 386/33, 486/66 or Pentium/90 takes for it",
+         PreferencePage::Accuracy, "{machine}"},
+        {"386", "486", "pentium", "today"},
+        [](const Preferences& of) { return of.machine ? static_cast<int>(*of.machine) : kToday; },
+        [](Preferences& of, int value) {
+            of.machine = value == kToday ? std::optional<Processor>() : static_cast<Processor>(value);
+        });
+}
+
 void add_accuracy(Rows& rows) {
     std::vector<std::string_view> presets;
     for (const Preset preset : kPresets) presets.emplace_back(name_of(preset));
@@ -115,6 +127,7 @@ void add_accuracy(Rows& rows) {
             of.preset = static_cast<Preset>(value);
             of.accuracy = accuracy_of(of.preset);
         }));
+    rows.push_back(machine_preference());
     for (const Dial& dial : all_dials()) rows.push_back(dial_preference(dial));
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/accuracy/accuracy.h"
+#include "engine/costs/costs.h"
 #include "engine/raster/kernels/kernels.h"
 #include "engine/scene/light_styles.h"
 #include "engine/view/present_rect.h"
@@ -110,6 +111,7 @@ struct Preferences : PicturePreferences,
                      SoundPreferences {
     Preset preset = Preset::Bounded;           ///< the last one chosen
     Accuracy accuracy;                         ///< the preset's dials, with later changes
+    std::optional<Processor> machine = {};     ///< for whose time each picture stays; none: it does not
     Bindings bindings = default_bindings();    ///< the inputs of each action
     const Kernels* kernels = &best_kernels();  ///< of the command line; not kept
 

@@ -42,6 +42,8 @@ class GameScreen {
     /// Draws the screen; behind a menu without text, maps and panels, which would mix with it. The canvas is valid, and
     /// may be drawn over, until the next call.
     virtual ShownPicture draw(bool is_behind_menu) = 0;
+    /// The platform's time up to which the last picture stays.
+    virtual std::uint64_t shows_until_us() const { return 0; }
     /// The colours of a menu over this screen.
     virtual const MenuLook& menu_look() const = 0;
 

@@ -122,12 +122,22 @@ void Program::show_frame() {
     screens_.follow();
     const WindowSize size = platform_.window_size();
     is_stale_ |= screens_.take_has_changed() || is_moving() || is_input(controls) || size != shown_size_;
-    if (is_stale_ && !controls.is_minimised) {
+    const std::int32_t left_ms = shown_for_ms();
+    if (is_stale_ && !controls.is_minimised && left_ms == 0) {
         shown_size_ = size;
         is_stale_ = false;
         return draw();
     }
-    is_stale_ |= platform_.wait_for_input(std::min(kLongestWait_ms, input_.longest_wait_ms()));
+    const std::int32_t longest_ms = std::min(kLongestWait_ms, input_.longest_wait_ms());
+    is_stale_ |= platform_.wait_for_input(left_ms == 0 ? longest_ms : std::min(left_ms, longest_ms));
+}
+
+// How long the picture of a slower machine still stays, at most a tick: the game goes on meanwhile. A menu is not its
+// work.
+std::int32_t Program::shown_for_ms() {
+    const std::uint64_t until_us = screens_.up().shows_until_us(), now_us = platform_.now_us();
+    if (screens_.menu().is_open() || until_us <= now_us) return 0;
+    return static_cast<std::int32_t>(std::min<std::uint64_t>((until_us - now_us + 999) / 1000, 1000 / kTicksPerSecond));
 }
 
 void Program::take(const Controls& controls) {

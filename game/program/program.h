@@ -28,6 +28,7 @@ class Program {
 
   private:
     void show_frame();
+    std::int32_t shown_for_ms();
     void take(const Controls& controls);
     void take_in_menu(const Controls& controls);
     void tell_of(const std::string& unsaved);

@@ -147,7 +147,7 @@ ShownPicture Session::draw_all(bool is_behind_menu) {
     const Preferences& preferences = view_options_.preferences;
     const GameView view = shown_view();
     const Settings settings = settings_of(preferences), drawn = overlays_.shown(settings, last_us_);
-    if (!std::exchange(has_drawn_, false) || overlays_.changes_picture()) renderer_->draw(view, drawn);
+    if (!std::exchange(has_drawn_, false) || overlays_.changes_picture()) draw_picture(view, drawn);
     PaletteEffects effects = palette_.effects_at(view, preferences.flashes, preferences.light(), preferences.has_dac6);
     if (is_behind_menu) effects.flash = {};  // it would brighten the menu
     overlays_.note(view, drawn, effects, last_us_, *renderer_);
@@ -164,6 +164,15 @@ ShownPicture Session::draw_all(bool is_behind_menu) {
                             settings_.sound ? settings_.sound->captions() : std::vector<std::string>(), messages_,
                             played_us_, menu_look_.veil, canvas);
     return {canvas, palette, shown_rect(preferences, platform_.window_size())};
+}
+
+// Counts what it draws if another machine's time is asked for.
+void Session::draw_picture(const GameView& view, const Settings& drawn) {
+    shows_until_us_ = last_us_;
+    const std::optional<Processor> machine = view_options_.preferences.machine;
+    if (!machine) return renderer_->draw(view, drawn);
+    const Events events = events_of(renderer_->draw_and_count(view, drawn), drawn.accuracy);
+    shows_until_us_ += static_cast<std::uint64_t>(cycles_on(*machine, events) / megahertz_of(*machine));
 }
 
 Thumbnail Session::thumbnail() {

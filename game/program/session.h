@@ -80,6 +80,7 @@ class Session final : public GameScreen {
     /// After the end of a level its last sounds play on.
     bool is_heard(bool is_behind_menu) const override { return !is_behind_menu || state().has_ended; }
     ShownPicture draw(bool is_behind_menu) override;
+    std::uint64_t shows_until_us() const override { return shows_until_us_; }
     const MenuLook& menu_look() const override { return menu_look_; }
     void open_page(Action command, MenuPages& pages) override;
     void open_due_page(MenuPages& pages) override;
@@ -104,6 +105,7 @@ class Session final : public GameScreen {
 
   private:
     ShownPicture draw_all(bool is_behind_menu);
+    void draw_picture(const GameView& view, const Settings& drawn);
     GameView shown_view() const;
     Palette palette_of(const GameView& view, const PaletteEffects& effects) const;
     void note_tick(const GameState& before, const GameState& after, const TickReport& report);
@@ -122,7 +124,8 @@ class Session final : public GameScreen {
     ShownOverlays overlays_;
     const MenuLook menu_look_;
     Messages messages_;
-    std::uint64_t last_us_;        // the platform's time up to which the game was played
+    std::uint64_t last_us_;  // the platform's time up to which the game was played
+    std::uint64_t shows_until_us_ = 0;
     std::uint64_t played_us_ = 0;  // since the session began, without pauses
     bool wants_screenshot_ = false;
     bool has_drawn_ = false;                // thumbnail() has drawn the picture of the next draw()

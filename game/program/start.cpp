@@ -70,6 +70,7 @@ void run_game(Options options, PreferencesStore& store, const char* called_as) {
     }
     ProgramFiles files = load_program_files(options, assets);
     files.watch = watch;
+    if (options.headless_frames > 0) options.preferences.machine.reset();  // a picture a tick
     const auto platform = open_platform(options);
     const OpenSound open_sound = options.headless_frames == 0 ? OpenSound(open_mixer) : OpenSound();
     Program(options, std::move(files), store, *platform, &workers, open_sound).run();

@@ -114,6 +114,9 @@ std::string apply(Action command, ViewOptions& options, WindowSize window) {
             preferences.preset = next_of(preferences.preset, kPresetCount);
             change_setting(accuracy_of(preferences.preset), options.lab, preferences.accuracy);
             return "{accuracy} Accuracy: " + std::string(name_of(preferences.preset));
+        case Action::Machine:
+            change("machine", 1, preferences);
+            return "{machine} Machine: " + std::string(preferences.machine ? name_of(*preferences.machine) : "today's");
         case Action::ScalingMode:
             preferences.scaling = next_of(preferences.scaling, kScalingCount);
             return describe_scaling(preferences, window);

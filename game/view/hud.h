@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,8 +40,9 @@ class FrameCost {
 
     /// Times one more rendering of the view that `renderer` has just drawn. Each half second it updates the text, for
     /// which it draws the same picture once more to count pixels.
+    /// `machine`: whose frames a second it tells instead of those shown, if any.
     void note(const GameView& view, const Settings& settings, const Palette& palette, const PaletteEffects& effects,
-              std::uint64_t now_us, GameRenderer& renderer);
+              std::optional<Processor> machine, std::uint64_t now_us, GameRenderer& renderer);
     const CostText& text() const { return text_; }
 
   private:

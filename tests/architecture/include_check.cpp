@@ -109,7 +109,7 @@ std::vector<Room> project_rooms(const std::string& root) {
         {{"game/dos", {"game/program"}},
          {"game/web", {"game/program"}},
          {"tools/reference", {}},
-         {"tools/measure", {"engine/frame", "engine/methods", "engine/platform", "engine/files", "tools/reference"}},
+         {"tools/measure", {"engine/costs", "engine/methods", "engine/platform", "engine/files", "tools/reference"}},
          {"tools/gallery", {"tools/measure"}},
          {"tools", {"tools/measure", "tools/gallery"}}});
     return rooms;

@@ -107,15 +107,15 @@ TEST_F(InputMapperTest, SticksMoveByHowFarTheyArePushed) {
 }
 
 TEST_F(InputMapperTest, ATriggerIsAButtonThatDoesNotFlutter) {
-    const Input trigger = input_named("Pad Right Trigger");
+    const Input trigger = input_named("Pad Left Trigger");
     mapper.move_axis(trigger, 16'000);
-    EXPECT_FALSE(mapper.take(0).moves.has(Action::Jump));
+    EXPECT_FALSE(mapper.take(0).moves.has(Action::WalkSlowly));
     mapper.move_axis(trigger, 17'000);
-    EXPECT_TRUE(mapper.take(0).moves.has(Action::Jump));
+    EXPECT_TRUE(mapper.take(0).moves.has(Action::WalkSlowly));
     mapper.move_axis(trigger, 15'000);  // a little back: still held
-    EXPECT_TRUE(mapper.take(0).moves.has(Action::Jump));
+    EXPECT_TRUE(mapper.take(0).moves.has(Action::WalkSlowly));
     mapper.move_axis(trigger, 12'000);
-    EXPECT_FALSE(mapper.take(0).moves.has(Action::Jump));
+    EXPECT_FALSE(mapper.take(0).moves.has(Action::WalkSlowly));
 }
 
 TEST_F(InputMapperTest, LettingGoOfAllEndsEverything) {

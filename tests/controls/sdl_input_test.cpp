@@ -201,12 +201,12 @@ TEST_F(SdlInputTest, AGentlePushOfTheOnlyPadActs) {
 TEST_F(SdlInputTest, TriggersAreButtons) {
     VirtualPad pad;
     poll();
-    pad.set(PadAxis::RightTrigger, INT16_MAX);
+    pad.set(PadAxis::LeftTrigger, INT16_MAX);
     Controls controls = poll();
-    EXPECT_TRUE(controls.moves.has(Action::Jump));
-    EXPECT_EQ(controls.pressed, input_named("Pad Right Trigger"));
-    pad.set(PadAxis::RightTrigger, INT16_MIN);
-    EXPECT_FALSE(poll().moves.has(Action::Jump));
+    EXPECT_TRUE(controls.moves.has(Action::WalkSlowly));
+    EXPECT_EQ(controls.pressed, input_named("Pad Left Trigger"));
+    pad.set(PadAxis::LeftTrigger, INT16_MIN);
+    EXPECT_FALSE(poll().moves.has(Action::WalkSlowly));
 }
 
 TEST_F(SdlInputTest, ThePadUsedLastActs) {

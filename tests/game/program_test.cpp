@@ -56,7 +56,7 @@ TEST_F(Program, AspectOptionsSetTheStart) {
 
 TEST_F(Program, AReplayShowsWhatWasRecorded) {
     ASSERT_EQ(run("--headless 60 --out live --record walk.demo"), 0) << error_;
-    ASSERT_EQ(run("--headless 60 --out again --replay walk.demo"), 0) << error_;
+    ASSERT_EQ(run("--headless 60 --out again --replay walk.demo --machine 386"), 0) << error_;
     for (const char* name : {"00000.png", "00030.png", "00059.png"})
         EXPECT_EQ(test::read_file_bytes(folder_ / "live" / name), test::read_file_bytes(folder_ / "again" / name))
             << name;

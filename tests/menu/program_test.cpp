@@ -284,9 +284,13 @@ class CountingPlatform final : public test::ScriptedPlatform {
         waited_us_ += static_cast<std::uint64_t>(timeout_ms) * 1000;
         return false;
     }
-    void present(Framebuffer, const Palette&, const PresentRect&) override { shown.push_back(polls_); }
+    void present(Framebuffer, const Palette&, const PresentRect&) override {
+        shown.push_back(polls_);
+        shown_us.push_back(now_us());
+    }
 
-    std::vector<std::int64_t> shown;  // the poll before each picture
+    std::vector<std::int64_t> shown;      // the poll before each picture
+    std::vector<std::uint64_t> shown_us;  // when
     std::vector<bool> captured;
 
   private:
@@ -302,6 +306,32 @@ TEST_F(ProgramOfTheDemo, NothingIsDrawnWhileNothingChanges) {
     for (const std::int64_t poll : platform.shown) paused += poll > 21 && poll <= 80;
     EXPECT_EQ(paused, 1) << "the row that was chosen";
     EXPECT_EQ(platform.captured, (std::vector<bool>{true, false, true}));
+}
+
+// In each of the first pictures the player stands at the start: all take the same time, that of a timed frame's events.
+TEST_F(ProgramOfTheDemo, APictureStaysForTheTimeOfItsMachine) {
+    const GameData data = load_game({"", "", assets_, ""});
+    const GameLevel level = make_game_level(data.level);
+    const GameState state = start_of(level);
+    const InterpolatedState shown{state, state};
+    GameRenderer renderer(data, level, ScreenMode{});
+    const Settings settings;
+    const GameView view{shown, camera_at(shown, {}, Degrees::from_int(90))};
+    renderer.draw(view, settings);
+    const Events events = events_of(renderer.draw_and_count(view, settings), settings.accuracy);
+    for (const Processor machine : kProcessors) {
+        CountingPlatform platform({});
+        Options options;
+        options.preferences.machine = machine;
+        play_on(platform, options);
+        ASSERT_GT(platform.shown_us.size(), 4u);
+        const std::int64_t wanted_us = cycles_on(machine, events) / megahertz_of(machine);
+        const auto first = static_cast<std::int64_t>(platform.shown_us[1]),
+                   last = static_cast<std::int64_t>(platform.shown_us.back()),
+                   found_us = (last - first) / (std::ssize(platform.shown_us) - 2);
+        EXPECT_GE(found_us, wanted_us * 97 / 100) << "lamps flicker";
+        EXPECT_LE(found_us, wanted_us * 103 / 100 + 2 * 28'572) << "two polls more, at most";
+    }
 }
 
 TEST_F(ProgramOfTheDemo, APageThatOpensByItselfIsDrawn) {

@@ -1,11 +1,11 @@
-"""Counts the instructions of frames, and fits prices of their events to them: tools/measure/prices.h.
+"""Counts the instructions of frames, and fits prices of their events to them: engine/costs/prices.h.
 
 Builds the engine with draw_frames (counter/) for an i486 and for x86-64, draws cameras of levels by the presets and by
 every setting of every dial, with surfaces built and unbuilt, under qemu-user with a plugin that counts instructions by
 mnemonic and operands, and finds the prices, none negative, with the least squares of relative errors. Cycles are of the
 i486 build's instructions by CYCLES.
 
-usage: costs.py fit SOURCE_DIR BUILD_DIR [LEVEL.bsp CAMERAS.csv PALETTE.lmp]...   writes SOURCE_DIR/tools/measure/prices.h
+usage: costs.py fit SOURCE_DIR BUILD_DIR [LEVEL.bsp CAMERAS.csv PALETTE.lmp]...   writes SOURCE_DIR/engine/costs/prices.h
        costs.py check SOURCE_DIR BUILD_DIR   fails if prices are off by more than prices.h says, on other frames
 Needs qemu-user, g++ for x86-64, g++-i686-linux-gnu, cmake, ninja; without them exits with 77.
 """
@@ -188,7 +188,7 @@ def write_prices(path, prices, errors):
     with open(path) as file:
         text = file.read()
     names = re.findall(r'\{"([^"]+)", \{', text)
-    rows = "".join(f'    {{"{name}", {{{numbers(row, ".1f")}}}}},\n' for name, row in zip(names, zip(*prices), strict=True))
+    rows = "".join(f'    {{"{name}", {{{numbers([10 * price for price in row], ".0f")}}}}},\n' for name, row in zip(names, zip(*prices), strict=True))
     lines = [f"//   {level:8} {setting:13} {numbers(errors[level, setting, kind], '+5.1f')}\n"
              for level, setting, kind in sorted(errors) if is_preset((level, setting, kind))]
     lines += [f"// presets, at most: {numbers(largest(value for key, value in errors.items() if is_preset(key)), '.1f')}\n",
@@ -203,7 +203,7 @@ def read_prices(path):
     """Prices by currency; the largest errors said beside them of presets and of any setting."""
     with open(path) as file:
         text = file.read()
-    rows = [list(map(float, row.split(","))) for row in re.findall(r'\{"[^"]+", \{(.*?)\}\}', text, re.S)]
+    rows = [[float(price) / 10 for price in row.split(",")] for row in re.findall(r'\{"[^"]+", \{(.*?)\}\}', text, re.S)]
     said = [list(map(float, row.split(","))) for row in re.findall(r"at most: (.*)", text)]
     return list(zip(*rows)), said
 
@@ -241,7 +241,7 @@ def main():
     if len(sys.argv) < 4 or sys.argv[1] not in ("fit", "check") or len(sys.argv) % 3 != 1 or (sys.argv[1] == "check" and len(sys.argv) > 4):
         sys.exit(__doc__)
     source, build = map(os.path.abspath, sys.argv[2:4])
-    path = f"{source}/tools/measure/prices.h"
+    path = f"{source}/engine/costs/prices.h"
     demo = f"{build}/assets/demo.bsp", f"{source}/assets/demo_cameras.csv", f"{build}/assets/palette.lmp"
     counter = Counter(source, build)
     if sys.argv[1] == "check":

@@ -101,8 +101,8 @@ std::vector<std::string> notes_on_presets(const Report& report) {
                 return item(result.errors, Measure::Displacement).rms;
             };
             if (error_of(theirs) >= error_of(mine) || !is_slower) continue;
-            const double cycles = cost_of(mine.cost.frame, Currency::Cycles486),
-                         other_cycles = cost_of(theirs.cost.frame, Currency::Cycles486);
+            const double cycles = mine.cost.of_drawing(Currency::Cycles486),
+                         other_cycles = theirs.cost.of_drawing(Currency::Cycles486);
             const std::string on_486 =
                 cycles < other_cycles ? "on a 486 the other would take " + percent_more(other_cycles, cycles) + " more"
                                       : "on a 486 it would take " + percent_more(cycles, other_cycles) + " more, too";

@@ -42,13 +42,14 @@ struct Preparation {
 
 CountedCost count_cost(const Accuracy& accuracy, std::span<const FrameJob> jobs) {
     CountedCost cost;
+    cost.frames = std::ssize(jobs);
     for (const FrameJob& job : jobs) {
         job.frames.forget_surfaces(accuracy);
         const Events unlit = events_of(job.frames.count(job.view(), accuracy), accuracy),
                      lit = events_of(job.frames.count(job.view(), accuracy), accuracy);
         for (std::size_t i = 0; i < kEventCount; ++i) {
-            cost.frame[i] += lit[i] / static_cast<double>(jobs.size());
-            cost.lighting[i] += (unlit[i] - lit[i]) / static_cast<double>(jobs.size());
+            cost.drawing[i] += lit[i];
+            cost.lighting[i] += unlit[i] - lit[i];
         }
     }
     return cost;
@@ -97,10 +98,9 @@ void add_frontier(std::span<const FrameJob> jobs, std::size_t most_trials, const
         WorstFrames worst;
         work.for_each(
             1, [&](std::size_t) { result = measure_setting(accuracy, true, some, some.back().level + 1, worst); });
-        const Events& frame = result.cost.frame;
         return Trial{accuracy,
                      item(result.errors, Measure::Displacement).rms,
-                     {cost_of(frame, Currency::Instructions), cost_of(frame, Currency::Cycles486)}};
+                     {result.cost.of_drawing(Currency::Instructions), result.cost.of_drawing(Currency::Cycles486)}};
     };
     for (const Accuracy& accuracy : search_frontier(measure, most_trials, kStep)) {
         const std::size_t index = index_of(accuracy, all);

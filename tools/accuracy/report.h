@@ -5,18 +5,23 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/costs/costs.h"
 #include "tools/accuracy/configurations.h"
 #include "tools/accuracy/errors.h"
 #include "tools/accuracy/frame_times.h"
 #include "tools/accuracy/measured_level.h"
-#include "tools/measure/costs.h"
 
 namespace oblong {
 
-/// The events of one setting's mean frame.
+/// The events of one setting's frames.
 struct CountedCost {
-    Events frame{};     ///< of one whose surfaces are lit already
-    Events lighting{};  ///< of building all its surfaces
+    Events drawing{};   ///< once their surfaces are lit
+    Events lighting{};  ///< of building all their surfaces
+    std::int64_t frames = 1;
+
+    /// Of the mean frame.
+    double of_drawing(Currency currency) const { return mean(cost_of(drawing, currency)); }
+    double mean(std::int64_t sum) const { return static_cast<double>(sum) / static_cast<double>(frames); }
 };
 
 struct SettingResult {

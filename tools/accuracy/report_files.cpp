@@ -37,14 +37,20 @@ Json errors_json(const ErrorSummaries& errors) {
     return json;
 }
 
-/// The events of a frame and their prices.
-void add_events(const Events& events, const std::string& prefix, Json& cost) {
+/// Frames a second.
+double frame_rate(Processor processor, const CountedCost& cost) {
+    return static_cast<double>(megahertz_of(processor)) * 1e6 / cost.mean(cycles_on(processor, cost.drawing));
+}
+
+/// The events of a mean frame and their prices.
+void add_events(const CountedCost& counted, const Events& events, const std::string& prefix, Json& cost) {
     Json& operations = cost[prefix + "operations"];
-    for (std::size_t i = 0; i < kEventCount; ++i) operations[std::string(event_name(i))] = std::round(events[i]);
+    for (std::size_t i = 0; i < kEventCount; ++i)
+        operations[std::string(event_name(i))] = std::round(counted.mean(events[i]));
     constexpr std::array<const char*, kCurrencyCount> kNames{"instructions", "instructions_486", "cycles_386",
                                                              "cycles_486", "cycles_pentium"};
     for (std::size_t i = 0; i < kCurrencyCount; ++i)
-        cost[prefix + kNames[i]] = std::round(cost_of(events, Currency(i)));
+        cost[prefix + kNames[i]] = std::round(counted.mean(cost_of(events, Currency(i))));
 }
 
 Json spread_json(const TimeSpread& times) {
@@ -62,12 +68,11 @@ void add_times(const SettingTimes& times, Json& cost) {
 Json cost_json(const Report& report, std::size_t index) {
     const CountedCost& counted = report.results[index].cost;
     Json cost;
-    add_events(counted.frame, "", cost);
-    add_events(counted.lighting, "lighting_", cost);
+    add_events(counted, counted.drawing, "", cost);
+    add_events(counted, counted.lighting, "lighting_", cost);
     constexpr std::array kNames{"386", "486", "pentium"};
     for (std::size_t i = 0; i < kProcessors.size(); ++i)
-        cost[std::string("frames_per_second_") + kNames[i]] =
-            rounded(frame_rate(kProcessors[i], cycles_on(kProcessors[i], counted.frame)));
+        cost[std::string("frames_per_second_") + kNames[i]] = rounded(frame_rate(kProcessors[i], counted));
     cost["nanoseconds"] = nullptr;
     if (report.times.settings[index]) add_times(*report.times.settings[index], cost);
     return cost;
@@ -197,8 +202,7 @@ std::string preset_table(const Report& report) {
         add(item(result.errors, Measure::Displacement).rms);
         add(item(result.errors, Measure::Displacement).max);
         add(item(result.errors, Measure::WrongPixels).rms);
-        for (const Processor processor : kProcessors)
-            add(frame_rate(processor, cycles_on(processor, result.cost.frame)));
+        for (const Processor processor : kProcessors) add(frame_rate(processor, result.cost));
         table += "\n";
     }
     return table;

@@ -7,13 +7,13 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "engine/costs/costs.h"
 #include "engine/files/arguments.h"
 #include "engine/files/files.h"
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
 #include "engine/level/bsp_read.h"
 #include "engine/scene/placed_models.h"
-#include "tools/measure/costs.h"
 #include "tools/render/camera_list.h"
 
 namespace {
@@ -58,7 +58,8 @@ class Drawing {
         draw(camera);
         getppid();
         std::printf("%s %s", name_.c_str(), name);
-        for (const double events : events_of(counts, settings_.accuracy)) std::printf(" %.0f", events);
+        for (const std::int64_t events : events_of(counts, settings_.accuracy))
+            std::printf(" %lld", static_cast<long long>(events));
         std::printf("\n");
     }
 

@@ -16,8 +16,8 @@ inline constexpr std::size_t kCurrencyCount = 5;
 
 inline constexpr std::size_t kEventCount = 34;
 
-/// The events of one frame or, as means, of several.
-using Events = std::array<double, kEventCount>;
+/// The events of one frame, or their sums of several.
+using Events = std::array<std::int64_t, kEventCount>;
 
 /// The priced events of a frame: counts of its stages, apart by the settings that do other work for them. The events of
 /// lit texels are those of surfaces that were not in the cache.
@@ -25,10 +25,9 @@ Events events_of(const FrameCounts& counts, const Accuracy& accuracy);
 /// "bounded blocks", "edge rows" ...
 std::string_view event_name(std::size_t event);
 
-/// What a frame of these events costs: the sum of the events' prices, which are fitted to counted instructions. How far
-/// they are off is said beside them (prices.h). What has no event of its own is in the price of what goes along with
-/// it.
-double cost_of(const Events& events, Currency currency);
+/// What these events cost: the sum of their prices, which are fitted to counted instructions. How far they are off is
+/// said beside them (prices.h). What has no event of its own is in the price of what goes along with it.
+std::int64_t cost_of(const Events& events, Currency currency);
 
 /// A processor of the time.
 enum class Processor { I386, I486, Pentium };
@@ -38,8 +37,8 @@ std::string_view name_of(Processor processor);
 
 /// Cycles by published times of the i486 build's instructions (tests/operations/costs.py), without waiting for memory
 /// or a Pentium's two pipelines.
-double cycles_on(Processor processor, const Events& events);
-/// Frames a second of that many cycles.
-double frame_rate(Processor processor, double cycles);
+std::int64_t cycles_on(Processor processor, const Events& events);
+/// Cycles a microsecond.
+std::int64_t megahertz_of(Processor processor);
 
 }  // namespace oblong

@@ -1,6 +1,6 @@
-#include "tools/measure/costs.h"
+#include "engine/costs/costs.h"
 
-#include "tools/measure/prices.h"
+#include "engine/costs/prices.h"
 
 namespace oblong {
 
@@ -8,7 +8,7 @@ namespace {
 
 struct Clock {
     std::string_view name;
-    double megahertz;
+    std::int64_t megahertz;
 };
 constexpr std::array<Clock, kProcessors.size()> kClocks{
     {{"386 at 33 MHz", 33}, {"486 at 66 MHz", 66}, {"Pentium at 90 MHz", 90}}};
@@ -16,7 +16,7 @@ constexpr std::array<Clock, kProcessors.size()> kClocks{
 /// The events in the order of kPrices.
 class EventList {
   public:
-    void add(std::int64_t count) { item(events_, size_++) = static_cast<double>(count); }
+    void add(std::int64_t count) { item(events_, size_++) = count; }
     void add_if(bool applies, std::int64_t count) { add(applies ? count : 0); }
     const Events& events() const { return events_; }
 
@@ -95,22 +95,22 @@ std::string_view event_name(std::size_t event) {
     return item(kPrices, event).event;
 }
 
-double cost_of(const Events& events, Currency currency) {
-    double cost = 0;
-    for (std::size_t i = 0; i < kEventCount; ++i) cost += events[i] * item(kPrices[i].prices, currency);
-    return cost;
+std::int64_t cost_of(const Events& events, Currency currency) {
+    std::int64_t cost_10 = 5;
+    for (std::size_t i = 0; i < kEventCount; ++i) cost_10 += events[i] * item(kPrices[i].prices_10, currency);
+    return cost_10 / 10;
 }
 
 std::string_view name_of(Processor processor) {
     return item(kClocks, processor).name;
 }
 
-double cycles_on(Processor processor, const Events& events) {
+std::int64_t cycles_on(Processor processor, const Events& events) {
     return cost_of(events, Currency(static_cast<int>(Currency::Cycles386) + static_cast<int>(processor)));
 }
 
-double frame_rate(Processor processor, double cycles) {
-    return item(kClocks, processor).megahertz * 1e6 / cycles;
+std::int64_t megahertz_of(Processor processor) {
+    return item(kClocks, processor).megahertz;
 }
 
 }  // namespace oblong

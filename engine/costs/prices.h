@@ -3,13 +3,13 @@
 #include <array>
 #include <string_view>
 
-#include "tools/measure/costs.h"
+#include "engine/costs/costs.h"
 
 namespace oblong {
 
 struct EventPrice {
     std::string_view event;
-    std::array<double, kCurrencyCount> prices;  ///< in the order of Currency
+    std::array<std::int32_t, kCurrencyCount> prices_10;  ///< tenths, in the order of Currency
 };
 
 // Prices and errors are written by `tests/operations/costs.py fit`. By how much the prices of a level's frames are off,
@@ -57,40 +57,40 @@ struct EventPrice {
 // presets, at most: 11.2, 9.4, 8.6, 9.8, 9.2
 // any setting, at most: 12.2, 12.6, 13.8, 17.7, 14.0
 inline constexpr std::array<EventPrice, kEventCount> kPrices{{
-    {"nodes", {432.2, 710.9, 3102.3, 1831.4, 1127.6}},
-    {"vertices", {255.8, 332.4, 1433.9, 777.2, 511.2}},
-    {"clipped corners", {630.6, 1227.2, 5070.4, 3137.8, 1919.4}},
-    {"stepped edge rows", {4.3, 6.2, 37.1, 19.8, 16.4}},
-    {"spans", {47.8, 0.0, 212.1, 169.0, 104.8}},
-    {"surfaces", {4375.8, 7840.6, 29095.8, 15886.2, 10548.7}},
-    {"mip spans", {88.5, 411.9, 1702.5, 1091.6, 710.9}},
-    {"exact spans", {238.2, 618.7, 3161.8, 2166.3, 1205.7}},
-    {"affine blocks", {55.3, 96.5, 439.0, 204.7, 169.1}},
-    {"even blocks", {76.2, 142.2, 573.5, 282.7, 216.2}},
-    {"bounded blocks", {74.1, 145.6, 641.6, 337.6, 239.8}},
-    {"texel-bounded blocks", {202.3, 394.0, 1755.9, 1056.3, 684.4}},
-    {"exact blocks", {76.2, 110.6, 427.5, 198.8, 158.1}},
-    {"odd blocks", {41.8, 100.9, 391.9, 231.9, 153.0}},
-    {"divisions", {24.0, 39.8, 245.2, 192.7, 146.8}},
-    {"table lookups", {38.4, 71.2, 286.3, 169.6, 121.9}},
-    {"Newton steps", {6.9, 13.9, 92.8, 93.0, 42.1}},
-    {"second Newton steps", {10.0, 45.8, 236.6, 200.1, 111.0}},
-    {"textured pixels", {3.3, 6.2, 28.1, 9.8, 9.4}},
-    {"divided pixels", {18.2, 52.4, 272.2, 199.5, 106.8}},
-    {"exact pixels", {13.6, 38.6, 199.5, 142.8, 77.8}},
-    {"shared divisions", {45.4, 133.4, 694.2, 507.5, 328.9}},
-    {"sky directions", {189.3, 894.0, 3612.8, 2200.4, 1487.1}},
-    {"liquid pixels", {4.2, 9.9, 31.5, 14.2, 10.8}},
-    {"translucent pixels", {28.6, 29.0, 97.0, 32.5, 30.9}},
-    {"pixels of moving lights", {5.0, 8.2, 34.5, 19.1, 13.9}},
-    {"fogged pixels", {76.6, 185.5, 769.3, 458.0, 299.4}},
-    {"sprite pixels", {155.5, 295.9, 1244.6, 709.1, 453.6}},
-    {"mirrored pixels", {41.3, 61.0, 255.5, 146.5, 94.0}},
-    {"underwater pixels", {2.1, 4.7, 16.3, 8.3, 5.4}},
-    {"particles", {1040.3, 1813.5, 9080.8, 6144.6, 3522.2}},
-    {"lit texels", {7.4, 12.8, 44.9, 19.4, 16.7}},
-    {"nearest lit texels", {4.4, 6.7, 24.1, 10.3, 9.1}},
-    {"dithered texels", {7.4, 6.1, 28.3, 16.7, 9.3}},
+    {"nodes", {4322, 7109, 31023, 18314, 11276}},
+    {"vertices", {2558, 3324, 14339, 7772, 5112}},
+    {"clipped corners", {6306, 12272, 50704, 31378, 19194}},
+    {"stepped edge rows", {43, 62, 371, 198, 164}},
+    {"spans", {478, 0, 2121, 1690, 1048}},
+    {"surfaces", {43758, 78406, 290958, 158862, 105487}},
+    {"mip spans", {885, 4119, 17025, 10916, 7109}},
+    {"exact spans", {2382, 6187, 31618, 21663, 12057}},
+    {"affine blocks", {553, 965, 4390, 2047, 1691}},
+    {"even blocks", {762, 1422, 5735, 2827, 2162}},
+    {"bounded blocks", {741, 1456, 6416, 3376, 2398}},
+    {"texel-bounded blocks", {2023, 3940, 17559, 10563, 6844}},
+    {"exact blocks", {762, 1106, 4275, 1988, 1581}},
+    {"odd blocks", {418, 1009, 3919, 2319, 1530}},
+    {"divisions", {240, 398, 2452, 1927, 1468}},
+    {"table lookups", {384, 712, 2863, 1696, 1219}},
+    {"Newton steps", {69, 139, 928, 930, 421}},
+    {"second Newton steps", {100, 458, 2366, 2001, 1110}},
+    {"textured pixels", {33, 62, 281, 98, 94}},
+    {"divided pixels", {182, 524, 2722, 1995, 1068}},
+    {"exact pixels", {136, 386, 1995, 1428, 778}},
+    {"shared divisions", {454, 1334, 6942, 5075, 3289}},
+    {"sky directions", {1893, 8940, 36128, 22004, 14871}},
+    {"liquid pixels", {42, 99, 315, 142, 108}},
+    {"translucent pixels", {286, 290, 970, 325, 309}},
+    {"pixels of moving lights", {50, 82, 345, 191, 139}},
+    {"fogged pixels", {766, 1855, 7693, 4580, 2994}},
+    {"sprite pixels", {1555, 2959, 12446, 7091, 4536}},
+    {"mirrored pixels", {413, 610, 2555, 1465, 940}},
+    {"underwater pixels", {21, 47, 163, 83, 54}},
+    {"particles", {10403, 18135, 90808, 61446, 35222}},
+    {"lit texels", {74, 128, 449, 194, 167}},
+    {"nearest lit texels", {44, 67, 241, 103, 91}},
+    {"dithered texels", {74, 61, 283, 167, 93}},
 }};
 
 }  // namespace oblong

@@ -1,4 +1,4 @@
-#include "tools/measure/costs.h"
+#include "engine/costs/costs.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace oblong::test {
 namespace {
 
 /// The number of a frame's events with this name.
-double events_named(std::string_view name, const FrameCounts& counts, const Accuracy& accuracy) {
+std::int64_t events_named(std::string_view name, const FrameCounts& counts, const Accuracy& accuracy) {
     const Events events = events_of(counts, accuracy);
     for (std::size_t i = 0; i < kEventCount; ++i)
         if (event_name(i) == name) return events[i];
@@ -55,8 +55,8 @@ TEST(Costs, EachEventHasANameAndAPrice) {
     for (std::size_t i = 0; i < kEventCount; ++i) {
         EXPECT_TRUE(names.insert(event_name(i)).second) << event_name(i);
         Events one{};
-        one[i] = 1;
-        double sum = 0;  // one price may be none: that of what goes along with it has it then
+        one[i] = 10;
+        std::int64_t sum = 0;  // one price may be none: that of what goes along with it has it then
         for (std::size_t k = 0; k < kCurrencyCount; ++k) {
             EXPECT_GE(cost_of(one, Currency(k)), 0) << event_name(i);
             sum += cost_of(one, Currency(k));
@@ -71,9 +71,9 @@ TEST(Costs, EventsAreApartByTheSettingsThatDoOtherWorkForThem) {
     for (const std::int32_t texturing : {0, 1, 2, 3, 4, 5, 6}) {
         Accuracy accuracy;
         accuracy.texturing = Texturing(texturing);
-        double blocks = 0;
+        std::int64_t blocks = 0;
         for (const char* kind : {"affine", "even", "bounded", "texel-bounded", "exact"}) {
-            const double events = events_named(std::string(kind) + " blocks", counts, accuracy);
+            const std::int64_t events = events_named(std::string(kind) + " blocks", counts, accuracy);
             EXPECT_TRUE(events == 0 || blocks == 0) << kind;
             blocks += events;
         }
