@@ -48,6 +48,16 @@ inline constexpr std::array kUps{KeyValue{"y", "y"}, KeyValue{"z", "z"}};
 inline constexpr std::array kShadings{KeyValue{"flat", "one colour per triangle"},
                                       KeyValue{"gouraud", "interpolated between corners"},
                                       KeyValue{"phong", "a normal per pixel"}};
+inline constexpr std::array kPresetValues{KeyValue{"1991", ""},  KeyValue{"1994", ""},    KeyValue{"1996", ""},
+                                          KeyValue{"pixel", ""}, KeyValue{"bounded", ""}, KeyValue{"exact", ""}};
+inline constexpr std::array kProjectionValues{KeyValue{"square", ""}, KeyValue{"display", ""}};
+inline constexpr std::array kDisplayValues{KeyValue{"display", ""}, KeyValue{"square", ""}, KeyValue{"fill", ""}};
+inline constexpr std::array kOffOn{KeyValue{"off", ""}, KeyValue{"on", ""}};
+inline constexpr std::array kWireframeValues{KeyValue{"off", ""}, KeyValue{"over", ""}, KeyValue{"alone", ""}};
+inline constexpr std::array kZoomValues{
+    KeyValue{"off", ""}, KeyValue{"10", ""},  KeyValue{"20", ""}, KeyValue{"30", ""}, KeyValue{"40", ""},
+    KeyValue{"50", ""},  KeyValue{"60", ""},  KeyValue{"70", ""}, KeyValue{"80", ""}, KeyValue{"90", ""},
+    KeyValue{"100", ""}, KeyValue{"110", ""}, KeyValue{"120", ""}};
 inline constexpr std::array kNoYes{KeyValue{"0", "no"}, KeyValue{"1", "yes"}};
 
 inline constexpr std::array kSkillFlags{
@@ -224,6 +234,22 @@ inline constexpr std::array kTriggerMultiple{
     number("wait", "0.2", "seconds until it can fire again"),
     EntityKey{"sounds", Whole, "", kNoEffect},
     flags(kTriggerFlags),
+};
+inline constexpr EntityKey kViewWait = number("wait", "-1", "seconds until it can fire again; -1: never");
+inline constexpr std::array kView{
+    number("cone", "10", "degrees that the look may be off `angle` or `angles`"),
+    EntityKey{"accuracy", Choice, "", "a preset", kPresetValues},
+    EntityKey{"projection", Choice, "", "pixels that the picture is drawn for", kProjectionValues},
+    EntityKey{"display", Choice, "", "shape in the window", kDisplayValues},
+    EntityKey{"isometric", Choice, "", "the isometric view", kOffOn},
+    EntityKey{"wireframe", Choice, "", "edges of faces", kWireframeValues},
+    EntityKey{"zoom", Choice, "", "degrees of the zoom against dolly", kZoomValues},
+    kViewWait,
+};
+inline constexpr std::array kBudget{
+    number("least", "", "thousands of a 486's cycles"),
+    number("most", "", "likewise"),
+    kViewWait,
 };
 inline constexpr std::array kCounter{
     number("count", "2", "number of activations"),

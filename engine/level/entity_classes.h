@@ -78,6 +78,7 @@ enum class ClassRole : std::uint8_t {
     TriggerTeleport,
     TriggerPush,
     TriggerExit,
+    TriggerView,
     OtherTrigger,
     Lightning,
     Lens,

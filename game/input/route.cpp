@@ -13,8 +13,8 @@
 namespace oblong {
 namespace {
 
-constexpr std::string_view kHeader = "x,y,z,speed,wait,yaw,pitch,jump";
-constexpr std::size_t kColumns = 8;
+constexpr std::string_view kHeader = "x,y,z,speed,wait,yaw,pitch,jump", kViewColumn = ",view";
+constexpr std::size_t kColumns = 8;  // of numbers
 constexpr std::int64_t kPatience_ticks = 40 * kTicksPerSecond;
 constexpr std::int32_t kWaypointReach = 16, kReachInPassing = 40;  // world units from a waypoint
 constexpr World kLongestMotion = World::from_int(100);             // in a tick: more is a teleporter
@@ -37,9 +37,7 @@ std::int32_t whole_number(const std::string& field, std::size_t line) {
     return static_cast<std::int32_t>(*number);
 }
 
-Fields fields_of(const std::string& text, std::size_t line) {
-    const std::vector<std::string> texts = split(text, ",");
-    if (texts.size() != kColumns) throw InputError(at_line(line), std::to_string(texts.size()) + " fields, expected 8");
+Fields fields_of(const std::vector<std::string>& texts, std::size_t line) {
     Fields fields;
     for (std::size_t column = 0; column < kColumns; ++column)
         if (!texts[column].empty()) fields[column] = whole_number(texts[column], line);
@@ -54,12 +52,33 @@ std::int32_t in_range(std::optional<std::int32_t> value, std::int32_t otherwise,
                      std::string(what) + " is " + std::to_string(number) + ", expected 0 to " + std::to_string(most));
 }
 
+// "accuracy=1991 work=900", on top of the waypoint before.
+void turn_dials(std::string_view text, Waypoint& waypoint) {
+    for (std::string_view word = take_word(text); !word.empty(); word = take_word(text)) {
+        const std::size_t equals = std::min(word.find('='), word.size());
+        const std::string_view key = word.substr(0, equals), value = word.substr(std::min(equals + 1, word.size()));
+        bool is_known = key == "work";
+        if (is_known)
+            waypoint.work = static_cast<std::uint16_t>(
+                in_range(whole_number(std::string(value), waypoint.line), 0, 32'767, "work", waypoint.line));
+        for (std::size_t i = 0; i < kViewDials; ++i) {
+            const std::optional<std::uint8_t> turned = value_named(all_view_dials()[i], value);
+            if (all_view_dials()[i].key != key || !turned) continue;
+            waypoint.view[i] = *turned;
+            is_known = true;
+        }
+        if (!is_known)
+            throw InputError(at_line(waypoint.line),
+                             "'" + std::string(word) + "', expected a dial of trigger_view or work=NUMBER");
+    }
+}
+
 std::int32_t bam_of(std::int32_t degrees) {
     return static_cast<std::int32_t>(std::int64_t{degrees} * 65'536 / 360);
 }
 
-Waypoint waypoint_of(const std::string& text, std::size_t line) {
-    const Fields fields = fields_of(text, line);
+Waypoint waypoint_of(const std::vector<std::string>& texts, std::size_t line) {
+    const Fields fields = fields_of(texts, line);
     const auto& [x, y, z, speed, wait, yaw, pitch, jump] = fields;
     if (!x || !y) throw InputError(at_line(line), "no x or no y, expected both");
     Waypoint waypoint;
@@ -104,10 +123,25 @@ std::vector<Waypoint> parse_route(std::span<const std::uint8_t> bytes) {
     std::string text = plain_text({bytes.begin(), bytes.end()});
     std::erase(text, '\r');
     const std::vector<std::string> lines = split(text, "\n");
-    if (lines[0] != kHeader) throw InputError(at_line(1), "'" + lines[0] + "', expected " + std::string(kHeader));
+    const bool has_view = lines[0] == std::string(kHeader) + std::string(kViewColumn);
+    if (!has_view && lines[0] != kHeader)
+        throw InputError(at_line(1), "'" + lines[0] + "', expected " + std::string(kHeader) + " and perhaps ,view");
+    const std::size_t columns = kColumns + has_view;
     std::vector<Waypoint> route;
-    for (std::size_t i = 1; i < lines.size(); ++i)
-        if (!lines[i].empty()) route.push_back(waypoint_of(lines[i], i + 1));
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+        if (lines[i].empty()) continue;
+        const std::vector<std::string> texts = split(lines[i], ",");
+        if (texts.size() != columns)
+            throw InputError(at_line(i + 1),
+                             std::to_string(texts.size()) + " fields, expected " + std::to_string(columns));
+        Waypoint waypoint = waypoint_of(texts, i + 1);
+        if (!route.empty()) {
+            waypoint.view = route.back().view;
+            waypoint.work = route.back().work;
+        }
+        if (has_view) turn_dials(texts.back(), waypoint);
+        route.push_back(waypoint);
+    }
     if (route.empty()) throw InputError(at_line(2), "no waypoint, expected at least one");
     return route;
 }
@@ -146,7 +180,10 @@ TickInput RouteWalker::next(const GameState& state) {
         if (is_over()) return {};
     }
     const Waypoint& goal = waypoint();
+    const Waypoint& shown = is_there_ || at_ == 0 ? goal : route_[at_ - 1];
     TickInput input;
+    input.view = shown.view;
+    input.work = shown.work;
     Angle wanted = goal.yaw.value_or(player.yaw);
     if (!is_there_) {
         wanted = arctangent2(World::from_int(goal.y) - player.position.y, World::from_int(goal.x) - player.position.x);

@@ -21,12 +21,15 @@ struct Waypoint {
     std::optional<Angle> yaw;                ///< the view during the stay; none: unchanged
     std::int32_t pitch = 0;                  ///< on the way and during the stay, 65,536 to the circle, down positive
     bool jumps = false;                      ///< at the start of the way
+    ViewDials view = kUsualView;             ///< during the stay, and from then on
+    std::uint16_t work = 0;                  ///< likewise: TickInput::work, as a route draws nothing
     std::size_t line = 0;                    ///< of the file
 };
 
-/// Parses a CSV file. Its first line is "x,y,z,speed,wait,yaw,pitch,jump"; the lines below are whole numbers: world
-/// units, percent of full speed (default 50), tenths of a second (0), degrees, 1 for a jump; all but x and y may be
-/// empty. Throws InputError that names the line.
+/// Parses a CSV file. Its first line is "x,y,z,speed,wait,yaw,pitch,jump", perhaps with ",view"; the lines below are
+/// whole numbers: world units, percent of full speed (default 50), tenths of a second (0), degrees, 1 for a jump; then
+/// dials that are turned during the stay, as "accuracy=1991 work=900". All but x and y may be empty. Throws InputError
+/// that names the line.
 std::vector<Waypoint> parse_route(std::span<const std::uint8_t> bytes);
 
 /// Makes the input of a visitor who walks from waypoint to waypoint (a teleporter on the way is one), turns smoothly at

@@ -38,6 +38,11 @@ class LiveInput {
   public:
     void use(const Steering& steering) { steering_ = steering; }
     void gather(const Controls& controls);
+    /// How the pictures are drawn from now on, and the work of the last one.
+    void note_view(const ViewDials& view, std::uint16_t work) {
+        view_ = view;
+        work_ = work;
+    }
     TickInput next();
 
     /// The turn to add to the angles of the last tick, `fraction_16` (65,536: a whole tick) after it.
@@ -49,6 +54,8 @@ class LiveInput {
     Steering steering_;
     Moves held_, held_before_, tapped_;  // now, at the last tick, at any time since that
     Stick walk_stick_, look_stick_;
+    ViewDials view_ = kUsualView;
+    std::uint16_t work_ = 0;
     bool wants_respawn_ = false;
     std::int32_t mouse_yaw_ = 0, mouse_pitch_ = 0;
     std::int32_t rest_yaw_100_ = 0, rest_pitch_100_ = 0;  // of the mouse: below one unit of the angles, in hundredths
@@ -64,12 +71,15 @@ class TickInputSource {
 
     void use(const Steering& steering) { live_.use(steering); }
     void gather(const Controls& controls) { live_.gather(controls); }
+    void note_view(const ViewDials& view, std::uint16_t work) { live_.note_view(view, work); }
 
     /// Moves the state by a tick. Throws InputError if a replayed tick leads to another state than the recorded one.
     TickReport play_tick(const GameLevel& level, GameState& state);
 
     LookOffset look_offset(std::int32_t fraction_16) const;
     bool is_replaying() const { return replayed_ && next_ < replayed_->ticks.size(); }
+    /// How the replayed demo's last tick was drawn; null without one.
+    const ViewDials* replayed_view() const { return was_replayed_ ? &last_.view : nullptr; }
     bool records() const { return records_; }
     const Demo& recorded() const { return recorded_; }
 

@@ -63,10 +63,19 @@ void Session::advance(const Controls& controls, std::uint64_t now_us) {
     overlays_.drag(held);
     ticks_.input().use(view_options_.preferences);
     ticks_.input().gather(held);
+    ticks_.input().note_view(view_dials_of(view_options_), work_);
     ticks_.advance(elapsed_us, view_options_.preferences.game_speed_100,
                    [this](const GameState& before, const GameState& after, const TickReport& report) {
                        note_tick(before, after, report);
+                       follow_demo();
                    });
+}
+
+// A replay shows what its player saw; a title's, what this one chose.
+void Session::follow_demo() {
+    const ViewDials* const replayed = ticks_.input().replayed_view();
+    if (settings_.kind == SessionKind::Replay && replayed)
+        follow_view(std::exchange(replayed_view_, *replayed), *replayed, view_options_);
 }
 
 bool Session::captures_mouse() const {
@@ -166,13 +175,16 @@ ShownPicture Session::draw_all(bool is_behind_menu) {
     return {canvas, palette, shown_rect(preferences, platform_.window_size())};
 }
 
-// Counts what it draws if another machine's time is asked for.
+// Counts what it draws if the player or the level asks for its time.
 void Session::draw_picture(const GameView& view, const Settings& drawn) {
     shows_until_us_ = last_us_;
     const std::optional<Processor> machine = view_options_.preferences.machine;
-    if (!machine) return renderer_->draw(view, drawn);
+    const bool counts_work = loaded_->level.counts_work;
+    if (!machine && !counts_work) return renderer_->draw(view, drawn);
     const Events events = events_of(renderer_->draw_and_count(view, drawn), drawn.accuracy);
-    shows_until_us_ += static_cast<std::uint64_t>(cycles_on(*machine, events) / megahertz_of(*machine));
+    if (counts_work)
+        work_ = static_cast<std::uint16_t>(std::min<std::int64_t>(cycles_on(Processor::I486, events) / 1000, 0xffff));
+    if (machine) shows_until_us_ += static_cast<std::uint64_t>(cycles_on(*machine, events) / megahertz_of(*machine));
 }
 
 Thumbnail Session::thumbnail() {

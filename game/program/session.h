@@ -106,6 +106,7 @@ class Session final : public GameScreen {
   private:
     ShownPicture draw_all(bool is_behind_menu);
     void draw_picture(const GameView& view, const Settings& drawn);
+    void follow_demo();
     GameView shown_view() const;
     Palette palette_of(const GameView& view, const PaletteEffects& effects) const;
     void note_tick(const GameState& before, const GameState& after, const TickReport& report);
@@ -126,7 +127,9 @@ class Session final : public GameScreen {
     Messages messages_;
     std::uint64_t last_us_;  // the platform's time up to which the game was played
     std::uint64_t shows_until_us_ = 0;
-    std::uint64_t played_us_ = 0;  // since the session began, without pauses
+    std::uint16_t work_ = 0;                // of the last picture: TickInput::work
+    ViewDials replayed_view_ = kUsualView;  // of the replay's last tick
+    std::uint64_t played_us_ = 0;           // since the session began, without pauses
     bool wants_screenshot_ = false;
     bool has_drawn_ = false;                // thumbnail() has drawn the picture of the next draw()
     std::set<std::string_view> warned_of_;  // kinds of work left by ticks

@@ -77,6 +77,34 @@ std::string change(const std::string& name, int steps, Preferences& preferences)
 
 }  // namespace
 
+ViewDials view_dials_of(const ViewOptions& options) {
+    const Preferences& preferences = options.preferences;
+    const bool is_preset = preferences.accuracy == accuracy_of(preferences.preset);
+    const auto number = [](auto value) { return static_cast<std::uint8_t>(value); };
+    return {number(is_preset ? static_cast<int>(preferences.preset) : kPresetCount),
+            number(preferences.corrects_projection),
+            number(preferences.shown_as),
+            number(options.is_isometric),
+            number(options.wireframe),
+            number(options.zoom_degrees / kZoomStep)};
+}
+
+void follow_view(const ViewDials& before, const ViewDials& after, ViewOptions& options) {
+    Preferences& preferences = options.preferences;
+    const auto if_turned = [&](ViewDialKind kind, auto turn) {
+        if (item(after, kind) != item(before, kind)) turn(item(after, kind));
+    };
+    if_turned(ViewDialKind::Accuracy, [&](int value) {
+        if (value < kPresetCount) preferences.preset = static_cast<Preset>(value);
+        preferences.accuracy = accuracy_of(preferences.preset);
+    });
+    if_turned(ViewDialKind::Projection, [&](int value) { preferences.corrects_projection = value != 0; });
+    if_turned(ViewDialKind::Display, [&](int value) { preferences.shown_as = static_cast<ShownAs>(value); });
+    if_turned(ViewDialKind::Isometric, [&](int value) { options.is_isometric = value != 0; });
+    if_turned(ViewDialKind::Wireframe, [&](int value) { options.wireframe = static_cast<Wireframe>(value); });
+    if_turned(ViewDialKind::Zoom, [&](int value) { options.zoom_degrees = value * kZoomStep; });
+}
+
 Settings settings_of(const Preferences& preferences) {
     Settings settings;
     settings.accuracy = preferences.accuracy;

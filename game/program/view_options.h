@@ -36,6 +36,11 @@ struct ViewOptions : Overlays {
     KeyNames key_names(const Platform& platform) const { return {preferences.bindings, platform, uses_pad}; }
 };
 
+/// What a level can ask for of the options.
+ViewDials view_dials_of(const ViewOptions& options);
+/// Turns those dials that the player of a demo turned between two ticks.
+void follow_view(const ViewDials& before, const ViewDials& after, ViewOptions& options);
+
 Settings settings_of(const Preferences& preferences);
 WindowSettings window_settings_of(const WindowPreferences& preferences);
 /// Where and how a window shows the picture.

@@ -11,8 +11,12 @@ namespace oblong {
 namespace {
 
 constexpr std::string_view kDemoMagic = "OBLGDEMO";
-constexpr std::uint32_t kDemoVersion = 1;
-constexpr std::size_t kDemoHeaderBytes = 28, kTickBytes = 15;
+constexpr std::uint32_t kDemoVersion = 2;  // 1: without view and work
+constexpr std::size_t kDemoHeaderBytes = 28, kBytesOfView = kViewDials + 2;
+
+std::size_t tick_bytes(std::uint32_t version) {
+    return version == 1 ? 15 : 15 + kBytesOfView;
+}
 
 void check_magic(std::span<const std::uint8_t> bytes) {
     expect_at(0, bytes.size() >= kDemoHeaderBytes,
@@ -20,16 +24,27 @@ void check_magic(std::span<const std::uint8_t> bytes) {
     expect_at(0, std::equal(kDemoMagic.begin(), kDemoMagic.end(), bytes.begin()), "no demo: expected 'OBLGDEMO'");
 }
 
-std::uint32_t read_header(LittleEndianReader& reader, Demo& demo) {
-    const auto version = reader.next<std::uint32_t>();
-    expect_at(8, version == kDemoVersion, "version " + std::to_string(version) + ", expected 1");
+std::uint32_t read_header(LittleEndianReader& reader, std::uint32_t& version, Demo& demo) {
+    version = reader.next<std::uint32_t>();
+    expect_at(8, version == 1 || version == kDemoVersion, "version " + std::to_string(version) + ", expected 1 or 2");
     const auto rate = reader.next<std::uint32_t>();
     expect_at(12, rate == kTicksPerSecond, std::to_string(rate) + " ticks a second, expected 35");
     demo.start_hash = reader.next<std::uint64_t>();
     return reader.next<std::uint32_t>();
 }
 
-DemoTick read_tick(LittleEndianReader& reader) {
+void read_view(LittleEndianReader& reader, TickInput& input) {
+    for (std::size_t i = 0; i < kViewDials; ++i) {
+        const std::size_t count = all_view_dials()[i].values.size();
+        input.view[i] = reader.next<std::uint8_t>();
+        expect_at(reader.offset() - 1, input.view[i] < count,
+                  std::to_string(input.view[i]) + " for " + std::string(all_view_dials()[i].key) + ", expected 0 to " +
+                      std::to_string(count - 1));
+    }
+    input.work = reader.next<std::uint16_t>();
+}
+
+DemoTick read_tick(LittleEndianReader& reader, std::uint32_t version) {
     DemoTick tick;
     tick.input.forward = reader.next<std::int8_t>();
     tick.input.right = reader.next<std::int8_t>();
@@ -40,6 +55,7 @@ DemoTick read_tick(LittleEndianReader& reader) {
     tick.input.buttons = reader.next<std::uint8_t>();
     expect_at(reader.offset() - 1, (tick.input.buttons & ~(kJumpButton | kRespawnButton)) == 0,
               "unknown buttons, expected 0 to 3");
+    if (version != 1) read_view(reader, tick.input);
     tick.state_hash = reader.next<std::uint64_t>();
     return tick;
 }
@@ -62,6 +78,8 @@ std::vector<std::uint8_t> encode_demo(const Demo& demo) {
         append_little_endian(bytes, tick.input.yaw);
         append_little_endian(bytes, tick.input.pitch);
         append_little_endian(bytes, tick.input.buttons);
+        bytes.insert(bytes.end(), tick.input.view.begin(), tick.input.view.end());
+        append_little_endian(bytes, tick.input.work);
         append_little_endian(bytes, tick.state_hash);
     }
     return bytes;
@@ -71,13 +89,15 @@ Demo decode_demo(std::span<const std::uint8_t> bytes) {
     check_magic(bytes);
     Demo demo;
     LittleEndianReader reader(bytes, kDemoMagic.size());
-    const std::uint32_t count = read_header(reader, demo);
+    std::uint32_t version = 0;
+    const std::uint32_t count = read_header(reader, version, demo);
     const std::size_t there = bytes.size() - kDemoHeaderBytes;
-    expect_at(
-        24, there == std::uint64_t{count} * kTickBytes,
-        std::to_string(count) + " ticks announced, expected 15 bytes for each, " + std::to_string(there) + " follow");
+    const std::size_t each = tick_bytes(version);
+    expect_at(24, there == std::uint64_t{count} * each,
+              std::to_string(count) + " ticks announced, expected " + std::to_string(each) + " bytes for each, " +
+                  std::to_string(there) + " follow");
     demo.ticks.reserve(count);
-    for (std::uint32_t i = 0; i < count; ++i) demo.ticks.push_back(read_tick(reader));
+    for (std::uint32_t i = 0; i < count; ++i) demo.ticks.push_back(read_tick(reader, version));
     return demo;
 }
 

@@ -27,8 +27,9 @@ struct Demo {
 /// What a demo that begins in this state is known by. `rules_hash`: of the game's rules (GameDefinition).
 std::uint64_t start_hash_of(const GameState& start, std::uint64_t rules_hash);
 
-/// The file, little-endian: "OBLGDEMO", version (u32: 1), ticks a second (u32: 35), start hash (u64), number of ticks
-/// (u32), and for each tick forward, right (i8), yaw, pitch (i16), buttons (u8), state hash (u64).
+/// The file, little-endian: "OBLGDEMO", version (u32: 2), ticks a second (u32: 35), start hash (u64), number of ticks
+/// (u32), and for each tick forward, right (i8), yaw, pitch (i16), buttons (u8), view (6 u8), work (u16; version 1 has
+/// neither), state hash (u64).
 std::vector<std::uint8_t> encode_demo(const Demo& demo);
 
 /// Parses such bytes. Throws InputError unless they are a whole demo.

@@ -67,6 +67,7 @@ std::optional<TriggerKind> trigger_kind(ClassRole role) {
         case ClassRole::TriggerMultiple:
         case ClassRole::TriggerSecret:
         case ClassRole::TriggerOnlyRegistered:
+        case ClassRole::TriggerView:
             return TriggerKind::Multiple;
         case ClassRole::TriggerRelay:
             return TriggerKind::Relay;
@@ -87,10 +88,33 @@ std::optional<TriggerKind> trigger_kind(ClassRole role) {
     }
 }
 
+// Keys with values that no dial has are left out; the compiler has warned of them.
+ViewCondition view_condition_of(const Entity& entity) {
+    ViewCondition condition;
+    if (has_direction(entity)) condition.direction = direction_of(entity);
+    condition.least_cosine = cosine(degrees_to_angle(convert<Degrees>(number_of(entity, "cone", 180))));
+    for (std::size_t i = 0; i < kViewDials; ++i) {
+        const ViewDial& dial = all_view_dials()[i];
+        condition.dials[i] = value_named(dial, entity.value(std::string(dial.key)));
+    }
+    const auto work = [&](const char* key, std::int32_t otherwise) {
+        const std::int32_t number = floor_of(number_of(entity, key));
+        return static_cast<std::uint16_t>(number > 0 ? std::min(number, 0xffff) : otherwise);
+    };
+    condition.least_work = work("least", 0);
+    condition.most_work = work("most", ViewCondition::kNoLimit);
+    return condition;
+}
+
 void read_multiple(const Entity& entity, ClassRole role, Trigger& trigger) {
     trigger.is_secret = role == ClassRole::TriggerSecret;
-    trigger.wait_ticks = role == ClassRole::TriggerMultiple ? ticks_of(entity, "wait") : kForever;
+    const bool fires_again = role == ClassRole::TriggerMultiple || role == ClassRole::TriggerView;
+    trigger.wait_ticks = fires_again ? ticks_of(entity, "wait") : kForever;
     if (role == ClassRole::TriggerOnlyRegistered) return;
+    if (role == ClassRole::TriggerView) {
+        trigger.view = view_condition_of(entity);
+        return;
+    }
     if (has_flag(entity, kNotTouched))
         trigger.box.reset();
     else if (is_shot(entity))

@@ -11,6 +11,7 @@
 #include "game/simulation/box_tree.h"
 #include "game/simulation/geometry.h"
 #include "game/simulation/state.h"
+#include "game/simulation/view_dials.h"
 
 namespace oblong {
 
@@ -100,19 +101,31 @@ enum class TriggerKind : std::uint8_t {
     Lightning,   ///< Chthon's: see entity_specs.h
 };
 
+/// What a trigger_view or trigger_budget asks of the player's picture.
+struct ViewCondition {
+    std::optional<Vec3<Unit>> direction;  ///< to look in
+    Unit least_cosine;                    ///< of the angle between it and the look
+    std::array<std::optional<std::uint8_t>, kViewDials> dials;
+    std::uint16_t least_work = 0, most_work = kNoLimit;  ///< TickInput::work
+
+    static constexpr std::uint16_t kNoLimit = 0xffff;
+    bool asks_for_work() const { return least_work != 0 || most_work != kNoLimit; }
+};
+
 /// A volume that affects a player who enters it, or a trigger without a volume, which can only be activated.
 struct Trigger {
     TriggerKind kind = TriggerKind::Multiple;
     std::size_t entity = 0;  ///< into Level::entities
     std::optional<Box> box;  ///< none: it can't be touched
     Firing fires;
-    std::int32_t wait_ticks = 0;       ///< between two firings; kForever: it fires once
-    std::int32_t count = 0;            ///< a counter's, or the strokes of lightning
-    std::optional<Vec3<Unit>> facing;  ///< fires only if the player looks this way, within a quarter turn
-    bool is_secret = false;            ///< counts in Progress::found_secrets
-    bool is_quiet = false;             ///< a counter that doesn't say how many are left
-    bool needs_activation = false;     ///< a teleporter that works for 0.2 s after it was activated
-    Place place;                       ///< of a teleporter's exit, or a checkpoint
+    std::int32_t wait_ticks = 0;        ///< between two firings; kForever: it fires once
+    std::int32_t count = 0;             ///< a counter's, or the strokes of lightning
+    std::optional<Vec3<Unit>> facing;   ///< fires only if the player looks this way, within a quarter turn
+    std::optional<ViewCondition> view;  ///< fires only if it holds
+    bool is_secret = false;             ///< counts in Progress::found_secrets
+    bool is_quiet = false;              ///< a counter that doesn't say how many are left
+    bool needs_activation = false;      ///< a teleporter that works for 0.2 s after it was activated
+    Place place;                        ///< of a teleporter's exit, or a checkpoint
     Velocity push;
     std::string next_map;                   ///< where an exit leads, as "e1m2"; may be empty
     std::vector<std::uint32_t> electrodes;  ///< of lightning: movers
@@ -161,8 +174,9 @@ struct GameLevel {
     std::uint64_t dark_styles = 0;               ///< GameState::dark_styles at the start
     std::vector<std::uint32_t> solid_walls;      ///< into `walls`
     LevelBoxes boxes;
-    Place start;           ///< the player's
-    LensNames lens_names;  ///< make_game_level() leaves them as they are
+    Place start;               ///< the player's
+    bool counts_work = false;  ///< some trigger asks for TickInput::work
+    LensNames lens_names;      ///< make_game_level() leaves them as they are
 
     const Target& target(TargetIndex index) const { return item(targets, index); }
     const SubModel& model(ModelIndex index) const { return bsp->models[index]; }

@@ -35,7 +35,7 @@ TickReport step(const GameLevel& level, GameState& state, const TickInput& input
     respawn_outside(state);
     touch_movers(level, state, activations);
     touch_items(level, state, activations);
-    touch_triggers(level, state, activations);
+    touch_triggers(level, state, input, activations);
     activations.end_tick();
     end_tick_of_movers(state);
     return activations.report();

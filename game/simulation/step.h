@@ -42,7 +42,7 @@ void touch_movers(const GameLevel& level, GameState& state, Activations& activat
 void touch_items(const GameLevel& level, GameState& state, Activations& activations);
 
 /// Handles the triggers that the player is in.
-void touch_triggers(const GameLevel& level, GameState& state, Activations& activations);
+void touch_triggers(const GameLevel& level, GameState& state, const TickInput& input, Activations& activations);
 
 // How Activations activate one entity.
 

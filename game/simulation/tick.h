@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "game/simulation/view_dials.h"
+
 namespace oblong {
 
 /// The rate of the simulation; frames are drawn at any rate.
@@ -16,6 +18,8 @@ struct TickInput {
     std::int16_t yaw = 0;      ///< turn in this tick, 65,536 to the circle, to the left positive
     std::int16_t pitch = 0;    ///< likewise, down positive
     std::uint8_t buttons = 0;  ///< kJumpButton, kRespawnButton; other bits are 0
+    ViewDials view = kUsualView;
+    std::uint16_t work = 0;  ///< of the picture before: thousands of a 486's cycles, where the level has a use for it
 
     bool operator==(const TickInput&) const = default;
 };

@@ -50,10 +50,33 @@ void strike(const GameLevel& level, GameState& state, std::uint32_t i, Activatio
     if (--state.triggers[i].left == 0) activations.fire(trigger_ref(i));
 }
 
+Vec3<Unit> look_of(const Player& player) {
+    const Angle pitch = Angle::from_bam(player.pitch);
+    const auto along = [&](Unit part) { return convert<Unit>(widening_product(cosine(pitch), part)); };
+    return {along(cosine(player.yaw)), along(sine(player.yaw)), -sine(pitch)};
+}
+
+Unit cosine_between(const Vec3<Unit>& a, const Vec3<Unit>& b) {
+    const auto part = [](Unit x, Unit y) { return convert<Unit>(widening_product(x, y)); };
+    return part(a.x, b.x) + part(a.y, b.y) + part(a.z, b.z);
+}
+
 bool looks_along(const Player& player, const Vec3<Unit>& direction) {
     const World ahead = times(times(World::from_int(1), cosine(player.yaw)), direction.x) +
                         times(times(World::from_int(1), sine(player.yaw)), direction.y);
     return ahead >= World{};
+}
+
+bool meets(const ViewCondition& wanted, const Player& player, const TickInput& input) {
+    for (std::size_t i = 0; i < kViewDials; ++i)
+        if (wanted.dials[i].value_or(input.view[i]) != input.view[i]) return false;
+    if (input.work < wanted.least_work || input.work > wanted.most_work) return false;
+    return !wanted.direction || cosine_between(*wanted.direction, look_of(player)) >= wanted.least_cosine;
+}
+
+bool may_fire(const Trigger& trigger, const Player& player, const TickInput& input) {
+    return (!trigger.facing || looks_along(player, *trigger.facing)) &&
+           (!trigger.view || meets(*trigger.view, player, input));
 }
 
 void teleport(GameState& state, const Place& exit) {
@@ -77,12 +100,12 @@ void push(const Trigger& trigger, GameState& state, std::uint32_t i) {
 }
 
 // True if the player was teleported.
-bool touch(const GameLevel& level, GameState& state, std::uint32_t i, Activations& activations) {
+bool touch(const GameLevel& level, GameState& state, const TickInput& input, std::uint32_t i,
+           Activations& activations) {
     const Trigger& trigger = level.triggers[i];
     switch (trigger.kind) {
         case TriggerKind::Multiple:
-            if (!trigger.facing || looks_along(state.player, *trigger.facing))
-                fire_unless_waiting(trigger, state, i, activations);
+            if (may_fire(trigger, state.player, input)) fire_unless_waiting(trigger, state, i, activations);
             return false;
         case TriggerKind::Teleport:
             if (trigger.needs_activation && state.tick >= state.triggers[i].open_until) return false;
@@ -110,7 +133,7 @@ bool touch(const GameLevel& level, GameState& state, std::uint32_t i, Activation
 }  // namespace
 
 // In their order. After a teleport, those at the old place are skipped.
-void touch_triggers(const GameLevel& level, GameState& state, Activations& activations) {
+void touch_triggers(const GameLevel& level, GameState& state, const TickInput& input, Activations& activations) {
     std::uint32_t first = 0;
     std::int32_t teleports = 0;
     for (bool is_moved = true; is_moved && teleports <= TickReport::kMostTeleports; ++teleports) {
@@ -120,7 +143,7 @@ void touch_triggers(const GameLevel& level, GameState& state, Activations& activ
              activations.touched(level.boxes.triggers, player, state.backlog.next_trigger_box)) {
             if (i < first || is_gone(state.triggers[i]) || !level.triggers[i].box->overlaps(player)) continue;
             first = i + 1;
-            is_moved = touch(level, state, i, activations);
+            is_moved = touch(level, state, input, i, activations);
             if (state.has_ended) return;
             if (!is_moved) continue;
             state.backlog.next_trigger_box = 0;

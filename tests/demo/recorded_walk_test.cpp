@@ -160,6 +160,22 @@ TEST(Route, IsReadFromACsvFile) {
     EXPECT_EQ(route[2].yaw, Angle::from_bam(8 * 65536 / 360)) << "after 91 turns";
 }
 
+TEST(Route, TurnsDialsFromAPlaceOn) {
+    const auto route = route_of(
+        "x,y,z,speed,wait,yaw,pitch,jump,view\n1,2,,,,,,,\n3,4,,,5,,,,accuracy=1991 work=900\n5,6,,,,,,,zoom=40\n");
+    EXPECT_EQ(route[0].view, kUsualView);
+    EXPECT_EQ(route[1].view, (ViewDials{0, 1, 0, 0, 0, 0}));
+    EXPECT_EQ(route[2].view, (ViewDials{0, 1, 0, 0, 0, 4}));
+    EXPECT_EQ(route[0].work, 0);
+    EXPECT_EQ(route[2].work, 900);
+    for (const char* wrong : {"accuracy=1992", "isometric", "work=-1", "work=32768", "mip=none"})
+        EXPECT_NE(test::refusal([&] {
+                      route_of("x,y,z,speed,wait,yaw,pitch,jump,view\n1,2,,,,,,," + std::string(wrong) + "\n");
+                  }).find("line 2"),
+                  std::string::npos)
+            << wrong;
+}
+
 TEST(Route, NamesTheLineThatIsWrong) {
     const std::string header = "x,y,z,speed,wait,yaw,pitch,jump\n";
     const auto error_of = [](const std::string& text) { return test::refusal([&] { route_of(text); }); };

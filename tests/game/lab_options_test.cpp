@@ -171,5 +171,31 @@ TEST(ErrorMap, ColoursByBandAndBrightness) {
     }
 }
 
+TEST(ViewDials, FollowEachOptionThatALevelCanAskFor) {
+    EXPECT_EQ(view_dials_of({}), kUsualView);
+    for (const Preset preset : kPresets)
+        EXPECT_EQ(value_named(all_view_dials()[0], name_of(preset)), static_cast<std::uint8_t>(preset));
+    const std::vector<std::pair<Action, ViewDials>> presses{{Action::AccuracyTier, {5, 1, 0, 0, 0, 0}},
+                                                            {Action::AccuracyTier, {0, 1, 0, 0, 0, 0}},
+                                                            {Action::ProjectionAspect, {0, 0, 0, 0, 0, 0}},
+                                                            {Action::DisplayAspect, {0, 0, 1, 0, 0, 0}},
+                                                            {Action::Isometric, {0, 0, 1, 1, 0, 0}},
+                                                            {Action::Wireframe, {0, 0, 1, 1, 1, 0}},
+                                                            {Action::ZoomIn, {0, 0, 1, 0, 1, 8}}};
+    ViewOptions options, followed;
+    for (const auto& [command, wanted] : presses) {
+        const ViewDials before = view_dials_of(options);
+        press(command, options);
+        EXPECT_EQ(view_dials_of(options), wanted);
+        follow_view(before, wanted, followed);
+        EXPECT_EQ(view_dials_of(followed), wanted);
+    }
+    followed.zoom_degrees = 0;  // the player turns it off during a replay, whose own zoom stays
+    follow_view(presses.back().second, presses.back().second, followed);
+    EXPECT_EQ(followed.zoom_degrees, 0);
+    options.preferences.accuracy.shades = 16;
+    EXPECT_EQ(view_dials_of(options)[0], 6) << "no preset";
+}
+
 }  // namespace
 }  // namespace oblong::test::lab_options_test

@@ -251,18 +251,26 @@ class Run {
   private:
     void act(const Words& words, const std::vector<Words>& checks) {
         const auto number = [&](std::size_t i) { return i < words.size() ? std::stoi(words[i]) : 0; };
-        const auto input = [&](std::size_t i) { return i < words.size() ? kInputs.at(words[i]) : kStand; };
+        const auto input = [&](std::size_t i) {
+            TickInput chosen = i < words.size() ? kInputs.at(words[i]) : kStand;
+            chosen.view = picture_.view;
+            chosen.work = picture_.work;
+            return chosen;
+        };
         const std::string& verb = words[0];
         if (verb == "at" || verb == "stand") game_.put_at(number(1), number(2), number(3));
         if (verb == "stand")
-            game_.play(1, kStand);
+            game_.play(1, input(words.size()));
+        else if (verb == "picture")
+            for (std::size_t i = 1; i < words.size(); ++i) draw_by(words[i]);
         else if (verb == "wait")
             game_.wait(number(1));
         else if (verb == "play")
             game_.play(number(1), input(2));
-        else if (verb == "look")
+        else if (verb == "look") {
             game_.state.player.yaw = degrees_to_angle(Degrees::from_int(number(1)));
-        else if (verb == "activate")
+            game_.state.player.pitch = number(2) * 65'536 / 360;
+        } else if (verb == "activate")
             Activations(game_.level, game_.state).activate({EntityRef::Kind::Mover, which(words)});
         else if (verb == "untouchable")
             game_.level.movers.at(which(words)).touch.box.reset();
@@ -273,6 +281,14 @@ class Run {
             }
         else if (verb != "at")
             throw std::invalid_argument("no such verb: " + verb);
+    }
+    /// "accuracy=1991" or "work=900".
+    void draw_by(const std::string& word) {
+        const std::size_t equals = word.find('=');
+        const std::string key = word.substr(0, equals), value = word.substr(equals + 1);
+        if (key == "work") picture_.work = static_cast<std::uint16_t>(std::stoi(value));
+        for (std::size_t i = 0; i < kViewDials; ++i)
+            if (all_view_dials()[i].key == key) picture_.view[i] = value_named(all_view_dials()[i], value).value();
     }
     static std::uint32_t which(const Words& words) { return static_cast<std::uint32_t>(std::stoul(words.at(1))); }
 
@@ -319,6 +335,7 @@ class Run {
     }
 
     LogicGame game_;
+    TickInput picture_;  ///< its view and work
     int checks_ = 0;
 };
 

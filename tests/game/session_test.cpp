@@ -42,13 +42,14 @@ class SessionOfTheDemo : public testing::Test {
             const ShownPicture picture = session.draw(false);
             platform.present(picture.canvas, picture.palette, picture.rect);
         }
-        demo_ = encode_demo(session.input().recorded());
+        demo_ = session.input().recorded();
+        for (DemoTick& tick : demo_.ticks) tick.input.view = kUsualView;
         return pictures;
     }
 
     const std::shared_ptr<const LoadedLevel> loaded_ =
         std::make_shared<const LoadedLevel>(LevelFiles{"", "", test::build_folder() + "/assets", ""});
-    std::vector<std::uint8_t> demo_;
+    Demo demo_;  ///< but for how its pictures were drawn
 };
 
 constexpr Action kPanel = Action::LabPanel, kMap = Action::ErrorMap, kSplit = Action::SplitView,
@@ -71,7 +72,7 @@ class WatchedSession : public SessionOfTheDemo, public testing::WithParamInterfa
 TEST_P(WatchedSession, LeavesNoTraceInTheGame) {
     const auto& [name, plain_presses, watched_presses, until] = GetParam();
     const std::vector<Picture> plain = play(plain_presses);
-    const std::vector<std::uint8_t> plain_demo = demo_;
+    const Demo plain_demo = demo_;
     const std::vector<Picture> watched = play(watched_presses);
     EXPECT_EQ(demo_, plain_demo);
     ASSERT_EQ(watched.size(), plain.size());
@@ -126,7 +127,7 @@ TEST_F(SessionOfTheDemo, MapAndEdgesAreOnBothSidesOfASplitPicture) {
 
 TEST_F(SessionOfTheDemo, ArrowsWalkUnlessTheLabIsOpen) {
     play({});
-    const std::vector<std::uint8_t> walked = demo_;
+    const Demo walked = demo_;
     play({}, true);
     EXPECT_EQ(demo_, walked);
     play({{0, {kPanel}}}, true);

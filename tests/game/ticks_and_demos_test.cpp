@@ -143,7 +143,26 @@ TEST(Demo, FileComesBackAsItWas) {
     const Demo demo = record(100);
     EXPECT_EQ(decode_demo(encode_demo(demo)), demo);
     EXPECT_EQ(decode_demo(encode_demo({})), Demo{});
-    EXPECT_EQ(encode_demo(demo).size(), 28u + 100 * 15);
+    EXPECT_EQ(encode_demo(demo).size(), 28u + 100 * 23);
+}
+
+TEST(Demo, TheFirstVersionHasNoViewAndNoWork) {
+    Demo demo = record(3);
+    demo.ticks[1].input.view = {6, 0, 2, 1, 2, 12};
+    demo.ticks[2].input.work = 65'535;
+    std::vector<std::uint8_t> bytes = encode_demo(demo);
+    EXPECT_EQ(decode_demo(bytes), demo);
+    constexpr std::ptrdiff_t kHead = 28, kBefore = 7, kView = 8, kTick = 23;
+    for (std::ptrdiff_t tick = 2; tick >= 0; --tick) {
+        const auto view = bytes.begin() + kHead + tick * kTick + kBefore;
+        bytes.erase(view, view + kView);
+    }
+    bytes[8] = 1;
+    for (DemoTick& tick : demo.ticks) {
+        tick.input.view = kUsualView;
+        tick.input.work = 0;
+    }
+    EXPECT_EQ(decode_demo(bytes), demo);
 }
 
 TEST(Demo, EveryTruncationIsRefused) {
@@ -163,11 +182,12 @@ TEST(Demo, BadFieldsAreRefusedWithTheirOffset) {
         return place_of_refusal([&] { decode_demo(bad); });
     };
     EXPECT_EQ(where(0, 'X'), "offset 0");
-    EXPECT_EQ(where(8, 2), "offset 8");       // version
+    EXPECT_EQ(where(8, 3), "offset 8");       // version
     EXPECT_EQ(where(12, 70), "offset 12");    // ticks a second
     EXPECT_EQ(where(27, 0xff), "offset 24");  // four thousand million ticks
     EXPECT_EQ(where(28, 0x80), "offset 28");  // a speed of -128
     EXPECT_EQ(where(34, 0x80), "offset 34");  // an unknown button
+    EXPECT_EQ(where(35, 7), "offset 35");     // an accuracy beyond "other"
 }
 
 }  // namespace

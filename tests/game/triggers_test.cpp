@@ -57,6 +57,33 @@ constexpr test::Scenario kTriggers[] = {
         look 322; stand 120 0: counted = 0
         look 141; stand 120 0: counted = 1
     )"},
+    {"ViewFiresForWhoLooksItsWay", R"(
+        + trigger_view 100 -50 0 150 50 64 angles="20 90 0" cone=10 wait=0.2 target=count
+        + trigger_counter targetname=count count=100
+        look 90 5; stand 120 0: counted = 0
+        look 102 20; stand 120 0: counted = 0     # 12 * cos 20 = 11.3 degrees off
+        look 270 20; stand 120 0: counted = 0
+        look 99 20; stand 120 0: counted = 1
+        look 90 29; wait 10; stand 120 0: counted = 2
+    )"},
+    {"ViewFiresOnceForThePictureOfItsDials", R"(
+        + trigger_view 100 -50 0 150 50 64 accuracy=1991 isometric=on target=count
+        + trigger_counter targetname=count count=100
+        picture accuracy=1991; stand 120 0: counted = 0
+        picture accuracy=bounded isometric=on; stand 120 0: counted = 0
+        picture accuracy=1991 wireframe=over zoom=40; stand 300 0: counted = 0
+        stand 120 0: counted = 1
+        play 40: counted = 1
+    )"},
+    {"BudgetFiresWhileThePictureIsCheapEnough", R"(
+        + trigger_budget 100 -50 0 150 50 64 least=100 most=900 wait=0.2 target=count
+        + trigger_counter targetname=count count=100
+        picture work=901; stand 120 0: counted = 0
+        picture work=99; stand 120 0: counted = 0
+        picture work=900; stand 120 0: counted = 1
+        picture work=5000; play 40: counted = 1
+        picture work=100; play 8: counted = 3
+    )"},
     {"OnlyregisteredAlwaysFiresAndKeepsItsMessage", R"(
         + trigger_onlyregistered 100 -50 0 150 50 64 message="Buy it" target=count
         + trigger_counter targetname=count count=100
