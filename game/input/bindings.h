@@ -36,6 +36,7 @@ enum class Action : std::uint8_t {
     ProjectionAspect,
     DisplayAspect,
     AccuracyTier,
+    Exhibit,  ///< turns the dial that the place asks for
     Machine,
     ScalingMode,
     FrameCost,

@@ -96,9 +96,16 @@ void Session::open_due_page(MenuPages& pages) {
 void Session::handle_commands(const Controls& controls) {
     for (const Action command : controls.commands) {
         wants_screenshot_ |= command == Action::Screenshot;
-        const std::string message = apply(command, view_options_, platform_.window_size());
+        const std::string message =
+            apply(command == Action::Exhibit ? action_here() : command, view_options_, platform_.window_size());
         if (!message.empty()) show(message);
     }
+}
+
+Action Session::action_here() const {
+    constexpr std::array kActions{Action::AccuracyTier, Action::ProjectionAspect, Action::DisplayAspect,
+                                  Action::Isometric,    Action::Wireframe,        Action::ZoomIn};
+    return item(kActions, asked_dial(loaded_->level, state()).value_or(ViewDialKind::Accuracy));
 }
 
 void Session::note_tick(const GameState& before, const GameState& after, const TickReport& report) {
@@ -166,6 +173,7 @@ ShownPicture Session::draw_all(bool is_behind_menu) {
     overlays_.draw_lines(view, drawn, *renderer_);
     PanelText panels;
     if (!is_behind_menu) panels = overlays_.draw_panels(view, settings, last_us_, canvas);
+    if (preferences.machine) panels.notes.push_back(describe_rate(*preferences.machine, cycles_));
     const Palette palette = palette_of(view, effects);
     if (std::exchange(wants_screenshot_, false)) show(save_screenshots(canvas, palette, renderer_->mode()));
     if (!is_behind_menu)
@@ -184,7 +192,9 @@ void Session::draw_picture(const GameView& view, const Settings& drawn) {
     const Events events = events_of(renderer_->draw_and_count(view, drawn), drawn.accuracy);
     if (counts_work)
         work_ = static_cast<std::uint16_t>(std::min<std::int64_t>(cycles_on(Processor::I486, events) / 1000, 0xffff));
-    if (machine) shows_until_us_ += static_cast<std::uint64_t>(cycles_on(*machine, events) / megahertz_of(*machine));
+    if (!machine) return;
+    cycles_ = cycles_on(*machine, events);
+    shows_until_us_ += static_cast<std::uint64_t>(cycles_ / megahertz_of(*machine));
 }
 
 Thumbnail Session::thumbnail() {

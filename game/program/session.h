@@ -107,6 +107,7 @@ class Session final : public GameScreen {
     ShownPicture draw_all(bool is_behind_menu);
     void draw_picture(const GameView& view, const Settings& drawn);
     void follow_demo();
+    Action action_here() const;
     GameView shown_view() const;
     Palette palette_of(const GameView& view, const PaletteEffects& effects) const;
     void note_tick(const GameState& before, const GameState& after, const TickReport& report);
@@ -127,6 +128,7 @@ class Session final : public GameScreen {
     Messages messages_;
     std::uint64_t last_us_;  // the platform's time up to which the game was played
     std::uint64_t shows_until_us_ = 0;
+    std::int64_t cycles_ = 0;               // that the chosen machine takes for the last picture
     std::uint16_t work_ = 0;                // of the last picture: TickInput::work
     ViewDials replayed_view_ = kUsualView;  // of the replay's last tick
     std::uint64_t played_us_ = 0;           // since the session began, without pauses

@@ -86,7 +86,7 @@ Settings ShownOverlays::shown(Settings settings, std::uint64_t now_us) const {
 
 void ShownOverlays::note(const GameView& view, const Settings& drawn, const PaletteEffects& effects,
                          std::uint64_t now_us, GameRenderer& renderer) {
-    if (cost_) cost_->note(view, drawn, data_.palette, effects, preferences().machine, now_us, renderer);
+    if (cost_) cost_->note(view, drawn, data_.palette, effects, now_us, renderer);
     if (log_) renderer.note(view, drawn, now_us, *log_);
     if (!noted_.empty()) logged_ = std::exchange(noted_, {});
 }

@@ -43,6 +43,16 @@ GameState start_of(const GameLevel& level) {
     return state;
 }
 
+std::optional<ViewDialKind> asked_dial(const GameLevel& level, const GameState& state) {
+    const Box player = player_box(state.player.position);
+    for (const Trigger& trigger : level.triggers) {
+        if (!trigger.view || !trigger.box || !trigger.box->overlaps(player)) continue;
+        for (std::size_t i = 0; i < kViewDials; ++i)
+            if (trigger.view->dials[i]) return static_cast<ViewDialKind>(i);
+    }
+    return std::nullopt;
+}
+
 std::string_view next_map(const GameLevel& level, const GameState& state) {
     if (state.exit < 0) return {};
     return item(level.triggers, state.exit).next_map;

@@ -203,6 +203,9 @@ GameLevel make_game_level(const Level& bsp);
 /// The state in which a level begins.
 GameState start_of(const GameLevel& level);
 
+/// The dial that the place of the player asks for, a trigger_view's first; none: the place asks for none.
+std::optional<ViewDialKind> asked_dial(const GameLevel& level, const GameState& state);
+
 /// The map that follows the ended level, as "e1m2"; empty if its exit names none or the level has not ended.
 std::string_view next_map(const GameLevel& level, const GameState& state);
 

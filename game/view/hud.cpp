@@ -92,20 +92,19 @@ double palette_time_ns(const Palette& palette, const PaletteEffects& effects, st
     return static_cast<double>(steady_clock_ns() - began_ns);
 }
 
-// "486 at 66 MHz: 6.1 frames/s"
-std::string rate_on(Processor machine, const Events& events) {
-    const std::int64_t cycles = std::max<std::int64_t>(cycles_on(machine, events), 1),
-                       tenths = (megahertz_of(machine) * 10'000'000 + cycles / 2) / cycles;
-    return std::string(name_of(machine)) + ": " + std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) +
-           " frames/s";
-}
-
 // How long a text is shown: 60 ms a letter, at least 2.5 s.
 std::uint64_t reading_time_us(const std::string& text) {
     return std::max(kLeast_us, letters_in(text) * kLetter_us);
 }
 
 }  // namespace
+
+std::string describe_rate(Processor machine, std::int64_t cycles) {
+    const std::int64_t least = std::max<std::int64_t>(cycles, 1),
+                       tenths = (megahertz_of(machine) * 10'000'000 + least / 2) / least;
+    return std::string(name_of(machine)) + ": " + std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) +
+           " frames/s";
+}
 
 CostTable lay_out_cost(const CostText& text, std::int32_t room_px, TextColours colours, Framebuffer canvas) {
     CostTable table;
@@ -153,8 +152,7 @@ FrameCost::FrameCost(const Palette& palette, std::uint64_t now_us)
     : text_{darker_colours(palette, kCostBackground), {}, {}, {}}, since_us_(now_us) {}
 
 void FrameCost::note(const GameView& view, const Settings& settings, const Palette& palette,
-                     const PaletteEffects& effects, std::optional<Processor> machine, std::uint64_t now_us,
-                     GameRenderer& renderer) {
+                     const PaletteEffects& effects, std::uint64_t now_us, GameRenderer& renderer) {
     times_.time(view, settings, renderer);
     ++frames_;
     const std::uint64_t since_us = now_us - since_us_;
@@ -165,10 +163,8 @@ void FrameCost::note(const GameView& view, const Settings& settings, const Palet
     const RenderingTimes& times = times_.renderings();
     const TimeSpread frame = times.frame_ns();
     const FrameCounts counts = renderer.draw_and_count(view, settings);
-    text_.frame = short_time(frame.median) + " us " + spread_text(frame) + ", " +
-                  (machine ? rate_on(*machine, events_of(counts, settings.accuracy))
-                           : std::to_string(frames_a_second) + " frames/s") +
-                  ", " + std::to_string(view.state.after.active_movers.size()) + " movers";
+    text_.frame = short_time(frame.median) + " us " + spread_text(frame) + ", " + std::to_string(frames_a_second) +
+                  " frames/s, " + std::to_string(view.state.after.active_movers.size()) + " movers";
     text_.passes = times.pass_lines(renderer.plan(), counts);
     text_.effects = other_lines(times.effect_lines(renderer.plan(), counts), text_.passes);
     if (!effects.is_plain())

@@ -1,16 +1,19 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "engine/costs/costs.h"
 #include "engine/draw/drawing.h"
 #include "engine/effects/palette_effects.h"
 #include "engine/view/screen.h"
 #include "game/view/game_renderer.h"
 
 namespace oblong {
+
+/// "486 at 66 MHz: 6.1 frames/s", for a frame of so many cycles.
+std::string describe_rate(Processor machine, std::int64_t cycles);
 
 /// The text that F6 shows.
 struct CostText {
@@ -40,9 +43,8 @@ class FrameCost {
 
     /// Times one more rendering of the view that `renderer` has just drawn. Each half second it updates the text, for
     /// which it draws the same picture once more to count pixels.
-    /// `machine`: whose frames a second it tells instead of those shown, if any.
     void note(const GameView& view, const Settings& settings, const Palette& palette, const PaletteEffects& effects,
-              std::optional<Processor> machine, std::uint64_t now_us, GameRenderer& renderer);
+              std::uint64_t now_us, GameRenderer& renderer);
     const CostText& text() const { return text_; }
 
   private:

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/files/files.h"
@@ -32,6 +33,7 @@ class PadPilot {
         pad_.set(PadAxis::RightY, axis(look.y));
         hold(PadButton::A, (input.buttons & kJumpButton) != 0);
         hold(PadButton::Y, (input.buttons & kRespawnButton) != 0);
+        hold(PadButton::X, std::exchange(view_, input.view) != input.view);
     }
 
   private:
@@ -59,7 +61,14 @@ class PadPilot {
     void hold(PadButton button, bool is_held) { is_held ? pad_.press(button) : pad_.release(button); }
 
     VirtualPad& pad_;
+    ViewDials view_ = kUsualView;
 };
+
+/// Without the counted work of pictures, which a route does not draw.
+Demo without_work(Demo demo) {
+    for (DemoTick& tick : demo.ticks) tick.input.work = 0;
+    return demo;
+}
 
 using TitleToEnd = WalkedLevel;
 
@@ -160,7 +169,7 @@ TEST_F(GamepadWalk, APadAloneWalksFromTheTitleToTheEnd) {
     ASSERT_GE(recorded.ticks.size(), walk.ticks.size());
     expect_all_found(replayed(recorded));
     recorded.ticks.resize(walk.ticks.size());
-    EXPECT_EQ(recorded, walk);
+    EXPECT_EQ(without_work(recorded), without_work(walk));
 }
 
 // In a window on an X server of its own, from the title by the keyboard to the page at the end, and out again: what was

@@ -208,7 +208,7 @@ const Page = globalThis.Page = {
       if (document.pointerLockElement) this.isLockRefused = false;
       else if (this.isCaptured && !this.hasTouch && !this.isSecondEscape()) this.tap(Device.Key, KEYS.Escape);
     });
-    for (const [id, key] of [["menu", KEYS.Escape], ["jump", KEYS.Space], ["accept", KEYS.Enter]]) {
+    for (const [id, key] of [["menu", KEYS.Escape], ["jump", KEYS.Space], ["exhibit", KEYS.KeyV], ["accept", KEYS.Enter]]) {
       const button = document.getElementById(id);
       button.addEventListener("pointerdown", event => { event.preventDefault(); this.note(Kind.Press, Device.Key, key); });
       for (const end of ["pointerup", "pointercancel", "pointerleave"])
