@@ -23,8 +23,8 @@ class DemoWalk : public testing::Test {
 
 const std::vector<test::Waypoint> kEntranceToGallery{{0, -16}, {0, 200}, {200, 416}, {400, 416}};
 const std::vector<test::Waypoint> kCourtyardToTower{
-    {512, 1420},  {-60, 1600},  {-200, 1600}, {-290, 1590}, {-500, 1584}, {-720, 1584}, {-792, 1620},
-    {-792, 2128}, {-792, 2320}, {-80, 2320},  {512, 2320},  {512, 2200},  {512, 1900}};
+    {512, 1420},  {-60, 1600},  {-200, 1600}, {-290, 1590}, {-500, 1584}, {-720, 1584}, {-792, 1620}, {-792, 2128},
+    {-792, 2320}, {-540, 2290}, {-400, 2290}, {-80, 2320},  {512, 2320},  {512, 2200},  {512, 1900}};
 
 TEST_F(DemoWalk, TheTowerIsShutAtBothGatesWhileLensesAreMissing) {
     walk(kEntranceToGallery);

@@ -43,7 +43,10 @@ class SessionOfTheDemo : public testing::Test {
             platform.present(picture.canvas, picture.palette, picture.rect);
         }
         demo_ = session.input().recorded();
-        for (DemoTick& tick : demo_.ticks) tick.input.view = kUsualView;
+        for (DemoTick& tick : demo_.ticks) {
+            tick.input.view = kUsualView;
+            tick.input.work = 0;
+        }
         return pictures;
     }
 
