@@ -106,6 +106,9 @@ constexpr bool is_trigger(ClassRole role) {
     return role >= ClassRole::TriggerOnce && role <= ClassRole::OtherTrigger;
 }
 
+/// The targetname that "Visit" on the title activates: what is shut to who only wants to walk.
+inline constexpr std::string_view kVisitName = "visit";
+
 /// The box of an entity around its origin, in units, for the simulation and editors.
 struct ClassBox {
     std::array<std::int16_t, 3> mins = {}, maxs = {};

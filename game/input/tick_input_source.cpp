@@ -110,6 +110,7 @@ TickInput LiveInput::next() {
     input.pitch = take_turn(mouse_pitch_);
     if (moves.has(Action::Jump)) input.buttons |= kJumpButton;
     if (std::exchange(wants_respawn_, false)) input.buttons |= kRespawnButton;
+    if (std::exchange(wants_visit_, false)) input.buttons |= kVisitButton;
     input.view = view_;
     input.work = work_;
     return input;

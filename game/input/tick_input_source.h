@@ -43,6 +43,7 @@ class LiveInput {
         view_ = view;
         work_ = work;
     }
+    void visit() { wants_visit_ = true; }
     TickInput next();
 
     /// The turn to add to the angles of the last tick, `fraction_16` (65,536: a whole tick) after it.
@@ -56,7 +57,7 @@ class LiveInput {
     Stick walk_stick_, look_stick_;
     ViewDials view_ = kUsualView;
     std::uint16_t work_ = 0;
-    bool wants_respawn_ = false;
+    bool wants_respawn_ = false, wants_visit_ = false;
     std::int32_t mouse_yaw_ = 0, mouse_pitch_ = 0;
     std::int32_t rest_yaw_100_ = 0, rest_pitch_100_ = 0;  // of the mouse: below one unit of the angles, in hundredths
     LookOffset last_turn_;                                // by keys and sticks
@@ -71,6 +72,8 @@ class TickInputSource {
 
     void use(const Steering& steering) { live_.use(steering); }
     void gather(const Controls& controls) { live_.gather(controls); }
+    /// The next tick activates GameLevel::visit.
+    void visit() { live_.visit(); }
     void note_view(const ViewDials& view, std::uint16_t work) { live_.note_view(view, work); }
 
     /// Moves the state by a tick. Throws InputError if a replayed tick leads to another state than the recorded one.

@@ -69,6 +69,8 @@ MenuPage MenuPages::title_page() {
                                      last->has_game ? "continue in " + last->content + help : last->content));
     }
     page.rows.push_back(menu_row("Walk", closing([this] { host_.walk(); }), "a new walk, from the beginning"));
+    if (host_.has_visit())
+        page.rows.push_back(menu_row("Visit", closing([this] { host_.visit(); }), "a new walk through open doors"));
     page.rows.push_back(menu_row(
         "Levels", [this] { open_levels(); }, "other levels"));
     page.rows.push_back(menu_row(

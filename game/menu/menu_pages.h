@@ -66,7 +66,9 @@ class MenuHost {
     /// Whether the current walk has unsaved progress.
     virtual bool has_unsaved_progress() const = 0;
 
-    virtual void walk() = 0;  ///< a new walk from the game's first level
+    virtual void walk() = 0;             ///< a new walk from the game's first level
+    virtual bool has_visit() const = 0;  ///< whether visit() differs from walk()
+    virtual void visit() = 0;            ///< the same, with all doors open
     virtual void continue_walk() = 0;
     virtual void restart() = 0;
     virtual void play_level(const std::string& file) = 0;

@@ -193,6 +193,11 @@ void Screens::walk() {
     try_with_files("Walk", [&] { start_walk(load_level("")); });
 }
 
+void Screens::visit() {
+    walk();
+    if (walk_) walk_->visit();
+}
+
 void Screens::play_level(const std::string& file) {
     try_with_files("Levels", [&] { leave_walk([this, loaded = load_level(file)] { start_walk(loaded); }); });
 }

@@ -71,6 +71,8 @@ class Screens final : public MenuHost {
     std::optional<SaveEntry> last_walk() const override;
     bool has_unsaved_progress() const override { return saves_.has_unsaved_progress(); }
     void walk() override;
+    bool has_visit() const override { return level_below().level.visit != kNoTarget; }
+    void visit() override;
     void continue_walk() override;
     void restart() override;
     void play_level(const std::string& file) override;

@@ -87,6 +87,8 @@ class Session final : public GameScreen {
     const std::shared_ptr<const LoadedLevel>& shared_level() const override { return loaded_; }
     std::vector<KeyHelp> key_help(const KeyNames& names) const override { return game_help(names); }
 
+    /// Opens what the level opens for who only wants to walk.
+    void visit() { ticks_.input().visit(); }
     /// Continues from another state of the level.
     void restore(const GameState& state);
     /// Shows the player a message, with the names of keys in it (KeyNames::in()).

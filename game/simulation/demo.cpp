@@ -53,8 +53,8 @@ DemoTick read_tick(LittleEndianReader& reader, std::uint32_t version) {
     tick.input.yaw = reader.next<std::int16_t>();
     tick.input.pitch = reader.next<std::int16_t>();
     tick.input.buttons = reader.next<std::uint8_t>();
-    expect_at(reader.offset() - 1, (tick.input.buttons & ~(kJumpButton | kRespawnButton)) == 0,
-              "unknown buttons, expected 0 to 3");
+    expect_at(reader.offset() - 1, (tick.input.buttons & ~(kJumpButton | kRespawnButton | kVisitButton)) == 0,
+              "unknown buttons, expected 0 to 7");
     if (version != 1) read_view(reader, tick.input);
     tick.state_hash = reader.next<std::uint64_t>();
     return tick;

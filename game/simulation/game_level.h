@@ -174,9 +174,10 @@ struct GameLevel {
     std::uint64_t dark_styles = 0;               ///< GameState::dark_styles at the start
     std::vector<std::uint32_t> solid_walls;      ///< into `walls`
     LevelBoxes boxes;
-    Place start;               ///< the player's
-    bool counts_work = false;  ///< some trigger asks for TickInput::work
-    LensNames lens_names;      ///< make_game_level() leaves them as they are
+    Place start;                    ///< the player's
+    TargetIndex visit = kNoTarget;  ///< kVisitName
+    bool counts_work = false;       ///< some trigger asks for TickInput::work
+    LensNames lens_names;           ///< make_game_level() leaves them as they are
 
     const Target& target(TargetIndex index) const { return item(targets, index); }
     const SubModel& model(ModelIndex index) const { return bsp->models[index]; }

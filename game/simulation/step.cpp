@@ -16,6 +16,11 @@ void respawn(GameState& state) {
     state.player.holds_jump = holds_jump;
 }
 
+void visit(const GameLevel& level, Activations& activations) {
+    if (level.visit == kNoTarget) return;
+    for (const EntityRef& entity : level.target(level.visit).entities) activations.activate(entity);
+}
+
 // A player who falls out of a level that leaks respawns.
 void respawn_outside(GameState& state) {
     if (!is_within(state.player.position, kFarthestPlayer)) respawn(state);
@@ -29,6 +34,7 @@ TickReport step(const GameLevel& level, GameState& state, const TickInput& input
     Activations activations(level, state);
     if ((input.buttons & kRespawnButton) != 0) respawn(state);
     activations.begin_tick();
+    if ((input.buttons & kVisitButton) != 0) visit(level, activations);
     step_movers(level, state, activations);
     activations.report().has_left_obstacles = has_too_many_obstacles(level, state.player.position);
     step_player(level, state, input);

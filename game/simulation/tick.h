@@ -17,7 +17,7 @@ struct TickInput {
     std::int8_t right = 0;     ///< likewise, to the right positive
     std::int16_t yaw = 0;      ///< turn in this tick, 65,536 to the circle, to the left positive
     std::int16_t pitch = 0;    ///< likewise, down positive
-    std::uint8_t buttons = 0;  ///< kJumpButton, kRespawnButton; other bits are 0
+    std::uint8_t buttons = 0;  ///< the buttons below; other bits are 0
     ViewDials view = kUsualView;
     std::uint16_t work = 0;  ///< of the picture before: thousands of a 486's cycles, where the level has a use for it
 
@@ -26,6 +26,7 @@ struct TickInput {
 
 inline constexpr std::uint8_t kJumpButton = 1;
 inline constexpr std::uint8_t kRespawnButton = 2;  ///< back to Progress::respawn
+inline constexpr std::uint8_t kVisitButton = 4;    ///< activates GameLevel::visit
 
 /// What a tick did, and what exceeded its bounds. The bounds are counts of operations, never times, so that every build
 /// leaves the same work for later.

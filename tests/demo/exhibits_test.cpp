@@ -73,6 +73,16 @@ TEST_F(Exhibits, OpenForTheirViewAndForNoOther) {
     }
 }
 
+TEST_F(Exhibits, AreOpenForWhoOnlyWantsToWalk) {
+    GameState state = start_of(level_);
+    TickInput input;
+    input.buttons = kVisitButton;
+    step(level_, state, input);
+    wait(level_, {}, 100, state);
+    for (const std::size_t trigger : asking())
+        EXPECT_EQ(cage_of(cage_name(trigger), state).phase, MoverState::Phase::AtEnd) << cage_name(trigger);
+}
+
 TEST_F(Exhibits, OpenByThemselvesThreeMinutesAfterTheVisitorCame) {
     for (std::size_t door = 0; door < level_.triggers.size(); ++door) {
         const std::string called = bsp_.entities[level_.triggers[door].entity].value("target");

@@ -50,6 +50,8 @@ class FakeHost final : public MenuHost {
     bool can_save() const override { return has_folder; }
     bool has_unsaved_progress() const override { return is_unsaved; }
     void walk() override { done.push_back("walk"); }
+    bool has_visit() const override { return true; }
+    void visit() override { done.push_back("visit"); }
     void continue_walk() override { done.push_back("continue"); }
     void restart() override { done.push_back("restart"); }
     void play_level(const std::string& name) override { done.push_back("level " + name); }
@@ -126,8 +128,8 @@ TEST_F(Pages, TheTitleHasWhatAPlayerLooksFor) {
         labels.push_back(row.label);
         EXPECT_EQ(row.help.find("museum"), std::string::npos) << "other games have the same page";
     }
-    EXPECT_EQ(labels, (std::vector<std::string>{"Continue", "Walk", "Levels", "Load", "Options", "Gallery", "Credits",
-                                                "Quit"}));
+    EXPECT_EQ(labels, (std::vector<std::string>{"Continue", "Walk", "Visit", "Levels", "Load", "Options", "Gallery",
+                                                "Credits", "Quit"}));
     choose("Walk");
     EXPECT_EQ(host_.done, std::vector<std::string>{"walk"});
     EXPECT_FALSE(menu_.is_open());

@@ -166,7 +166,7 @@ class Checker {
     }
 
     void check_value(const MapPair& pair, const EntityKey& row) {
-        if (row.kind == KeyKind::Name && !targets_.contains(pair.value))
+        if (row.kind == KeyKind::Name && !targets_.contains(pair.value) && pair.value != kVisitName)
             warnings_.add(pair.line, as_quoted(pair.key) + " is " + as_quoted(pair.value) +
                                          ", but no entity has that target: nothing activates it");
         if (row.kind != KeyKind::Target && row.kind != KeyKind::Place) return;
