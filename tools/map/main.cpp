@@ -103,11 +103,13 @@ class Reporter {
     }
 
     void print_summary(const map::BspFile& bsp, const map::PortalFile& portals) {
-        const map::WidestView widest = map::widest_view(bsp);
-        std::cout << arguments_.output << ": " << map::summary_of(bsp)
-                  << (makes_portals(arguments_) ? ", " + std::to_string(portals.count) + " portals" : "")
-                  << ", at most " << widest.faces << " faces in sight, around " << map::points_text({widest.place})
-                  << "; " << counted() << "; " << progress.times() << '\n';
+        std::cout << arguments_.output << ": " << map::summary_of(bsp);
+        if (makes_portals(arguments_)) {
+            const map::WidestView widest = map::widest_view(bsp);
+            std::cout << ", " << portals.count << " portals, at most " << widest.faces << " faces in sight, around "
+                      << map::points_text({widest.place});
+        }
+        std::cout << "; " << counted() << "; " << progress.times() << '\n';
     }
 
     map::Warnings warnings;
