@@ -118,9 +118,10 @@ bool is_nearest_face(const Level& level, const TornSpan& torn, const Point& plac
     const Point middle =
         Point{box.mins[0] + box.maxs[0] + 0.0, box.mins[1] + box.maxs[1] + 0.0, box.mins[2] + box.maxs[2] + 0.0} * 0.5;
     const double found = choice_distance(level, level.faces[torn.face], torn, middle);
+    const FaceIndex end = *level.world().faces.end();  // brush models, which have nodes, too, follow
     for (const Node& node : level.nodes)
         for (const FaceIndex face : node.faces)
-            if (choice_distance(level, level.faces[face], torn, middle) < found - 0.01) return false;
+            if (face < end && choice_distance(level, level.faces[face], torn, middle) < found - 0.01) return false;
     return true;
 }
 

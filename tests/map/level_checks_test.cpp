@@ -42,6 +42,16 @@ TEST(LevelChecks, NameATextureThatNoFaceShows) {
     EXPECT_EQ(said_of(level(room({0, 0, 0}, {128, 128, 128}), kStart + sprite)), Said{}) << "an entity shows it";
 }
 
+// At a scale of 1/128, 128 units are 16384 texels: 69 faces of at most 240 in each direction.
+TEST(LevelChecks, NameTheViewOfTooManyFaces) {
+    const std::string floor = laid(box({0, 0, -16}, {128, 128, 0}, "floor"), "0 0 0 0.0078125 0.0078125");
+    const std::vector<std::string> said = said_of(level(room({0, 0, 0}, {128, 128, 128}) + floor, kStart));
+    EXPECT_EQ(
+        said.front(),
+        "line 1: 4766 faces may be visible from around 64 64 64, expected at most 4000: hide rooms from each other "
+        "behind walls, or make textures of what is small");
+}
+
 // 128 units at a scale of 1/20 are 2560 texels, which is 11 times the 240 of a face; at 1/16 they are 2048.
 TEST(LevelChecks, NameASurfaceThatIsTooLargeForACache) {
     const auto source_of = [](const std::string& scale) {

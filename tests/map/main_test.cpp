@@ -69,8 +69,8 @@ TEST_F(Program, SaysOnStandardOutputWhatItMade) {
         run(path("good.map") + " -o " + path("good.bsp") + " --prt " + path("good.prt") + " --wad " + path("t.wad")),
         0);
     const std::string said = read_text(path("out.txt"));
-    EXPECT_EQ(said.find(path("good.bsp") + ": 6 faces, 2 leaves, 1 models, 0 lightmaps of 0 bytes, 0 portals; 0 "
-                                           "warnings; tree "),
+    EXPECT_EQ(said.find(path("good.bsp") + ": 6 faces, 2 leaves, 1 models, 0 lightmaps of 0 bytes, 0 portals, at "
+                                           "most 6 faces in sight, around 32 32 32; 0 warnings; tree "),
               0u)
         << said;
     EXPECT_EQ(read_text(path("good.prt")), "PRT1\n1\n0\n");

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
+#include <set>
 #include <sstream>
 
 #include "engine/files/doubles.h"
@@ -109,6 +111,26 @@ TEST(Visibility, DetailsDoNotSplitTheSets) {
     ASSERT_NE(south, north);
     EXPECT_TRUE(visible_leaves(bsp, south)[static_cast<std::size_t>(north)]);
     EXPECT_EQ(first_fault_of_rays(bsp, 2000, 4), "");
+}
+
+// Held against each leaf's set, decoded by the tests.
+TEST(Visibility, TheWidestViewIsThatOfTheLeafThatSeesMostFaces) {
+    std::string rooms = two_rooms() + room({1200, 0, 0}, {1600, 400, 128});  // the last one is sealed
+    for (int x = 1220; x < 1580; x += 30) rooms += box({x, 60, 0}, {x + 10, 70, 60});
+    const auto bsp = compile(level(rooms));
+    std::size_t most = 0;
+    for (int leaf = 1; leaf <= bsp.models[0].visible_leaf_count; ++leaf) {
+        const auto seen = visible_leaves(bsp, leaf);
+        std::set<int> faces;
+        for (std::size_t i = 1; i < bsp.leaves.size(); ++i)
+            for (int k = 0; seen[i] && k < bsp.leaves[i].mark_face_count; ++k)
+                faces.insert(bsp.mark_faces[static_cast<std::size_t>(bsp.leaves[i].first_mark_face + k)]);
+        most = std::max(most, faces.size());
+    }
+    const map::WidestView widest = map::widest_view(bsp);
+    EXPECT_EQ(static_cast<std::size_t>(widest.faces), most);
+    EXPECT_LT(most, bsp.faces.size());
+    EXPECT_GT(widest.place.x, 1200) << "the pillars are in the sealed room";
 }
 
 // As other programs read the file: a polygon runs clockwise seen from the cluster that is named first, which is a leaf

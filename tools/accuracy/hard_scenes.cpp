@@ -108,7 +108,7 @@ HardScene make_slivers() {
         "slivers",
         "A fan of forty wedges one degree wide: faces thinner than a pixel. Its file leaves T-junctions to the engine.",
         std::move(room),
-        {{{788.084, 281.1223, 21.3506}, 209.5697, 27.1747, 28.4271},
+        {{{511.8986, 216.0928, 153.1861}, 175.3435, 13.6788, -7.7630},
          {{512, 60, 130}, 90, 2},
          {{853.5051, 127.4749, 73.9897}, 61.4817, -6.0480, -23.7854},
          {{100, 120, 190}, 45, 12},

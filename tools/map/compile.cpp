@@ -228,6 +228,14 @@ BspFile changed_level(const std::vector<MapEntity>& entities, const LevelBrushes
     return bsp;
 }
 
+void check_budget(const BspFile& bsp, int line, Warnings& warnings) {
+    const WidestView widest = widest_view(bsp);
+    if (widest.faces > kMostInSight)
+        warnings.add(line, std::to_string(widest.faces) + " faces may be visible from around " +
+                               points_text({widest.place}) + ", expected at most " + std::to_string(kMostInSight) +
+                               ": hide rooms from each other behind walls, or make textures of what is small");
+}
+
 void take_light(BspFile& bsp, const BspFile& former) {
     check_same_brushes(bsp.faces.size() == former.faces.size() && bsp.vertices == former.vertices);
     for (std::size_t i = 0; i < bsp.faces.size(); ++i) {
@@ -288,6 +296,7 @@ BspFile compile_map(std::vector<MapEntity> entities, const std::vector<Wad>& wad
     }
     if (options.before_long_passes) options.before_long_passes();
     add_visibility(bsp, world, leaf_indices, level.planes, options.is_fast, sharing, options.portals);
+    if (options.warnings != nullptr) check_budget(bsp, entities.front().line, *options.warnings);
     if (options.part == CompilePart::Visibility)
         take_light(bsp, options.former);
     else

@@ -103,9 +103,13 @@ class Reporter {
     }
 
     void print_summary(const map::BspFile& bsp, const map::PortalFile& portals) {
-        std::cout << arguments_.output << ": " << map::summary_of(bsp)
-                  << (makes_portals(arguments_) ? ", " + std::to_string(portals.count) + " portals; " : "; ")
-                  << counted() << "; " << progress.times() << '\n';
+        std::cout << arguments_.output << ": " << map::summary_of(bsp);
+        if (makes_portals(arguments_)) {
+            const map::WidestView widest = map::widest_view(bsp);
+            std::cout << ", " << portals.count << " portals, at most " << widest.faces << " faces in sight, around "
+                      << map::points_text({widest.place});
+        }
+        std::cout << "; " << counted() << "; " << progress.times() << '\n';
     }
 
     map::Warnings warnings;

@@ -206,15 +206,16 @@ void add_portal(SurfaceGroups& groups, const Tree& tree, const Portal& portal, c
 }  // namespace
 
 std::vector<BoundaryPiece> boundaries(const Tree& tree, const Portals& portals) {
-    std::map<int, std::vector<Winding>> by_node;
+    std::map<std::pair<int, bool>, std::vector<Winding>> by_plane;  // plane, whether it is of a detail
     for (const Portal& portal : portals.portals) {
-        if (is_boundary(tree, portal)) by_node[portal.node].push_back(portal.winding);
+        const TreeNode& node = tree.node(portal.node);
+        if (is_boundary(tree, portal)) by_plane[{node.plane, node.is_detail}].push_back(portal.winding);
     }
     std::vector<BoundaryPiece> pieces;
-    for (auto& [node, windings] : by_node) {
+    for (auto& [place, windings] : by_plane) {
         for (Winding& winding : merged(std::move(windings))) {
             const Box box = box_of(winding);
-            pieces.push_back({{tree.node(node).plane, false}, std::move(winding), box, tree.node(node).is_detail});
+            pieces.push_back({{place.first, false}, std::move(winding), box, place.second});
         }
     }
     return pieces;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "tools/map/source/geometry.h"
@@ -210,6 +211,27 @@ void add_visibility(BspFile& bsp, const CompiledModel& world, const std::vector<
             bsp.leaves[leaf + 1].visibility_offset = static_cast<int>(bsp.visibility.size());
         bsp.visibility += rows[cluster];
     }
+}
+
+WidestView widest_view(const BspFile& bsp) {
+    const auto leaf_count = static_cast<std::size_t>(bsp.models.front().visible_leaf_count);
+    std::set<int> known;  // offsets of rows, which leaves of a cluster share
+    WidestView widest;
+    for (std::size_t i = 1; i <= leaf_count; ++i) {
+        const FileLeaf& leaf = bsp.leaves[i];
+        if (!known.insert(leaf.visibility_offset).second) continue;
+        BitSet faces(bsp.faces.size());
+        unpacked_row(bsp.visibility, leaf.visibility_offset, leaf_count).for_each([&](std::size_t seen) {
+            const FileLeaf& other = bsp.leaves[seen + 1];
+            for (int k = 0; k < other.mark_face_count; ++k)
+                faces.add(as_size(item(bsp.mark_faces, other.first_mark_face + k)));
+        });
+        if (faces.count() <= widest.faces) continue;
+        widest.faces = faces.count();
+        for (int axis = 0; axis < 3; ++axis)
+            widest.place[axis] = (item(leaf.box.mins, axis) + item(leaf.box.maxs, axis)) / 2;
+    }
+    return widest;
 }
 
 Clusters cluster_leaves(const Tree& tree, const std::vector<bool>& is_numbered) {

@@ -31,6 +31,17 @@ BitSet unpacked_row(const std::string& visibility, int offset, std::size_t leaf_
 void add_visibility(BspFile& bsp, const CompiledModel& world, const std::vector<int>& leaf_indices,
                     const PlaneList& planes, bool is_fast, const WorkSharing& sharing, PortalFile* portals);
 
+/// The leaf whose visible set has most faces.
+struct WidestView {
+    int faces = 0;
+    Point place;  ///< the middle of the leaf's box
+};
+WidestView widest_view(const BspFile& bsp);
+
+/// More faces than a leaf should see: a view shows about a tenth of them, and 350 are what a processor of the time
+/// draws.
+inline constexpr int kMostInSight = 4000;
+
 /// Leaves separated only by details form a cluster: visible sets are computed for clusters.
 struct Clusters {
     std::vector<int> of_leaf;  ///< by leaf of the tree; -1: solid
