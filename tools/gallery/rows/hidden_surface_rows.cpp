@@ -19,7 +19,7 @@ namespace {
 
 /// A view down the demo level's hall over lava, where large faces lie behind one another.
 Camera camera_in_hall() {
-    return camera_at(-780, 2320, 100, 0, 6);
+    return camera_at(-440, 2320, 100, 0, 6);
 }
 
 /// A frame of the demo level by one method, with its intermediate results.
