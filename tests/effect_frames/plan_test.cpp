@@ -158,8 +158,8 @@ TEST_F(DemoAllAround, NoPassRunsWithoutPixelsAndLittleIsDoneInVain) {
             add_what_was_in_vain(sum);
         }
     EXPECT_EQ(sum.frames, 39 * kDirections);
-    EXPECT_LE(sum.with_particles, 141);
-    EXPECT_LE(sum.with_depth, 130);
+    EXPECT_LE(sum.with_particles, 112);
+    EXPECT_LE(sum.with_depth, 5);
 }
 
 TEST_F(DemoAllAround, ThePlansEffectsAloneGiveTheSamePicture) {
