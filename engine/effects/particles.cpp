@@ -244,14 +244,13 @@ std::optional<Particle> particle_at(const ParticleEmitter& emitter, std::int32_t
                                     const ParticleBox& within) {
     const Chance chance(emitter.seed, index);
     const std::uint32_t own_phase = phase + chance.phase();
-    const auto& [low, high] = within;
     Vec3<World> place = emitter.middle;
     place.z += height_of(emitter, chance, own_phase);
-    if (place.z < low.z || place.z > high.z) return std::nullopt;
+    if (place.z < within.mins.z || place.z > within.maxs.z) return std::nullopt;
     const auto [x, y] = ground_of(emitter, chance, own_phase);
     place.x += x;
     place.y += y;
-    if (place.x < low.x || place.x > high.x || place.y < low.y || place.y > high.y) return std::nullopt;
+    if (!within.holds(place.x, place.y)) return std::nullopt;
     const std::uint32_t age_16 = own_phase >> 16;
     const auto share_16 = emitter.kind == ParticleKind::Sparks ? static_cast<std::int32_t>(age_16) : chance.share_16(3);
     return Particle{place, colour_of(emitter, share_16), emitter.kind == ParticleKind::Rain && age_16 < kFall_16};

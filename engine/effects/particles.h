@@ -41,9 +41,32 @@ struct Particle {
 /// The phase of an emitter at time_ms >= 0: 2^32 to the period, so that sums wrap.
 std::uint32_t phase_at(const ParticleEmitter& emitter, std::int64_t time_ms);
 
-/// A box of places.
+/// A box of places, and which of its 4 x 4 columns, seen from above, count: a bit each, from the least x and y.
 struct ParticleBox {
+    static constexpr int kColumns = 16;
+
     Vec3<World> mins, maxs;
+    std::uint32_t columns = (1u << kColumns) - 1;
+
+    bool holds(World x, World y) const {
+        if (x < mins.x || x > maxs.x || y < mins.y || y > maxs.y) return false;
+        return (columns >> (quarter_of(x, mins.x, maxs.x) + 4 * quarter_of(y, mins.y, maxs.y)) & 1) != 0;
+    }
+    /// The borders of a column.
+    ParticleBox column(int number) const {
+        const auto border = [](World low, World high, int quarter) {
+            return quarter == 4 ? high : low + (high - low) / 4 * quarter;
+        };
+        const int x = number % 4, y = number / 4;
+        return {{border(mins.x, maxs.x, x), border(mins.y, maxs.y, y), mins.z},
+                {border(mins.x, maxs.x, x + 1), border(mins.y, maxs.y, y + 1), maxs.z}};
+    }
+
+  private:
+    static int quarter_of(World place, World low, World high) {
+        const World quarter = (high - low) / 4, beyond = place - low;
+        return (beyond > quarter) + (beyond > quarter * 2) + (beyond > quarter * 3);
+    }
 };
 
 /// The box that an emitter's particles never leave.

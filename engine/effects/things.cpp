@@ -196,17 +196,18 @@ bool may_show(const ParticleBox& places, const Sight& sight) {
     return sight.may_show_part(box_between(places.mins, places.maxs));
 }
 
-/// Halves a box along an axis, up to five times, as long as particles may show in one half only. False if in none.
-bool keep_open_half(ParticleBox& places, World Vec3<World>::*axis, const Sight& sight) {
+/// Drops quarters of a box from its bottom and its top, up to five times, as long as particles there are hidden.
+void drop_hidden_ends(ParticleBox& places, const Sight& sight) {
     for (int cut = 0; cut < 5; ++cut) {
+        const World quarter = (places.maxs.z - places.mins.z) / 4;
         ParticleBox low = places, high = places;
-        low.maxs.*axis = high.mins.*axis = places.mins.*axis + (places.maxs.*axis - places.mins.*axis) / 2;
+        low.maxs.z = places.mins.z + quarter;
+        high.mins.z = places.maxs.z - quarter;
         const bool is_low_open = may_show(low, sight), is_high_open = may_show(high, sight);
+        if (!is_low_open) places.mins.z = low.maxs.z;
+        if (!is_high_open) places.maxs.z = high.mins.z;
         if (is_low_open && is_high_open) break;
-        if (!is_low_open && !is_high_open) return false;
-        places = is_low_open ? low : high;
     }
-    return true;
 }
 
 /// Where particles of the emitter begun last may show; none: nowhere. A few cost less than these tests.
@@ -214,9 +215,11 @@ std::optional<ParticleBox> open_places(const ParticleEmitter& emitter, const Sig
     constexpr std::int32_t kFewParticles = 100;
     ParticleBox places = box_of(emitter);
     if (emitter.count < kFewParticles) return places;
-    for (const auto axis : {&Vec3<World>::z, &Vec3<World>::x, &Vec3<World>::y})
-        if (!keep_open_half(places, axis, sight)) return std::nullopt;
+    drop_hidden_ends(places, sight);
     if (!sight.narrow(box_between(places.mins, places.maxs))) return std::nullopt;
+    for (int column = 0; column < ParticleBox::kColumns; ++column)
+        if (!may_show(places.column(column), sight)) places.columns &= ~(1u << column);
+    if (places.columns == 0) return std::nullopt;
     return places;
 }
 

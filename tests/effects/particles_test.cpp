@@ -275,7 +275,13 @@ TEST(ParticleDots, MayBeDrawnInAnyOrder) {
     EXPECT_EQ(far_first.pixels, near_first.pixels);
 }
 
+/// Whether a place is in one of a box's columns that count.
 bool is_in(const ParticleBox& box, const Vec3<World>& p) {
+    if (box.columns != box_of({}).columns) {
+        for (int number = 0; number < ParticleBox::kColumns; ++number)
+            if ((box.columns >> number & 1) != 0 && is_in(box.column(number), p)) return true;
+        return false;
+    }
     return p.x >= box.mins.x && p.y >= box.mins.y && p.z >= box.mins.z && p.x <= box.maxs.x && p.y <= box.maxs.y &&
            p.z <= box.maxs.z;
 }
@@ -288,11 +294,12 @@ TEST(ParticleDots, OfABoxAreThoseOfTheParticlesInIt) {
         std::vector<Vec3<World>> places;
         for (std::int32_t i = 0; i < emitter.count; ++i) places.push_back(place(emitter, i, time_ms));
         // A part along each axis, and one whose border is a particle's place.
-        ParticleBox parts[4] = {box_of(emitter), box_of(emitter), box_of(emitter), box_of(emitter)};
+        ParticleBox parts[5] = {box_of(emitter), box_of(emitter), box_of(emitter), box_of(emitter), box_of(emitter)};
         parts[0].maxs.x = emitter.middle.x;
         parts[1].mins.y = emitter.middle.y + World::from_int(20);
         parts[2].maxs.z = emitter.middle.z - World::from_int(10);
         parts[3] = {places[7], box_of(emitter).maxs};
+        parts[4].columns = 0b1000'0110'0001'1111;
         for (const ParticleBox& part : parts) {
             std::vector<ParticleDot> dots;
             const std::int32_t computed = append_dots(emitter, time_ms, view, part, dots);
