@@ -25,8 +25,6 @@ struct Chance {
     std::int32_t signed_15(int which) const { return share_16(which) - 32768; }
     /// Where in the period it begins; mixed once more, so that it does not depend on the shares.
     std::uint32_t phase() const { return static_cast<std::uint32_t>((bits * 0x9e3779b97f4a7c15) >> 32); }
-    /// The part of the box, by the shares that all kinds take for x and y.
-    int part() const { return share_16(0) >> 14 | share_16(1) >> 14 << 2; }
 };
 
 /// size * share / 2^bits, toward minus infinity.
@@ -54,82 +52,84 @@ World swinging_place(World half_size, ParticleKind kind, std::int32_t chance_15,
 
 constexpr World kFarthestSplash = World::from_int(2);
 
-/// A drop's position relative to the middle of its box. It falls for 7/8 of the period; then the splash hops toward the
-/// middle, so that it stays in the box.
-Vec3<World> rain_at(const Vec3<World>& half_size, const Chance& chance, std::uint32_t phase) {
-    constexpr std::uint32_t kFall_16 = 7 * 8192;
+// Places are relative to the middle of the box.
+
+/// A drop falls for this part of the period; then the splash hops toward the middle, so that it stays in the box.
+constexpr std::uint32_t kFall_16 = 7 * 8192;
+
+/// A place seen from above.
+struct Ground {
+    World x, y;
+};
+
+Ground rain_at(const Vec3<World>& half_size, const Chance& chance, std::uint32_t phase) {
     const World x = part_of(half_size.x, chance.signed_15(0), 15), y = part_of(half_size.y, chance.signed_15(1), 15);
     const std::uint32_t phase_16 = phase >> 16;
-    const auto half_height = convert<WorldWide>(half_size.z), height = half_height * 2;
-    if (phase_16 < kFall_16) return {x, y, convert<World>(half_height - height * phase_16 / kFall_16)};
-    const std::int64_t age_13 = phase_16 - kFall_16;
-    const auto inward = [age_13](World place, World half) {
+    if (phase_16 < kFall_16) return {x, y};
+    const auto inward = [age_13 = std::int64_t{phase_16} - kFall_16](World place, World half) {
         const World way = part_of(std::min(half, kFarthestSplash), age_13, 13);
         return place > World{} ? place - way : place + way;
     };
-    const std::int64_t hop_24 = age_13 * (8192 - age_13);
+    return {inward(x, half_size.x), inward(y, half_size.y)};
+}
+
+World rain_height(World half_height, std::uint32_t phase) {
+    const std::uint32_t phase_16 = phase >> 16;
+    const auto half = convert<WorldWide>(half_height), height = half * 2;
+    if (phase_16 < kFall_16) return convert<World>(half - height * phase_16 / kFall_16);
+    const std::int64_t age_13 = phase_16 - kFall_16, hop_24 = age_13 * (8192 - age_13);
     const World most_hop = convert<World>(std::min(height, WorldWide::from_int(3)));
-    return {inward(x, half_size.x), inward(y, half_size.y), part_of(most_hop, hop_24, 24) - half_size.z};
+    return part_of(most_hop, hop_24, 24) - half_height;
 }
 
-Vec3<World> dust_at(const Vec3<World>& half_size, const Chance& chance, std::uint32_t phase) {
-    const auto drift = [&](World half, int which, std::uint32_t at) {
-        return swinging_place(half, ParticleKind::Dust, chance.signed_15(which), at);
-    };
-    const auto other = static_cast<std::uint32_t>(chance.share_16(0)) << 16;
-    return {drift(half_size.x, 0, phase), drift(half_size.y, 1, phase + other), drift(half_size.z, 2, phase * 2)};
-}
-
-/// With the age s from 0 to 1, it moves sideways at constant speed, and its height is v s - (v + 1) s^2, in half
+/// With the age s from 0 to 1, a spark moves sideways at constant speed, and its height is v s - (v + 1) s^2, in half
 /// heights of the box: -1 at the end, and at most v^2 / (4 v + 4), which is 4/5 or less for v from 0 to 4.
-Vec3<World> spark_at(const Vec3<World>& half_size, const Chance& chance, std::uint32_t phase) {
+World spark_height(World half_height, const Chance& chance, std::uint32_t phase) {
     const std::int64_t age_16 = phase >> 16;
-    const auto sideways = [&](World half, int which) { return part_of(half, chance.signed_15(which) * age_16, 31); };
     const std::int64_t speed_14 = chance.share_16(2), fall_14 = speed_14 + (1 << 14);
-    const std::int64_t height_30 = speed_14 * age_16 - floor_shift(fall_14 * age_16 * age_16, 16);
-    return {sideways(half_size.x, 0), sideways(half_size.y, 1), part_of(half_size.z, height_30, 30)};
+    return part_of(half_height, speed_14 * age_16 - floor_shift(fall_14 * age_16 * age_16, 16), 30);
 }
 
-Vec3<World> bubble_at(const Vec3<World>& half_size, const Chance& chance, std::uint32_t phase) {
-    const auto wobble = [&](World half, int which, std::uint32_t at) {
-        return swinging_place(half, ParticleKind::Bubbles, chance.signed_15(which), at);
+Ground ground_of(const ParticleEmitter& emitter, const Chance& chance, std::uint32_t phase) {
+    const Vec3<World>& half = emitter.half_size;
+    const auto swinging = [&](std::uint32_t x_phase, std::uint32_t y_phase) {
+        return Ground{swinging_place(half.x, emitter.kind, chance.signed_15(0), x_phase),
+                      swinging_place(half.y, emitter.kind, chance.signed_15(1), y_phase)};
     };
-    const std::int64_t height_15 = static_cast<std::int64_t>(phase >> 16) - 32768;
-    return {wobble(half_size.x, 0, phase * 4), wobble(half_size.y, 1, phase * 4 + (1u << 30)),
-            part_of(half_size.z, height_15, 15)};
+    const std::int64_t age_16 = phase >> 16;
+    switch (emitter.kind) {
+        case ParticleKind::Rain:
+            return rain_at(half, chance, phase);
+        case ParticleKind::Dust:
+            return swinging(phase, phase + (static_cast<std::uint32_t>(chance.share_16(0)) << 16));
+        case ParticleKind::Sparks:
+            return {part_of(half.x, chance.signed_15(0) * age_16, 31),
+                    part_of(half.y, chance.signed_15(1) * age_16, 31)};
+        case ParticleKind::Bubbles:
+            break;
+    }
+    return swinging(phase * 4, phase * 4 + (1u << 30));
 }
 
-struct PlaceRange {
-    World low, high;
-};
-
-/// Where the particles of a quarter stay along an axis of the box, from its middle.
-PlaceRange range_of(World half_size, ParticleKind kind, int quarter) {
-    const World swing = swing_in(half_size, kind);
-    const World low = part_of(half_size - swing, quarter - 2, 1), high = part_of(half_size - swing, quarter - 1, 1);
-    if (kind == ParticleKind::Sparks) return {std::min(low, World{}), std::max(high, World{})};
-    const World stray = kind == ParticleKind::Rain ? kFarthestSplash : swing;
-    return {low - stray, high + stray};
+World height_of(const ParticleEmitter& emitter, const Chance& chance, std::uint32_t phase) {
+    const World half = emitter.half_size.z;
+    switch (emitter.kind) {
+        case ParticleKind::Rain:
+            return rain_height(half, phase);
+        case ParticleKind::Dust:
+            return swinging_place(half, emitter.kind, chance.signed_15(2), phase * 2);
+        case ParticleKind::Sparks:
+            return spark_height(half, chance, phase);
+        case ParticleKind::Bubbles:
+            break;
+    }
+    return part_of(half, static_cast<std::int64_t>(phase >> 16) - 32768, 15);
 }
 
 std::uint8_t colour_of(const ParticleEmitter& emitter, std::int32_t share_16) {
     const std::int32_t ramp = emitter.last_colour - emitter.first_colour, count = (ramp < 0 ? -ramp : ramp) + 1;
     const std::int32_t step = floor_shift(count * share_16, 16);
     return static_cast<std::uint8_t>(emitter.first_colour + (ramp < 0 ? -step : step));
-}
-
-Vec3<World> place_in_box(const ParticleEmitter& emitter, const Chance& chance, std::uint32_t phase) {
-    switch (emitter.kind) {
-        case ParticleKind::Rain:
-            return rain_at(emitter.half_size, chance, phase);
-        case ParticleKind::Dust:
-            return dust_at(emitter.half_size, chance, phase);
-        case ParticleKind::Sparks:
-            return spark_at(emitter.half_size, chance, phase);
-        case ParticleKind::Bubbles:
-            break;
-    }
-    return bubble_at(emitter.half_size, chance, phase);
 }
 
 constexpr View kNearestDot = View::from_int(16);
@@ -240,35 +240,33 @@ std::uint32_t phase_at(const ParticleEmitter& emitter, std::int64_t time_ms) {
     return static_cast<std::uint32_t>(rest_ms * (std::int64_t{1} << 32) / emitter.period_ms);
 }
 
-Particle particle_at(const ParticleEmitter& emitter, std::int32_t index, std::uint32_t phase) {
+std::optional<Particle> particle_at(const ParticleEmitter& emitter, std::int32_t index, std::uint32_t phase,
+                                    const ParticleBox& within) {
     const Chance chance(emitter.seed, index);
     const std::uint32_t own_phase = phase + chance.phase();
-    const auto age_16 = static_cast<std::int32_t>(own_phase >> 16);
-    const bool is_spark = emitter.kind == ParticleKind::Sparks;
-    Particle particle;
-    particle.position = emitter.middle + place_in_box(emitter, chance, own_phase);
-    particle.colour = colour_of(emitter, is_spark ? age_16 : chance.share_16(3));
-    particle.is_streak = emitter.kind == ParticleKind::Rain && age_16 < 7 * 8192;
-    return particle;
-}
-
-ParticleBox box_of_part(const ParticleEmitter& emitter, int part) {
-    const Vec3<World>& half = emitter.half_size;
-    const PlaceRange x = range_of(half.x, emitter.kind, part % 4), y = range_of(half.y, emitter.kind, part / 4);
-    return {emitter.middle + Vec3<World>{x.low, y.low, -half.z}, emitter.middle + Vec3<World>{x.high, y.high, half.z}};
+    Vec3<World> place = emitter.middle;
+    place.z += height_of(emitter, chance, own_phase);
+    if (place.z < within.mins.z || place.z > within.maxs.z) return std::nullopt;
+    const auto [x, y] = ground_of(emitter, chance, own_phase);
+    place.x += x;
+    place.y += y;
+    if (!within.holds(place.x, place.y)) return std::nullopt;
+    const std::uint32_t age_16 = own_phase >> 16;
+    const auto share_16 = emitter.kind == ParticleKind::Sparks ? static_cast<std::int32_t>(age_16) : chance.share_16(3);
+    return Particle{place, colour_of(emitter, share_16), emitter.kind == ParticleKind::Rain && age_16 < kFall_16};
 }
 
 std::int32_t append_dots(const ParticleEmitter& emitter, std::int64_t time_ms, const ViewContext& view,
-                         std::uint32_t parts, std::vector<ParticleDot>& dots) {
+                         const ParticleBox& within, std::vector<ParticleDot>& dots) {
     const DotProjection projection(view);
     const HalfSize dot_size = half_size_of(emitter.kind, false), streak_size = half_size_of(emitter.kind, true);
     const std::uint32_t phase = phase_at(emitter, time_ms);
     std::int32_t computed = 0;
     for (std::int32_t i = 0; i < emitter.count; ++i) {
-        if ((parts >> Chance(emitter.seed, i).part() & 1) == 0) continue;
+        const std::optional<Particle> particle = particle_at(emitter, i, phase, within);
+        if (!particle) continue;
         ++computed;
-        const Particle particle = particle_at(emitter, i, phase);
-        const auto dot = projection.dot(particle, particle.is_streak ? streak_size : dot_size);
+        const auto dot = projection.dot(*particle, particle->is_streak ? streak_size : dot_size);
         if (dot) dots.push_back(*dot);
     }
     return computed;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -40,18 +41,43 @@ struct Particle {
 /// The phase of an emitter at time_ms >= 0: 2^32 to the period, so that sums wrap.
 std::uint32_t phase_at(const ParticleEmitter& emitter, std::int64_t time_ms);
 
-/// Particle `index` (0 to count - 1) at a phase. A closed formula, so that particles out of view cost nothing.
-Particle particle_at(const ParticleEmitter& emitter, std::int32_t index, std::uint32_t phase);
-
-/// Particles by where they stay: seen from above, their box is divided into 4 x 4 parts.
-inline constexpr int kParticleParts = 16;
-
+/// A box of places, and which of its 4 x 4 columns, seen from above, count: a bit each, from the least x and y.
 struct ParticleBox {
+    static constexpr int kColumns = 16;
+
     Vec3<World> mins, maxs;
+    std::uint32_t columns = (1u << kColumns) - 1;
+
+    bool holds(World x, World y) const {
+        if (x < mins.x || x > maxs.x || y < mins.y || y > maxs.y) return false;
+        return (columns >> (quarter_of(x, mins.x, maxs.x) + 4 * quarter_of(y, mins.y, maxs.y)) & 1) != 0;
+    }
+    /// The borders of a column.
+    ParticleBox column(int number) const {
+        const auto border = [](World low, World high, int quarter) {
+            return quarter == 4 ? high : low + (high - low) / 4 * quarter;
+        };
+        const int x = number % 4, y = number / 4;
+        return {{border(mins.x, maxs.x, x), border(mins.y, maxs.y, y), mins.z},
+                {border(mins.x, maxs.x, x + 1), border(mins.y, maxs.y, y + 1), maxs.z}};
+    }
+
+  private:
+    static int quarter_of(World place, World low, World high) {
+        const World quarter = (high - low) / 4, beyond = place - low;
+        return (beyond > quarter) + (beyond > quarter * 2) + (beyond > quarter * 3);
+    }
 };
 
-/// A box that the particles of a part never leave.
-ParticleBox box_of_part(const ParticleEmitter& emitter, int part);
+/// The box that an emitter's particles never leave.
+inline ParticleBox box_of(const ParticleEmitter& emitter) {
+    return {emitter.middle - emitter.half_size, emitter.middle + emitter.half_size};
+}
+
+/// Particle `index` (0 to count - 1) at a phase, if it is in a box. A closed formula, so that particles out of view
+/// cost nothing.
+std::optional<Particle> particle_at(const ParticleEmitter& emitter, std::int32_t index, std::uint32_t phase,
+                                    const ParticleBox& within);
 
 /// A particle on the screen: a block of pixels at one depth, inside the screen and not empty.
 struct ParticleDot {
@@ -60,11 +86,11 @@ struct ParticleDot {
     std::uint8_t colour;
 };
 
-/// Appends the dots of an emitter's particles in view, hidden or not, of those parts whose bit is set in `parts`.
+/// Appends the dots of an emitter's particles in view, hidden or not, that are in a box.
 /// Particles nearer than 16 units are left out. A dot is at least one pixel wide and high, and at most 1/16 of the
-/// screen wide and 1/4 high. The camera's field of view is 1 to 179 degrees. Returns how many particles it computed.
+/// screen wide and 1/4 high. The camera's field of view is 1 to 179 degrees. Returns how many particles are in the box.
 std::int32_t append_dots(const ParticleEmitter& emitter, std::int64_t time_ms, const ViewContext& view,
-                         std::uint32_t parts, std::vector<ParticleDot>& dots);
+                         const ParticleBox& within, std::vector<ParticleDot>& dots);
 
 /// The bounding rectangle of dots; empty if there are none.
 ScreenRectangle rectangle_around(std::span<const ParticleDot> dots);

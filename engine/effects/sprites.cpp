@@ -118,6 +118,11 @@ std::optional<ScreenSprite> project_sprite(const Sprite& sprite, const MipTextur
                         inverse_16.step};
 }
 
+InverseDepth middle_inverse_depth(const ScreenSprite& sprite) {
+    const std::int64_t rows = (sprite.pixels.end_row - sprite.pixels.first_row) / 2;
+    return static_cast<InverseDepth>((sprite.inverse_depth_16 + rows * sprite.inverse_depth_step_16) >> 16);
+}
+
 void draw_sprite(const ScreenSprite& sprite, const std::uint8_t* shade, DepthBuffer& depth, Framebuffer out) {
     std::int64_t v_16 = sprite.v_16, inverse_16 = sprite.inverse_depth_16;
     for (std::int32_t y = sprite.pixels.first_row; y < sprite.pixels.end_row; ++y) {

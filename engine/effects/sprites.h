@@ -31,6 +31,9 @@ struct ScreenSprite {
 /// `texture` is that of the sprite.
 std::optional<ScreenSprite> project_sprite(const Sprite& sprite, const MipTexture& texture, const ViewContext& view);
 
+/// The depth of the middle of the drawn rows: where nothing in `pixels` is nearer, the sprite counts as visible.
+InverseDepth middle_inverse_depth(const ScreenSprite& sprite);
+
 /// Draws a sprite where nothing is nearer. `shade` is a row of the colormap or of fog, 256 colours. `depth` must be
 /// valid at its pixels (DepthBuffer::want).
 void draw_sprite(const ScreenSprite& sprite, const std::uint8_t* shade, DepthBuffer& depth, Framebuffer out);

@@ -102,11 +102,7 @@ class ThingReader {
         emitter.first_colour = ramp.first;
         emitter.last_colour = ramp.last;
         if (emitter.count == 0) return;
-        things_.emitters.push_back({emitter, place_box(level_, box_around(emitter.middle, emitter.half_size)), {}});
-        for (int part = 0; part < kParticleParts; ++part) {
-            const ParticleBox box = box_of_part(emitter, part);
-            item(things_.emitters.back().parts, part) = box_between(box.mins, box.maxs);
-        }
+        things_.emitters.push_back({emitter, place_box(level_, box_around(emitter.middle, emitter.half_size))});
     }
 
     void read_sprite(const EntityValues& values) {
@@ -187,9 +183,6 @@ class ThingReader {
     std::int32_t particle_count_ = 0;
 };
 
-/// How often an emitter's box is halved: particles cost more than tests of its parts.
-constexpr int kCuts = 4;
-
 /// Removes the dots from `first` on that are outside the part of the screen that is drawn.
 void keep_dots_in(const ScreenRectangle& part, std::size_t first, std::vector<ParticleDot>& dots) {
     const auto is_outside = [&part](const ParticleDot& dot) {
@@ -198,50 +191,51 @@ void keep_dots_in(const ScreenRectangle& part, std::size_t first, std::vector<Pa
     dots.erase(std::remove_if(dots.begin() + static_cast<std::ptrdiff_t>(first), dots.end(), is_outside), dots.end());
 }
 
-/// The two halves of a box, divided along its longest axis.
-std::array<LevelBox, 2> halves_of(const LevelBox& box) {
-    const auto size = [&box](std::size_t axis) { return box.maxs[axis] - box.mins[axis]; };
-    const std::size_t across = size(0) >= size(1) ? 0 : 1, longest = size(across) >= size(2) ? across : 2;
-    LevelBox low = box, high = box;
-    low.maxs[longest] = high.mins[longest] = box_coordinate(box.mins[longest] + size(longest) / 2);
-    return {low, high};
+/// Whether the particles whose places are in a box may show.
+bool may_show(const ParticleBox& places, const Sight& sight) {
+    return sight.may_show_part(box_between(places.mins, places.maxs));
 }
 
-/// False if the box, or each part after halving it `cuts` times, is hidden.
-bool may_show_in_halves(const LevelBox& box, int cuts, const Sight& sight) {
-    if (!sight.may_show(box)) return false;
-    if (cuts == 0) return true;
-    const auto [low, high] = halves_of(box);
-    return may_show_in_halves(low, cuts - 1, sight) || may_show_in_halves(high, cuts - 1, sight);
+/// Drops quarters of a box from its bottom and its top, up to five times, as long as particles there are hidden.
+void drop_hidden_ends(ParticleBox& places, const Sight& sight) {
+    for (int cut = 0; cut < 5; ++cut) {
+        const World quarter = (places.maxs.z - places.mins.z) / 4;
+        ParticleBox low = places, high = places;
+        low.maxs.z = places.mins.z + quarter;
+        high.mins.z = places.maxs.z - quarter;
+        const bool is_low_open = may_show(low, sight), is_high_open = may_show(high, sight);
+        if (!is_low_open) places.mins.z = low.maxs.z;
+        if (!is_high_open) places.maxs.z = high.mins.z;
+        if (is_low_open && is_high_open) break;
+    }
 }
 
-/// The parts of an emitter that may show, a bit each. A few particles cost less than these tests.
-std::uint32_t shown_parts(const PlacedEmitter& placed, const Sight& sight) {
+/// Where particles of the emitter begun last may show; none: nowhere. A few cost less than these tests.
+std::optional<ParticleBox> open_places(const ParticleEmitter& emitter, const Sight& sight) {
     constexpr std::int32_t kFewParticles = 100;
-    if (placed.emitter.count < kFewParticles) return ~0u;
-    std::uint32_t parts = 0;
-    for (int part = 0; part < kParticleParts; ++part)
-        if (sight.may_show(item(placed.parts, part))) parts |= 1u << part;
-    return parts;
+    ParticleBox places = box_of(emitter);
+    if (emitter.count < kFewParticles) return places;
+    drop_hidden_ends(places, sight);
+    if (!sight.narrow(box_between(places.mins, places.maxs))) return std::nullopt;
+    for (int column = 0; column < ParticleBox::kColumns; ++column)
+        if (!may_show(places.column(column), sight)) places.columns &= ~(1u << column);
+    if (places.columns == 0) return std::nullopt;
+    return places;
 }
 
-InverseDepth nearest_inverse_depth(const ScreenSprite& sprite) {
-    const std::int64_t rows = sprite.pixels.end_row - sprite.pixels.first_row;
-    const std::int64_t last_16 = sprite.inverse_depth_16 + rows * sprite.inverse_depth_step_16;
-    return static_cast<InverseDepth>(std::max(sprite.inverse_depth_16, last_16) >> 16);
-}
-
-InverseDepth nearest_inverse_depth(std::span<const ParticleDot> dots) {
-    InverseDepth nearest = 0;
-    for (const ParticleDot& dot : dots) nearest = std::max(nearest, dot.inverse_depth);
-    return nearest;
+/// Whether a pixel of some dots is not hidden.
+bool may_show_any(std::span<const ParticleDot> dots, const Sight& sight) {
+    return std::any_of(dots.begin(), dots.end(), [&sight](const ParticleDot& dot) {
+        return sight.may_show_part(ScreenRectangle{dot.first_column, dot.end_column, dot.first_row, dot.end_row},
+                                   dot.inverse_depth);
+    });
 }
 
 void add_sprite(const Sprite& sprite, const Level& level, const Sight& sight, ThingsInView& in_view,
                 DepthBuffer& depth) {
     const std::optional<ScreenSprite> screen = project_sprite(sprite, level.textures[sprite.texture], sight.view);
     if (!screen || (sight.drawn_part && !overlap(screen->pixels, *sight.drawn_part))) return;
-    if (!sight.may_show(screen->pixels, nearest_inverse_depth(*screen))) return;
+    if (!sight.may_show(screen->pixels, middle_inverse_depth(*screen))) return;
     in_view.sprites.push_back({*screen, sprite.position});
     depth.want(screen->pixels);
 }
@@ -262,21 +256,20 @@ Sprite lantern_at(const Lantern& lantern, std::int64_t time_ms) {
 void find_particles(const Things& things, std::int64_t time_ms, const Sight& sight, ThingsInView& in_view,
                     DepthBuffer& depth) {
     for (const PlacedEmitter& placed : things.emitters) {
-        if (!sight.may_show(placed.place) || !may_show_in_halves(placed.place.box, kCuts, sight)) continue;
-        const std::uint32_t parts = shown_parts(placed, sight);
-        if (parts == 0) continue;
+        if (!sight.may_show(placed.place)) continue;
+        const std::optional<ParticleBox> places = open_places(placed.emitter, sight);
+        if (!places) continue;
         const std::size_t first = in_view.dots.size();
-        in_view.particles_computed += append_dots(placed.emitter, time_ms, sight.view, parts, in_view.dots);
+        in_view.particles_computed += append_dots(placed.emitter, time_ms, sight.view, *places, in_view.dots);
         if (sight.drawn_part) keep_dots_in(*sight.drawn_part, first, in_view.dots);
         const std::span<const ParticleDot> dots = std::span(in_view.dots).subspan(first);
-        const ScreenRectangle pixels = rectangle_around(dots);
-        if (dots.empty() || !sight.may_show(pixels, nearest_inverse_depth(dots))) {
+        if (!may_show_any(dots, sight)) {
             in_view.dots.resize(first);
             continue;
         }
         in_view.emitters.push_back(
             {first, dots.size(), placed.emitter.middle, World::from_int(placed.place.box.mins[2])});
-        depth.want(pixels);
+        depth.want(rectangle_around(dots));
     }
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -30,7 +29,6 @@ Sprite lantern_at(const Lantern& lantern, std::int64_t time_ms);
 struct PlacedEmitter {
     ParticleEmitter emitter;
     PlacedBox place;
-    std::array<LevelBox, kParticleParts> parts;
 };
 
 struct PlacedSprite {
@@ -82,7 +80,7 @@ struct ThingsInView {
     std::vector<const PlacedSprite*> placed_sprites;  ///< whose box, which holds the shadow, may be visible
     std::vector<SpriteInView> sprites;
     std::vector<Shadow> shadows;
-    std::int64_t particles_computed = 0;  ///< of parts that may be visible; includes particles out of view
+    std::int64_t particles_computed = 0;  ///< where they may be visible; includes those out of view
 
     void clear() {
         dots.clear();
@@ -94,14 +92,16 @@ struct ThingsInView {
     }
 };
 
-/// Tests what faces hide.
+/// What faces leave open to a thing.
 class Cover {
   public:
     virtual ~Cover() = default;
-    /// Whether everything in a box is certainly hidden.
-    virtual bool hides(const LevelBox& box) = 0;
-    /// Whether at each pixel of a rectangle a face is nearer than this depth.
-    virtual bool hides(const ScreenRectangle& pixels, InverseDepth nearest) = 0;
+    /// Begins a thing: whether at a pixel of a rectangle that holds it no face is nearer than this depth.
+    virtual bool begin(const ScreenRectangle& pixels, InverseDepth nearest) = 0;
+    /// The same of a part of the thing, which is nowhere nearer and not outside the rectangle.
+    virtual bool shows(const ScreenOutline& outline, InverseDepth nearest) const = 0;
+    /// The same; later questions are only of what is inside the outline and not nearer. Takes longer.
+    virtual bool narrow(const ScreenOutline& outline, InverseDepth nearest) = 0;
 };
 
 /// The visibility tests of a frame.
@@ -112,14 +112,31 @@ struct Sight {
     Cover* cover = nullptr;                       ///< or null
     BoxCuller culler{view.frustum, view.eye};
 
+    bool is_in_view(const PlacedBox& place) const { return may_be_seen(place, leaves, culler); }
+    /// Begins a thing in a box.
     bool may_show(const PlacedBox& place) const {
-        return may_be_seen(place, leaves, culler) && !(cover && cover->hides(place.box));
+        return is_in_view(place) && may_show(rectangle_of(place.box, view), nearest_inverse_depth_of(place.box, view));
     }
-    bool may_show(const LevelBox& box) const {
-        return culler.sides_crossed(box, kAllSides) != kOutside && !(cover && cover->hides(box));
-    }
+    /// Begins a thing in a rectangle.
     bool may_show(const ScreenRectangle& pixels, InverseDepth nearest) const {
-        return !(cover && cover->hides(pixels, nearest));
+        return !cover || cover->begin(pixels, nearest);
+    }
+    // Of a part of the thing begun last.
+    bool may_show_part(const LevelBox& box) const {
+        if (culler.sides_crossed(box, kAllSides) == kOutside) return false;
+        const InverseDepth nearest = nearest_inverse_depth_of(box, view);
+        return may_show_part(rectangle_of(box, view), nearest) &&
+               (!cover || cover->shows(outline_of(box, view), nearest));
+    }
+    bool may_show_part(const ScreenOutline& outline, InverseDepth nearest) const {
+        return !cover || cover->shows(outline, nearest);
+    }
+    bool may_show_part(const ScreenRectangle& pixels, InverseDepth nearest) const {
+        return may_show_part(ScreenOutline{pixels}, nearest);
+    }
+    /// The same; the later questions are of this part.
+    bool narrow(const LevelBox& box) const {
+        return !cover || cover->narrow(outline_of(box, view), nearest_inverse_depth_of(box, view));
     }
 };
 

@@ -1,26 +1,29 @@
 #include "engine/frame/face_cover.h"
 
 #include <algorithm>
-#include <array>
 
+#include "engine/base/table.h"
 #include "engine/frame/frame_context.h"
-#include "engine/visibility/box_culler.h"
 
 namespace oblong {
 
 namespace {
 
-/// The spans in these rows; spans are sorted by row.
-std::span<const Span> spans_in_rows(std::span<const Span> spans, std::int32_t first, std::int32_t end) {
-    const auto begin =
-        std::partition_point(spans.begin(), spans.end(), [=](const Span& span) { return span.y < first; });
-    const auto after = std::partition_point(begin, spans.end(), [=](const Span& span) { return span.y < end; });
-    return {begin, after};
+/// The first span not above a row; spans are sorted by row, and most faces have one in each.
+const Span* first_from(std::int32_t row, std::span<const Span> spans) {
+    const Span* const begin = spans.data();
+    const std::int64_t guess = std::int64_t{row} - begin->y;
+    if (guess <= 0) return begin;
+    if (spans.back().y < row) return begin + spans.size();
+    if (as_size(guess) < spans.size() && begin[guess].y == row && begin[guess - 1].y < row) return begin + guess;
+    return std::partition_point(begin, begin + spans.size(), [row](const Span& span) { return span.y < row; });
 }
 
-bool overlap(const Span& span, const ScreenRectangle& pixels) {
-    return span.first < pixels.end_column && span.end > pixels.first_column && span.y >= pixels.first_row &&
-           span.y < pixels.end_row;
+/// The spans in these rows.
+std::span<const Span> spans_in_rows(std::span<const Span> spans, std::int32_t first, std::int32_t end) {
+    if (spans.empty()) return spans;
+    const Span* const begin = first_from(first, spans);
+    return {begin, std::max(begin, first_from(end, spans))};
 }
 
 /// Whether all of a face's plane in a rectangle is certainly nearer.
@@ -32,18 +35,13 @@ bool is_nearer(const LinearQuantity<InverseZ>& plane, const ScreenRectangle& pix
     return to_inverse_depth(plane.at(column, row)) > nearest;
 }
 
-/// Whether a pixel of a face in a rectangle is not nearer than `nearest`.
-bool shows_farther(std::span<const Span> spans, const LinearQuantity<InverseZ>& inverse_z,
-                   const ScreenRectangle& pixels, InverseDepth nearest) {
-    if (is_nearer(inverse_z, pixels, nearest)) return false;
-    for (const Span& span : spans_in_rows(spans, pixels.first_row, pixels.end_row)) {
-        const std::int32_t first = std::max(span.first, pixels.first_column);
-        const std::int32_t end = std::min(span.end, pixels.end_column);
-        if (first >= end) continue;
-        const InverseZ least = std::min(inverse_z.at(first, span.y), inverse_z.at(end - 1, span.y));
-        if (to_inverse_depth(least) <= nearest) return true;
-    }
-    return false;
+/// Whether a pixel of a span in an outline is not nearer than `nearest`.
+inline bool shows_farther(const Span& span, const LinearQuantity<InverseZ>& inverse_z, const ScreenOutline& outline,
+                          InverseDepth nearest) {
+    const auto [first, end] = outline.columns_in(span.y, span.first, span.end);
+    if (first >= end) return false;
+    const InverseZ least = std::min(inverse_z.at(first, span.y), inverse_z.at(end - 1, span.y));
+    return to_inverse_depth(least) <= nearest;
 }
 
 /// A lower bound of a face's 1/z: rounding moves a pixel's place on the face by less than two pixels.
@@ -53,39 +51,74 @@ InverseDepth farthest_inverse_depth_of(const VisibleFace& face) {
     return to_inverse_depth(farthest - (absolute(plane.per_column) + absolute(plane.per_row)) * 2);
 }
 
+/// The spans of a face that may be in an outline, without those of which all pixels there are certainly nearer.
+inline std::span<const Span> spans_in_question(const OpenFace& face, const ScreenOutline& outline,
+                                               InverseDepth nearest) {
+    if (!overlap(face.pixels, outline.pixels)) return {};
+    const ScreenRectangle both = intersection(face.pixels, outline.pixels);
+    if (is_nearer(face.inverse_z, both, nearest)) return {};
+    return spans_in_rows(face.spans, both.first_row, both.end_row);
+}
+
+/// Whether a face shows a pixel in an outline that is not nearer than `nearest`.
+inline bool shows_farther(const OpenFace& face, const ScreenOutline& outline, InverseDepth nearest) {
+    for (const Span& span : spans_in_question(face, outline, nearest))
+        if (shows_farther(span, face.inverse_z, outline, nearest)) return true;
+    return false;
+}
+
+/// A rectangle around the spans that show such pixels; empty if there are none.
+ScreenRectangle rectangle_around_open(const OpenFace& face, const ScreenOutline& outline, InverseDepth nearest) {
+    ScreenRectangle around{};
+    for (const Span& span : spans_in_question(face, outline, nearest)) {
+        if (!shows_farther(span, face.inverse_z, outline, nearest)) continue;
+        const ScreenRectangle pixels{span.first, span.end, span.y, span.y + 1};
+        around = is_empty(around) ? pixels : joined(around, pixels);
+    }
+    return intersection(around, face.pixels);
+}
+
 }  // namespace
 
-bool FaceCover::hides(const LevelBox& box) {
-    return hides(rectangle_of(box, frame_.view), nearest_inverse_depth_of(box, frame_.view));
+bool FaceCover::begin(const ScreenRectangle& pixels, InverseDepth nearest) {
+    open_.clear();
+    around_ = pixels;
+    const auto add = [&](std::span<const Span> spans, const LinearQuantity<InverseZ>& inverse_z,
+                         const ScreenRectangle& bounds) {
+        const OpenFace face{spans, inverse_z, intersection(bounds, pixels)};
+        // After the first that is open, others are kept that may be.
+        if (!open_.empty() || shows_farther(face, {pixels}, nearest)) open_.push_back(face);
+    };
+    for (const FaceList list : {FaceList::Sky, FaceList::Walls, FaceList::Flat, FaceList::Liquid, FaceList::Mirror})
+        for (const VisibleFace& face : claims_.list(list)) {
+            if (!overlap(face.bounds, pixels)) continue;
+            if (list == FaceList::Sky) {
+                add(claims_.spans_of(face), {}, face.bounds);
+                continue;
+            }
+            const LinearQuantity<InverseZ> inverse_z = inverse_z_of(face, frame_);
+            if (is_nearer(inverse_z, intersection(face.bounds, pixels), nearest)) continue;
+            if (farthest_inverse_depth_of(face) <= nearest) add(claims_.spans_of(face), inverse_z, face.bounds);
+        }
+    if (!claims_.void_spans.empty()) add(claims_.void_spans, {}, pixels);
+    for (const TornSpan& torn : claims_.torn) add({&torn.span, 1}, {}, pixels);
+    return !open_.empty();
 }
 
-bool FaceCover::hides(const ScreenRectangle& pixels, InverseDepth nearest) {
-    const auto any_shows = [&](FaceList list) {
-        const std::vector<VisibleFace>& faces = claims_.list(list);
-        return std::any_of(faces.begin(), faces.end(), [&](const VisibleFace& face) {
-            if (!overlap(face.bounds, pixels)) return false;
-            const bool is_sky = list == FaceList::Sky;
-            if (!is_sky && farthest_inverse_depth_of(face) > nearest) return false;
-            return shows_farther(claims_.spans_of(face),
-                                 is_sky ? LinearQuantity<InverseZ>{} : inverse_z_of(face, frame_), pixels, nearest);
-        });
-    };
-    constexpr std::array kLists{FaceList::Sky, FaceList::Walls, FaceList::Flat, FaceList::Liquid, FaceList::Mirror};
-    const auto is_free = [&](const Span& span) { return overlap(span, pixels); };
-    return std::none_of(kLists.begin(), kLists.end(), any_shows) &&
-           std::none_of(claims_.void_spans.begin(), claims_.void_spans.end(), is_free) &&
-           std::none_of(claims_.torn.begin(), claims_.torn.end(),
-                        [&](const TornSpan& torn) { return overlap(torn.span, pixels); });
+bool FaceCover::shows(const ScreenOutline& outline, InverseDepth nearest) const {
+    if (!overlap(around_, outline.pixels)) return false;
+    for (const OpenFace& face : open_)
+        if (shows_farther(face, outline, nearest)) return true;
+    return false;
 }
 
-InverseDepth nearest_inverse_depth_of(const LevelBox& box, const ViewContext& view) {
-    const auto nearest = [&box](std::size_t axis, Unit forward) {
-        return World::from_int(forward > Unit{} ? box.mins[axis] : box.maxs[axis]);
-    };
-    const Vec3<Unit>& forward = view.axes.forward;
-    const View z =
-        to_view({nearest(0, forward.x), nearest(1, forward.y), nearest(2, forward.z)}, view.eye, view.axes).z;
-    return to_inverse_depth(reciprocal<InverseZ>(std::max(z, View::from_int(1))));
+bool FaceCover::narrow(const ScreenOutline& outline, InverseDepth nearest) {
+    std::erase_if(open_, [&](OpenFace& face) {
+        face.pixels = rectangle_around_open(face, outline, nearest);
+        return is_empty(face.pixels);
+    });
+    for (const OpenFace& face : open_) around_ = &face == open_.data() ? face.pixels : joined(around_, face.pixels);
+    return !open_.empty();
 }
 
 }  // namespace oblong

@@ -41,8 +41,10 @@ void gather_lights(const FrameContext& frame, ViewScratch& scratch) {
 /// Whether a light touches a face that owns pixels.
 bool find_touched(const FrameContext& frame, const ViewScratch& scratch) {
     bool is_any = false;
+    const bool are_lanterns = frame.scene.moving_lights.empty();
     for (const FaceList list : {FaceList::Walls, FaceList::SeeThrough})
         for (const VisibleFace& claimed : scratch.claims.list(list)) {
+            if (are_lanterns && !claimed.fragment && !frame.cache.faces[claimed.face].is_near_lantern) continue;
             if (!frame.cache.surfaces.is_touched(claimed.face, frame.offset_of(claimed))) continue;
             if (!frame.observers.counts) return true;
             is_any = true;

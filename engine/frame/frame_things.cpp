@@ -46,11 +46,6 @@ std::int64_t visible_pixels(const ParticleDot& dot, DepthBuffer& depth) {
     return visible_pixels({dot.first_column, dot.end_column, dot.first_row, dot.end_row}, dot.inverse_depth, depth);
 }
 
-InverseDepth middle_inverse_depth(const ScreenSprite& sprite) {
-    const std::int64_t rows = (sprite.pixels.end_row - sprite.pixels.first_row) / 2;
-    return static_cast<InverseDepth>((sprite.inverse_depth_16 + rows * sprite.inverse_depth_step_16) >> 16);
-}
-
 InverseZ inverse_z_of(InverseDepth depth) {
     return InverseZ::from_raw(std::int64_t{depth} << (InverseZ::kFractionBits - 32));
 }
@@ -167,7 +162,7 @@ void find_things(const FrameContext& frame, ViewScratch& scratch) {
     scratch.depth.start_frame();
     if (frame.cache.things.is_empty() && frame.scene.meshes.empty()) return;
     ThingsInView& in_view = scratch.claims.things.in_view;
-    FaceCover cover(frame, scratch.claims);
+    FaceCover cover(frame, scratch.claims, scratch.effects->open_faces);
     const Sight sight{leaves_in_sight(frame, scratch), frame.view, frame.mirror ? &frame.mirror->pixels : nullptr,
                       &cover};
     const std::int64_t time_ms = frame.scene.time_ms;

@@ -23,6 +23,7 @@ struct VisibleThing {
 /// A mesh that may own pixels.
 struct MeshInView {
     const PlacedMesh* placed = nullptr;
+    const MeshTransform* transform = nullptr;
     LevelBox box;
     ScreenRectangle box_pixels{};
     InverseDepth nearest_inverse_depth = 0;      ///< of the box

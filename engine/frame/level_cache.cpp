@@ -13,9 +13,18 @@ bool is_above(World height, FaceIndex face, const Level& level, const FaceTable&
                        [&](VertexIndex corner) { return level.vertices[corner].z >= height; });
 }
 
+/// Whether a lantern's light may touch a face; with a unit for what rounds its circle.
+bool is_near(const Lantern& lantern, FaceIndex face, const Level& level, const FaceTable& table) {
+    const World strays = lantern.radius + World::from_int(1);
+    return may_touch({lantern.middle, lantern.light_radius}, strays, level, face, table);
+}
+
 /// Adds the level's effects on textures and light to faces.
-void add_effects(const Level& level, const LevelEffects& effects, FaceTable& table) {
+void add_effects(const Level& level, const LevelEffects& effects, const Things& things, FaceTable& table) {
     for (const FaceIndex index : level.faces.indices()) {
+        table[index].is_near_lantern =
+            std::any_of(things.lanterns.begin(), things.lanterns.end(),
+                        [&](const PlacedLantern& placed) { return is_near(placed.lantern, index, level, table); });
         const Face& face = level.faces[index];
         table[index].is_above_fog =
             effects.fog && effects.fog->has_top && is_above(effects.fog->top, index, level, table);
@@ -40,7 +49,7 @@ LevelCache::LevelCache(const Level& level, const ScreenMode& mode)
       things(read_things(level)),
       surfaces(level, faces, mode),
       brush_models(level) {
-    add_effects(level, effects, faces);
+    add_effects(level, effects, things, faces);
 }
 
 }  // namespace oblong

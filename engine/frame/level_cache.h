@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "engine/effects/sky.h"
@@ -19,10 +20,13 @@
 
 namespace oblong {
 
-/// The box of a mesh of the scene for any rotation.
+/// What is known of a mesh of the scene until it moves.
 struct MeshPlace {
     TurningShape shape;
-    PlacedBox place;
+    PlacedBox any_turn;  ///< its box for any rotation
+    PlacedMesh placed;
+    LevelBox box;
+    std::optional<MeshTransform> transform;  ///< once asked for; none: none yet, or it has no inverse
 };
 
 /// Data kept from frame to frame for a level and a colormap, made once or on first use. It never changes a picture.

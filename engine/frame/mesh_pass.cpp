@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include "engine/frame/face_cover.h"
 #include "engine/frame/frame_context.h"
 #include "engine/frame/frame_counts.h"
 #include "engine/frame/frame_fog.h"
@@ -22,21 +21,34 @@ ScreenRectangle pixels_of(const LevelBox& box, const ViewContext& view, const Sc
     return drawn_part ? intersection(pixels, *drawn_part) : pixels;
 }
 
-/// Finds the parts of a mesh that may be visible, and sets its pixels to theirs; empty if there are none. `sides` are
-/// those of the frustum that its box crosses.
-void find_parts(const WorldBoxes& boxes, std::uint8_t sides, const Sight& sight, MeshInView& mesh,
-                std::vector<std::uint32_t>& parts) {
-    if (boxes.part_count() == 0) return;
-    mesh.pixels = {};
+/// The pixels that a part of the mesh begun last may cover; empty if it is hidden.
+ScreenRectangle pixels_of_part(const MeshBox& from, const MeshBox& to, const MeshToView& to_view,
+                               const MeshTransform& transform, const Sight& sight) {
+    const ViewBox box = to_view.is_usable ? view_box_of(from, to, to_view) : ViewBox{};
+    if (box.nearest_z() < kExactFrom) {
+        const LevelBox in_world = world_box(transform, from, to);
+        return sight.may_show_part(in_world) ? rectangle_of(in_world, sight.view) : ScreenRectangle{};
+    }
+    const ScreenOutline outline = outline_of(box, sight.view.projection);
+    const bool may_show = !is_empty(outline.pixels) && sight.may_show_part(outline, nearest_inverse_depth_of(box));
+    return may_show ? outline.pixels : ScreenRectangle{};
+}
+
+/// Finds the parts of the mesh begun last that may be visible, and sets its pixels to theirs; empty if there are none.
+void find_parts(const Sight& sight, MeshInView& mesh, std::vector<std::uint32_t>& parts) {
+    const std::vector<MeshBox>&from = frame_of(*mesh.placed).parts, &to = next_frame_of(*mesh.placed).parts;
+    const std::size_t count = std::min(from.size(), to.size());
+    if (count == 0) return;
+    const MeshToView to_view = make_mesh_to_view(mesh.placed->position, *mesh.transform, sight.view);
+    ScreenRectangle all{};
     mesh.first_part = parts.size();
-    for (std::uint32_t part = 0; part < boxes.part_count(); ++part) {
-        const LevelBox box = boxes.of_part(part);
-        if (sight.culler.sides_crossed(box, sides) == kOutside) continue;
-        const ScreenRectangle pixels = pixels_of(box, sight.view, sight.drawn_part);
-        if (is_empty(pixels) || !sight.may_show(pixels, nearest_inverse_depth_of(box, sight.view))) continue;
-        mesh.pixels = is_empty(mesh.pixels) ? pixels : joined(mesh.pixels, pixels);
+    for (std::uint32_t part = 0; part < count; ++part) {
+        const ScreenRectangle pixels = pixels_of_part(from[part], to[part], to_view, *mesh.transform, sight);
+        if (is_empty(pixels)) continue;
+        all = is_empty(all) ? pixels : joined(all, pixels);
         parts.push_back(part);
     }
+    mesh.pixels = is_empty(all) || !sight.drawn_part ? all : intersection(all, *sight.drawn_part);
     mesh.part_count = parts.size() - mesh.first_part;
 }
 
@@ -52,11 +64,20 @@ bool is_hidden(const MeshInView& mesh, DepthBuffer& depth) {
 }
 
 /// The box of a mesh of the scene for any rotation, found again when it has moved.
-const PlacedBox& place_of(std::size_t number, const FrameContext& frame) {
-    const TurningShape shape = turning_shape(frame.scene.meshes[number]);
-    MeshPlace& known = frame.cache.mesh_places[number];
-    if (known.shape != shape) known = {shape, place_box(frame.scene.level, turning_box(shape))};
-    return known.place;
+const PlacedBox& box_for_any_turn(const PlacedMesh& placed, const Level& level, MeshPlace& known) {
+    const TurningShape shape = turning_shape(placed);
+    if (known.shape != shape) known = {shape, place_box(level, turning_box(shape)), {}, {}, {}};
+    return known.any_turn;
+}
+
+/// Its box as it stands, found again when it has turned.
+const LevelBox& box_of(const PlacedMesh& placed, MeshPlace& known) {
+    if (known.placed != placed) {
+        known.placed = placed;
+        known.box = world_box(placed);
+        known.transform.reset();
+    }
+    return known.box;
 }
 
 /// Half of a box's diagonal.
@@ -113,6 +134,21 @@ void add_effects(const MeshDrawing& drawing, const std::optional<LightAt>& below
         claims.add(Effect::Styles, pixels, counts);
 }
 
+/// Whether a triangle of the mesh begun last may show: asked before any depth is filled.
+bool may_show(const MeshInView& mesh, const Sight& sight, ViewScratch& scratch) {
+    std::unique_ptr<MeshScratch>& work = scratch.effects->meshes;
+    if (!work) work = std::make_unique<MeshScratch>(sight.view.projection.height_px);
+    work->begun = nullptr;  // of another view
+    const auto may_show_triangle = [&](const std::array<const ScreenPlace*, 3>& corners) {
+        const auto& [a, b, c] = corners;
+        const ScreenRectangle pixels = box_around({a->screen, b->screen, c->screen}, mesh.pixels);
+        return !is_empty(pixels) &&
+               sight.may_show_part(pixels, to_inverse_depth(std::max({a->inverse_z, b->inverse_z, c->inverse_z})));
+    };
+    return any_in_view(*mesh.placed, scratch.claims.things.parts_of(mesh), *mesh.transform, sight.view, *work,
+                       may_show_triangle);
+}
+
 }  // namespace
 
 void find_meshes(const FrameContext& frame, const Sight& sight, ViewScratch& scratch) {
@@ -122,16 +158,19 @@ void find_meshes(const FrameContext& frame, const Sight& sight, ViewScratch& scr
         const PlacedMesh& placed = frame.scene.meshes[i];
         if (!placed.mesh || placed.mesh->frames.empty()) continue;
         if (frame.mirror && is_behind(*frame.mirror, placed.position, frame.scene.level)) continue;
-        if (!sight.may_show(place_of(i, frame))) continue;
-        const WorldBoxes boxes(placed);
-        const LevelBox box = boxes.whole();
-        const std::uint8_t sides = sight.culler.sides_crossed(box, kAllSides);
-        if (sides == kOutside) continue;
+        MeshPlace& known = frame.cache.mesh_places[i];
+        if (!sight.is_in_view(box_for_any_turn(placed, frame.scene.level, known))) continue;
+        const LevelBox& box = box_of(placed, known);
         const ScreenRectangle pixels = pixels_of(box, sight.view, sight.drawn_part);
-        MeshInView mesh{&placed, box, pixels, nearest_inverse_depth_of(box, sight.view), pixels};
-        if (is_empty(pixels) || !sight.may_show(pixels, mesh.nearest_inverse_depth)) continue;
-        find_parts(boxes, sides, sight, mesh, things.mesh_parts);
-        if (is_empty(mesh.pixels)) continue;
+        const InverseDepth nearest = nearest_inverse_depth_of(box, sight.view);
+        if (is_empty(pixels) || !sight.may_show(pixels, nearest) ||
+            !sight.may_show_part(outline_of(box, sight.view), nearest))
+            continue;
+        if (!known.transform) known.transform = make_mesh_transform(placed);
+        if (!known.transform) continue;
+        MeshInView mesh{&placed, &*known.transform, box, pixels, nearest, pixels};
+        find_parts(sight, mesh, things.mesh_parts);
+        if (is_empty(mesh.pixels) || (things.meshes.empty() && !may_show(mesh, sight, scratch))) continue;
         scratch.depth.want(mesh.pixels);
         things.meshes.push_back(mesh);
     }
@@ -139,12 +178,10 @@ void find_meshes(const FrameContext& frame, const Sight& sight, ViewScratch& scr
 
 void keep_seen_meshes(const FrameContext& frame, ViewScratch& scratch) {
     FrameThings& things = scratch.claims.things;
-    if (things.meshes.empty()) return;
-    if (!scratch.effects->meshes) scratch.effects->meshes = std::make_unique<MeshScratch>(frame.out.height_px);
     const auto seen = std::find_if(things.meshes.begin(), things.meshes.end(), [&](const MeshInView& mesh) {
         const MeshTarget target{scratch.depth, frame.out, mesh.pixels};
-        return !is_hidden(mesh, scratch.depth) &&
-               is_seen(*mesh.placed, things.parts_of(mesh), frame.view, target, *scratch.effects->meshes);
+        return !is_hidden(mesh, scratch.depth) && is_seen(*mesh.placed, things.parts_of(mesh), *mesh.transform,
+                                                          frame.view, target, *scratch.effects->meshes);
     });
     things.meshes.erase(things.meshes.begin(), seen);
     if (!things.meshes.empty()) scratch.claims.effects = scratch.claims.effects.with(Effect::Meshes);
@@ -160,7 +197,8 @@ void draw_meshes(const FrameContext& frame, ViewScratch& scratch) {
                                   light_on(mesh, below, frame, scratch),
                                   fog_over(mesh, frame, scratch),
                                   frame.accuracy().texturing == Texturing::Affine,
-                                  scratch.claims.things.parts_of(mesh)};
+                                  scratch.claims.things.parts_of(mesh),
+                                  mesh.transform};
         const std::int64_t pixels =
             draw_mesh(*mesh.placed, drawing, {scratch.depth, frame.out, mesh.pixels}, *scratch.effects->meshes).pixels;
         if (pixels > 0) add_effects(drawing, below, pixels, frame, scratch.claims);

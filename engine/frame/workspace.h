@@ -6,6 +6,7 @@
 #include "engine/effects/shadows.h"
 #include "engine/effects/warp.h"
 #include "engine/frame/claims.h"
+#include "engine/frame/face_cover.h"
 #include "engine/frame/frame_counts.h"
 #include "engine/frame/frame_light.h"
 #include "engine/frame/frame_record.h"
@@ -38,6 +39,7 @@ struct EffectScratch {
     ShadowScratch shadows;
     std::unique_ptr<MeshScratch> meshes;   ///< null until a frame shows a mesh
     std::vector<MovingLight> mesh_lights;  ///< that reach the current mesh
+    std::vector<OpenFace> open_faces;      ///< of the current thing
     std::vector<FogRun> fog_runs;          ///< on a thing or on what is seen through
     std::vector<Span> sky_spans;
     std::vector<Span> in_front_spans, fog_level_spans;  ///< of what is seen through: in front of models; in one fog

@@ -18,11 +18,10 @@ Fixed<std::int64_t, 16> rounded_shade(Light8 light, const MeshLight& lights) {
     return Fixed<std::int64_t, 16>::from_raw(shade_of(brightened(light, lights.brightness_100)) + (1 << 15));
 }
 
-/// Constant during is_seen().
+/// Constant during any_in_view().
 struct MeshPlacement {
     const PlacedMesh& placed;
     const ViewContext& view;
-    const MeshTarget& target;
     std::span<const MeshVertex> object_vertices;
     std::span<const std::uint32_t> places;  ///< Mesh::places, or empty
     const MeshTransform& transform;
@@ -31,29 +30,31 @@ struct MeshPlacement {
 
 /// Constant during draw_mesh().
 struct MeshContext : MeshPlacement {
+    const MeshTarget& target;
     const MeshDrawing& drawing;
     const HighlightTable& highlights;
     Vec3<Unit> halfway;
     Skin plain;  ///< for triangles without a skin
 };
 
-/// Begins a mesh, or continues after is_seen(). None if it cannot be drawn.
-std::optional<MeshPlacement> place_mesh(const PlacedMesh& placed, const ViewContext& view, const MeshTarget& target,
-                                        MeshScratch& scratch) {
+/// Begins a mesh, or continues after any_in_view(). None if it cannot be drawn. `transform` is the mesh's; null: not
+/// known.
+std::optional<MeshPlacement> place_mesh(const PlacedMesh& placed, const MeshTransform* transform,
+                                        const ViewContext& view, MeshScratch& scratch) {
     if (!placed.mesh || placed.mesh->frames.empty()) return std::nullopt;
     const bool goes_on = std::exchange(scratch.begun, nullptr) == &placed;
     if (!goes_on) {
-        const std::optional<MeshTransform> transform = make_mesh_transform(placed);
-        if (!transform) return std::nullopt;
-        scratch.transform = *transform;
-        scratch.to_view = make_mesh_to_view(placed.position, *transform, view);
+        const std::optional<MeshTransform> found = transform ? *transform : make_mesh_transform(placed);
+        if (!found) return std::nullopt;
+        scratch.transform = *found;
+        scratch.to_view = make_mesh_to_view(placed.position, *found, view);
     }
     const std::span<const MeshVertex> pose = pose_of(placed, scratch.object_vertices);
     if (!goes_on) scratch.begin(pose.size());
     const std::vector<std::uint32_t>& places = placed.mesh->places;
     const std::span<const std::uint32_t> shared =
         places.size() == pose.size() ? places : std::span<const std::uint32_t>();
-    return MeshPlacement{placed, view, target, pose, shared, scratch.transform, scratch.to_view};
+    return MeshPlacement{placed, view, pose, shared, scratch.transform, scratch.to_view};
 }
 
 bool is_whole(const Skin& skin) {
@@ -201,19 +202,16 @@ void draw_if_in_view(const MeshTriangle& triangle, const MeshContext& mesh, Mesh
     if (may_cover_centre(vertices)) draw_whole(triangle, vertices, mesh, scratch, counts);
 }
 
-/// Whether a triangle has a pixel at which nothing is nearer.
-bool is_seen(const MeshTriangle& triangle, const MeshPlacement& mesh, MeshScratch& scratch, MeshCounts& counts) {
+/// Whether a question is answered with yes for a part of a triangle in view.
+bool any_of_triangle(const MeshTriangle& triangle, const MeshPlacement& mesh, MeshScratch& scratch,
+                     const AskTriangle& asks) {
     const auto vertices = transformed_vertices(triangle, mesh, scratch);
-    TriangleScratch& work = scratch.triangle;
     if (is_outside(vertices)) return false;
-    if (is_inside(vertices)) {
-        return may_cover_centre(vertices) &&
-               find_triangle({vertices[0], vertices[1], vertices[2]}, mesh.target, work, counts);
-    }
-    clip_and_project(vertices, {}, mesh.view, work.clip, work.polygon);
-    for (std::size_t i = 2; i < work.polygon.size(); ++i)
-        if (find_triangle({&work.polygon[0], &work.polygon[i - 1], &work.polygon[i]}, mesh.target, work, counts))
-            return true;
+    if (is_inside(vertices)) return may_cover_centre(vertices) && asks({vertices[0], vertices[1], vertices[2]});
+    std::vector<ScreenCorner>& polygon = scratch.triangle.polygon;
+    clip_and_project(vertices, {}, mesh.view, scratch.triangle.clip, polygon);
+    for (std::size_t i = 2; i < polygon.size(); ++i)
+        if (asks({&polygon[0], &polygon[i - 1], &polygon[i]})) return true;
     return false;
 }
 
@@ -278,25 +276,29 @@ void MeshScratch::begin(std::size_t vertex_count) {
     stages.assign(vertex_count, VertexStage::Unknown);
 }
 
-bool is_seen(const PlacedMesh& placed, MeshParts parts, const ViewContext& view, const MeshTarget& target,
-             MeshScratch& scratch) {
-    scratch.begun = nullptr;
-    const std::optional<MeshPlacement> mesh = place_mesh(placed, view, target, scratch);
-    MeshCounts counts;
-    const auto is_triangle_seen = [&](const MeshTriangle& triangle) {
-        return is_seen(triangle, *mesh, scratch, counts);
-    };
-    if (!mesh || !any_facing(*mesh, parts, scratch, is_triangle_seen)) return false;
+bool any_in_view(const PlacedMesh& placed, MeshParts parts, const MeshTransform& transform, const ViewContext& view,
+                 MeshScratch& scratch, const AskTriangle& asks) {
+    const std::optional<MeshPlacement> mesh = place_mesh(placed, &transform, view, scratch);
+    const auto any_of = [&](const MeshTriangle& triangle) { return any_of_triangle(triangle, *mesh, scratch, asks); };
+    if (!mesh || !any_facing(*mesh, parts, scratch, any_of)) return false;
     scratch.begun = &placed;
     return true;
+}
+
+bool is_seen(const PlacedMesh& placed, MeshParts parts, const MeshTransform& transform, const ViewContext& view,
+             const MeshTarget& target, MeshScratch& scratch) {
+    MeshCounts counts;
+    return any_in_view(placed, parts, transform, view, scratch,
+                       [&](const auto& corners) { return find_triangle(corners, target, scratch.triangle, counts); });
 }
 
 MeshCounts draw_mesh(const PlacedMesh& placed, const MeshDrawing& drawing, const MeshTarget& target,
                      MeshScratch& scratch) {
     MeshCounts counts;
-    const std::optional<MeshPlacement> placement = place_mesh(placed, drawing.view, target, scratch);
+    const std::optional<MeshPlacement> placement = place_mesh(placed, drawing.transform, drawing.view, scratch);
     if (!placement) return counts;
     const MeshContext mesh{*placement,
+                           target,
                            drawing,
                            highlights_of(placed, scratch),
                            halfway(drawing.light.directional.toward, toward_eye(placed, drawing.view)),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -32,7 +33,7 @@ struct MeshScratch {
     /// Resets the stages of `vertex_count` vertices.
     void begin(std::size_t vertex_count);
 
-    const PlacedMesh* begun = nullptr;  ///< the mesh that is_seen() began and draw_mesh() continues; or null
+    const PlacedMesh* begun = nullptr;  ///< the mesh that any_in_view() began and draw_mesh() continues; or null
     MeshTransform transform;
     MeshToView to_view;
     std::optional<std::int32_t> highlight;  ///< of `highlights`; none: not made yet
@@ -57,12 +58,20 @@ struct MeshDrawing {
     const std::uint8_t* colours = nullptr;  ///< MeshPaint::colours
     bool is_affine = false;                 ///< texture mapping without perspective, as in Quake's models
     MeshParts parts = {};
+    const MeshTransform* transform = nullptr;  ///< the mesh's; null: not known
 };
 
-/// Whether draw_mesh() would draw a pixel. If so, the next mesh drawn with this scratch must be this one, unchanged and
-/// in this view, or `begun` must be reset.
-bool is_seen(const PlacedMesh& placed, MeshParts parts, const ViewContext& view, const MeshTarget& target,
-             MeshScratch& scratch);
+/// A question about a triangle in view that faces the eye, clipped.
+using AskTriangle = std::function<bool(const std::array<const ScreenPlace*, 3>&)>;
+
+/// Whether a question is answered with yes for a triangle of a mesh. If so, the next mesh asked about or drawn with
+/// this scratch must be this one, unchanged and in this view, or `begun` must be reset. `transform` is the mesh's.
+bool any_in_view(const PlacedMesh& placed, MeshParts parts, const MeshTransform& transform, const ViewContext& view,
+                 MeshScratch& scratch, const AskTriangle& asks);
+
+/// Whether draw_mesh() would draw a pixel; the same holds as for any_in_view().
+bool is_seen(const PlacedMesh& placed, MeshParts parts, const MeshTransform& transform, const ViewContext& view,
+             const MeshTarget& target, MeshScratch& scratch);
 
 /// Counts of one draw_mesh().
 struct MeshCounts {

@@ -293,6 +293,24 @@ MeshToView make_mesh_to_view(const Vec3<World>& world_origin, const MeshTransfor
     return result;
 }
 
+ViewBox view_box_of(const MeshBox& from, const MeshBox& to, const MeshToView& to_view) {
+    const auto low = [&](World Vec3<World>::*axis) { return std::min(from.mins.*axis, to.mins.*axis); };
+    const auto high = [&](World Vec3<World>::*axis) { return std::max(from.maxs.*axis, to.maxs.*axis); };
+    const auto middle = [&](World Vec3<World>::*axis) { return low(axis) + (high(axis) - low(axis)) / 2; };
+    constexpr auto kX = &Vec3<World>::x, kY = &Vec3<World>::y, kZ = &Vec3<World>::z;
+    const Vec3<World> place{middle(kX), middle(kY), middle(kZ)};
+    const auto& [right, up, forward] = to_view.rows;
+    const auto arm = [&, &right = right, &up = up, &forward = forward](World Vec3<World>::*axis, auto coefficient) {
+        const World half = (high(axis) - low(axis)) / 2 + World::from_raw(2);  // what halves and vertices round
+        const auto along = [&](const auto& row) { return convert<View>(widening_product(row.*coefficient, half)); };
+        return Vec3<View>{along(right), along(up), along(forward)};
+    };
+    const auto along = [&](const auto& row, auto origin) { return convert<View>(dot(row, place) + origin); };
+    using Row = Vec3<MeshToView::Coefficient>;
+    return {{along(right, to_view.origin.x), along(up, to_view.origin.y), along(forward, to_view.origin.z)},
+            {arm(kX, &Row::x), arm(kY, &Row::y), arm(kZ, &Row::z)}};
+}
+
 void view_vertex(const Vec3<World>& object_position, const MeshTransform& transform, const MeshToView& to_view,
                  const ViewContext& view, ViewVertex& seen) {
     bool is_inside = false;

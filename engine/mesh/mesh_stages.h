@@ -8,6 +8,7 @@
 #include "engine/mesh/mesh_light.h"
 #include "engine/mesh/placed_mesh.h"
 #include "engine/view/clip.h"
+#include "engine/view/outline.h"
 #include "engine/view/view_context.h"
 
 // A mesh's stages from object space to the screen, one function each, called in order by draw_mesh().
@@ -83,6 +84,9 @@ struct MeshToView {
     Vec3<Fixed<std::int64_t, 38>> origin;  ///< of object space
 };
 MeshToView make_mesh_to_view(const Vec3<World>& world_origin, const MeshTransform& transform, const ViewContext& view);
+
+/// A box of object space that holds both boxes; `to_view` is usable.
+ViewBox view_box_of(const MeshBox& from, const MeshBox& to, const MeshToView& to_view);
 
 /// Transforms from object space to viewspace and sets the outcode; if that is 0, also projects.
 void view_vertex(const Vec3<World>& object_position, const MeshTransform& transform, const MeshToView& to_view,

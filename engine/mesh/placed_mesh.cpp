@@ -88,19 +88,13 @@ std::optional<MeshTransform> make_mesh_transform(const PlacedMesh& placed) {
     return MeshTransform{to_world, *normals, *to_object, has_small_entries(to_world), rotation_of_normals(placed)};
 }
 
-WorldBoxes::WorldBoxes(const PlacedMesh& placed) : placed_(placed), to_world_(matrix_of(placed)) {}
-
-LevelBox WorldBoxes::whole() const {
-    const MeshFrame &from = frame_of(placed_), &to = next_frame_of(placed_);
-    return world_box(to_world_, {from.mins, from.maxs}, {to.mins, to.maxs});
+LevelBox world_box(const PlacedMesh& placed) {
+    const MeshFrame &from = frame_of(placed), &to = next_frame_of(placed);
+    return world_box(matrix_of(placed), {from.mins, from.maxs}, {to.mins, to.maxs});
 }
 
-std::size_t WorldBoxes::part_count() const {
-    return std::min(frame_of(placed_).parts.size(), next_frame_of(placed_).parts.size());
-}
-
-LevelBox WorldBoxes::of_part(std::size_t part) const {
-    return world_box(to_world_, frame_of(placed_).parts[part], next_frame_of(placed_).parts[part]);
+LevelBox world_box(const MeshTransform& transform, const MeshBox& from, const MeshBox& to) {
+    return world_box(transform.to_world, from, to);
 }
 
 TurningShape turning_shape(const PlacedMesh& placed) {

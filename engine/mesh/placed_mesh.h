@@ -30,6 +30,7 @@ struct PlacedMesh {
     std::int32_t least_light = 0;  ///< a lightmap value, for what glows
 
     static constexpr Entry kOne = Entry::from_int(1);
+    bool operator==(const PlacedMesh&) const = default;
 };
 
 /// The transforms from object space to the world and back.
@@ -44,21 +45,11 @@ struct MeshTransform {
 /// Scale, then rotation, then translation. None if it has no inverse or turns the mesh inside out.
 std::optional<MeshTransform> make_mesh_transform(const PlacedMesh& placed);
 
-/// Bounding boxes in the world of a frame or of two blended frames: whole units, rounded outward, plus one unit.
-class WorldBoxes {
-  public:
-    /// The mesh must outlive it and have a frame.
-    explicit WorldBoxes(const PlacedMesh& placed);
-
-    LevelBox whole() const;
-    /// Parts with a box; may be 0.
-    std::size_t part_count() const;
-    LevelBox of_part(std::size_t part) const;
-
-  private:
-    const PlacedMesh& placed_;
-    Matrix4 to_world_;
-};
+/// The bounding box in the world of a frame or of two blended frames: whole units, rounded outward, plus one unit. The
+/// mesh has a frame.
+LevelBox world_box(const PlacedMesh& placed);
+/// That of a part in two frames.
+LevelBox world_box(const MeshTransform& transform, const MeshBox& from, const MeshBox& to);
 
 /// The arguments of turning_box().
 struct TurningShape {
@@ -69,7 +60,7 @@ struct TurningShape {
 };
 TurningShape turning_shape(const PlacedMesh& placed);
 
-/// A box that holds WorldBoxes::whole() for any rotation of the mesh.
+/// A box that holds world_box() for any rotation of the mesh.
 LevelBox turning_box(const TurningShape& shape);
 
 /// The frames shown. The mesh has at least one.

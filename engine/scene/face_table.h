@@ -22,7 +22,8 @@ struct PreparedFace {
     EffectSet effects;               ///< needed to draw it
     LevelNumber corner_count = 0;
     Material material = Material::Lit;
-    bool is_above_fog = false;  ///< certainly, while its model has not moved
+    bool is_above_fog = false;     ///< certainly, while its model has not moved
+    bool is_near_lantern = false;  ///< false: no lantern's light touches it, while its model has not moved
 };
 
 /// Data of a level's faces, precomputed for all frames.

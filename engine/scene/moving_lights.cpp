@@ -144,14 +144,17 @@ std::optional<MovingLight> limited(MovingLight light) {
     return light;
 }
 
-/// Whether a light reaches the front of a face, its model moved by `offset`: most are too far from its plane.
-bool touches(const MovingLight& light, const Level& level, const Face& face, TexelDensity density,
+/// Whether a light within `strays` of its position may reach the front of a face, its model moved by `offset`: most are
+/// too far from its plane.
+bool touches(const MovingLight& light, World strays, const Level& level, const Face& face, TexelDensity density,
              const Vec3<World>& offset) {
     const Vec3<World> position = in_model(light.position, offset);
     const PlaneDistance distance = distance_before(level.planes[face.plane], face.is_back, position);
-    if (distance <= PlaneDistance{} || convert<Distance>(distance) >= convert<Distance>(light.radius)) return false;
+    const World radius = light.radius + strays;
+    if (distance <= -convert<PlaneDistance>(strays) || convert<Distance>(distance) >= convert<Distance>(radius))
+        return false;
     const LightAtFace seen = light_at_face(level, face, position);
-    const Texel reach = product<Texel>(light.radius, density + TexelDensity::ulp());
+    const Texel reach = product<Texel>(radius, density + TexelDensity::ulp());
     return seen.u > -reach && seen.u < Texel::from_int(face.texel_extent_u) + reach && seen.v > -reach &&
            seen.v < Texel::from_int(face.texel_extent_v) + reach;
 }
@@ -211,6 +214,11 @@ void MovingLights::set(std::span<const MovingLight> lights, const Vec3<World>& e
     add_new();
 }
 
+bool may_touch(const MovingLight& light, World strays, const Level& level, FaceIndex face, const FaceTable& faces) {
+    const std::optional<MovingLight> given = limited(light);
+    return given && touches(*given, strays, level, level.faces[face], convert<TexelDensity>(faces[face].density), {});
+}
+
 MovingLights::FaceTouch& MovingLights::last_touch(FaceIndex face) {
     if (touch_of_.empty()) touch_of_.resize(level_.faces.size(), Index<FaceTouch>::none());
     Index<FaceTouch>& known = touch_of_[face];
@@ -226,7 +234,7 @@ LightTouch MovingLights::touch(FaceIndex index, const Vec3<World>& offset) {
     FaceTouch now;
     for_each_bit(active_, [&](int light) {
         const Known& known = item(known_, light);
-        if (!touches(known.light, level_, face, convert<TexelDensity>(faces_[index].density), offset)) return;
+        if (!touches(known.light, World{}, level_, face, convert<TexelDensity>(faces_[index].density), offset)) return;
         now.lights |= std::uint32_t{1} << light;
         now.newest = std::max(now.newest, known.version);
     });

@@ -23,6 +23,10 @@ struct MovingLight {
 inline constexpr World kMostLightRadius = World::from_int(2048);
 inline constexpr std::int32_t kMostBrightness_256 = 16 * 256;
 
+/// Whether a light within `strays` of its position, 0 to 4,096 units, may touch a face whose model has not moved
+/// (MovingLights::touch).
+bool may_touch(const MovingLight& light, World strays, const Level& level, FaceIndex face, const FaceTable& faces);
+
 /// The moving lights that touch a face.
 struct LightTouch {
     std::uint32_t lights = 0;   ///< one bit each

@@ -34,9 +34,6 @@ Extent extent_along(const Vec3<Unit>& axis, View middle, const Vec3<HalfUnits>& 
     return {middle - reach, middle + reach};
 }
 
-/// Nearer than this, rounding moves a point by more than a pixel.
-constexpr View kExactFrom = View::from_int(4);
-
 /// The pixels of an extent along one axis of the screen. An end is farthest from the centre where z is least, nearest
 /// where z is greatest.
 PixelRange project_extent(const ProjectionAxis& axis, const Extent& across, const Extent& z, std::int32_t size_px) {
@@ -54,25 +51,39 @@ PixelRange project_extent(const ProjectionAxis& axis, const Extent& across, cons
     return {within(project_end(low, low < View{}) - 1), within(project_end(high, high > View{}) + 2)};
 }
 
+/// A box's middle in viewspace, and half its sizes: one unit larger, as files round boxes.
+struct Middle {
+    Vec3<View> place;
+    Vec3<HalfUnits> half;
+
+    Middle(const LevelBox& box, const ViewContext& view) : place(to_unadjusted_view(middle_of(box), view)) {
+        const auto size = [&box](std::size_t axis) { return HalfUnits::from_raw(box.maxs[axis] - box.mins[axis] + 2); };
+        half = {size(0), size(1), size(2)};
+        place.z += view.parallel_depth;
+    }
+};
+
 }  // namespace
 
 ScreenRectangle rectangle_of(const LevelBox& box, const ViewContext& view) {
-    // Half of the sum and half of the difference: half a unit is 2,048 steps of World. Half the difference is one unit
-    // larger, as files round boxes.
-    const auto middle = [](std::int32_t low, std::int32_t high) { return World::from_raw((low + high) * 2048); };
-    const auto half = [](std::int32_t low, std::int32_t high) { return HalfUnits::from_raw(high - low + 2); };
-    const Vec3<HalfUnits> sizes{half(box.mins[0], box.maxs[0]), half(box.mins[1], box.maxs[1]),
-                                half(box.mins[2], box.maxs[2])};
-    const Vec3<View> centre = to_unadjusted_view(
-        {middle(box.mins[0], box.maxs[0]), middle(box.mins[1], box.maxs[1]), middle(box.mins[2], box.maxs[2])}, view);
-
-    const Extent z = extent_along(view.axes.forward, centre.z + view.parallel_depth, sizes);
+    const auto [centre, sizes] = Middle(box, view);
+    const Extent z = extent_along(view.axes.forward, centre.z, sizes);
     if (z.greatest < kExactFrom) return {0, view.projection.width_px, 0, view.projection.height_px};
     const Extent x = extent_along(view.axes.right, centre.x, sizes);
     const Extent y = extent_along(view.axes.up, -centre.y, sizes);
     const PixelRange columns = project_extent(view.projection.x, x, z, view.projection.width_px);
     const PixelRange rows = project_extent(view.projection.y, y, z, view.projection.height_px);
     return {columns.first, columns.end, rows.first, rows.end};
+}
+
+ScreenOutline outline_of(const LevelBox& box, const ViewContext& view) {
+    const auto [middle, half] = Middle(box, view);
+    const auto arm = [&axes = view.axes](Unit Vec3<Unit>::*axis, HalfUnits size) {
+        const auto along = [&](const Vec3<Unit>& way) { return convert<View>(widening_product(way.*axis, size)); };
+        return Vec3<View>{along(axes.right), along(axes.up), along(axes.forward)};
+    };
+    return outline_of({middle, {arm(&Vec3<Unit>::x, half.x), arm(&Vec3<Unit>::y, half.y), arm(&Vec3<Unit>::z, half.z)}},
+                      view.projection);
 }
 
 namespace {
@@ -96,6 +107,20 @@ Sides sides_of(const LevelPlane& plane, const LevelBox& box) {
 }
 
 }  // namespace
+
+InverseDepth nearest_inverse_depth_of(const LevelBox& box, const ViewContext& view) {
+    const auto nearest = [&box](std::size_t axis, Unit forward) {
+        return World::from_int(forward > Unit{} ? box.mins[axis] : box.maxs[axis]);
+    };
+    const Vec3<Unit>& forward = view.axes.forward;
+    const View z =
+        to_view({nearest(0, forward.x), nearest(1, forward.y), nearest(2, forward.z)}, view.eye, view.axes).z;
+    return to_inverse_depth(reciprocal<InverseZ>(std::max(z, View::from_int(1))));
+}
+
+InverseDepth nearest_inverse_depth_of(const ViewBox& box) {
+    return to_inverse_depth(reciprocal<InverseZ>(std::max(box.nearest_z(), View::from_int(1))));
+}
 
 Vec3<World> middle_of(const LevelBox& box) {
     const auto middle = [&](std::size_t axis) { return World::from_raw((box.mins[axis] + box.maxs[axis]) * 2048); };

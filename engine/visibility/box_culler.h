@@ -8,7 +8,9 @@
 #include "engine/base/range_probe.h"
 #include "engine/base/table.h"
 #include "engine/level/level.h"
+#include "engine/raster/depth.h"
 #include "engine/view/frustum.h"
+#include "engine/view/outline.h"
 #include "engine/view/screen.h"
 #include "engine/view/view_context.h"
 #include "engine/visibility/visible_set.h"
@@ -60,6 +62,13 @@ class BoxCuller {
 /// A rectangle that holds every pixel where something in the box may be drawn, one pixel larger for rounding; empty if
 /// there is none. If the box reaches the eye's plane or is near it, the rectangle reaches the screen's border.
 ScreenRectangle rectangle_of(const LevelBox& box, const ViewContext& view);
+
+/// The same as rectangle_of(), but closer around a box that is seen aslant.
+ScreenOutline outline_of(const LevelBox& box, const ViewContext& view);
+
+/// 1/z of the corner of a box that is nearest along the view.
+InverseDepth nearest_inverse_depth_of(const LevelBox& box, const ViewContext& view);
+InverseDepth nearest_inverse_depth_of(const ViewBox& box);
 
 Vec3<World> middle_of(const LevelBox& box);
 

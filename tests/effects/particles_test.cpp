@@ -30,8 +30,12 @@ ParticleEmitter emitter_of(ParticleKind kind) {
     return emitter;
 }
 
+Particle any_at(const ParticleEmitter& emitter, std::int32_t index, std::uint32_t phase) {
+    return particle_at(emitter, index, phase, box_of(emitter)).value();
+}
+
 Vec3<World> place(const ParticleEmitter& emitter, std::int32_t index, std::int64_t time_ms) {
-    return particle_at(emitter, index, phase_at(emitter, time_ms)).position;
+    return any_at(emitter, index, phase_at(emitter, time_ms)).position;
 }
 
 bool is_within(World position, World middle, World half) {
@@ -46,7 +50,7 @@ ParticleEmitter cloud(ParticleKind kind, Vec3<World> middle, Vec3<World> half_si
 
 std::vector<ParticleDot> dots_of(const ParticleEmitter& emitter, const ViewContext& view, std::int64_t time_ms = 0) {
     std::vector<ParticleDot> dots;
-    EXPECT_EQ(append_dots(emitter, time_ms, view, ~0u, dots), emitter.count);
+    EXPECT_EQ(append_dots(emitter, time_ms, view, box_of(emitter), dots), emitter.count);
     return dots;
 }
 
@@ -104,52 +108,6 @@ TEST(Particles, NeverLeaveTheirBoxAndUseAllOfIt) {
     }
 }
 
-/// The part of each particle: the one of which one more is computed than without it.
-std::vector<int> parts_of(ParticleEmitter emitter) {
-    std::vector<int> parts(as_size(emitter.count), -1);
-    for (int part = 0; part < kParticleParts; ++part) {
-        std::int32_t before = 0;
-        for (emitter.count = 1; as_size(emitter.count) <= parts.size(); ++emitter.count) {
-            std::vector<ParticleDot> dots;
-            const std::int32_t computed = append_dots(emitter, 0, view_from({}), 1u << part, dots);
-            if (computed > before) parts[as_size(emitter.count) - 1] = part;
-            before = computed;
-        }
-    }
-    return parts;
-}
-
-/// Whether a position is in a part's box.
-bool is_in_part(const Vec3<World>& p, const ParticleEmitter& emitter, int part) {
-    const auto [mins, maxs] = box_of_part(emitter, part);
-    return p.x >= mins.x && p.y >= mins.y && p.z >= mins.z && p.x <= maxs.x && p.y <= maxs.y && p.z <= maxs.z;
-}
-
-TEST(Particles, NeverLeaveThePartThatTheyAreOf) {
-    const std::vector<int> parts = parts_of(emitter_of(ParticleKind::Rain));
-    for (int part = 0; part < kParticleParts; ++part) EXPECT_GT(std::count(parts.begin(), parts.end(), part), 3);
-    for (const ParticleKind kind : kKinds)
-        for (const std::int32_t half : {0, 1, 6, 50, 400}) {
-            ParticleEmitter emitter = emitter_of(kind);
-            emitter.half_size = point_at(half, 2 * half + 1, 80);
-            for (std::int32_t i = 0; i < emitter.count; ++i) {
-                const int part = parts[as_size(i)];
-                for (std::uint32_t step = 0; step < 256; ++step)
-                    ASSERT_TRUE(is_in_part(particle_at(emitter, i, step << 24).position, emitter, part)) << half;
-            }
-        }
-}
-
-TEST(Particles, PartsAreSmallerThanTheirBox) {
-    for (const ParticleKind kind : kKinds) {
-        const ParticleEmitter emitter = emitter_of(kind);
-        const auto [mins, maxs] = box_of_part(emitter, 0);
-        const double share = kind == ParticleKind::Sparks ? 0.5 : kind == ParticleKind::Dust ? 0.4 : 0.3;
-        EXPECT_LE(to_point(maxs).x - to_point(mins).x, 200 * share);
-        EXPECT_LE(to_point(maxs).y - to_point(mins).y, 100 * share);
-    }
-}
-
 TEST(Particles, ABoxWithoutSizeHoldsThemAll) {
     for (const ParticleKind kind : kKinds) {
         ParticleEmitter emitter = emitter_of(kind);
@@ -163,7 +121,7 @@ TEST(Particles, DropsFallStraightAndEvenly) {
     int falls = 0;
     for (std::int32_t i = 0; i < emitter.count; ++i) {
         constexpr std::uint32_t kStep = 1u << 24;
-        const auto at = [&](std::uint32_t steps) { return particle_at(emitter, i, steps * kStep); };
+        const auto at = [&](std::uint32_t steps) { return any_at(emitter, i, steps * kStep); };
         if (!at(0).is_streak || !at(3).is_streak || at(3).position.z > at(0).position.z) continue;
         ++falls;
         EXPECT_EQ(at(0).position.x, at(3).position.x);
@@ -182,9 +140,7 @@ TEST(Particles, SparksFlyOnParabolasFromTheMiddle) {
         // not.
         std::vector<std::int32_t> second;
         for (std::uint32_t step = 0; step < 16; ++step) {
-            const auto z = [&](std::uint32_t more) {
-                return particle_at(emitter, i, (step + more) << 28).position.z.raw;
-            };
+            const auto z = [&](std::uint32_t more) { return any_at(emitter, i, (step + more) << 28).position.z.raw; };
             second.push_back(z(2) - 2 * z(1) + z(0));
         }
         std::sort(second.begin(), second.end());
@@ -197,7 +153,7 @@ TEST(Particles, SparksGoThroughTheRampAsTheyAge) {
     const ParticleEmitter emitter = emitter_of(ParticleKind::Sparks);
     for (std::int32_t i = 0; i < 50; ++i) {
         std::vector<int> uses(256);
-        for (std::uint32_t step = 0; step < 256; ++step) ++uses[particle_at(emitter, i, step << 24).colour];
+        for (std::uint32_t step = 0; step < 256; ++step) ++uses[any_at(emitter, i, step << 24).colour];
         for (int colour = 40; colour <= 47; ++colour) EXPECT_NEAR(uses[static_cast<std::size_t>(colour)], 32, 1);
     }
 }
@@ -207,7 +163,7 @@ TEST(Particles, ARampMayGoDown) {
     emitter.first_colour = 255;
     emitter.last_colour = 252;
     std::vector<int> uses(256);
-    for (std::int32_t i = 0; i < 200; ++i) ++uses[particle_at(emitter, i, 0).colour];
+    for (std::int32_t i = 0; i < 200; ++i) ++uses[any_at(emitter, i, 0).colour];
     EXPECT_EQ(uses[252] + uses[253] + uses[254] + uses[255], 200);
     EXPECT_GT(uses[252], 20);
 }
@@ -225,7 +181,7 @@ TEST(ParticleDots, LieWhereTheProjectionPutsThem) {
     const std::vector<ParticleDot> dots = dots_of(emitter, view);
     std::size_t next = 0;
     for (std::int32_t i = 0; i < emitter.count; ++i) {
-        const Point p = to_point(particle_at(emitter, i, 0).position);
+        const Point p = to_point(any_at(emitter, i, 0).position);
         const double z = p.x - 10, x = 160 - 160 * (p.y - 20) / z, y = 100 - 160 / 1.2 * (p.z - 30) / z;
         const double width = std::max(320 / z, 1.), height = std::max(320 / 1.2 / z, 1.);
         if (x < 20 || x > 300 || y < 20 || y > 180) {
@@ -319,23 +275,46 @@ TEST(ParticleDots, MayBeDrawnInAnyOrder) {
     EXPECT_EQ(far_first.pixels, near_first.pixels);
 }
 
-TEST(ParticleDots, OfAPartAreThoseOfItsParticles) {
-    const ViewContext view = view_from(point_at(10, 20, 30));
-    const ParticleEmitter emitter = cloud(ParticleKind::Dust, point_at(300, 20, 30), point_at(100, 60, 40));
-    std::vector<InverseDepth> all, of_parts;
-    for (const ParticleDot& dot : dots_of(emitter, view)) all.push_back(dot.inverse_depth);
-    std::int32_t computed = 0;
-    for (int part = 0; part < kParticleParts; ++part) {
-        std::vector<ParticleDot> dots;
-        const std::int32_t of_part = append_dots(emitter, 0, view, 1u << part, dots);
-        EXPECT_EQ(as_size(of_part), dots.size());
-        computed += of_part;
-        for (const ParticleDot& dot : dots) of_parts.push_back(dot.inverse_depth);
+/// Whether a place is in one of a box's columns that count.
+bool is_in(const ParticleBox& box, const Vec3<World>& p) {
+    if (box.columns != box_of({}).columns) {
+        for (int number = 0; number < ParticleBox::kColumns; ++number)
+            if ((box.columns >> number & 1) != 0 && is_in(box.column(number), p)) return true;
+        return false;
     }
-    EXPECT_EQ(computed, emitter.count);
-    std::sort(all.begin(), all.end());
-    std::sort(of_parts.begin(), of_parts.end());
-    EXPECT_EQ(of_parts, all);
+    return p.x >= box.mins.x && p.y >= box.mins.y && p.z >= box.mins.z && p.x <= box.maxs.x && p.y <= box.maxs.y &&
+           p.z <= box.maxs.z;
+}
+
+TEST(ParticleDots, OfABoxAreThoseOfTheParticlesInIt) {
+    const ViewContext view = view_from(point_at(10, 20, 30));
+    for (const ParticleKind kind : kKinds) {
+        const ParticleEmitter emitter = cloud(kind, point_at(300, 20, 30), point_at(100, 60, 40));
+        const std::int64_t time_ms = 333;
+        std::vector<Vec3<World>> places;
+        for (std::int32_t i = 0; i < emitter.count; ++i) places.push_back(place(emitter, i, time_ms));
+        // A part along each axis, and one whose border is a particle's place.
+        ParticleBox parts[5] = {box_of(emitter), box_of(emitter), box_of(emitter), box_of(emitter), box_of(emitter)};
+        parts[0].maxs.x = emitter.middle.x;
+        parts[1].mins.y = emitter.middle.y + World::from_int(20);
+        parts[2].maxs.z = emitter.middle.z - World::from_int(10);
+        parts[3] = {places[7], box_of(emitter).maxs};
+        parts[4].columns = 0b1000'0110'0001'1111;
+        for (const ParticleBox& part : parts) {
+            std::vector<ParticleDot> dots;
+            const std::int32_t computed = append_dots(emitter, time_ms, view, part, dots);
+            EXPECT_EQ(computed, std::count_if(places.begin(), places.end(),
+                                              [&](const Vec3<World>& p) { return is_in(part, p); }));
+            EXPECT_GT(computed, 0);
+            EXPECT_LT(computed, emitter.count);
+            // In the order of all: dots of equal depth hide each other in it.
+            auto next = dots.begin();
+            for (const ParticleDot& dot : dots_of(emitter, view, time_ms))
+                next += next != dots.end() && next->inverse_depth == dot.inverse_depth &&
+                        next->first_column == dot.first_column && next->first_row == dot.first_row;
+            EXPECT_EQ(next, dots.end());
+        }
+    }
 }
 
 TEST(ParticleDots, ARectangleHoldsThemAll) {

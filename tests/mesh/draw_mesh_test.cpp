@@ -90,7 +90,8 @@ TEST(DrawMesh, LeavesOutNothingThatShows) {
             placed.shading = i % 2 == 0 ? Shading::Gouraud : Shading::Phong;
             placed.highlight = 100;
             if (i % 3 == 0) placed.scale.z = Entry::from_raw(Entry::from_int(1).raw / 2);
-            const bool shows = is_seen(placed, all_parts, view, lazy.target(), lazy.scratch);
+            const bool shows =
+                is_seen(placed, all_parts, *make_mesh_transform(placed), view, lazy.target(), lazy.scratch);
             const MeshCounts counts = lazy.draw(placed, numbered_shades(), light, false, all_parts);
             ASSERT_EQ(shows, counts.pixels > 0) << "picture " << i;
             hidden += !shows;

@@ -68,7 +68,7 @@ TEST(HostileMeshes, AnyNumbersEnd) {
         };
         if (i % 3 == 0) placed.scale = {scale(), scale(), scale()};
         draw_all_ways(mesh, placed, picture);
-        WorldBoxes(placed_at(mesh, placed.position)).whole();
+        world_box(placed_at(mesh, placed.position));
     }
     EXPECT_GT(picture.painted(), 1000);
 }

@@ -226,21 +226,62 @@ TEST(MeshStages, ThePartsBoxesHoldTheirTriangles) {
     std::mt19937 random(5);
     Mesh mesh = ball_mesh(30, 12, plain_skin(1));
     set_boxes(mesh.frames[0], mesh.triangles);
+    const std::vector<MeshBox>& parts = mesh.frames[0].parts;
+    ASSERT_EQ(parts.size(), (mesh.triangles.size() + kPartTriangles - 1) / kPartTriangles);
     for (int i = 0; i < 20; ++i) {
         const PlacedMesh placed = random_place(mesh, random);
-        const WorldBoxes boxes(placed);
-        ASSERT_EQ(boxes.part_count(), (mesh.triangles.size() + kPartTriangles - 1) / kPartTriangles);
+        const MeshTransform transform = *make_mesh_transform(placed);
         std::vector<WorldVertex> world;
-        transform_to_world(mesh.frames[0].vertices, *make_mesh_transform(placed), world);
+        transform_to_world(mesh.frames[0].vertices, transform, world);
         for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
-            const LevelBox box = boxes.of_part(triangle / kPartTriangles);
+            const MeshBox& part = parts[triangle / kPartTriangles];
+            const LevelBox box = world_box(transform, part, part);
             for (const std::uint32_t vertex : mesh.triangles[triangle].vertices) {
                 const Vec3<World>& p = world[vertex].position;
-                for (const auto& [axis, part] : {std::pair{0u, p.x}, std::pair{1u, p.y}, std::pair{2u, p.z}})
-                    ASSERT_TRUE(part >= World::from_int(box.mins[axis]) && part <= World::from_int(box.maxs[axis]));
+                for (const auto& [axis, place] : {std::pair{0u, p.x}, std::pair{1u, p.y}, std::pair{2u, p.z}})
+                    ASSERT_TRUE(place >= World::from_int(box.mins[axis]) && place <= World::from_int(box.maxs[axis]));
             }
         }
     }
+}
+
+// What a part covers is asked of this outline alone.
+TEST(MeshStages, OutlinesOfPartsHoldTheirVerticesOnTheScreen) {
+    std::mt19937 random(6);
+    Mesh mesh = ball_mesh(30, 12, plain_skin(1));
+    set_boxes(mesh.frames[0], mesh.triangles);
+    const ViewContext view = view_from({});
+    int held = 0, outside_of_corners = 0;
+    for (int i = 0; i < 200; ++i) {
+        PlacedMesh placed = random_place(mesh, random);
+        placed.position = point_at(50 + static_cast<int>(random() % 200), static_cast<int>(random() % 100) - 50, 0);
+        const MeshTransform transform = *make_mesh_transform(placed);
+        const MeshToView to_view = make_mesh_to_view(placed.position, transform, view);
+        if (!to_view.is_usable) continue;
+        for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
+            const MeshBox& part = mesh.frames[0].parts[triangle / kPartTriangles];
+            const ViewBox box = view_box_of(part, part, to_view);
+            const ScreenOutline outline = outline_of(box, view.projection);
+            const ScreenRectangle& pixels = outline.pixels;
+            for (const std::uint32_t number : mesh.triangles[triangle].vertices) {
+                ViewVertex vertex;
+                view_vertex(mesh.frames[0].vertices[number].position, transform, to_view, view, vertex);
+                ASSERT_GE(vertex.position.z, box.nearest_z());
+                if (vertex.outcode != 0) continue;
+                const std::int32_t column = std::min(vertex.screen.x.raw / 256, 319),
+                                   row = std::min(vertex.screen.y.raw / 256, 199);
+                const PixelRange inside = outline.columns_in(row, column, column + 1);
+                ASSERT_LT(inside.first, inside.end) << i << " " << triangle;
+                ASSERT_TRUE(row >= pixels.first_row && row < pixels.end_row);
+                ++held;
+            }
+            const PixelRange corner =
+                outline.columns_in(pixels.first_row, pixels.first_column, pixels.first_column + 1);
+            outside_of_corners += corner.first >= corner.end;
+        }
+    }
+    EXPECT_GT(held, 10'000);
+    EXPECT_GT(outside_of_corners, 10'000) << "an outline is little more than a rectangle";
 }
 
 TEST(MeshStages, ABoxHoldsAllVertices) {
@@ -248,7 +289,7 @@ TEST(MeshStages, ABoxHoldsAllVertices) {
     const Mesh mesh = cube_mesh(20, plain_skin(1));
     for (int i = 0; i < 100; ++i) {
         const PlacedMesh placed = random_place(mesh, random);
-        const LevelBox box = WorldBoxes(placed).whole(), turning = turning_box(turning_shape(placed));
+        const LevelBox box = world_box(placed), turning = turning_box(turning_shape(placed));
         for (std::size_t axis = 0; axis < 3; ++axis) {
             ASSERT_LE(turning.mins[axis], box.mins[axis]);
             ASSERT_GE(turning.maxs[axis], box.maxs[axis]);

@@ -16,17 +16,18 @@ namespace {
 
 using namespace oblong;
 
-/// The scene's time: lanterns and rain are on their way.
-constexpr std::int64_t kTime_ms = 2900;
+/// The scene's time: lanterns and rain are on their way; and that of the frame before, so that what moves is elsewhere.
+constexpr std::int64_t kTime_ms = 2900, kEarlier_ms = 2850;
 
 /// What draws a level in one way. What the frame before left in it never comes from the other way.
 class Drawing {
   public:
     Drawing(const Scene& scene, const LevelModels& models) : work_(scene.level, {}), scene_(scene), models_(models) {}
 
-    void draw(const Camera& camera, EffectSet allowed) {
+    void draw(const Camera& camera, EffectSet allowed, std::int64_t time_ms = kTime_ms) {
         Settings settings;
         settings.allowed_effects = allowed;
+        scene_.time_ms = time_ms;
         place_models(models_, scene_.time_ms, {}, meshes_);
         scene_.meshes = meshes_;
         const ScreenMode mode;
@@ -83,7 +84,9 @@ void draw_all_around(Camera camera, int directions, Drawing& usual, Drawing& own
     for (int direction = 0; direction < directions; ++direction) {
         usual.draw(camera, EffectSet::all());
         const EffectSet effects = find_owning(camera, usual, owning);
+        usual.draw(camera, EffectSet::all(), kEarlier_ms);
         draw_all_effects(usual, camera);
+        owning.draw(camera, effects, kEarlier_ms);
         draw_owning_effects(owning, camera, effects);
         camera.yaw = camera.yaw + Angle::from_bam(65536 / directions);
     }
