@@ -5,6 +5,7 @@
 #include "engine/frame/frame_fog.h"
 #include "engine/frame/frame_things.h"
 #include "engine/frame/workspace.h"
+#include "engine/raster/edges.h"
 #include "engine/scene/light_styles.h"
 #include "engine/visibility/box_culler.h"
 

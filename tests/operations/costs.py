@@ -53,6 +53,7 @@ CYCLES = {
     "bsr": ((58, 55, 39), (0, 1, 0), (0, 1, 0)), "rep": ((4, 3, 1),) * 3, "bt": ((3, 3, 4), (9, 0, 0), (9, 0, 0)),
     "xchg": ((3, 3, 3), (2, 2, 0), (2, 2, 0)), "nop": ((3, 1, 1),) * 3, "cld std": ((2, 2, 2),) * 3}
 TIMES = {name: times for names, times in CYCLES.items() for name in names.split()}
+FORMER = 0.01  # the weight of a price that was, beside that of the frames
 LARGEST_UNKNOWN = 0.02  # of a frame's instructions: across a page's end, where the plugin sees no name; the C library's
 
 
@@ -135,8 +136,9 @@ class Counter:
             yield name, setting, kind, events, [sum(x86.values()), instructions, *cycles]
 
 
-def fit(rows, costs):
-    """Prices, none negative, with the least squares of relative errors: descent by one price after the other."""
+def fit(rows, costs, former):
+    """Prices, none negative, with the least squares of relative errors: descent by one price after the other. Where frames do not tell
+    two events apart, the former prices decide."""
     count = len(rows[0])
     square = [[0.0] * count for _ in range(count)]
     right = [0.0] * count
@@ -146,6 +148,9 @@ def fit(rows, costs):
             right[i] += value
             for k, other in relative:
                 square[i][k] += value * other
+    for i, price in enumerate(former):
+        right[i] += FORMER * square[i][i] * price
+        square[i][i] *= 1 + FORMER
     prices = [0.0] * count
     for _ in range(20000):
         change = 0.0
@@ -218,7 +223,8 @@ def fit_all(counter, path, levels):
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         counted = list(pool.map(frames_of, levels))
     fitted = [frame for presets, variants, _ in counted for frame in presets + variants]
-    prices = [fit([frame[3] for frame in fitted], [frame[4][i] for frame in fitted]) for i in range(CURRENCIES)]
+    former, _ = read_prices(path)
+    prices = [fit([frame[3] for frame in fitted], [frame[4][i] for frame in fitted], former[i]) for i in range(CURRENCIES)]
     errors = errors_of(fitted, prices)
     for key, held_out in errors_of([frame for _, _, others in counted for frame in others], prices).items():
         errors[key] = [max(pair, key=abs) for pair in zip(held_out, errors[key])]
