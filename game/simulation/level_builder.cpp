@@ -42,7 +42,8 @@ GameLevel LevelBuilder::build() {
     for (const Entity* entity : present_) add_entity(*entity);
     add_what_monsters_leave();
     add_start();
-    if (const auto visit = target_of_.find(std::string(kVisitName)); visit != target_of_.end()) level_.visit = visit->second;
+    if (const auto visit = target_of_.find(std::string(kVisitName)); visit != target_of_.end())
+        level_.visit = visit->second;
     connect_movers();
     connect_triggers();
     connect_lightning();

@@ -32,8 +32,8 @@ const std::map<std::string, std::pair<std::string, std::string>> kEnds{{"fov", {
 const std::map<std::string, std::size_t> kCounts{
     {"aspect-projection", 2}, {"aspect-display", 3}, {"scaling", 4},      {"crt", 2},
     {"tube-light", 2},        {"dac6", 2},           {"whole-screen", 2}, {"vsync", 2},
-    {"accuracy", 6}, {"machine", 4},         {"flashes", 3},        {"colours", 3},      {"captions", 2},
-    {"invert-look", 2},       {"always-run", 2}};
+    {"accuracy", 6},          {"machine", 4},        {"flashes", 3},      {"colours", 3},
+    {"captions", 2},          {"invert-look", 2},    {"always-run", 2}};
 
 bool is_dial(const Preference& row) {
     return row.name.starts_with("dial-");
