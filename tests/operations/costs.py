@@ -53,7 +53,7 @@ CYCLES = {
     "bsr": ((58, 55, 39), (0, 1, 0), (0, 1, 0)), "rep": ((4, 3, 1),) * 3, "bt": ((3, 3, 4), (9, 0, 0), (9, 0, 0)),
     "xchg": ((3, 3, 3), (2, 2, 0), (2, 2, 0)), "nop": ((3, 1, 1),) * 3, "cld std": ((2, 2, 2),) * 3}
 TIMES = {name: times for names, times in CYCLES.items() for name in names.split()}
-FORMER = 0.01  # the weight of a price that was, beside that of the frames
+FORMER = 0.1  # the weight of a price that was, beside that of the frames
 LARGEST_UNKNOWN = 0.02  # of a frame's instructions: across a page's end, where the plugin sees no name; the C library's
 
 
@@ -225,6 +225,7 @@ def fit_all(counter, path, levels):
     fitted = [frame for presets, variants, _ in counted for frame in presets + variants]
     former, _ = read_prices(path)
     prices = [fit([frame[3] for frame in fitted], [frame[4][i] for frame in fitted], former[i]) for i in range(CURRENCIES)]
+    prices = [[round(price, 1) for price in row] for row in prices]  # as they are written
     errors = errors_of(fitted, prices)
     for key, held_out in errors_of([frame for _, _, others in counted for frame in others], prices).items():
         errors[key] = [max(pair, key=abs) for pair in zip(held_out, errors[key])]
