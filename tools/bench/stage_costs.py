@@ -42,8 +42,8 @@ STAGES = [
     ("block fill", r"raster/kernels"),
     ("exact spans", r"raster/exact_spans"),
     ("sky", r"effects/sky"),
-    ("effects, things, models", r"effects/|mesh/|scene/|raster/depth|"
-                                r"frame/(frame_fog|frame_light|frame_things|mirror_pass|mesh_pass|see_through)"),
+    ("effects, things, models", r"effects/|mesh/|scene/|raster/depth|view/outline|"
+                                r"frame/(face_cover|frame_fog|frame_light|frame_things|mirror_pass|mesh_pass|see_through)"),
     ("other", r"frame/|raster/|accuracy/|fixed/|visibility/|^tools/"),
 ]
 SHARED_FUNCTIONS = [
