@@ -53,7 +53,7 @@ SHARED_FUNCTIONS = [
     ("coverage", r"SpanBuffer"),
     ("block set-up", r"SpanTarget|BlockList|TexelBlock"),
     ("exact spans", r"OctaveRow"),
-    ("effects, things, models", r"box_around|DepthBuffer"),
+    ("effects, things, models", r"box_around|DepthBuffer|find_facing"),
     ("other", r"^(__)?(mem(cpy|set|move)|(u?div|u?mod|mul)(mod)?ti)|clock_gettime|^operator (new|delete)|malloc|free|^std::"),
 ]
 HOT_SHARE = 0.01
