@@ -98,7 +98,7 @@ def check_gallery(image):
     """Its figures use instructions that a 486 lacks."""
     with tempfile.TemporaryDirectory() as folder, Qemu(with_arguments(image, "captions=off report=1"), folder) as pc:
         pc.wait_for_pictures(3)
-        pc.press_in_turn("down", "down", "down", "down", "ret")
+        pc.press_in_turn("down", "down", "down", "down", "down", "ret")
         for _ in range(3):
             pc.wait_for_pictures(1)
             pc.press_in_turn("pgdn")
@@ -155,7 +155,7 @@ def check_all_rows(image):
     with tempfile.TemporaryDirectory() as folder, \
             Qemu(with_arguments(image, "captions=off report=1"), folder, *card, memory_mb=12) as pc:
         pc.wait_for_pictures(3)
-        pc.press_in_turn("down", "down", "down", "down", "ret")
+        pc.press_in_turn("down", "down", "down", "down", "down", "ret")
         for _ in range(ROWS):
             pc.wait_for_pictures(1)
             pc.press_in_turn("pgdn")
