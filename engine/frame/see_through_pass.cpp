@@ -33,7 +33,8 @@ void draw_waiting(const VisibleFace* face, std::vector<VisibleThing>& waiting, c
 const BlendTable& blend_of(LiquidKind kind, const FrameContext& frame) {
     std::unique_ptr<BlendTable>& table = item(frame.cache.blends, kind);
     const std::int32_t share_256 = item(frame.cache.effects.liquid_alpha_256, kind);
-    if (!table) table = std::make_unique<BlendTable>(make_blend_table(frame.scene.colormap.palette, share_256));
+    // In its place: on the stack, DOS has no room for 64 KB more.
+    if (!table) table.reset(new BlendTable(make_blend_table(frame.scene.colormap.palette, share_256)));
     return *table;
 }
 

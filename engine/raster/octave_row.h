@@ -1,9 +1,9 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstdint>
+#include <memory>
 
 #include "engine/base/table.h"
 #include "engine/fixed/divide.h"
@@ -198,7 +198,8 @@ struct WarpedColours {
 class ColumnTexels {
   public:
     ColumnTexels(const TextureGradients& gradients, const SurfaceView& surface, const ScreenRectangle& columns)
-        : first_(columns.first_column) {
+        : first_(columns.first_column),
+          texels_(std::make_unique_for_overwrite<ColumnTexel[]>(as_size(columns.end_column - first_))) {
         for (std::int32_t column = first_; column < columns.end_column; ++column) {
             const InverseZ inverse_z = gradients.inverse_z.at(column, columns.first_row);
             const Octave octave = octave_from(column, column + 1, inverse_z, {});
@@ -206,15 +207,15 @@ class ColumnTexels {
             const std::int64_t depth = OctaveRow::depth_of(shifted_up(inverse_z.raw, octave.shift) >> 32);
             const TexelOverZ u_over_z = gradients.u_over_z.at(column, columns.first_row);
             const auto u_46 = static_cast<std::uint64_t>((shifted_up(u_over_z.raw, octave.shift) >> 32) * depth);
-            oblong::item(texels_, column - first_) = {depth, (u_46 >> 46) & surface.u_mask};
+            texels_[as_size(column - first_)] = {depth, (u_46 >> 46) & surface.u_mask};
         }
     }
     /// Those from `column` on; undefined where 1/z is clamped.
-    const ColumnTexel* from(std::int32_t column) const { return texels_.data() + (column - first_); }
+    const ColumnTexel* from(std::int32_t column) const { return texels_.get() + (column - first_); }
 
   private:
     std::int32_t first_;
-    std::array<ColumnTexel, kLargestMode_px> texels_;  ///< set in `columns` only
+    std::unique_ptr<ColumnTexel[]> texels_;
 };
 
 }  // namespace oblong
