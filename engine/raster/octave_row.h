@@ -198,8 +198,7 @@ struct WarpedColours {
 class ColumnTexels {
   public:
     ColumnTexels(const TextureGradients& gradients, const SurfaceView& surface, const ScreenRectangle& columns)
-        : first_(columns.first_column),
-          texels_(std::make_unique_for_overwrite<ColumnTexel[]>(as_size(columns.end_column - first_))) {
+        : first_(columns.first_column), texels_(new ColumnTexel[as_size(columns.end_column - first_)]) {
         for (std::int32_t column = first_; column < columns.end_column; ++column) {
             const InverseZ inverse_z = gradients.inverse_z.at(column, columns.first_row);
             const Octave octave = octave_from(column, column + 1, inverse_z, {});
