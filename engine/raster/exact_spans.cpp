@@ -195,7 +195,9 @@ std::int64_t draw_octaves(std::span<const Span> spans, const BlockCutting& cutti
 
 /// Whether the spans are in rows whose 1/z is the same, so that a column's division serves all of them.
 bool shares_columns(std::span<const Span> spans, const TextureGradients& gradients) {
-    return spans.size() > 1 && gradients.inverse_z.per_row == InverseZ{};
+    if (spans.size() <= 1 || gradients.inverse_z.per_row != InverseZ{}) return false;
+    const ScreenRectangle rectangle = rectangle_around(spans);
+    return rectangle.end_column - rectangle.first_column <= ColumnTexels::kMost;
 }
 
 /// draw_octaves() for these: calls draw(row, columns, count, pixels).

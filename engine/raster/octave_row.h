@@ -1,9 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
-#include <memory>
 
 #include "engine/base/table.h"
 #include "engine/fixed/divide.h"
@@ -197,8 +197,11 @@ struct WarpedColours {
 /// All columns of a surface whose 1/z is the same in all rows: one division a column.
 class ColumnTexels {
   public:
+    /// The most columns: 16 KB of the stack, of which DOS has 192.
+    static constexpr std::int32_t kMost = 1024;
+
     ColumnTexels(const TextureGradients& gradients, const SurfaceView& surface, const ScreenRectangle& columns)
-        : first_(columns.first_column), texels_(new ColumnTexel[as_size(columns.end_column - first_)]) {
+        : first_(columns.first_column) {
         for (std::int32_t column = first_; column < columns.end_column; ++column) {
             const InverseZ inverse_z = gradients.inverse_z.at(column, columns.first_row);
             const Octave octave = octave_from(column, column + 1, inverse_z, {});
@@ -206,15 +209,15 @@ class ColumnTexels {
             const std::int64_t depth = OctaveRow::depth_of(shifted_up(inverse_z.raw, octave.shift) >> 32);
             const TexelOverZ u_over_z = gradients.u_over_z.at(column, columns.first_row);
             const auto u_46 = static_cast<std::uint64_t>((shifted_up(u_over_z.raw, octave.shift) >> 32) * depth);
-            texels_[as_size(column - first_)] = {depth, (u_46 >> 46) & surface.u_mask};
+            oblong::item(texels_, column - first_) = {depth, (u_46 >> 46) & surface.u_mask};
         }
     }
     /// Those from `column` on; undefined where 1/z is clamped.
-    const ColumnTexel* from(std::int32_t column) const { return texels_.get() + (column - first_); }
+    const ColumnTexel* from(std::int32_t column) const { return texels_.data() + (column - first_); }
 
   private:
     std::int32_t first_;
-    std::unique_ptr<ColumnTexel[]> texels_;
+    std::array<ColumnTexel, kMost> texels_;  ///< set in `columns` only
 };
 
 }  // namespace oblong
