@@ -1,5 +1,7 @@
 #include "engine/costs/costs.h"
 
+#include <algorithm>
+
 #include "engine/costs/prices.h"
 
 namespace oblong {
@@ -111,6 +113,11 @@ std::int64_t cycles_on(Processor processor, const Events& events) {
 
 std::int64_t megahertz_of(Processor processor) {
     return item(kClocks, processor).megahertz;
+}
+
+std::int64_t frame_rate_10(Processor processor, std::int64_t cycles) {
+    const std::int64_t least = std::max<std::int64_t>(cycles, 1);
+    return (megahertz_of(processor) * 10'000'000 + least / 2) / least;
 }
 
 }  // namespace oblong

@@ -40,5 +40,7 @@ std::string_view name_of(Processor processor);
 std::int64_t cycles_on(Processor processor, const Events& events);
 /// Cycles a microsecond.
 std::int64_t megahertz_of(Processor processor);
+/// Frames of so many cycles in ten seconds, rounded.
+std::int64_t frame_rate_10(Processor processor, std::int64_t cycles);
 
 }  // namespace oblong

@@ -48,8 +48,13 @@ inline constexpr std::array kUps{KeyValue{"y", "y"}, KeyValue{"z", "z"}};
 inline constexpr std::array kShadings{KeyValue{"flat", "one colour per triangle"},
                                       KeyValue{"gouraud", "interpolated between corners"},
                                       KeyValue{"phong", "a normal per pixel"}};
-inline constexpr std::array kPresetValues{KeyValue{"1991", ""},  KeyValue{"1994", ""},    KeyValue{"1996", ""},
-                                          KeyValue{"pixel", ""}, KeyValue{"bounded", ""}, KeyValue{"exact", ""}};
+inline constexpr std::array kPresetValues{KeyValue{"1991", ""},
+                                          KeyValue{"1994", ""},
+                                          KeyValue{"1996", ""},
+                                          KeyValue{"pixel", ""},
+                                          KeyValue{"bounded", ""},
+                                          KeyValue{"exact", ""},
+                                          KeyValue{"other", "dials of its own"}};
 inline constexpr std::array kProjectionValues{KeyValue{"square", ""}, KeyValue{"display", ""}};
 inline constexpr std::array kDisplayValues{KeyValue{"display", ""}, KeyValue{"square", ""}, KeyValue{"fill", ""}};
 inline constexpr std::array kOffOn{KeyValue{"off", ""}, KeyValue{"on", ""}};

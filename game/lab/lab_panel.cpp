@@ -182,8 +182,7 @@ std::string describe_colours(const LabFigures& figures) {
 
 std::string describe_cost(const Events& events) {
     const auto rate = [&](Processor processor) {
-        const std::int64_t cycles = std::max<std::int64_t>(cycles_on(processor, events), 1);
-        const double frames = static_cast<double>(megahertz_of(processor)) * 1e6 / static_cast<double>(cycles);
+        const double frames = static_cast<double>(frame_rate_10(processor, cycles_on(processor, events))) / 10;
         return with_decimals(frames, frames < 9.95 ? 1 : 0);
     };
     return short_count(cost_of(events, Currency::Instructions)) + " instructions; 386 " + rate(Processor::I386) +

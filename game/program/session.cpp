@@ -187,11 +187,13 @@ ShownPicture Session::draw_all(bool is_behind_menu) {
 void Session::draw_picture(const GameView& view, const Settings& drawn) {
     shows_until_us_ = last_us_;
     const std::optional<Processor> machine = view_options_.preferences.machine;
-    const bool counts_work = loaded_->level.counts_work;
+    const bool counts_work = asks_for_work(loaded_->level, state());
+    work_ = 0;
     if (!machine && !counts_work) return renderer_->draw(view, drawn);
     const Events events = events_of(renderer_->draw_and_count(view, drawn), drawn.accuracy);
     if (counts_work)
-        work_ = static_cast<std::uint16_t>(std::min<std::int64_t>(cycles_on(Processor::I486, events) / 1000, 0xffff));
+        work_ =
+            static_cast<std::uint16_t>(std::clamp<std::int64_t>(cycles_on(Processor::I486, events) / 1000, 1, 0xffff));
     if (!machine) return;
     cycles_ = cycles_on(*machine, events);
     shows_until_us_ += static_cast<std::uint64_t>(cycles_ / megahertz_of(*machine));

@@ -27,10 +27,6 @@ PitchYaw angles_of(const Entity& entity) {
     return {World{}, number_of(entity, "angle", kLargestAngle)};
 }
 
-Unit product(Unit a, Unit b) {
-    return convert<Unit>(widening_product(a, b));
-}
-
 const Vec3<World> kReach = world_vector(32, 32, 32);  // from a monster
 constexpr std::size_t kElectrodes = 2;
 constexpr World kLargestCell = World::from_int(256);  // of a teleporter that holds one monster
@@ -169,8 +165,7 @@ Vec3<Unit> direction_of(const Entity& entity) {
     if (angles.pitch == World{} && angles.yaw == World::from_int(kDownwards)) return {Unit{}, Unit{}, -kOne};
     const Angle yaw = degrees_to_angle(convert<Degrees>(angles.yaw));
     const Angle pitch = degrees_to_angle(convert<Degrees>(angles.pitch));
-    if (angles.pitch == World{}) return {cosine(yaw), sine(yaw), Unit{}};
-    return {product(cosine(pitch), cosine(yaw)), product(cosine(pitch), sine(yaw)), -sine(pitch)};
+    return direction_of(yaw, pitch);
 }
 
 World number_of(const Entity& entity, const char* key, std::int32_t largest) {

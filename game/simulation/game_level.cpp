@@ -1,5 +1,7 @@
 #include "game/simulation/game_level.h"
 
+#include <algorithm>
+
 #include "engine/fixed/trig.h"
 #include "game/simulation/level_builder.h"
 #include "game/simulation/tick.h"
@@ -9,6 +11,10 @@ namespace {
 
 constexpr std::int32_t kTrainDelay_ticks =
     kTicksPerSecond / 5;  // 0.2 s: Quake's trains find their first corner before they start
+
+bool asks_here(const Trigger& trigger, const GameState& state) {
+    return trigger.view && trigger.box && trigger.box->overlaps(player_box(state.player.position));
+}
 
 }  // namespace
 
@@ -44,13 +50,18 @@ GameState start_of(const GameLevel& level) {
 }
 
 std::optional<ViewDialKind> asked_dial(const GameLevel& level, const GameState& state) {
-    const Box player = player_box(state.player.position);
     for (const Trigger& trigger : level.triggers) {
-        if (!trigger.view || !trigger.box || !trigger.box->overlaps(player)) continue;
+        if (!asks_here(trigger, state)) continue;
         for (std::size_t i = 0; i < kViewDials; ++i)
             if (trigger.view->dials[i]) return static_cast<ViewDialKind>(i);
     }
     return std::nullopt;
+}
+
+bool asks_for_work(const GameLevel& level, const GameState& state) {
+    return std::any_of(level.triggers.begin(), level.triggers.end(), [&](const Trigger& trigger) {
+        return asks_here(trigger, state) && trigger.view->asks_for_work();
+    });
 }
 
 std::string_view next_map(const GameLevel& level, const GameState& state) {

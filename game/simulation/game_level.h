@@ -176,7 +176,6 @@ struct GameLevel {
     LevelBoxes boxes;
     Place start;                    ///< the player's
     TargetIndex visit = kNoTarget;  ///< kVisitName
-    bool counts_work = false;       ///< some trigger asks for TickInput::work
     LensNames lens_names;           ///< make_game_level() leaves them as they are
 
     const Target& target(TargetIndex index) const { return item(targets, index); }
@@ -206,6 +205,8 @@ GameState start_of(const GameLevel& level);
 
 /// The dial that the place of the player asks for, a trigger_view's first; none: the place asks for none.
 std::optional<ViewDialKind> asked_dial(const GameLevel& level, const GameState& state);
+/// Whether TickInput::work matters where the player is.
+bool asks_for_work(const GameLevel& level, const GameState& state);
 
 /// The map that follows the ended level, as "e1m2"; empty if its exit names none or the level has not ended.
 std::string_view next_map(const GameLevel& level, const GameState& state);

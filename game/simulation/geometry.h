@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/fixed/trig.h"
 #include "engine/level/level.h"
 #include "engine/math/vec.h"
 
@@ -37,6 +38,12 @@ inline World times(World value, Unit unit) {
 }
 inline Vec3<World> times(World value, const Vec3<Unit>& direction) {
     return {times(value, direction.x), times(value, direction.y), times(value, direction.z)};
+}
+
+/// Of length 1; pitch down positive.
+inline Vec3<Unit> direction_of(Angle yaw, Angle pitch) {
+    const auto along = [&](Unit part) { return convert<Unit>(widening_product(cosine(pitch), part)); };
+    return {along(cosine(yaw)), along(sine(yaw)), -sine(pitch)};
 }
 
 /// The length, rounded down; it must fit.

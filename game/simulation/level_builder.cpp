@@ -95,7 +95,6 @@ void LevelBuilder::add_trigger(const Entity& entity) {
     auto trigger = trigger_of(entity, *level_.bsp);
     if (!trigger || (trigger->kind == TriggerKind::Teleport && !find_exit(entity, *trigger))) return;
     level_.secrets += trigger->is_secret;
-    level_.counts_work |= trigger->view && trigger->view->asks_for_work();
     trigger->entity = index_of(entity);
     level_.triggers.push_back(std::move(*trigger));
     trigger_entities_.push_back(&entity);

@@ -19,7 +19,8 @@ struct TickInput {
     std::int16_t pitch = 0;    ///< likewise, down positive
     std::uint8_t buttons = 0;  ///< the buttons below; other bits are 0
     ViewDials view = kUsualView;
-    std::uint16_t work = 0;  ///< of the picture before: thousands of a 486's cycles, where the level has a use for it
+    std::uint16_t work =
+        0;  ///< of the picture before: thousands of a 486's cycles, where asks_for_work(); 0: not counted
 
     bool operator==(const TickInput&) const = default;
 };

@@ -50,17 +50,6 @@ void strike(const GameLevel& level, GameState& state, std::uint32_t i, Activatio
     if (--state.triggers[i].left == 0) activations.fire(trigger_ref(i));
 }
 
-Vec3<Unit> look_of(const Player& player) {
-    const Angle pitch = Angle::from_bam(player.pitch);
-    const auto along = [&](Unit part) { return convert<Unit>(widening_product(cosine(pitch), part)); };
-    return {along(cosine(player.yaw)), along(sine(player.yaw)), -sine(pitch)};
-}
-
-Unit cosine_between(const Vec3<Unit>& a, const Vec3<Unit>& b) {
-    const auto part = [](Unit x, Unit y) { return convert<Unit>(widening_product(x, y)); };
-    return part(a.x, b.x) + part(a.y, b.y) + part(a.z, b.z);
-}
-
 bool looks_along(const Player& player, const Vec3<Unit>& direction) {
     const World ahead = times(times(World::from_int(1), cosine(player.yaw)), direction.x) +
                         times(times(World::from_int(1), sine(player.yaw)), direction.y);
@@ -70,8 +59,10 @@ bool looks_along(const Player& player, const Vec3<Unit>& direction) {
 bool meets(const ViewCondition& wanted, const Player& player, const TickInput& input) {
     for (std::size_t i = 0; i < kViewDials; ++i)
         if (wanted.dials[i].value_or(input.view[i]) != input.view[i]) return false;
-    if (input.work < wanted.least_work || input.work > wanted.most_work) return false;
-    return !wanted.direction || cosine_between(*wanted.direction, look_of(player)) >= wanted.least_cosine;
+    if (wanted.asks_for_work() && (input.work == 0 || input.work < wanted.least_work || input.work > wanted.most_work))
+        return false;
+    const Vec3<Unit> look = direction_of(player.yaw, Angle::from_bam(player.pitch));
+    return !wanted.direction || convert<Unit>(dot(*wanted.direction, look)) >= wanted.least_cosine;
 }
 
 bool may_fire(const Trigger& trigger, const Player& player, const TickInput& input) {

@@ -2,23 +2,17 @@
 
 #include <algorithm>
 
+#include "engine/level/class_keys.h"
+
 namespace oblong {
 namespace {
 
-constexpr std::array<std::string_view, 7> kAccuracies{"1991", "1994", "1996", "pixel", "bounded", "exact", "other"};
-constexpr std::array<std::string_view, 2> kProjections{"square", "display"};
-constexpr std::array<std::string_view, 3> kDisplays{"display", "square", "fill"};
-constexpr std::array<std::string_view, 2> kOff{"off", "on"};
-constexpr std::array<std::string_view, 3> kWireframes{"off", "over", "alone"};
-constexpr std::array<std::string_view, 13> kZooms{"off", "10", "20", "30",  "40",  "50", "60",
-                                                  "70",  "80", "90", "100", "110", "120"};
-
-constexpr std::array<ViewDial, kViewDials> kViewDialRows{{{"accuracy", kAccuracies},
-                                                          {"projection", kProjections},
-                                                          {"display", kDisplays},
-                                                          {"isometric", kOff},
-                                                          {"wireframe", kWireframes},
-                                                          {"zoom", kZooms}}};
+constexpr std::array<ViewDial, kViewDials> kViewDialRows{{{"accuracy", class_keys::kPresetValues},
+                                                          {"projection", class_keys::kProjectionValues},
+                                                          {"display", class_keys::kDisplayValues},
+                                                          {"isometric", class_keys::kOffOn},
+                                                          {"wireframe", class_keys::kWireframeValues},
+                                                          {"zoom", class_keys::kZoomValues}}};
 
 }  // namespace
 
@@ -27,7 +21,8 @@ std::span<const ViewDial> all_view_dials() {
 }
 
 std::optional<std::uint8_t> value_named(const ViewDial& dial, std::string_view name) {
-    const auto found = std::find(dial.values.begin(), dial.values.end(), name);
+    const auto found = std::find_if(dial.values.begin(), dial.values.end(),
+                                    [name](const KeyValue& value) { return value.value == name; });
     if (found == dial.values.end()) return std::nullopt;
     return static_cast<std::uint8_t>(found - dial.values.begin());
 }

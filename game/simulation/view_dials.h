@@ -6,6 +6,8 @@
 #include <span>
 #include <string_view>
 
+#include "engine/level/entity_classes.h"
+
 namespace oblong {
 
 /// How the player's picture is drawn, as far as a level can ask for it: part of a tick's input, so that a demo leads to
@@ -19,7 +21,7 @@ inline constexpr ViewDials kUsualView{4, 1, 0, 0, 0, 0};
 
 struct ViewDial {
     std::string_view key;  ///< of trigger_view
-    std::span<const std::string_view> values;
+    std::span<const KeyValue> values;
 };
 
 /// In the order of ViewDialKind. An accuracy with a dial of its own turned is "other".

@@ -100,8 +100,7 @@ std::uint64_t reading_time_us(const std::string& text) {
 }  // namespace
 
 std::string describe_rate(Processor machine, std::int64_t cycles) {
-    const std::int64_t least = std::max<std::int64_t>(cycles, 1),
-                       tenths = (megahertz_of(machine) * 10'000'000 + least / 2) / least;
+    const std::int64_t tenths = frame_rate_10(machine, cycles);
     return std::string(name_of(machine)) + ": " + std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) +
            " frames/s";
 }
@@ -162,9 +161,9 @@ void FrameCost::note(const GameView& view, const Settings& settings, const Palet
     frames_ = 0;
     const RenderingTimes& times = times_.renderings();
     const TimeSpread frame = times.frame_ns();
-    const FrameCounts counts = renderer.draw_and_count(view, settings);
     text_.frame = short_time(frame.median) + " us " + spread_text(frame) + ", " + std::to_string(frames_a_second) +
                   " frames/s, " + std::to_string(view.state.after.active_movers.size()) + " movers";
+    const FrameCounts counts = renderer.draw_and_count(view, settings);
     text_.passes = times.pass_lines(renderer.plan(), counts);
     text_.effects = other_lines(times.effect_lines(renderer.plan(), counts), text_.passes);
     if (!effects.is_plain())

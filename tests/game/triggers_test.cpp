@@ -78,6 +78,7 @@ constexpr test::Scenario kTriggers[] = {
     {"BudgetFiresWhileThePictureIsCheapEnough", R"(
         + trigger_budget 100 -50 0 150 50 64 least=100 most=900 wait=0.2 target=count
         + trigger_counter targetname=count count=100
+        stand 120 0: counted = 0     # no picture was counted
         picture work=901; stand 120 0: counted = 0
         picture work=99; stand 120 0: counted = 0
         picture work=900; stand 120 0: counted = 1
