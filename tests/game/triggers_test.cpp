@@ -78,12 +78,17 @@ constexpr test::Scenario kTriggers[] = {
     {"BudgetFiresWhileThePictureIsCheapEnough", R"(
         + trigger_budget 100 -50 0 150 50 64 least=100 most=900 wait=0.2 target=count
         + trigger_counter targetname=count count=100
-        stand 120 0: counted = 0     # no picture was counted
         picture work=901; stand 120 0: counted = 0
         picture work=99; stand 120 0: counted = 0
         picture work=900; stand 120 0: counted = 1
         picture work=5000; play 40: counted = 1
         picture work=100; play 8: counted = 3
+    )"},
+    {"BudgetWaitsForACountedPicture", R"(
+        + trigger_budget 100 -50 0 150 50 64 most=900 target=count
+        + trigger_counter targetname=count count=100
+        stand 120 0: counted = 0
+        picture work=1; stand 120 0: counted = 1
     )"},
     {"OnlyregisteredAlwaysFiresAndKeepsItsMessage", R"(
         + trigger_onlyregistered 100 -50 0 150 50 64 message="Buy it" target=count
