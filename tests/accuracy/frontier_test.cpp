@@ -37,6 +37,18 @@ TEST(Frontier, IsFoundWhereCombinationsOfDialsAreBest) {
     EXPECT_FALSE(has(Texturing::Exact, ReciprocalMethod::Table256)) << "bounded texels are closer and cheaper";
 }
 
+TEST(Frontier, ComparesNoPicturesWhoseErrorsDifferInKind) {
+    // Floors of one colour cost less, and have no texels that could be out of place.
+    const auto measure = [](const Accuracy& accuracy) {
+        Trial trial = made_up(accuracy);
+        if (!accuracy.textures_floors) trial.costs = {trial.costs[0] / 16, trial.costs[1] / 16};
+        return trial;
+    };
+    const std::vector<Accuracy> front = search_frontier(measure, 1000, 1.02);
+    for (const Preset preset : {Preset::Year1991, Preset::Year1994, Preset::Year1996, Preset::Exact})
+        EXPECT_EQ(std::count(front.begin(), front.end(), accuracy_of(preset)), 1) << name_of(preset);
+}
+
 TEST(Frontier, MeasuresNoCombinationTwiceAndNotMoreThanItMay) {
     std::vector<Accuracy> measured;
     const auto measure = [&](const Accuracy& accuracy) {

@@ -59,6 +59,17 @@ function checkFunctions(call) {
   }
 }
 
+// Nothing that was measured is cheaper on a 486 than a year's preset and nearer by each measure.
+function checkYears(report) {
+  const all = [...report.tiers, ...report.frontier, ...report.dials.flatMap(dial => dial.settings)];
+  for (const year of report.tiers.filter(tier => /^[0-9]+$/.test(tier.name)))
+    for (const other of all) {
+      const isNearer = ["displacement", "wrong_pixels", "pixel_colour"].every(m => other.errors[m].rms < year.errors[m].rms * 1.0005) &&
+        other.errors.displacement.rms < year.errors.displacement.rms * 0.999;
+      assert(!isNearer || other.cost.cycles_486 > year.cost.cycles_486, `${other.name} against ${year.name}`);
+    }
+}
+
 const [file, json] = ["accuracy.html", "accuracy.json"].map(name => fs.readFileSync(path.join(process.argv[2], name), "utf8"));
 const drawn = drawPage(file);
 assert.deepEqual(JSON.parse(drawn.json), JSON.parse(json));
@@ -66,3 +77,4 @@ for (const outside of ["http:", "https:", "url(", "@import", "<script src", "<li
 checkTags(drawn.page);
 checkSections(drawn.page, JSON.parse(json));
 checkFunctions(drawn.call);
+checkYears(JSON.parse(json));

@@ -17,11 +17,15 @@ Accuracy without_idle_dials(Accuracy accuracy) {
     return accuracy;
 }
 
+/// The others' errors are of another kind, or their costs too small to count.
+bool is_of_spans(const Dial& dial) {
+    return dial.read_in.starts_with("engine/raster/") && measure_of(dial) == Measure::Displacement;
+}
+
 std::vector<Accuracy> neighbours_of(const Accuracy& accuracy) {
     std::vector<Accuracy> neighbours;
     for (const Dial& dial : all_dials()) {
-        // Those of spans: the others' errors are of another kind, or their costs too small to count.
-        if (!dial.read_in.starts_with("engine/raster/") || measure_of(dial) != Measure::Displacement) continue;
+        if (!is_of_spans(dial)) continue;
         for (const DialSetting& setting : dial.settings) {
             Accuracy turned = accuracy;
             dial.set(turned, setting.value);
@@ -31,16 +35,25 @@ std::vector<Accuracy> neighbours_of(const Accuracy& accuracy) {
     return neighbours;
 }
 
-/// By rising cost, the trials with less than 1 / `step` of the error of all before.
+/// Whether displacement is all that their errors differ by: a floor of one colour, say, has no texels to be displaced.
+bool are_comparable(const Accuracy& a, const Accuracy& b) {
+    return std::all_of(all_dials().begin(), all_dials().end(),
+                       [&](const Dial& dial) { return is_of_spans(dial) || dial.get(a) == dial.get(b); });
+}
+
+/// By rising cost, the trials with less than 1 / `step` of the error of all before that they can be compared with.
 void add_front(const std::vector<Trial>& trials, std::size_t cost, double step, std::vector<Accuracy>& front) {
     std::vector<const Trial*> sorted;
     for (const Trial& trial : trials) sorted.push_back(&trial);
     std::stable_sort(sorted.begin(), sorted.end(),
                      [&](const Trial* a, const Trial* b) { return item(a->costs, cost) < item(b->costs, cost); });
-    double least = std::numeric_limits<double>::max();
+    std::vector<const Trial*> best;
     for (const Trial* trial : sorted) {
-        if (trial->error * step > least) continue;
-        least = trial->error;
+        if (std::any_of(best.begin(), best.end(), [&](const Trial* other) {
+                return trial->error * step > other->error && are_comparable(trial->accuracy, other->accuracy);
+            }))
+            continue;
+        best.push_back(trial);
         if (std::find(front.begin(), front.end(), trial->accuracy) == front.end()) front.push_back(trial->accuracy);
     }
 }

@@ -17,8 +17,9 @@ struct Trial {
 };
 
 /// Searches the combinations of settings of the dials of texturing spans for those that no other beats: by either cost,
-/// each has at most 1 / `step` of the error of all cheaper ones. Starts from the presets and turns, of each of the best
-/// found so far, every dial to every setting, until that finds nothing better or `most_trials` have been measured.
+/// each has at most 1 / `step` of the error of all cheaper ones that differ by those dials alone. Starts from the
+/// presets and turns, of each of the best found so far, every dial to every setting, until that finds nothing better or
+/// `most_trials` have been measured.
 std::vector<Accuracy> search_frontier(const std::function<Trial(const Accuracy&)>& measure, std::size_t most_trials,
                                       double step);
 

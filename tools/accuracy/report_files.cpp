@@ -90,6 +90,7 @@ Json setting_json(const Report& report, const Configurations::Row& row, Measure 
     const ErrorSummaries& errors = report.results[row.index].errors;
     return {{"name", row.name},
             {"configuration", row.index},
+            {"textures_floors", report.configurations.accuracies[row.index].textures_floors},
             {"error", error_json(errors, measure)},
             {"alone", error_json(report.results[row.alone].errors, measure)},
             {"cost", cost_json(report, row.index)},
