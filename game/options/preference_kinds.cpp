@@ -160,8 +160,10 @@ std::string degrees_text(Degrees degrees) {
 }  // namespace
 
 Preference mode_preference() {
-    Preference mode = named({"mode", "Resolution", "WxH, size of the picture in pixels", PreferencePage::Picture},
-                            "8x8 to " + std::to_string(kLargestMode_px) + "x" + std::to_string(kLargestMode_px));
+    Preference mode =
+        named({"mode", "Resolution", "WxH, size of the picture in pixels; upright windows show 320x200 as 200x320",
+               PreferencePage::Picture},
+              "8x8 to " + std::to_string(kLargestMode_px) + "x" + std::to_string(kLargestMode_px));
     mode.text = mode.shown = size_text;
     mode.parse = [](Preferences& of, const std::string& text) { parse_mode_size(text, of.mode); };
     step_through(

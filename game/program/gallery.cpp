@@ -106,8 +106,8 @@ void Gallery::open_page(Action command, MenuPages& pages) {
 }
 
 ShownPicture Gallery::draw(bool is_behind_menu) {
-    if (!is_drawn_ || drawn_with_ != view_options_.preferences) draw_picture();
-    const ScreenMode& mode = drawn_with_.mode;
+    const ScreenMode mode = picture_in(platform_.window_size(), view_options_.preferences).mode;
+    if (!is_drawn_ || drawn_with_ != view_options_.preferences || mode_ != mode) draw_picture(mode);
     shown_ = picture_;
     const Framebuffer canvas{shown_.data(), mode.width_px, mode.height_px, mode.width_px};
     if (wants_screenshot_) show(save_screenshots(canvas, data_.palette, mode));
@@ -116,9 +116,9 @@ ShownPicture Gallery::draw(bool is_behind_menu) {
     return {canvas, data_.palette, shown_rect(view_options_.preferences, platform_.window_size())};
 }
 
-void Gallery::draw_picture() {
+void Gallery::draw_picture(const ScreenMode& mode) {
     drawn_with_ = view_options_.preferences;
-    const ScreenMode& mode = drawn_with_.mode;
+    mode_ = mode;
     picture_.resize(pixel_count(mode.width_px, mode.height_px));
     const Row& row = rows_[state_.row];
     const auto time_ms = static_cast<std::int64_t>((now_us_ - start_us_) / 1000);
@@ -149,7 +149,7 @@ void Gallery::show(const std::string& message) {
 }
 
 void Gallery::draw_over() {
-    const ScreenMode& mode = drawn_with_.mode;
+    const ScreenMode& mode = mode_;
     const Framebuffer canvas{shown_.data(), mode.width_px, mode.height_px, mode.width_px};
     const TextColours colours{assets_.text.bright, assets_.text.dark,
                               text_scale_in(mode.width_px, mode.height_px, drawn_with_.text_scale)};

@@ -47,7 +47,7 @@ class Gallery final : public GameScreen {
     std::string figures() const override;
 
   private:
-    void draw_picture();
+    void draw_picture(const ScreenMode& mode);
     void show(const std::string& message);
     void draw_over();
 
@@ -62,6 +62,7 @@ class Gallery final : public GameScreen {
     Figures figures_;
     Messages messages_;
     Preferences drawn_with_;  ///< the preferences of picture_
+    ScreenMode mode_;         ///< of picture_
     std::vector<std::uint8_t> picture_, shown_;
     std::uint64_t start_us_, now_us_;
     bool wants_screenshot_ = false;

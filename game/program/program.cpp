@@ -162,10 +162,12 @@ void Program::take(const Controls& controls) {
 void Program::take_in_menu(const Controls& controls) {
     const Preferences& now = preferences();
     Menu& menu = screens_.menu();
-    const CanvasSize canvas{now.mode.width_px, now.mode.height_px};
+    const WindowSize window = platform_.window_size();
+    const ScreenMode mode = picture_in(window, now).mode;
+    const CanvasSize canvas{mode.width_px, mode.height_px};
     const std::size_t depth = menu.depth();
     wants_screenshot_ |= controls.has(Action::Screenshot) && !menu.page().press;
-    const MenuEvent event = menu.handle(controls, canvas, now.text_scale, shown_rect(now, platform_.window_size()));
+    const MenuEvent event = menu.handle(controls, canvas, now.text_scale, shown_rect(now, window));
     if (const auto sound = sound_of(event)) screens_.play(*sound);
     if (menu.depth() < depth) tell_in_menu(store_.save(now));
     screens_.up().advance_behind_menu(platform_.now_us());

@@ -21,6 +21,15 @@ std::string message_of(const GameLevel& level, const GameState& before, const Ga
     return text;
 }
 
+// The part of a picture that has a thumbnail's shape: of one that is narrower, the rows in the middle.
+Framebuffer middle_of(Framebuffer picture, const ScreenMode& mode) {
+    const Ratio part = mode.display * Ratio{3, 4};
+    const std::int64_t rows = std::min<std::int64_t>(
+        picture.height_px, std::max<std::int64_t>(1, picture.height_px * part.numerator / part.denominator));
+    const auto height_px = static_cast<std::int32_t>(rows);
+    return part_of(picture, {0, (picture.height_px - height_px) / 2, picture.width_px, height_px});
+}
+
 }  // namespace
 
 WalkTicks::WalkTicks(const GameLevel& level, TickInputSource input)
@@ -126,7 +135,7 @@ void Session::warn_of(const TickReport& report) {
 
 // A renderer is for one mode.
 void Session::follow_mode() {
-    const ScreenMode& mode = view_options_.preferences.mode;
+    const ScreenMode mode = picture_in(platform_.window_size(), view_options_.preferences).mode;
     if (renderer_ && renderer_->mode() == mode) return;
     renderer_ = std::make_unique<GameRenderer>(loaded_->data, loaded_->level, mode, settings_.workers);
 }
@@ -134,11 +143,12 @@ void Session::follow_mode() {
 GameView Session::shown_view() const {
     const InterpolatedState state = ticks_.shown();
     const Preferences& preferences = view_options_.preferences;
-    Camera camera = ticks_.camera(preferences.field_of_view);
+    const PicturePreferences picture = picture_in(platform_.window_size(), preferences);
+    Camera camera = ticks_.camera(picture.field_of_view);
     if (preferences.view_bob_100 != 0 || preferences.view_roll_100 != 0) sway(state, preferences, camera);
     const Overlays& on = overlays_.on();
     return {state, camera, on.has_torch,
-            other_view(on.is_isometric, on.zoom_degrees, camera, preferences.mode, loaded_->data.level)};
+            other_view(on.is_isometric, on.zoom_degrees, camera, picture.mode, loaded_->data.level)};
 }
 
 Palette Session::palette_of(const GameView& view, const PaletteEffects& effects) const {
@@ -207,7 +217,7 @@ Thumbnail Session::thumbnail() {
     has_drawn_ = true;
     const PaletteEffects effects =
         palette_.effects_at(view, preferences.flashes, preferences.light(), preferences.has_dac6);
-    return make_thumbnail(renderer_->canvas(), palette_of(view, effects));
+    return make_thumbnail(middle_of(renderer_->canvas(), renderer_->mode()), palette_of(view, effects));
 }
 
 void Session::restore(const GameState& state) {

@@ -33,7 +33,7 @@ ShownOverlays::ShownOverlays(const LoadedLevel& loaded, const ViewOptions& view_
 
 // By the mode and the player's preference.
 std::int32_t ShownOverlays::text_scale() const {
-    const ScreenMode& mode = preferences().mode;
+    const ScreenMode mode = this->mode();
     return text_scale_in(mode.width_px, mode.height_px, preferences().text_scale);
 }
 
@@ -58,7 +58,7 @@ bool ShownOverlays::close_largest() {
 
 void ShownOverlays::follow(std::uint64_t now_us) {
     text_colours_.scale = text_scale();
-    const MadeFor wanted{preferences().mode, preferences().colours, text_colours_.scale};
+    const MadeFor wanted{mode(), preferences().colours, text_colours_.scale};
     if (made_for_ != wanted) free_all();
     made_for_ = wanted;
     keep(lab_, needs_lab(on_.lab),
@@ -108,7 +108,7 @@ void ShownOverlays::draw_lines(const GameView& view, const Settings& drawn, Game
 
 PanelText ShownOverlays::draw_panels(const GameView& view, const Settings& settings, std::uint64_t now_us,
                                      Framebuffer canvas) {
-    const ScreenMode& mode = preferences().mode;
+    const ScreenMode mode = this->mode();
     const WindowSize window = platform_.window_size();
     PanelText text{{}, canvas.height_px - kTextMargin_px};
     if (four_aspects_) {

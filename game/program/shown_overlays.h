@@ -69,6 +69,7 @@ class ShownOverlays {
     };
 
     const Preferences& preferences() const { return view_options_.preferences; }
+    ScreenMode mode() const { return picture_in(platform_.window_size(), preferences()).mode; }
     std::int32_t text_scale() const;
     void free_all();
 

@@ -19,6 +19,13 @@ constexpr std::int32_t kNarrowestZoom = 10, kUnzoomed = 90, kWidestZoom = 120, k
 
 constexpr int kPresetCount = static_cast<int>(kPresets.size());
 
+// The horizontal field of view, to the nearest binary angle, of a picture of `shape` with this vertical one.
+Degrees across(Ratio shape, Degrees vertical) {
+    const SineCosine60 half = sine_cosine(vertical / 2);
+    const Angle angle = arctangent2(half.sine.raw / shape.denominator * shape.numerator, half.cosine.raw);
+    return Degrees::from_int(720) / 65536 * angle.bam;
+}
+
 // The next value of an enumeration of `count`, cyclic.
 template <class Enum>
 Enum next_of(Enum value, int count) {
@@ -44,28 +51,30 @@ std::string toggle(bool& is_on, const char* on = "", const char* off = "") {
 }
 
 // The shape of a sphere in the middle of the picture, in the window.
-std::string describe_sphere(const Preferences& preferences, WindowSize window) {
-    const Ratio pixel = shown_pixel(shown_rect(preferences, window), preferences.mode);
-    return "spheres " + describe_shape(sphere_shape(preferences.mode, preferences.corrects_projection, pixel));
+std::string describe_sphere(const PicturePreferences& preferences, WindowSize window) {
+    const ScreenMode mode = picture_in(window, preferences).mode;
+    const Ratio pixel = shown_pixel(shown_rect(preferences, window), mode);
+    return "spheres " + describe_shape(sphere_shape(mode, preferences.corrects_projection, pixel));
 }
 
-std::string describe_projection(const Preferences& preferences, WindowSize window) {
+std::string describe_projection(const PicturePreferences& preferences, WindowSize window) {
     return "{projection-aspect} Drawn for " +
-           (preferences.corrects_projection ? display_name(preferences.mode) : std::string("square pixels")) + ": " +
+           (preferences.corrects_projection ? display_name(picture_in(window, preferences).mode)
+                                            : std::string("square pixels")) +
+           ": " + describe_sphere(preferences, window);
+}
+
+std::string describe_display(const PicturePreferences& preferences, WindowSize window) {
+    return "{display-aspect} Shown " + shown_name(preferences.shown_as, picture_in(window, preferences).mode) + ": " +
            describe_sphere(preferences, window);
 }
 
-std::string describe_display(const Preferences& preferences, WindowSize window) {
-    return "{display-aspect} Shown " + shown_name(preferences.shown_as, preferences.mode) + ": " +
-           describe_sphere(preferences, window);
-}
-
-std::string describe_scaling(const Preferences& preferences, WindowSize window) {
+std::string describe_scaling(const PicturePreferences& preferences, WindowSize window) {
     constexpr std::array<const char*, kScalingCount> kWords{
         "all pixels of one size, their borders blended", "rows of one height, borders of columns blended",
         "nothing blended, the shape as near as whole pixels allow", "nothing blended, some rows and columns are wider"};
     return std::string("{scaling} Scaling ") + name_of(preferences.scaling) + ": " + item(kWords, preferences.scaling) +
-           " (" + describe(shown_rect(preferences, window), preferences.mode) + ")";
+           " (" + describe(shown_rect(preferences, window), picture_in(window, preferences).mode) + ")";
 }
 
 // Changes an option by `steps`, as the options menu does; returns the message to the player.
@@ -119,8 +128,16 @@ WindowSettings window_settings_of(const WindowPreferences& preferences) {
     return {preferences.fills_screen, preferences.waits_for_display, preferences.frame_cap_hz};
 }
 
+PicturePreferences picture_in(WindowSize window, PicturePreferences preferences) {
+    constexpr ScreenMode kUsual, kUpright{kUsual.height_px, kUsual.width_px, {9, 16}};
+    if (window.height_px <= window.width_px || preferences.mode != kUsual) return preferences;
+    preferences.mode = kUpright;
+    preferences.field_of_view = across(kUpright.display, preferences.field_of_view);
+    return preferences;
+}
+
 PresentRect shown_rect(const PicturePreferences& preferences, WindowSize window) {
-    PresentRect rect = layout(window, preferences.mode, preferences.shown_as, preferences.scaling);
+    PresentRect rect = layout(window, picture_in(window, preferences).mode, preferences.shown_as, preferences.scaling);
     rect.has_crt_look = preferences.has_crt_look;
     return rect;
 }

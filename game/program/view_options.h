@@ -43,7 +43,10 @@ void follow_view(const ViewDials& before, const ViewDials& after, ViewOptions& o
 
 Settings settings_of(const Preferences& preferences);
 WindowSettings window_settings_of(const WindowPreferences& preferences);
-/// Where and how a window shows the picture.
+/// The picture that a window shows. In an upright window that of the usual mode is upright, too: 200x320 for a display
+/// of 9:16, with the field of view from top to bottom.
+PicturePreferences picture_in(WindowSize window, PicturePreferences preferences);
+/// Where and how a window shows it.
 PresentRect shown_rect(const PicturePreferences& preferences, WindowSize window);
 
 /// Runs a command; returns a message to the player for KeyNames::in(), or "". Ignores commands of the program:

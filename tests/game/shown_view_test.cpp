@@ -101,6 +101,25 @@ std::string press(Action command, ViewOptions& options) {
     return apply(command, options, {1600, 1200});
 }
 
+TEST(PictureIn, AnUprightWindowIsUprightWithTheFieldOfViewFromTopToBottom) {
+    for (const int degrees : {1, 60, 90, 120, 179}) {
+        PicturePreferences usual;
+        usual.field_of_view = Degrees::from_int(degrees);
+        const PicturePreferences upright = picture_in({720, 1280}, usual);
+        EXPECT_EQ(upright.mode, (ScreenMode{200, 320, {9, 16}}));
+        const double half = degrees * std::acos(-1) / 360;
+        const double multiplier =
+            std::ldexp(static_cast<double>(make_projection(upright.mode, upright.field_of_view).y.multiplier.raw),
+                       -Multiplier::kFractionBits);
+        // Half of it across is rounded to a binary angle: from top to bottom that is at most 16/9 as much.
+        EXPECT_NEAR(std::atan(160 / multiplier), half, std::acos(-1) / 65536 * 16 / 9);
+        EXPECT_EQ(picture_in({1280, 720}, usual), usual);
+        EXPECT_EQ(picture_in({720, 720}, usual), usual);
+        usual.mode.width_px = 321;  // chosen by the player
+        EXPECT_EQ(picture_in({720, 1280}, usual), usual);
+    }
+}
+
 TEST(ViewOptions, KeysStepThroughBrightnessUpToItsLimits) {
     ViewOptions options;
     press(Action::Brighter, options);

@@ -72,7 +72,28 @@ std::vector<TickInput> inputs_of(const Demo& demo) {
     return inputs;
 }
 
+/// In an upright window.
+class UprightPlatform final : public ScriptedPlatform {
+  public:
+    using ScriptedPlatform::ScriptedPlatform;
+    WindowSize window_size() const override { return {720, 1280}; }
+    void present(Framebuffer picture, const Palette&, const PresentRect& rect) override {
+        ++presented;
+        EXPECT_EQ(picture.width_px, 200);
+        EXPECT_EQ(picture.height_px, 320);
+        EXPECT_EQ(rect.width_px, 720);
+        EXPECT_EQ(rect.height_px, 1280);
+    }
+    int presented = 0;
+};
+
 using TitleToEnd = WalkedLevel;
+
+TEST_F(TitleToEnd, ShowsUprightPicturesInAnUprightWindow) {
+    UprightPlatform platform(40, [](std::int64_t poll) { return poll == 10 ? accept() : PlatformInput{}; });
+    EXPECT_GT(record({}, platform).ticks.size(), 20u);
+    EXPECT_GT(platform.presented, 30);
+}
 
 // Enter on the title's "Walk" starts the demo that is to be replayed; what the program records of it is that demo, to
 // the end of the level.
