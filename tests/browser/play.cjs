@@ -128,16 +128,17 @@ const checkScreen = async (tab, name) => {
   assert.strictEqual(wrong, 0, `${name}: ${wrong} pixels of ${width * height} have another colour on the screen, which is in ${file(name)}`);
 };
 
-// Any size, in the right shape, 4:3 as large as fits; nothing is drawn outside.
+// Any size, in the right shape, 4:3 or upright 9:16 as large as fits; nothing is drawn outside.
 const checkSize = async (tab, size) => {
   const density = size.deviceScaleFactor || 1, width = size.width * density, height = size.height * density;
   await tab.page.setViewport(size);
   await tab.until(`Page.canvas.width === ${width} && Page.canvas.height === ${height}`, "the canvas has the window's size");
   await tab.evaluate("globalThis.before = Page.screen.shown");
   await tab.until("Page.screen.shown > before", "a picture of the new size");
-  const [left, top, wide, high] = await tab.evaluate("seen.rect"), fit = Math.min(width / 4, height / 3);
-  const found = `${wide}x${high} at ${left}, ${top} in ${width}x${height}, expected ${4 * fit}x${3 * fit}`;
-  assert.ok(Math.abs(wide - 4 * fit) <= 1 && Math.abs(high - 3 * fit) <= 1, found);
+  const [left, top, wide, high] = await tab.evaluate("seen.rect"), [across, down] = height > width ? [9, 16] : [4, 3];
+  const fit = Math.min(width / across, height / down);
+  const found = `${wide}x${high} at ${left}, ${top} in ${width}x${height}, expected ${across * fit}x${down * fit}`;
+  assert.ok(Math.abs(wide - across * fit) <= 1 && Math.abs(high - down * fit) <= 1, found);
   assert.ok(Math.abs(2 * left + wide - width) <= 1 && Math.abs(2 * top + high - height) <= 1, found);
 };
 
