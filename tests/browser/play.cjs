@@ -48,6 +48,8 @@ const touch = async open => {
   await tab.until("Page.axes[0] === 0 && Page.axes[1] === -1", "the left thumb ahead");
   await tab.until(`different(seen, before) > ${MOVED}`, "the left thumb walks");
   await tab.shot(file("touch"));
+  assert.deepStrictEqual(await tab.evaluate("[KEYS.Escape, KEYS.Space, KEYS.KeyV, KEYS.Enter, KEYS.KeyW].map(key => Page.buttonOf(key))"),
+                         ["Menu", "Jump", "Dial", "OK", ""], "what texts call the buttons");
   await thumb.end();
   await tab.until("Page.axes[1] === 0", "the left thumb at rest");
   await tab.page.touchscreen.tap(900 - 48, 48);

@@ -20,6 +20,9 @@ for (let i = 0; i < 10; ++i) KEYS["Digit" + (i + 1) % 10] = 30 + i;
 for (let i = 1; i < 10; ++i) KEYS["Numpad" + i] = 88 + i;
 for (let i = 1; i < 13; ++i) KEYS["F" + i] = 57 + i;
 
+// The buttons on a touch screen, and the keys that they press.
+const TOUCH_BUTTONS = [["menu", KEYS.Escape], ["jump", KEYS.Space], ["exhibit", KEYS.KeyV], ["accept", KEYS.Enter]];
+
 const Page = globalThis.Page = {
   canvas: document.getElementById("screen"),
   events: [],
@@ -69,6 +72,11 @@ const Page = globalThis.Page = {
     return isLost;
   },
 
+  // What the button for a key says, while touch is in use.
+  buttonOf(key) {
+    const button = this.hasTouch && TOUCH_BUTTONS.find(([, pressed]) => pressed === key);
+    return button ? document.getElementById(button[0]).textContent : "";
+  },
   letter(key) {
     const code = Object.keys(KEYS).find(name => KEYS[name] === key);
     const letter = key <= 56 && this.letters && this.letters.get(code);
@@ -208,7 +216,7 @@ const Page = globalThis.Page = {
       if (document.pointerLockElement) this.isLockRefused = false;
       else if (this.isCaptured && !this.hasTouch && !this.isSecondEscape()) this.tap(Device.Key, KEYS.Escape);
     });
-    for (const [id, key] of [["menu", KEYS.Escape], ["jump", KEYS.Space], ["exhibit", KEYS.KeyV], ["accept", KEYS.Enter]]) {
+    for (const [id, key] of TOUCH_BUTTONS) {
       const button = document.getElementById(id);
       button.addEventListener("pointerdown", event => { event.preventDefault(); this.note(Kind.Press, Device.Key, key); });
       for (const end of ["pointerup", "pointercancel", "pointerleave"])
