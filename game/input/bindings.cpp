@@ -73,11 +73,11 @@ constexpr std::array<ActionRow, kActionCount> kActions{{
     {Action::Wireframe, "wireframe", "Wireframe", "Wireframe", "E", "", "X"},
     {Action::Isometric, "isometric", "Isometric view", "Isometric view", "I"},
     {Action::Inspect, "inspect", "Inspect a surface", "Inspect a surface", "P", "Pad-Right-Stick"},
-    {Action::ZoomIn, "zoom-in", "Zoom in, move back", "Zoom and dolly", "Left-Bracket"},
-    {Action::ZoomOut, "zoom-out", "Zoom out, move on", "Zoom and dolly", "Right-Bracket"},
+    {Action::ZoomIn, "zoom-in", "Zoom in, move back", "Zoom in, move back", "Left-Bracket"},
+    {Action::ZoomOut, "zoom-out", "Zoom out, move on", "Zoom out, move on", "Right-Bracket"},
     {Action::CrtLook, "crt", "CRT look", "CRT look", "C"},
-    {Action::Darker, "darker", "Darker", "Brightness", "Minus"},
-    {Action::Brighter, "brighter", "Brighter", "Brightness", "Equals"},
+    {Action::Darker, "darker", "Darker", "Darker", "Minus"},
+    {Action::Brighter, "brighter", "Brighter", "Brighter", "Equals"},
     {Action::Log, "log", "Log", "Log", "O"},
     {Action::ShowHelp, "help", "Keys", "These keys", "F1"},
     {Action::DialUp, "dial-up", "Panel: row above", "", "Up", "Pad-Up", "W Up", "Up Keypad-8"},
@@ -206,10 +206,10 @@ std::vector<KeyHelp> game_help(const KeyNames& names) {
     std::vector<KeyHelp> help;
     for (const ActionRow& row : all_actions()) {
         if (row.help.empty()) continue;
-        if (help.empty() || help.back().label != row.help)
-            help.push_back({std::string(row.help), names.of(row.action)});
-        else
-            help.back().keys += " " + names.of(row.action);
+        if (help.empty() || help.back().label != row.help) help.push_back({std::string(row.help), "", {}});
+        KeyHelp& line = help.back();
+        line.keys += (line.keys.empty() ? "" : " ") + names.of(row.action);
+        line.actions.push_back(row.action);
     }
     return help;
 }
@@ -238,7 +238,7 @@ std::vector<KeyHelp> gallery_help(const KeyNames& names) {
     for (const Entry& entry : entries) {
         std::string keys;
         for (const Action action : entry.actions) keys += (keys.empty() ? "" : " ") + names.of(action);
-        help.push_back({std::string(entry.label), std::move(keys)});
+        help.push_back({std::string(entry.label), std::move(keys), entry.actions});
     }
     return help;
 }

@@ -165,6 +165,7 @@ class KeyNames {
 struct KeyHelp {
     std::string label;  ///< "Walk"
     std::string keys;   ///< "W A S D"
+    std::vector<Action> actions;
 };
 std::vector<KeyHelp> game_help(const KeyNames& names);
 std::vector<KeyHelp> gallery_help(const KeyNames& names);

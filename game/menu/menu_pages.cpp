@@ -34,6 +34,7 @@ void MenuPages::open_gallery() {
     menu_.open([this] {
         MenuPage page{"Gallery"};
         page.rows.push_back(menu_row("Resume", [this] { menu_.close_all(); }));
+        page.rows.push_back(keys_row());
         page.rows.push_back(menu_row("Title", closing([this] { host_.show_title(); })));
         page.rows.push_back(menu_row("Quit", [this] { host_.leave(); }));
         return page;
@@ -100,6 +101,7 @@ MenuPage MenuPages::game_page() {
         page.rows.push_back(menu_row(
             "Messages", [this] { open_messages(); }, "texts shown in this walk"));
     page.rows.push_back(menu_row("Options", [this] { open_options(); }));
+    page.rows.push_back(keys_row());
     page.rows.push_back(menu_row("Restart level", [this] { open_restart(); }));
     page.rows.push_back(menu_row("Levels", [this] { open_levels(); }));
     page.rows.push_back(menu_row(
@@ -175,6 +177,11 @@ void MenuPages::open_levels() {
     });
 }
 
+MenuRow MenuPages::keys_row() {
+    return menu_row(
+        "Keys", [this] { open_keys(); }, "all that keys do, also without them");
+}
+
 MenuRow MenuPages::back_row() {
     return menu_row("Back", [this] { menu_.close(); });
 }
@@ -201,9 +208,9 @@ void MenuPages::open_figures() {
 void MenuPages::open_keys() {
     menu_.open([this, help = host_.key_help()] {
         MenuPage page{"Keys"};
-        page.help = host_.key_names().in("{choose}: scroll. {menu}: back");
+        page.help = host_.key_names().in("{choose} choose, {accept} does it, {menu} goes back");
         page.closed_by = Action::ShowHelp;
-        for (const KeyHelp& line : help) page.rows.push_back({line.label, line.keys});
+        for (const KeyHelp& line : help) page.rows.push_back({line.label, line.keys, "", acting(line.actions)});
         page.rows.push_back(menu_row("Change keys", [this] { open_key_pages(menu_, host_, key_undo_); }));
         page.rows.push_back(back_row());
         return page;
@@ -229,6 +236,13 @@ void MenuPages::ask(std::string title, std::string text, std::string yes, std::f
             page.rows.push_back(menu_row(yes, action));
             return page;
         });
+}
+
+// Nothing for what must be held, and for what a page cannot do.
+std::function<void()> MenuPages::acting(const std::vector<Action>& actions) {
+    const Action action = actions.front();
+    if (actions.size() > 1 || is_move(action) || action == Action::Menu || action == Action::ShowHelp) return nullptr;
+    return closing([this, action] { host_.act(action); });
 }
 
 std::function<void()> MenuPages::closing(std::function<void()> action) {

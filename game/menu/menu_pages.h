@@ -66,9 +66,10 @@ class MenuHost {
     /// Whether the current walk has unsaved progress.
     virtual bool has_unsaved_progress() const = 0;
 
-    virtual void walk() = 0;             ///< a new walk from the game's first level
-    virtual bool has_visit() const = 0;  ///< whether visit() differs from walk()
-    virtual void visit() = 0;            ///< the same, with all doors open
+    virtual void act(Action action) = 0;  ///< what its key does, once no page is open
+    virtual void walk() = 0;              ///< a new walk from the game's first level
+    virtual bool has_visit() const = 0;   ///< whether visit() differs from walk()
+    virtual void visit() = 0;             ///< the same, with all doors open
     virtual void continue_walk() = 0;
     virtual void restart() = 0;
     virtual void play_level(const std::string& file) = 0;
@@ -105,7 +106,7 @@ class MenuPages {
 
     void open_title();
     void open_game();     ///< over a walk
-    void open_keys();     ///< help on keys, over a walk or a gallery
+    void open_keys();     ///< what each key does, and does it if it is chosen; over a walk or a gallery
     void open_figures();  ///< over a gallery
     void open_gallery();  ///< over a gallery with nothing behind it
     void open_end();      ///< after a walk
@@ -132,9 +133,12 @@ class MenuPages {
     MenuPage preferences_page(PreferencePage page);
     MenuRow preference_row(const Preference& preference);
     MenuRow save_row(const SaveEntry& save, std::function<void()> accept) const;
+    MenuRow keys_row();
     MenuRow back_row();
 
     void ask(std::string title, std::string text, std::string yes, std::function<void()> action);
+    /// Closes all pages, then does what the only one of the actions does.
+    std::function<void()> acting(const std::vector<Action>& actions);
     /// Closes all pages, then runs the action.
     std::function<void()> closing(std::function<void()> action);
     /// Asks before `action` if the walk has progress that leaving it does not save.

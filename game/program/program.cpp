@@ -113,7 +113,8 @@ void Program::keep() {
 }
 
 void Program::show_frame() {
-    const Controls controls = input_.take(platform_.poll(), platform_.now_us() / 1000);
+    Controls controls = input_.take(platform_.poll(), platform_.now_us() / 1000);
+    if (const std::optional<Action> asked = screens_.take_asked()) controls.commands.push_back(*asked);
     const std::size_t depth = screens_.menu().depth();
     take(controls);
     if (screens_.has_left()) return;
@@ -213,7 +214,8 @@ void Program::draw_menu(const ShownPicture& picture) {
     const Preferences& now = preferences();
     screens_.menu().draw(now.text_scale, screens_.up().menu_look(), picture.palette, picture.canvas);
     if (!std::exchange(wants_screenshot_, false)) return;
-    const std::string saved = save_screenshots(picture.canvas, picture.palette, now.mode);
+    const std::string saved =
+        save_screenshots(picture.canvas, picture.palette, picture_in(platform_.window_size(), now).mode);
     screens_.pages().open_message("Screenshot", screens_.key_names().in(saved));
     is_stale_ = true;
 }

@@ -39,6 +39,8 @@ class Screens final : public MenuHost {
     bool is_walking() const { return is_in_level() && walk_->kind() == SessionKind::Walk; }
     /// Whether the screen or its level has changed since the last call.
     bool take_has_changed() { return std::exchange(has_changed_, false); }
+    /// What the menu asked the screen for, if it did.
+    std::optional<Action> take_asked() { return std::exchange(asked_, {}); }
 
     /// Work between two pictures: autosaves the walk, reloads a level whose source has changed, and applies the sound
     /// settings.
@@ -70,6 +72,7 @@ class Screens final : public MenuHost {
     bool can_save() const override { return saves_.can_save(); }
     std::optional<SaveEntry> last_walk() const override;
     bool has_unsaved_progress() const override { return saves_.has_unsaved_progress(); }
+    void act(Action action) override { asked_ = action; }
     void walk() override;
     bool has_visit() const override { return level_below().level.visit != kNoTarget; }
     void visit() override;
@@ -129,7 +132,8 @@ class Screens final : public MenuHost {
     Menu menu_;
     MenuPages pages_;
     std::optional<ListedSlot> last_walk_;  // offered by the title
-    std::vector<ListedSlot> listed_;       // as last shown by the menu
+    std::optional<Action> asked_;
+    std::vector<ListedSlot> listed_;  // as last shown by the menu
     bool has_left_ = false, has_changed_ = true, is_first_game_ = true;
 };
 

@@ -102,6 +102,17 @@ TEST_F(ProgramOfTheDemo, RestartingKeepsTheSettings) {
     EXPECT_FALSE(SaveSlots(path("data")).last_walk()) << "two seconds are no walk";
 }
 
+// The sixth row from the end of the menu is Keys, and the fifth from the end of that makes it brighter.
+TEST_F(ProgramOfTheDemo, TheMenuDoesWhatAKeyDoes) {
+    const auto up = [](std::size_t rows) {
+        std::vector<MenuAction> actions(rows, MenuAction::Up);
+        actions.push_back(MenuAction::Accept);
+        return acting(actions);
+    };
+    play(60, keeping(), {{5, pressing(Action::Menu)}, {6, up(6)}, {7, up(5)}});
+    EXPECT_EQ(PreferencesStore(path("oblong.cfg")).kept().light().brightness_100, 140);
+}
+
 // A Quake level looks as on a tube until the player says otherwise, and what the player says of it is not the museum's.
 TEST_F(ProgramOfTheDemo, LightIsKeptAGame) {
     OBLONG_NEEDS_SHARED_LEVELS();
