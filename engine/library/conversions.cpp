@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "engine/files/arguments.h"
-#include "engine/files/frame_log.h"
+#include "engine/programs/arguments.h"
+#include "engine/programs/frame_log.h"
 
 namespace oblong {
 namespace {

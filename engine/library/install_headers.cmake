@@ -1,9 +1,9 @@
 # Run by cmake --install: oblong.h, the other headers that programs may include, and all that these include.
 cmake_policy(VERSION 3.25)
 file(GLOB HEADERS_TO_READ ${ENGINE}/library/oblong.h ${ENGINE}/draw/*.h ${ENGINE}/methods/*.h)
-foreach(NAME effects/palette_effects files/files files/game_files files/level_models files/obj files/picture files/wad
-             frame/frame frame/wireframe frame/workspace level/bsp_read level/entities level/trace mesh/mesh
-             platform/headless platform/sdl/sdl platform/worker_threads raster/line_walks raster/lines scene/pick
+foreach(NAME effects/palette_effects io/files io/game_files io/wad
+             frame/frame frame/wireframe frame/workspace level/bsp_read level/entities level/trace mesh/mesh models/level_models
+             models/obj pictures/picture platform/headless platform/sdl/sdl platform/worker_threads raster/line_walks raster/lines scene/pick
              scene/placed_models)
     list(APPEND HEADERS_TO_READ ${ENGINE}/${NAME}.h)
 endforeach()

@@ -4,15 +4,15 @@
 
 #include "engine/base/text.h"
 #include "engine/effects/palette_effects.h"
-#include "engine/files/files.h"
-#include "engine/files/level_models.h"
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
+#include "engine/io/files.h"
 #include "engine/level/bsp_read.h"
 #include "engine/level/entities.h"
 #include "engine/level/entity_classes.h"
 #include "engine/level/trace.h"
 #include "engine/library/conversions.h"
+#include "engine/models/level_models.h"
 
 namespace oblong {
 namespace {

@@ -1,9 +1,9 @@
 #include <algorithm>
 
-#include "engine/files/files.h"
-#include "engine/files/obj.h"
+#include "engine/io/files.h"
 #include "engine/library/conversions.h"
 #include "engine/mesh/draw_mesh.h"
+#include "engine/models/obj.h"
 #include "engine/view/views.h"
 
 namespace oblong {

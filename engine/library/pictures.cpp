@@ -3,9 +3,9 @@
 #include "engine/base/checksum.h"
 #include "engine/base/table.h"
 #include "engine/base/text.h"
-#include "engine/files/files.h"
-#include "engine/files/picture.h"
+#include "engine/io/files.h"
 #include "engine/library/conversions.h"
+#include "engine/pictures/picture.h"
 
 namespace oblong {
 namespace {

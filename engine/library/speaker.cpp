@@ -3,11 +3,11 @@
 #include <memory>
 #include <stdexcept>
 
-#include "engine/files/files.h"
-#include "engine/files/sound_file.h"
+#include "engine/io/files.h"
 #include "engine/library/conversions.h"
 #include "engine/platform/sdl/sdl.h"
-#include "engine/platform/tracker_module.h"
+#include "engine/sound/sound_file.h"
+#include "engine/sound/tracker_module.h"
 
 namespace oblong {
 

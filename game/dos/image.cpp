@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "engine/base/little_endian.h"
-#include "engine/files/arguments.h"
-#include "engine/files/command_line.h"
-#include "engine/files/files.h"
-#include "engine/files/sound_file.h"
+#include "engine/io/files.h"
 #include "engine/platform/dos/layout.h"
-#include "engine/platform/small_mixer.h"
+#include "engine/programs/arguments.h"
+#include "engine/programs/command_line.h"
+#include "engine/sound/small_mixer.h"
+#include "engine/sound/sound_file.h"
 #include "game/dos/prepared_game.h"
 
 namespace oblong {

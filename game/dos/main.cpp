@@ -14,11 +14,11 @@
 
 #include "engine/base/checksum.h"
 #include "engine/base/text.h"
-#include "engine/files/arguments.h"
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "engine/platform/dos/calls.h"
 #include "engine/platform/dos/pc.h"
 #include "engine/platform/dos/sound_blaster.h"
+#include "engine/programs/arguments.h"
 #include "game/lab/timedemo.h"
 #include "game/options/preference_table.h"
 #include "game/program/program.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <exception>
 
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "engine/view/views.h"
 
 namespace oblong {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/files/game_files.h"
+#include "engine/io/game_files.h"
 
 namespace oblong {
 
@@ -18,7 +18,7 @@ struct LevelPlaces {
 /// The game's folders: `named`, or if that is empty, the current folder and id1 in it (also as ID1, Id1).
 std::vector<std::string> game_folders_of(const std::string& named);
 
-/// The file of a level, or its path in a pak file (engine/files/game_files.h), as load_game() takes it; nothing if
+/// The file of a level, or its path in a pak file (engine/io/game_files.h), as load_game() takes it; nothing if
 /// there is none of that name. Throws FileError for a broken pak file.
 std::optional<std::string> find_level(const std::string& name, const LevelPlaces& places);
 

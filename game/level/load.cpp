@@ -6,10 +6,10 @@
 
 #include "engine/base/checksum.h"
 #include "engine/effects/things.h"
-#include "engine/files/arguments.h"
-#include "engine/files/files.h"
-#include "engine/files/game_files.h"
+#include "engine/io/files.h"
+#include "engine/io/game_files.h"
 #include "engine/level/bsp_read.h"
+#include "engine/programs/arguments.h"
 #include "game/simulation/entity_specs.h"
 
 namespace oblong {

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "engine/files/game_definition.h"
-#include "engine/files/level_models.h"
-#include "engine/files/sound_file.h"
 #include "engine/level/level.h"
+#include "engine/models/level_models.h"
+#include "engine/programs/game_definition.h"
 #include "engine/scene/level_effects.h"
+#include "engine/sound/sound_file.h"
 #include "engine/surface/colormap.h"
 #include "engine/surface/palette.h"
 #include "game/simulation/game_level.h"
@@ -44,7 +44,7 @@ struct LevelFiles {
 /// Reads a level and its palette. No level: the game's first one, or the demo level of `assets`. No palette: the game's
 /// for its levels; else palette.lmp in the level's folder, in gfx/ there or in the folder above, in gfx/ of the game's
 /// folders or their pak files, or in `assets`. Models are also searched in progs/ of the game's folders. Levels may be
-/// in pak files: see engine/files/game_files.h. Prints on standard error the parts of the level that are ignored.
+/// in pak files: see engine/io/game_files.h. Prints on standard error the parts of the level that are ignored.
 /// Throws FileError.
 GameData load_game(const LevelFiles& files);
 

@@ -1,5 +1,5 @@
 // Apart from load.cpp, for which the game under DOS has a substitute.
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "game/level/load.h"
 
 namespace oblong {

@@ -6,9 +6,9 @@
 #include <map>
 #include <string_view>
 
-#include "engine/files/arguments.h"
-#include "engine/files/command_line.h"
-#include "engine/files/files.h"
+#include "engine/io/files.h"
+#include "engine/programs/arguments.h"
+#include "engine/programs/command_line.h"
 #include "game/options/preference_table.h"
 
 namespace oblong {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "engine/files/frame_log.h"
+#include "engine/programs/frame_log.h"
 #include "engine/raster/lines.h"
 #include "engine/view/present_rect.h"
 #include "game/options/preferences_store.h"

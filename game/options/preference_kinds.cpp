@@ -8,7 +8,7 @@
 
 #include "engine/base/table.h"
 #include "engine/base/text.h"
-#include "engine/files/arguments.h"
+#include "engine/programs/arguments.h"
 
 namespace oblong {
 

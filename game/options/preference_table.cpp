@@ -10,7 +10,7 @@
 #include "engine/base/input_error.h"
 #include "engine/base/table.h"
 #include "engine/base/text.h"
-#include "engine/files/arguments.h"
+#include "engine/programs/arguments.h"
 #include "game/options/preference_kinds.h"
 
 namespace oblong {

@@ -8,9 +8,9 @@
 
 #include "engine/base/input_error.h"
 #include "engine/base/text.h"
-#include "engine/files/arguments.h"
-#include "engine/files/command_line.h"
-#include "engine/files/files.h"
+#include "engine/io/files.h"
+#include "engine/programs/arguments.h"
+#include "engine/programs/command_line.h"
 
 namespace oblong {
 namespace {

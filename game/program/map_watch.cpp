@@ -12,8 +12,8 @@
 #include <thread>
 
 #include "engine/base/text.h"
-#include "engine/files/arguments.h"
-#include "engine/files/files.h"
+#include "engine/io/files.h"
+#include "engine/programs/arguments.h"
 #include "game/level/level_search.h"
 
 namespace oblong {

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "engine/base/text.h"
-#include "engine/files/arguments.h"
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "engine/level/entity_classes.h"
+#include "engine/programs/arguments.h"
 #include "game/program/program_files.h"
 
 namespace oblong {

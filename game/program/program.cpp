@@ -7,10 +7,10 @@
 #include <string>
 #include <utility>
 
-#include "engine/files/arguments.h"
-#include "engine/files/files.h"
-#include "engine/files/picture.h"
+#include "engine/io/files.h"
+#include "engine/pictures/picture.h"
 #include "engine/platform/headless.h"
+#include "engine/programs/arguments.h"
 #include "engine/view/screen.h"
 #include "game/input/bindings.h"
 #include "game/simulation/tick.h"

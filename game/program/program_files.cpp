@@ -9,9 +9,9 @@
 #include "engine/base/checksum.h"
 #include "engine/base/input_error.h"
 #include "engine/base/table.h"
-#include "engine/files/arguments.h"
-#include "engine/files/files.h"
-#include "engine/files/picture.h"
+#include "engine/io/files.h"
+#include "engine/pictures/picture.h"
+#include "engine/programs/arguments.h"
 #include "game/level/level_search.h"
 
 namespace oblong {

@@ -3,8 +3,8 @@
 #include <memory>
 #include <string>
 
-#include "engine/files/game_definition.h"
 #include "engine/platform/platform.h"
+#include "engine/programs/game_definition.h"
 #include "game/input/tick_input_source.h"
 #include "game/level/load.h"
 #include "game/options/options.h"

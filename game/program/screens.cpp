@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <utility>
 
-#include "engine/files/arguments.h"
-#include "engine/files/files.h"
+#include "engine/io/files.h"
+#include "engine/programs/arguments.h"
 #include "game/program/program_files.h"
 
 namespace oblong {

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "game/program/screens.h"
 #include "game/saves/saved_game.h"
 #include "game/simulation/items.h"

@@ -3,7 +3,7 @@
 #include <new>
 #include <utility>
 
-#include "engine/files/arguments.h"
+#include "engine/programs/arguments.h"
 #include "game/input/bindings.h"
 #include "game/simulation/items.h"
 #include "game/view/screenshot.h"

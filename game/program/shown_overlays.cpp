@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "engine/files/crosshair.h"
+#include "engine/programs/crosshair.h"
 #include "game/lab/aspects.h"
 #include "game/view/sign_colours.h"
 

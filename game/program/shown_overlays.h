@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/files/frame_log.h"
 #include "engine/platform/platform.h"
+#include "engine/programs/frame_log.h"
 #include "game/lab/aspects.h"
 #include "game/lab/lab.h"
 #include "game/level/load.h"

@@ -3,10 +3,10 @@
 #include <memory>
 #include <utility>
 
-#include "engine/files/arguments.h"
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "engine/platform/sdl/sdl.h"
 #include "engine/platform/worker_threads.h"
+#include "engine/programs/arguments.h"
 #include "game/input/route.h"
 #include "game/lab/timedemo.h"
 #include "game/options/options.h"

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "engine/base/input_error.h"
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "game/simulation/items.h"
 
 namespace oblong {

@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "engine/files/frame_log.h"
 #include "engine/frame/frame.h"
 #include "engine/platform/platform.h"
+#include "engine/programs/frame_log.h"
 #include "engine/view/present_rect.h"
 #include "game/input/controls.h"
 #include "game/lab/lab_options.h"

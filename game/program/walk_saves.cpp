@@ -7,7 +7,7 @@
 #include <thread>
 #include <utility>
 
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "game/saves/saved_game.h"
 #include "game/simulation/items.h"
 

@@ -16,7 +16,7 @@
 #include <utility>
 
 #include "engine/base/table.h"
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 
 namespace oblong {
 namespace {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/platform/sound.h"
+#include "engine/sound/sound.h"
 #include "game/simulation/game_level.h"
 #include "game/sound/sound_table.h"
 

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "engine/base/table.h"
-#include "engine/files/arguments.h"
-#include "engine/files/files.h"
-#include "engine/files/sound_file.h"
+#include "engine/io/files.h"
+#include "engine/programs/arguments.h"
+#include "engine/sound/sound_file.h"
 
 namespace oblong {
 namespace {

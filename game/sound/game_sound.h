@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/platform/sound.h"
+#include "engine/sound/sound.h"
 #include "game/sound/audible.h"
 #include "game/sound/captions.h"
 #include "game/sound/sound_scene.h"

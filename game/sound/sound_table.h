@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "engine/base/table.h"
-#include "engine/files/sound_file.h"
 #include "engine/level/level.h"
+#include "engine/sound/sound_file.h"
 #include "game/simulation/geometry.h"
 
 namespace oblong {

@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "engine/files/frame_log.h"
-#include "engine/files/rendering_times.h"
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
+#include "engine/programs/frame_log.h"
+#include "engine/programs/rendering_times.h"
 #include "engine/raster/lines.h"
 #include "game/level/load.h"
 #include "game/view/shown_view.h"

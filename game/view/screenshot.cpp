@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "engine/files/files.h"
-#include "engine/files/picture.h"
+#include "engine/io/files.h"
+#include "engine/pictures/picture.h"
 #include "engine/view/present_rect.h"
 #include "engine/view/screen.h"
 

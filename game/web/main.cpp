@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "engine/files/arguments.h"
 #include "engine/platform/web/web.h"
+#include "engine/programs/arguments.h"
 #include "game/options/options.h"
 #include "game/program/program.h"
 

@@ -3,8 +3,8 @@
 #include <set>
 
 #include "engine/accuracy/accuracy.h"
-#include "engine/files/arguments.h"
-#include "engine/files/files.h"
+#include "engine/io/files.h"
+#include "engine/programs/arguments.h"
 #include "tests/support/folders.h"
 #include "tests/support/patterns.h"
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <set>
 
-#include "engine/files/files.h"
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
+#include "engine/io/files.h"
 #include "tests/accuracy/scenes_fixture.h"
 #include "tests/support/folders.h"
 #include "tools/measure/texel_error.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "tests/support/folders.h"
 #include "tools/accuracy/measured_level.h"
 #include "tools/accuracy/report.h"

@@ -1,1 +1,1 @@
-set(LINKS oblong_level oblong_files)
+set(LINKS oblong_level oblong_io)

@@ -10,7 +10,7 @@ foreach(SCRIPT stages peer scale compilers light)
 endforeach()
 set_tests_properties(bench.stages bench.light PROPERTIES LABELS slow)
 add_long_test_program(draw_unseen ${CMAKE_CURRENT_LIST_DIR}/unseen/draw_unseen.cpp)
-target_link_libraries(draw_unseen PRIVATE oblong_tool_cameras oblong_files)
+target_link_libraries(draw_unseen PRIVATE oblong_tool_cameras oblong_models oblong_programs)
 foreach(LEVELS demo real)
     add_test(NAME bench.UnseenCostsLittle_${LEVELS} COMMAND python3 -B ${CMAKE_CURRENT_LIST_DIR}/unseen_costs.py
              ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR} $<TARGET_FILE:draw_unseen> ${LEVELS})

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "engine/level/bsp_read.h"
 #include "game/simulation/step.h"
 #include "tests/support/folders.h"

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <set>
 
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "engine/level/bsp_read.h"
 #include "engine/level/trace.h"
 #include "game/simulation/game_level.h"

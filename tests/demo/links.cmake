@@ -1,1 +1,1 @@
-set(LINKS oblong_tool_map oblong_files oblong_game)
+set(LINKS oblong_tool_map oblong_models oblong_game)

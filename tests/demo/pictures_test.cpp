@@ -7,9 +7,9 @@
 #include <tuple>
 
 #include "engine/base/table.h"
-#include "engine/files/files.h"
-#include "engine/files/obj.h"
-#include "engine/files/picture.h"
+#include "engine/io/files.h"
+#include "engine/models/obj.h"
+#include "engine/pictures/picture.h"
 #include "engine/surface/colormap.h"
 #include "engine/surface/palette.h"
 #include "tests/support/folders.h"

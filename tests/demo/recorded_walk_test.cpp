@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "engine/level/bsp_read.h"
 #include "game/input/bindings.h"
 #include "game/input/route.h"

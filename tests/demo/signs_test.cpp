@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "engine/level/bsp_read.h"
 #include "engine/level/trace.h"
 #include "tests/support/folders.h"

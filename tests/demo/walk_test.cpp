@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "engine/level/bsp_read.h"
 #include "game/level/load.h"
 #include "game/view/game_renderer.h"

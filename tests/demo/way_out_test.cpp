@@ -5,7 +5,7 @@
 #include <map>
 #include <vector>
 
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "engine/level/bsp_read.h"
 #include "game/simulation/demo.h"
 #include "game/simulation/step.h"

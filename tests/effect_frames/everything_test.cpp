@@ -1,7 +1,7 @@
 #include <set>
 
-#include "engine/files/files.h"
 #include "engine/frame/frame_counts.h"
+#include "engine/io/files.h"
 #include "engine/platform/worker_threads.h"
 #include "tests/effect_frames/effect_stage.h"
 #include "tests/support/folders.h"

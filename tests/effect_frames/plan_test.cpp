@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <set>
 
-#include "engine/files/level_models.h"
 #include "engine/level/bsp_read.h"
+#include "engine/models/level_models.h"
 #include "engine/surface/palette.h"
 #include "engine/visibility/eye.h"
 #include "tests/effect_frames/effect_stage.h"

@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "engine/files/files.h"
-#include "engine/files/picture.h"
+#include "engine/io/files.h"
+#include "engine/pictures/picture.h"
 #include "tests/support/pictures.h"
 #include "tests/support/programs.h"
 

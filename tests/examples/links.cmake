@@ -1,1 +1,1 @@
-set(LINKS oblong_files)
+set(LINKS oblong_pictures)

@@ -1,4 +1,4 @@
-#include "engine/files/arguments.h"
+#include "engine/programs/arguments.h"
 
 #include <gtest/gtest.h>
 

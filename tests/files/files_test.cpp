@@ -1,4 +1,4 @@
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

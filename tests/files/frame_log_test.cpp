@@ -1,4 +1,4 @@
-#include "engine/files/frame_log.h"
+#include "engine/programs/frame_log.h"
 
 #include <gtest/gtest.h>
 
@@ -6,10 +6,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/files/arguments.h"
-#include "engine/files/crosshair.h"
 #include "engine/fixed/trig.h"
 #include "engine/level/bsp_read.h"
+#include "engine/programs/arguments.h"
+#include "engine/programs/crosshair.h"
 #include "engine/view/views.h"
 #include "tests/support/bsp_writer.h"
 #include "tests/support/palettes.h"

@@ -1,2 +1,2 @@
 find_package(ZLIB REQUIRED)
-set(LINKS oblong_files ZLIB::ZLIB)
+set(LINKS oblong_pictures oblong_programs oblong_sound ZLIB::ZLIB)

@@ -1,4 +1,4 @@
-#include "engine/files/picture.h"
+#include "engine/pictures/picture.h"
 
 #include <gtest/gtest.h>
 #include <malloc.h>

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "engine/base/input_error.h"
-#include "engine/files/picture.h"
+#include "engine/pictures/picture.h"
 #include "tests/files/png_writer.h"
 #include "tests/support/folders.h"
 #include "tests/support/refusal.h"

@@ -1,4 +1,4 @@
-#include "engine/files/sound_file.h"
+#include "engine/sound/sound_file.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "tests/support/folders.h"
 #include "tests/support/refusal.h"
 

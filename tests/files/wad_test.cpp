@@ -1,4 +1,4 @@
-#include "engine/files/wad.h"
+#include "engine/io/wad.h"
 
 #include <gtest/gtest.h>
 

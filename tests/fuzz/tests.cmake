@@ -35,5 +35,5 @@ endforeach()
 foreach(ROOM surface effects)
     target_compile_options(oblong_${ROOM} PRIVATE -fno-sanitize-coverage=trace-cmp)
 endforeach()
-set_source_files_properties(${PROJECT_SOURCE_DIR}/engine/files/command_line.cpp TARGET_DIRECTORY oblong_files
+set_source_files_properties(${PROJECT_SOURCE_DIR}/engine/programs/command_line.cpp TARGET_DIRECTORY oblong_programs
                             PROPERTIES COMPILE_OPTIONS "-O1;-fno-sanitize-coverage=trace-cmp")

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "tests/support/programs.h"
 
 namespace oblong {

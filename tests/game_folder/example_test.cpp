@@ -7,7 +7,7 @@
 
 #include "engine/base/checksum.h"
 #include "engine/base/table.h"
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "engine/platform/headless.h"
 #include "game/options/options.h"
 #include "game/program/played_game.h"

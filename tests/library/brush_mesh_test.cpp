@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "engine/files/turning_brushes.h"
+#include "engine/models/turning_brushes.h"
 #include "tests/map/map_source.h"
 #include "tools/map/source/textures.h"
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "engine/level/entity_classes.h"
 #include "game/sound/sound_table.h"
 #include "tests/map/editor_formats.h"
@@ -46,8 +46,8 @@ TEST(EntityClasses, HaveSoundsAndModelsThatAreThere) {
 /// The sources of the rooms that read entities, without the table itself.
 std::vector<std::string> sources_of_readers() {
     std::vector<std::string> texts;
-    for (const char* room : {"engine/effects", "engine/scene", "engine/files", "engine/level", "game/simulation",
-                             "game/sound", "game/level", "game/view", "tools/map"})
+    for (const char* room : {"engine/effects", "engine/scene", "engine/models", "engine/sound", "engine/level",
+                             "game/simulation", "game/sound", "game/level", "game/view", "tools/map"})
         for (const auto& file : fs::recursive_directory_iterator(source_folder() + "/" + room)) {
             const std::string name = file.path().filename().string();
             const bool is_table = name.starts_with("entity_classes.") || name.starts_with("class_keys.");

@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "engine/files/doubles.h"
+#include "engine/io/doubles.h"
 #include "engine/level/trace.h"
 #include "engine/scene/placed_models.h"
 #include "engine/view/views.h"

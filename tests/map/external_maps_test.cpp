@@ -5,7 +5,7 @@
 #include <map>
 
 #include "engine/base/input_error.h"
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "tests/map/bsp_checks.h"
 #include "tests/map/map_source.h"
 #include "tests/support/refusal.h"

@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
-#include "engine/files/files.h"
-#include "engine/files/picture.h"
+#include "engine/io/files.h"
 #include "engine/level/bsp_read.h"
+#include "engine/pictures/picture.h"
 #include "tests/map/map_source.h"
 #include "tests/support/programs.h"
 

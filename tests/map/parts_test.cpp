@@ -7,7 +7,7 @@
 #include <set>
 #include <thread>
 
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "engine/platform/headless.h"
 #include "game/program/map_watch.h"
 #include "game/program/program.h"

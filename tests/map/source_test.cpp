@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "engine/files/files.h"
-#include "engine/files/wad.h"
+#include "engine/io/files.h"
+#include "engine/io/wad.h"
 #include "engine/level/entities.h"
 #include "tests/map/bsp_checks.h"
 #include "tests/map/map_source.h"

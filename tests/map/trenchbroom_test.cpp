@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <set>
 
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "engine/level/entity_classes.h"
 #include "tests/map/editor_formats.h"
 #include "tests/support/patterns.h"

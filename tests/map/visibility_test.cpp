@@ -7,8 +7,8 @@
 #include <set>
 #include <sstream>
 
-#include "engine/files/doubles.h"
-#include "engine/files/files.h"
+#include "engine/io/doubles.h"
+#include "engine/io/files.h"
 #include "engine/level/level.h"
 #include "engine/level/side.h"
 #include "tests/map/brush_world.h"

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "engine/effects/palette_effects.h"
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "engine/platform/headless.h"
 #include "tests/support/folders.h"
 #include "tests/support/scripted_input.h"

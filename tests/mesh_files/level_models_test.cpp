@@ -1,10 +1,10 @@
-#include "engine/files/level_models.h"
+#include "engine/models/level_models.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "engine/level/bsp_read.h"
 #include "engine/level/entities.h"
 #include "engine/level/entity_classes.h"

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "engine/base/input_error.h"
-#include "engine/files/doubles.h"
+#include "engine/io/doubles.h"
 #include "engine/mesh/mesh.h"
 #include "tests/mesh_files/mdl_writer.h"
 #include "tests/support/folders.h"

@@ -1,12 +1,12 @@
-#include "engine/files/obj.h"
+#include "engine/models/obj.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "engine/files/doubles.h"
-#include "engine/files/files.h"
+#include "engine/io/doubles.h"
+#include "engine/io/files.h"
 #include "tests/support/folders.h"
 #include "tests/support/palettes.h"
 #include "tests/support/point.h"

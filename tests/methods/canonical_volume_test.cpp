@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "engine/files/doubles.h"
+#include "engine/io/doubles.h"
 #include "engine/methods/transforms.h"
 #include "engine/view/project.h"
 

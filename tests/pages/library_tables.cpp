@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <sstream>
 
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "tests/pages/tables.h"
 #include "tests/support/folders.h"
 

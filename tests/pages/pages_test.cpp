@@ -9,7 +9,7 @@
 #include <set>
 #include <sstream>
 
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "tests/pages/tables.h"
 #include "tests/support/folders.h"
 #include "tests/support/patterns.h"

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "engine/accuracy/accuracy.h"
-#include "engine/files/game_definition.h"
 #include "engine/level/entity_classes.h"
+#include "engine/programs/game_definition.h"
 #include "game/input/bindings.h"
 #include "game/options/preference_table.h"
 

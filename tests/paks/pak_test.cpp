@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/files/game_files.h"
+#include "engine/io/game_files.h"
 #include "game/level/level_search.h"
 #include "game/level/load.h"
 #include "tests/mesh_files/mdl_writer.h"

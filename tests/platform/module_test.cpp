@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/base/input_error.h"
-#include "engine/platform/module_player.h"
+#include "engine/sound/module_player.h"
 #include "tests/support/refusal.h"
 
 namespace oblong {

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "engine/accuracy/accuracy.h"
-#include "engine/files/arguments.h"
+#include "engine/programs/arguments.h"
 #include "tests/preferences/named.h"
 
 namespace oblong {

@@ -6,7 +6,7 @@
 #include <csignal>
 #include <filesystem>
 
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "tests/preferences/named.h"
 #include "tests/support/folders.h"
 

@@ -7,7 +7,7 @@
 #include <random>
 #include <sstream>
 
-#include "engine/files/arguments.h"
+#include "engine/programs/arguments.h"
 
 namespace oblong {
 namespace {

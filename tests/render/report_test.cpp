@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/base/input_error.h"
-#include "engine/files/arguments.h"
+#include "engine/programs/arguments.h"
 #include "engine/scene/level_effects.h"
 #include "tests/map/map_source.h"
 #include "tests/support/folders.h"

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "game/saves/saved_game.h"
 #include "tests/saves/saved_walk.h"
 #include "tests/support/folders.h"

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 
 namespace oblong::test {
 

@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "engine/files/doubles.h"
+#include "engine/io/doubles.h"
 #include "engine/math/matrix.h"
 #include "engine/math/vec.h"
 #include "engine/methods/canonical_volume.h"

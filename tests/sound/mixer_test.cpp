@@ -1,4 +1,4 @@
-#include "engine/platform/mixer.h"
+#include "engine/sound/mixer.h"
 
 #include <gtest/gtest.h>
 #include <stdlib.h>
@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <thread>
 
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "engine/platform/sdl/sdl.h"
 #include "tests/support/folders.h"
 #include "tests/support/refusal.h"

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <map>
 
-#include "engine/files/files.h"
-#include "engine/platform/sound.h"
+#include "engine/io/files.h"
+#include "engine/sound/sound.h"
 #include "game/sound/game_sound.h"
 #include "tests/sound/walled_level.h"
 #include "tests/support/folders.h"

@@ -7,8 +7,8 @@
 #include <map>
 #include <set>
 
-#include "engine/files/files.h"
-#include "engine/files/sound_file.h"
+#include "engine/io/files.h"
+#include "engine/sound/sound_file.h"
 #include "game/sound/sound_table.h"
 #include "tests/support/folders.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/files/doubles.h"
+#include "engine/io/doubles.h"
 #include "engine/math/vec.h"
 #include "tools/measure/exact.h"
 

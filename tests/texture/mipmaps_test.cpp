@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/files/picture.h"
+#include "engine/pictures/picture.h"
 #include "engine/surface/colormap.h"
 #include "tests/texture/test_palette.h"
 #include "tools/texture/texture_files.h"

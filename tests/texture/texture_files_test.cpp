@@ -6,11 +6,11 @@
 #include <cmath>
 #include <filesystem>
 
-#include "engine/files/arguments.h"
-#include "engine/files/files.h"
-#include "engine/files/picture.h"
-#include "engine/files/wad.h"
+#include "engine/io/files.h"
+#include "engine/io/wad.h"
 #include "engine/level/bsp_read.h"
+#include "engine/pictures/picture.h"
+#include "engine/programs/arguments.h"
 #include "tests/files/png_writer.h"
 #include "tests/support/folders.h"
 #include "tests/support/refusal.h"

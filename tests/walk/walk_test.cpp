@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "game/simulation/demo.h"
 #include "game/simulation/tick.h"
 #include "tests/controls/virtual_pad.h"

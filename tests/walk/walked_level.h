@@ -5,7 +5,7 @@
 #include <functional>
 #include <utility>
 
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "engine/level/bsp_read.h"
 #include "engine/platform/platform.h"
 #include "game/program/program.h"

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "tests/support/folders.h"
 
 // A real window on a display of its own (Xvfb), looked at from outside: tests/window/look.py says what it checks.

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/files/rendering_times.h"
+#include "engine/programs/rendering_times.h"
 #include "tools/accuracy/configurations.h"
 #include "tools/accuracy/measured_level.h"
 #include "tools/map/work_sharing.h"

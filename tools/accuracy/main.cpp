@@ -5,9 +5,9 @@
 #include <iterator>
 
 #include "engine/base/input_error.h"
-#include "engine/files/arguments.h"
-#include "engine/files/command_line.h"
-#include "engine/files/files.h"
+#include "engine/io/files.h"
+#include "engine/programs/arguments.h"
+#include "engine/programs/command_line.h"
 #include "tools/accuracy/frame_times.h"
 #include "tools/accuracy/measured_level.h"
 #include "tools/accuracy/report.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/base/table.h"
-#include "engine/files/picture.h"
+#include "engine/pictures/picture.h"
 #include "tools/accuracy/errors.h"
 #include "tools/accuracy/frontier.h"
 

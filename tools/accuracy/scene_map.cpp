@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/base/table.h"
-#include "engine/files/wad.h"
+#include "engine/io/wad.h"
 #include "engine/surface/palette.h"
 #include "tools/texture/texture_files.h"
 

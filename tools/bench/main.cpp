@@ -3,10 +3,10 @@
 #include <utility>
 #include <vector>
 
-#include "engine/files/arguments.h"
-#include "engine/files/command_line.h"
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "engine/level/bsp_read.h"
+#include "engine/programs/arguments.h"
+#include "engine/programs/command_line.h"
 #include "tools/accuracy/measured_level.h"
 #include "tools/bench/benchmarks.h"
 #include "tools/render/camera_list.h"

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "engine/files/arguments.h"
-#include "engine/files/command_line.h"
-#include "engine/files/files.h"
-#include "engine/files/picture.h"
+#include "engine/io/files.h"
 #include "engine/level/bsp_read.h"
+#include "engine/pictures/picture.h"
+#include "engine/programs/arguments.h"
+#include "engine/programs/command_line.h"
 #include "tools/gallery/page.h"
 #include "tools/gallery/row.h"
 

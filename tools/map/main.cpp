@@ -4,12 +4,12 @@
 #include <iostream>
 #include <thread>
 
-#include "engine/files/arguments.h"
-#include "engine/files/command_line.h"
-#include "engine/files/files.h"
-#include "engine/files/game_definition.h"
+#include "engine/io/files.h"
 #include "engine/level/entity_classes.h"
 #include "engine/platform/worker_threads.h"
+#include "engine/programs/arguments.h"
+#include "engine/programs/command_line.h"
+#include "engine/programs/game_definition.h"
 #include "engine/surface/palette.h"
 #include "tools/map/compile.h"
 #include "tools/map/source/checks.h"

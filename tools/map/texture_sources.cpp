@@ -7,8 +7,8 @@
 
 #include "engine/base/input_error.h"
 #include "engine/base/text.h"
-#include "engine/files/arguments.h"
-#include "engine/files/files.h"
+#include "engine/io/files.h"
+#include "engine/programs/arguments.h"
 #include "tools/texture/texture_files.h"
 
 namespace oblong::map {

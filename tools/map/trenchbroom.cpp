@@ -6,7 +6,7 @@
 #include <iostream>
 #include <set>
 
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "engine/level/entity_classes.h"
 
 namespace oblong::map {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/files/doubles.h"
 #include "engine/fixed/arithmetic.h"
+#include "engine/io/doubles.h"
 #include "engine/math/vec.h"
 #include "tools/reference/vec.h"
 

@@ -1,8 +1,8 @@
 #include <iostream>
 
-#include "engine/files/arguments.h"
-#include "engine/files/command_line.h"
-#include "engine/files/files.h"
+#include "engine/io/files.h"
+#include "engine/programs/arguments.h"
+#include "engine/programs/command_line.h"
 #include "tools/probe/probe.h"
 
 int main(int argc, char** argv) {

@@ -5,7 +5,7 @@
 #include <istream>
 #include <ostream>
 
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "engine/level/bsp_read.h"
 #include "engine/level/side.h"
 

@@ -10,7 +10,7 @@
 
 #include "engine/accuracy/accuracy.h"
 #include "engine/base/table.h"
-#include "engine/files/doubles.h"
+#include "engine/io/doubles.h"
 #include "engine/view/screen.h"
 
 namespace oblong {

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "engine/accuracy/accuracy.h"
-#include "engine/files/level_models.h"
-#include "engine/files/rendering_times.h"
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
 #include "engine/methods/hidden_surfaces.h"
+#include "engine/models/level_models.h"
+#include "engine/programs/rendering_times.h"
 
 namespace oblong {
 

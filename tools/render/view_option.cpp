@@ -5,8 +5,8 @@
 
 #include "engine/base/input_error.h"
 #include "engine/base/text.h"
-#include "engine/files/arguments.h"
 #include "engine/fixed/trig.h"
+#include "engine/programs/arguments.h"
 #include "tools/render/camera_list.h"
 
 namespace oblong {

@@ -1,8 +1,8 @@
 #include <iostream>
 
 #include "engine/base/input_error.h"
-#include "engine/files/command_line.h"
-#include "engine/files/files.h"
+#include "engine/io/files.h"
+#include "engine/programs/command_line.h"
 #include "tools/texture/texture_files.h"
 
 namespace {

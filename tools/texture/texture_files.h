@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/files/picture.h"
 #include "engine/level/level.h"
+#include "engine/pictures/picture.h"
 #include "engine/surface/palette.h"
 
 namespace oblong {

@@ -10,7 +10,7 @@
 
 #include "engine/platform/dos/calls.h"
 #include "engine/platform/dos/kernel/ports.h"
-#include "engine/platform/small_mixer.h"
+#include "engine/sound/small_mixer.h"
 
 // The card's processor (DSP) gets its samples through the DMA controller (8237), which reads memory itself. (Creative
 // Labs, "Sound Blaster Series Hardware Programming Guide".)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/platform/sound.h"
+#include "engine/sound/sound.h"
 
 namespace oblong::dos {
 

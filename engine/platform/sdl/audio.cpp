@@ -3,8 +3,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "engine/platform/mixer.h"
 #include "engine/platform/sdl/sdl.h"
+#include "engine/sound/mixer.h"
 
 namespace oblong {
 namespace {

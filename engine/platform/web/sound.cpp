@@ -3,8 +3,8 @@
 #include <array>
 #include <stdexcept>
 
-#include "engine/platform/mixer.h"
 #include "engine/platform/web/web.h"
+#include "engine/sound/mixer.h"
 
 namespace oblong {
 namespace {

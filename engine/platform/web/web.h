@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "engine/platform/platform.h"
-#include "engine/platform/sound.h"
+#include "engine/sound/sound.h"
 
 namespace oblong {
 

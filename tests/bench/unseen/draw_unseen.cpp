@@ -3,12 +3,12 @@
 //   draw_unseen LEVEL.bsp CAMERAS.csv PALETTE DIRECTIONS
 
 #include "engine/base/input_error.h"
-#include "engine/files/arguments.h"
-#include "engine/files/files.h"
-#include "engine/files/level_models.h"
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
+#include "engine/io/files.h"
 #include "engine/level/bsp_read.h"
+#include "engine/models/level_models.h"
+#include "engine/programs/arguments.h"
 #include "engine/scene/placed_models.h"
 #include "tools/render/camera_list.h"
 

@@ -6,14 +6,14 @@
 #include <cstdio>
 #include <map>
 
-#include "engine/files/arguments.h"
-#include "engine/files/files.h"
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
+#include "engine/io/files.h"
 #include "engine/level/bsp_read.h"
 #include "engine/mesh/mesh.h"
 #include "engine/methods/hidden_surfaces.h"
 #include "engine/methods/transforms.h"
+#include "engine/programs/arguments.h"
 #include "engine/scene/placed_models.h"
 #include "tools/render/camera_list.h"
 

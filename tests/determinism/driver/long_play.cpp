@@ -11,11 +11,11 @@
 #endif
 
 #include "engine/base/checksum.h"
-#include "engine/files/arguments.h"
-#include "engine/files/files.h"
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
+#include "engine/io/files.h"
 #include "engine/level/bsp_read.h"
+#include "engine/programs/arguments.h"
 #include "engine/scene/placed_models.h"
 #include "game/simulation/collision.h"
 #include "game/simulation/step.h"

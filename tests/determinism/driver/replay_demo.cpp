@@ -6,9 +6,9 @@
 #include <cstdio>
 
 #include "engine/base/checksum.h"
-#include "engine/files/arguments.h"
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "engine/level/bsp_read.h"
+#include "engine/programs/arguments.h"
 #include "game/saves/saved_game.h"
 #include "game/simulation/demo.h"
 #include "game/simulation/step.h"

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <vector>
 
-#include "engine/files/arguments.h"
+#include "engine/programs/arguments.h"
 #include "game/saves/saved_game.h"
 
 int main() {

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "engine/base/checksum.h"
-#include "engine/files/arguments.h"
-#include "engine/files/files.h"
+#include "engine/io/files.h"
+#include "engine/programs/arguments.h"
 #include "game/level/load.h"
 #include "game/simulation/demo.h"
 #include "game/simulation/step.h"

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/files/arguments.h"
-#include "engine/files/files.h"
-#include "engine/platform/mixer.h"
+#include "engine/io/files.h"
+#include "engine/programs/arguments.h"
+#include "engine/sound/mixer.h"
 #include "game/level/load.h"
 #include "game/simulation/demo.h"
 #include "game/simulation/step.h"

@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "engine/base/input_error.h"
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* bytes, std::size_t size, std::size_t most);
 

@@ -5,9 +5,9 @@
 #include <memory>
 
 #include "engine/base/little_endian.h"
-#include "engine/files/files.h"
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
+#include "engine/io/files.h"
 #include "engine/level/bsp_read.h"
 #include "game/saves/saved_game.h"
 #include "game/simulation/game_level.h"

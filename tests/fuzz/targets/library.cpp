@@ -6,8 +6,8 @@
 #include <memory>
 #include <numbers>
 
-#include "engine/files/files.h"
 #include "engine/frame/frame.h"
+#include "engine/io/files.h"
 #include "engine/level/level.h"
 #include "engine/library/oblong.h"
 #include "engine/platform/platform.h"

@@ -1,7 +1,7 @@
 // Music (tracker modules), as the game loads it, and two seconds of it played.
 #include <vector>
 
-#include "engine/platform/module_player.h"
+#include "engine/sound/module_player.h"
 #include "tests/fuzz/common/fuzz.h"
 
 namespace oblong::fuzz {

@@ -1,6 +1,6 @@
 // OBJ models, with the materials beside them: read and drawn.
 
-#include "engine/files/obj.h"
+#include "engine/models/obj.h"
 
 #include "engine/base/checksum.h"
 #include "tests/fuzz/common/played_level.h"

@@ -1,6 +1,6 @@
 // Pak files: header and directory.
 
-#include "engine/files/game_files.h"
+#include "engine/io/game_files.h"
 #include "tests/fuzz/common/fuzz.h"
 
 namespace oblong::fuzz {

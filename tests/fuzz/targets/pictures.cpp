@@ -1,6 +1,6 @@
 // TGA, BMP and JPEG files, 255 pixels a side at most: larger ones take longer and do nothing else.
 
-#include "engine/files/picture.h"
+#include "engine/pictures/picture.h"
 #include "tests/fuzz/common/fuzz.h"
 
 namespace oblong::fuzz {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/base/checksum.h"
-#include "engine/files/picture.h"
+#include "engine/pictures/picture.h"
 #include "engine/view/screen.h"
 #include "tests/files/png_writer.h"
 #include "tests/fuzz/common/played_level.h"

@@ -1,6 +1,6 @@
 // Sounds (FLAC): decoded.
 
-#include "engine/files/sound_file.h"
+#include "engine/sound/sound_file.h"
 #include "tests/fuzz/common/fuzz.h"
 
 namespace oblong::fuzz {

@@ -1,7 +1,7 @@
 // WAD2 files: their textures, by the tools' reader and the compiler's, written and read again.
 
 #include "engine/base/text.h"
-#include "engine/files/wad.h"
+#include "engine/io/wad.h"
 #include "tests/fuzz/common/fuzz.h"
 #include "tools/map/source/textures.h"
 

@@ -8,11 +8,11 @@
 #include <cstdlib>
 
 #include "engine/costs/costs.h"
-#include "engine/files/arguments.h"
-#include "engine/files/files.h"
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
+#include "engine/io/files.h"
 #include "engine/level/bsp_read.h"
+#include "engine/programs/arguments.h"
 #include "engine/scene/placed_models.h"
 #include "tools/render/camera_list.h"
 

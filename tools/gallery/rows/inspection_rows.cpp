@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "engine/draw/drawing.h"
-#include "engine/files/crosshair.h"
-#include "engine/files/frame_log.h"
 #include "engine/level/side.h"
+#include "engine/programs/crosshair.h"
+#include "engine/programs/frame_log.h"
 #include "engine/view/views.h"
 #include "tools/gallery/allocations.h"
 #include "tools/gallery/row.h"

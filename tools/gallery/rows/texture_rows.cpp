@@ -6,7 +6,7 @@
 
 #include "engine/base/table.h"
 #include "engine/draw/drawing.h"
-#include "engine/files/picture.h"
+#include "engine/pictures/picture.h"
 #include "tools/gallery/row.h"
 
 namespace oblong {

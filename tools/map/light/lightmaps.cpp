@@ -5,7 +5,7 @@
 #include <numeric>
 #include <set>
 
-#include "engine/files/wad.h"
+#include "engine/io/wad.h"
 #include "engine/surface/palette.h"
 #include "tools/map/light/direct_light.h"
 #include "tools/map/light/face_sampler.h"

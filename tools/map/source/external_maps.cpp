@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/base/input_error.h"
-#include "engine/files/files.h"
+#include "engine/io/files.h"
 #include "engine/level/entity_classes.h"
 #include "tools/map/source/brush.h"
 #include "tools/map/source/checks.h"

@@ -5,7 +5,7 @@
 
 #include "engine/base/input_error.h"
 #include "engine/base/text.h"
-#include "engine/files/wad.h"
+#include "engine/io/wad.h"
 #include "tools/map/source/brush.h"
 
 namespace oblong::map {

@@ -1,0 +1,170 @@
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "engine/base/checksum.h"
+#include "engine/base/input_error.h"
+#include "engine/base/little_endian.h"
+#include "engine/pictures/picture.h"
+#include "engine/view/screen.h"
+
+// For programs without libpng: PNGs with 8-bit palettes, as all of the game's own. Unpacked by stb.
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_PNG
+#define STBI_NO_STDIO
+#define STBI_NO_SIMD
+#include <stb/stb_image.h>
+
+namespace oblong {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+using ByteView = std::span<const std::uint8_t>;
+
+constexpr std::array<std::uint8_t, 8> kSignature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+constexpr std::uint32_t kLargestSide_px = 4096;
+constexpr std::size_t kHeadBytes = 13, kChunkBytes = 12, kMostStoredBytes = 65'535;
+
+std::uint32_t u32_at(ByteView bytes, std::size_t at) {
+    expect_at(at, at + 4 <= bytes.size(), "the PNG ends here, expected all of it");
+    return std::uint32_t{bytes[at]} << 24 | std::uint32_t{bytes[at + 1]} << 16 | std::uint32_t{bytes[at + 2]} << 8 |
+           bytes[at + 3];
+}
+
+struct Chunks {
+    ByteView head, palette, alphas;
+    Bytes packed;
+};
+
+Chunks chunks_of(ByteView file) {
+    expect_at(0, file.size() > kSignature.size() && std::equal(kSignature.begin(), kSignature.end(), file.begin()),
+              "not a PNG");
+    Chunks chunks;
+    for (std::size_t at = kSignature.size(); at < file.size();) {
+        const std::size_t size = u32_at(file, at), left = file.size() - at;
+        expect_at(at, left >= kChunkBytes && size <= left - kChunkBytes, "the PNG ends here, expected all of it");
+        const std::string name(file.begin() + static_cast<std::ptrdiff_t>(at) + 4,
+                               file.begin() + static_cast<std::ptrdiff_t>(at) + 8);
+        const ByteView bytes = file.subspan(at + 8, size);
+        if (name == "IHDR") chunks.head = bytes;
+        if (name == "PLTE") chunks.palette = bytes;
+        if (name == "tRNS") chunks.alphas = bytes;
+        if (name == "IDAT") chunks.packed.insert(chunks.packed.end(), bytes.begin(), bytes.end());
+        at += kChunkBytes + size;
+    }
+    return chunks;
+}
+
+int predicted(int filter, int left, int above, int corner) {
+    const int paeth = left + above - corner;
+    const int by_left = std::abs(paeth - left), by_above = std::abs(paeth - above),
+              by_corner = std::abs(paeth - corner);
+    const int nearest = by_left <= by_above && by_left <= by_corner ? left : by_above <= by_corner ? above : corner;
+    return std::array{0, left, above, (left + above) / 2, nearest}[static_cast<std::size_t>(filter)];
+}
+
+/// Converts rows, each of which begins with its filter type (PNG, 9.2), to indices.
+Bytes unfiltered(ByteView rows, std::size_t width, std::size_t height) {
+    Bytes pixels(width * height);
+    for (std::size_t y = 0; y < height; ++y) {
+        const ByteView row = rows.subspan(y * (width + 1), width + 1);
+        if (row[0] > 4) throw InputError("image", "filter " + std::to_string(row[0]) + ", expected 0 to 4");
+        for (std::size_t x = 0; x < width; ++x) {
+            const std::size_t at = y * width + x;
+            const int left = x > 0 ? pixels[at - 1] : 0, above = y > 0 ? pixels[at - width] : 0;
+            const int corner = x > 0 && y > 0 ? pixels[at - width - 1] : 0;
+            pixels[at] = static_cast<std::uint8_t>(row[x + 1] + predicted(row[0], left, above, corner));
+        }
+    }
+    return pixels;
+}
+
+void append_big_endian(Bytes& bytes, std::uint32_t number) {
+    for (int shift = 24; shift >= 0; shift -= 8) bytes.push_back(static_cast<std::uint8_t>(number >> shift));
+}
+
+void append_chunk(Bytes& file, std::string_view name, ByteView content) {
+    append_big_endian(file, static_cast<std::uint32_t>(content.size()));
+    const std::size_t start = file.size();
+    file.insert(file.end(), name.begin(), name.end());
+    file.insert(file.end(), content.begin(), content.end());
+    append_big_endian(file, crc32(ByteView(file.data(), file.size()).subspan(start)));
+}
+
+/// Bytes in zlib's format (RFC 1950), not compressed.
+Bytes stored(ByteView bytes) {
+    Bytes packed{0x78, 0x01};
+    std::uint32_t a = 1, b = 0;
+    for (std::size_t at = 0; at < bytes.size(); at += kMostStoredBytes) {
+        const ByteView block = bytes.subspan(at, std::min(kMostStoredBytes, bytes.size() - at));
+        packed.push_back(at + block.size() == bytes.size() ? 1 : 0);
+        append_little_endian(packed, static_cast<std::uint16_t>(block.size()));
+        append_little_endian(packed, static_cast<std::uint16_t>(~block.size()));
+        packed.insert(packed.end(), block.begin(), block.end());
+        for (const std::uint8_t byte : block) {
+            a = (a + byte) % 65'521;
+            b = (b + a) % 65'521;
+        }
+    }
+    append_big_endian(packed, b << 16 | a);
+    return packed;
+}
+
+}  // namespace
+
+PngImage decode_png(std::span<const std::uint8_t> file) {
+    const Chunks chunks = chunks_of(file);
+    const std::uint32_t width = u32_at(chunks.head, 0), height = u32_at(chunks.head, 4);
+    const bool is_indexed = chunks.head.size() == kHeadBytes && chunks.head[8] == 8 && chunks.head[9] == 3 &&
+                            chunks.head[12] == 0 && chunks.palette.size() >= 3;
+    if (!is_indexed) throw InputError("image", "a PNG of another kind, expected 8-bit indices, not interlaced");
+    if (width < 1 || height < 1 || width > kLargestSide_px || height > kLargestSide_px)
+        throw InputError("image",
+                         std::to_string(width) + "x" + std::to_string(height) + " pixels, expected 1 to 4096 a side");
+    Bytes rows(std::size_t{width + 1} * height);
+    const int unpacked = stbi_zlib_decode_buffer(reinterpret_cast<char*>(rows.data()), static_cast<int>(rows.size()),
+                                                 reinterpret_cast<const char*>(chunks.packed.data()),
+                                                 static_cast<int>(chunks.packed.size()));
+    if (unpacked != static_cast<int>(rows.size())) throw InputError("image", "a damaged PNG");
+
+    PngImage image{static_cast<std::int32_t>(width), static_cast<std::int32_t>(height), {}, {}};
+    image.indices = unfiltered(rows, width, height);
+    for (std::size_t i = 0; i < chunks.palette.size() / 3; ++i) {
+        const ByteView rgb = chunks.palette.subspan(3 * i, 3);
+        const std::uint8_t alpha = i < chunks.alphas.size() ? chunks.alphas[i] : std::uint8_t{255};
+        image.colours.push_back({{rgb[0], rgb[1], rgb[2]}, alpha});
+    }
+    for (const std::uint8_t index : image.indices)
+        if (index >= image.colours.size())
+            throw InputError("image", "a pixel of colour " + std::to_string(index) +
+                                          ", expected one of the palette's " + std::to_string(image.colours.size()));
+    return image;
+}
+
+std::vector<std::uint8_t> encode_indexed_png(std::span<const std::uint8_t> pixels, std::int32_t width_px,
+                                             std::int32_t height_px, const Palette& palette) {
+    if (width_px <= 0 || height_px <= 0 || pixels.size() != pixel_count(width_px, height_px))
+        throw InputError("image", std::to_string(pixels.size()) + " pixels of " + std::to_string(width_px) + "x" +
+                                      std::to_string(height_px) + ", expected all, and one or more a side");
+    Bytes head, colours, rows;
+    append_big_endian(head, static_cast<std::uint32_t>(width_px));
+    append_big_endian(head, static_cast<std::uint32_t>(height_px));
+    head.insert(head.end(), {8, 3, 0, 0, 0});
+    for (const Rgb8& colour : palette.colours) colours.insert(colours.end(), {colour.red, colour.green, colour.blue});
+    for (std::int32_t y = 0; y < height_px; ++y) {
+        rows.push_back(0);
+        const ByteView row = pixels.subspan(pixel_count(width_px, y), static_cast<std::size_t>(width_px));
+        rows.insert(rows.end(), row.begin(), row.end());
+    }
+    Bytes file(kSignature.begin(), kSignature.end());
+    append_chunk(file, "IHDR", head);
+    append_chunk(file, "PLTE", colours);
+    append_chunk(file, "IDAT", stored(rows));
+    append_chunk(file, "IEND", {});
+    return file;
+}
+
+}  // namespace oblong
