@@ -58,7 +58,7 @@ bool is_hidden(const MeshInView& mesh, DepthBuffer& depth) {
     for (std::int32_t y = pixels.first_row; y < pixels.end_row; ++y) {
         const InverseDepth* const row = depth.row(y);
         if (std::any_of(row + pixels.first_column, row + pixels.end_column,
-                        [&mesh](InverseDepth face) { return face <= mesh.nearest_inverse_depth; }))
+                        [&mesh](InverseDepth face) { return face <= (mesh.nearest_inverse_depth | kThingBit); }))
             return false;
     }
     return true;
