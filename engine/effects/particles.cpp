@@ -221,13 +221,14 @@ class DotProjection {
 void draw_dot(const ParticleDot& dot, DepthBuffer& depth, Framebuffer out) {
     const std::int32_t width_px = dot.end_column - dot.first_column, height_px = dot.end_row - dot.first_row;
     const std::int32_t corner_px = std::min(width_px, height_px) < 3 ? 0 : (width_px + 3) / 6;
+    const InverseDepth depth_of_dot = dot.inverse_depth | kThingBit;
     for (std::int32_t y = dot.first_row; y < dot.end_row; ++y) {
         const std::int32_t inset_px = y == dot.first_row || y + 1 == dot.end_row ? corner_px : 0;
         InverseDepth* const depths = depth.row(y);
         std::uint8_t* const pixels = out.row(y);
         for (std::int32_t x = dot.first_column + inset_px; x < dot.end_column - inset_px; ++x) {
-            if (depths[x] > dot.inverse_depth) continue;
-            depths[x] = dot.inverse_depth;
+            if (depths[x] > depth_of_dot) continue;
+            depths[x] = depth_of_dot;
             pixels[x] = dot.colour;
         }
     }

@@ -127,7 +127,8 @@ void draw_sprite(const ScreenSprite& sprite, const std::uint8_t* shade, DepthBuf
     std::int64_t v_16 = sprite.v_16, inverse_16 = sprite.inverse_depth_16;
     for (std::int32_t y = sprite.pixels.first_row; y < sprite.pixels.end_row; ++y) {
         const std::uint8_t* const texels = sprite.texels + (v_16 >> 16) * sprite.stride;
-        draw_row(sprite, texels, shade, static_cast<InverseDepth>(inverse_16 >> 16), depth.row(y), out.row(y));
+        draw_row(sprite, texels, shade, static_cast<InverseDepth>(inverse_16 >> 16) | kThingBit, depth.row(y),
+                 out.row(y));
         v_16 += sprite.v_step_16;
         inverse_16 += sprite.inverse_depth_step_16;
     }

@@ -253,9 +253,24 @@ Sprite lantern_at(const Lantern& lantern, std::int64_t time_ms) {
     return {lantern.middle + from_middle, lantern.texture, lantern.scale};
 }
 
-void find_particles(const Things& things, std::int64_t time_ms, const Sight& sight, ThingsInView& in_view,
+void ThingsInSet::keep_up(const Things& things, const VisibleSet& visible) {
+    if (visible.seen_from() == from_) return;
+    from_ = visible.seen_from();
+    const auto take = [&visible](const auto& placed, auto& in_set) {
+        in_set.clear();
+        in_set.reserve(placed.size());
+        for (const auto& one : placed)
+            if (reaches(one.place, visible.leaf_set())) in_set.push_back(&one);
+    };
+    take(things.emitters, emitters);
+    take(things.sprites, sprites);
+    take(things.lanterns, lanterns);
+}
+
+void find_particles(const ThingsInSet& things, std::int64_t time_ms, const Sight& sight, ThingsInView& in_view,
                     DepthBuffer& depth) {
-    for (const PlacedEmitter& placed : things.emitters) {
+    for (const PlacedEmitter* const known : things.emitters) {
+        const PlacedEmitter& placed = *known;
         if (!sight.may_show(placed.place)) continue;
         const std::optional<ParticleBox> places = open_places(placed.emitter, sight);
         if (!places) continue;
@@ -273,17 +288,18 @@ void find_particles(const Things& things, std::int64_t time_ms, const Sight& sig
     }
 }
 
-void find_placed_sprites(const Things& things, const Sight& sight, ThingsInView& in_view) {
-    for (const PlacedSprite& placed : things.sprites)
-        if (sight.may_show(placed.place)) in_view.placed_sprites.push_back(&placed);
+void find_placed_sprites(const ThingsInSet& things, const Sight& sight, ThingsInView& in_view) {
+    for (const PlacedSprite* const placed : things.sprites)
+        if (sight.may_show(placed->place)) in_view.placed_sprites.push_back(placed);
 }
 
-void find_sprites(const Things& things, std::int64_t time_ms, const Level& level, const Sight& sight,
+void find_sprites(const ThingsInSet& things, std::int64_t time_ms, const Level& level, const Sight& sight,
                   ThingsInView& in_view, DepthBuffer& depth) {
     for (const PlacedSprite* const placed : in_view.placed_sprites)
         add_sprite(placed->sprite, level, sight, in_view, depth);
-    for (const PlacedLantern& placed : things.lanterns)
-        if (sight.may_show(placed.place)) add_sprite(lantern_at(placed.lantern, time_ms), level, sight, in_view, depth);
+    for (const PlacedLantern* const placed : things.lanterns)
+        if (sight.may_show(placed->place))
+            add_sprite(lantern_at(placed->lantern, time_ms), level, sight, in_view, depth);
 }
 
 void find_shadows(ThingsInView& in_view) {

@@ -61,6 +61,19 @@ inline constexpr std::size_t kMostEmitters = 1'024, kMostSprites = 4'096, kMostL
 /// Reads the things of a level. Never fails: invalid values are replaced by defaults and reported in `warnings`.
 Things read_things(const Level& level);
 
+/// The things in a visible set, kept until the eye is in another leaf: no others are looked at.
+struct ThingsInSet {
+    std::vector<const PlacedEmitter*> emitters;
+    std::vector<const PlacedSprite*> sprites;
+    std::vector<const PlacedLantern*> lanterns;
+
+    /// `things` must outlive it.
+    void keep_up(const Things& things, const VisibleSet& visible);
+
+  private:
+    LeafIndex from_ = LeafIndex::none();
+};
+
 struct SpriteInView {
     ScreenSprite screen;
     Vec3<World> position;
@@ -92,12 +105,15 @@ struct ThingsInView {
     }
 };
 
+/// Where a thing is known to be hidden: nowhere; everywhere but over the sky, which hides nothing; or everywhere.
+enum class Hidden : std::uint8_t { Perhaps, ExceptOverSky, Everywhere };
+
 /// What faces leave open to a thing.
 class Cover {
   public:
     virtual ~Cover() = default;
     /// Begins a thing: whether at a pixel of a rectangle that holds it no face is nearer than this depth.
-    virtual bool begin(const ScreenRectangle& pixels, InverseDepth nearest) = 0;
+    virtual bool begin(const ScreenRectangle& pixels, InverseDepth nearest, Hidden hidden) = 0;
     /// The same of a part of the thing, which is nowhere nearer and not outside the rectangle.
     virtual bool shows(const ScreenOutline& outline, InverseDepth nearest) const = 0;
     /// The same; later questions are only of what is inside the outline and not nearer. Takes longer.
@@ -110,16 +126,24 @@ struct Sight {
     const ViewContext& view;
     const ScreenRectangle* drawn_part = nullptr;  ///< the part of the screen that is drawn; null: all
     Cover* cover = nullptr;                       ///< or null
+    /// More leaves, or null: a thing in one of these, but in none of `leaves`, is visible in front of the sky alone.
+    const LeafSet* leaves_over_sky = nullptr;
     BoxCuller culler{view.frustum, view.eye};
 
-    bool is_in_view(const PlacedBox& place) const { return may_be_seen(place, leaves, culler); }
+    Hidden hidden(const PlacedBox& place) const {
+        if (culler.sides_crossed(place.box, kAllSides) == kOutside) return Hidden::Everywhere;
+        if (reaches(place, leaves)) return Hidden::Perhaps;
+        return leaves_over_sky && reaches(place, *leaves_over_sky) ? Hidden::ExceptOverSky : Hidden::Everywhere;
+    }
     /// Begins a thing in a box.
     bool may_show(const PlacedBox& place) const {
-        return is_in_view(place) && may_show(rectangle_of(place.box, view), nearest_inverse_depth_of(place.box, view));
+        const Hidden found = hidden(place);
+        return found != Hidden::Everywhere &&
+               may_show(rectangle_of(place.box, view), nearest_inverse_depth_of(place.box, view), found);
     }
     /// Begins a thing in a rectangle.
-    bool may_show(const ScreenRectangle& pixels, InverseDepth nearest) const {
-        return !cover || cover->begin(pixels, nearest);
+    bool may_show(const ScreenRectangle& pixels, InverseDepth nearest, Hidden hidden = Hidden::Perhaps) const {
+        return !cover || cover->begin(pixels, nearest, hidden);
     }
     // Of a part of the thing begun last.
     bool may_show_part(const LevelBox& box) const {
@@ -143,12 +167,12 @@ struct Sight {
 // Each adds the things that may be visible at time_ms >= 0, and requests depth for them. Things whose box is out of
 // view, in no leaf of the visible set, or hidden are not computed.
 
-void find_particles(const Things& things, std::int64_t time_ms, const Sight& sight, ThingsInView& in_view,
+void find_particles(const ThingsInSet& things, std::int64_t time_ms, const Sight& sight, ThingsInView& in_view,
                     DepthBuffer& depth);
 /// Before find_sprites() and find_shadows().
-void find_placed_sprites(const Things& things, const Sight& sight, ThingsInView& in_view);
+void find_placed_sprites(const ThingsInSet& things, const Sight& sight, ThingsInView& in_view);
 /// Including those of lanterns.
-void find_sprites(const Things& things, std::int64_t time_ms, const Level& level, const Sight& sight,
+void find_sprites(const ThingsInSet& things, std::int64_t time_ms, const Level& level, const Sight& sight,
                   ThingsInView& in_view, DepthBuffer& depth);
 /// Shadows need no depth.
 void find_shadows(ThingsInView& in_view);

@@ -80,7 +80,7 @@ ScreenRectangle rectangle_around_open(const OpenFace& face, const ScreenOutline&
 
 }  // namespace
 
-bool FaceCover::begin(const ScreenRectangle& pixels, InverseDepth nearest) {
+bool FaceCover::begin(const ScreenRectangle& pixels, InverseDepth nearest, Hidden hidden) {
     open_.clear();
     around_ = pixels;
     const auto add = [&](std::span<const Span> spans, const LinearQuantity<InverseZ>& inverse_z,
@@ -89,17 +89,17 @@ bool FaceCover::begin(const ScreenRectangle& pixels, InverseDepth nearest) {
         // After the first that is open, others are kept that may be.
         if (!open_.empty() || shows_farther(face, {pixels}, nearest)) open_.push_back(face);
     };
-    for (const FaceList list : {FaceList::Sky, FaceList::Walls, FaceList::Flat, FaceList::Liquid, FaceList::Mirror})
+    for (const VisibleFace& face : claims_.list(FaceList::Sky))
+        if (overlap(face.bounds, pixels)) add(claims_.spans_of(face), {}, face.bounds);
+    for (const FaceList list : {FaceList::Walls, FaceList::Flat, FaceList::Liquid, FaceList::Mirror}) {
+        if (hidden == Hidden::ExceptOverSky) break;
         for (const VisibleFace& face : claims_.list(list)) {
             if (!overlap(face.bounds, pixels)) continue;
-            if (list == FaceList::Sky) {
-                add(claims_.spans_of(face), {}, face.bounds);
-                continue;
-            }
             const LinearQuantity<InverseZ> inverse_z = inverse_z_of(face, frame_);
             if (is_nearer(inverse_z, intersection(face.bounds, pixels), nearest)) continue;
             if (farthest_inverse_depth_of(face) <= nearest) add(claims_.spans_of(face), inverse_z, face.bounds);
         }
+    }
     if (!claims_.void_spans.empty()) add(claims_.void_spans, {}, pixels);
     for (const TornSpan& torn : claims_.torn) add({&torn.span, 1}, {}, pixels);
     return !open_.empty();

@@ -23,7 +23,7 @@ class FaceCover : public Cover {
     FaceCover(const FrameContext& frame, const Claims& claims, std::vector<OpenFace>& open)
         : frame_(frame), claims_(claims), open_(open) {}
 
-    bool begin(const ScreenRectangle& pixels, InverseDepth nearest) override;
+    bool begin(const ScreenRectangle& pixels, InverseDepth nearest, Hidden hidden) override;
     bool shows(const ScreenOutline& outline, InverseDepth nearest) const override;
     bool narrow(const ScreenOutline& outline, InverseDepth nearest) override;
 

@@ -53,7 +53,8 @@ bool may_have_fog(const VisibleFace& face, std::span<const Span> spans, const Fr
     if (!fog.tables) return false;
     if (!fog.height || frame.view.eye.z < fog.top) return true;
     if (!face.fragment && frame.cache.faces[face.face].is_above_fog) return false;
-    return !is_clear(rectangle_around(spans), face.inverse_z, *fog.height);
+    return !is_clear(face.bounds, face.inverse_z, *fog.height) &&
+           !is_clear(rectangle_around(spans), face.inverse_z, *fog.height);
 }
 
 void append_runs(std::span<const Span> spans, const LinearQuantity<InverseZ>& inverse_z, const FrameFog& fog,

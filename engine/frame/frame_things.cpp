@@ -132,11 +132,14 @@ bool is_seen(const Shadow& shadow, const FrameContext& frame, ViewScratch& scrat
     return pixels > 0;
 }
 
-/// Leaves outside of which nothing is visible. Not the walk's leaves if there is sky, as things behind it are drawn in
-/// front of it, or limits, as a walk does not enter leaves outside them.
-const LeafSet& leaves_in_sight(const FrameContext& frame, const ViewScratch& scratch) {
-    const bool is_walked = frame.limits.empty() && scratch.claims.list(FaceList::Sky).empty();
-    return is_walked ? scratch.claiming->walk.entered : scratch.visible.leaf_set();
+/// What decides which things are visible: the leaves that the walk entered; but things behind the sky are drawn in
+/// front of it, and a walk does not enter leaves outside limits.
+Sight sight_of(const FrameContext& frame, const ViewScratch& scratch, Cover& cover) {
+    const ScreenRectangle* const drawn_part = frame.mirror ? &frame.mirror->pixels : nullptr;
+    const LeafSet& visible = scratch.visible.leaf_set();
+    if (!frame.limits.empty()) return {visible, frame.view, drawn_part, &cover};
+    const bool has_sky = !scratch.claims.list(FaceList::Sky).empty();
+    return {scratch.claiming->walk.entered, frame.view, drawn_part, &cover, has_sky ? &visible : nullptr};
 }
 
 void find_seen_shadows(const FrameContext& frame, ViewScratch& scratch) {
@@ -162,21 +165,21 @@ void find_things(const FrameContext& frame, ViewScratch& scratch) {
     scratch.depth.start_frame();
     if (frame.cache.things.is_empty() && frame.scene.meshes.empty()) return;
     ThingsInView& in_view = scratch.claims.things.in_view;
+    const ThingsInSet& things = scratch.things;
+    scratch.things.keep_up(frame.cache.things, scratch.visible);
     FaceCover cover(frame, scratch.claims, scratch.effects->open_faces);
-    const Sight sight{leaves_in_sight(frame, scratch), frame.view, frame.mirror ? &frame.mirror->pixels : nullptr,
-                      &cover};
+    const Sight sight = sight_of(frame, scratch, cover);
     const std::int64_t time_ms = frame.scene.time_ms;
     const auto timed = [&](Effect effect, auto step) {
         if (!frame.allows(effect)) return;
         const Stopwatch watch(frame.observers.times, effect);
         step();
     };
-    timed(Effect::Particles, [&] { find_particles(frame.cache.things, time_ms, sight, in_view, scratch.depth); });
+    timed(Effect::Particles, [&] { find_particles(things, time_ms, sight, in_view, scratch.depth); });
     if (frame.observers.counts) frame.observers.counts->stages.particles = in_view.particles_computed;
     timed(frame.allows(Effect::Sprites) ? Effect::Sprites : Effect::Shadows,
-          [&] { find_placed_sprites(frame.cache.things, sight, in_view); });
-    timed(Effect::Sprites,
-          [&] { find_sprites(frame.cache.things, time_ms, frame.scene.level, sight, in_view, scratch.depth); });
+          [&] { find_placed_sprites(things, sight, in_view); });
+    timed(Effect::Sprites, [&] { find_sprites(things, time_ms, frame.scene.level, sight, in_view, scratch.depth); });
     if (!frame.scene.meshes.empty()) timed(Effect::Meshes, [&] { find_meshes(frame, sight, scratch); });
     timed(Effect::Shadows, [&] { find_seen_shadows(frame, scratch); });
     if (!scratch.depth.is_wanted()) return;

@@ -22,11 +22,13 @@ namespace oblong {
 
 /// What is known of a mesh of the scene until it moves.
 struct MeshPlace {
-    TurningShape shape;
-    PlacedBox any_turn;  ///< its box for any rotation
     PlacedMesh placed;
-    LevelBox box;
-    std::optional<MeshTransform> transform;  ///< once asked for; none: none yet, or it has no inverse
+    TurningShape shape;
+    PlacedBox any_turn;                       ///< its box for any rotation
+    LeafIndex seen_from = LeafIndex::none();  ///< whose visible set was asked last
+    bool is_in_set = false;                   ///< whether any_turn is in that set
+    std::optional<LevelBox> box;              ///< once asked for
+    std::optional<MeshTransform> transform;   ///< once asked for; none: none yet, or it has no inverse
 };
 
 /// Data kept from frame to frame for a level and a colormap, made once or on first use. It never changes a picture.

@@ -58,27 +58,41 @@ bool is_hidden(const MeshInView& mesh, DepthBuffer& depth) {
     for (std::int32_t y = pixels.first_row; y < pixels.end_row; ++y) {
         const InverseDepth* const row = depth.row(y);
         if (std::any_of(row + pixels.first_column, row + pixels.end_column,
-                        [&mesh](InverseDepth face) { return face <= mesh.nearest_inverse_depth; }))
+                        [&mesh](InverseDepth face) { return face <= (mesh.nearest_inverse_depth | kThingBit); }))
             return false;
     }
     return true;
 }
 
-/// The box of a mesh of the scene for any rotation, found again when it has moved.
-const PlacedBox& box_for_any_turn(const PlacedMesh& placed, const Level& level, MeshPlace& known) {
-    const TurningShape shape = turning_shape(placed);
-    if (known.shape != shape) known = {shape, place_box(level, turning_box(shape)), {}, {}, {}};
-    return known.any_turn;
+bool have_same_shape(const PlacedMesh& a, const PlacedMesh& b) {
+    return a.mesh == b.mesh && a.position == b.position && a.frame == b.frame && a.next_frame == b.next_frame &&
+           a.scale == b.scale;
+}
+
+/// Whether a mesh of the scene, in any rotation, is in the visible set; found again when it has moved.
+bool is_in_set(const PlacedMesh& placed, const Level& level, const VisibleSet& visible, MeshPlace& known) {
+    if (!have_same_shape(known.placed, placed)) {
+        const TurningShape shape = turning_shape(placed);
+        if (known.shape != shape)
+            known = {{}, shape, place_box(level, turning_box(shape)), LeafIndex::none(), {}, {}, {}};
+        known.placed = placed;
+        known.box.reset();
+    }
+    if (known.seen_from != visible.seen_from()) {
+        known.seen_from = visible.seen_from();
+        known.is_in_set = reaches(known.any_turn, visible.leaf_set());
+    }
+    return known.is_in_set;
 }
 
 /// Its box as it stands, found again when it has turned.
 const LevelBox& box_of(const PlacedMesh& placed, MeshPlace& known) {
-    if (known.placed != placed) {
+    if (!known.box || known.placed != placed) {
         known.placed = placed;
         known.box = world_box(placed);
         known.transform.reset();
     }
-    return known.box;
+    return *known.box;
 }
 
 /// Half of a box's diagonal.
@@ -157,14 +171,16 @@ void find_meshes(const FrameContext& frame, const Sight& sight, ViewScratch& scr
     frame.cache.mesh_places.resize(frame.scene.meshes.size());
     for (std::size_t i = 0; i < frame.scene.meshes.size(); ++i) {
         const PlacedMesh& placed = frame.scene.meshes[i];
-        if (!placed.mesh || placed.mesh->frames.empty()) continue;
-        if (frame.mirror && is_behind(*frame.mirror, placed.position, frame.scene.level)) continue;
         MeshPlace& known = frame.cache.mesh_places[i];
-        if (!sight.is_in_view(box_for_any_turn(placed, frame.scene.level, known))) continue;
+        if (!placed.mesh || placed.mesh->frames.empty()) continue;
+        if (!is_in_set(placed, frame.scene.level, scratch.visible, known)) continue;
+        if (frame.mirror && is_behind(*frame.mirror, placed.position, frame.scene.level)) continue;
+        const Hidden hidden = sight.hidden(known.any_turn);
+        if (hidden == Hidden::Everywhere) continue;
         const LevelBox& box = box_of(placed, known);
         const ScreenRectangle pixels = pixels_of(box, sight.view, sight.drawn_part);
         const InverseDepth nearest = nearest_inverse_depth_of(box, sight.view);
-        if (is_empty(pixels) || !sight.may_show(pixels, nearest) ||
+        if (is_empty(pixels) || !sight.may_show(pixels, nearest, hidden) ||
             !sight.may_show_part(outline_of(box, sight.view), nearest))
             continue;
         if (!known.transform) known.transform = make_mesh_transform(placed);

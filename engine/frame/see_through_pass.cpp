@@ -38,12 +38,12 @@ const BlendTable& blend_of(LiquidKind kind, const FrameContext& frame) {
     return *table;
 }
 
-/// Draws a face's spans where no model is nearer; in fog, level by level with its colours.
+/// Draws a face's spans where no thing is nearer; in fog, level by level with its colours.
 void draw_in_fog(const VisibleFace& claimed, SurfaceOptions drawing, const FrameContext& frame, ViewScratch& scratch) {
     drawing.colours = &frame.scene.colormap.shades[Colormap::kOwnShade];
     EffectScratch& own = *scratch.effects;
     std::span<const Span> spans = scratch.claims.spans_of(claimed);
-    if (!scratch.claims.things.meshes.empty() && scratch.depth.touches(spans, claimed.bounds)) {
+    if (scratch.depth.touches(spans, claimed.bounds)) {
         own.in_front_spans.clear();
         scratch.depth.append_seen(spans, inverse_z_of(claimed, frame), own.in_front_spans);
         spans = own.in_front_spans;

@@ -69,6 +69,7 @@ struct ViewScratch {
 
     VisibleSet visible;  ///< from the eye's leaf
     Claims claims;       ///< of the view's faces
+    ThingsInSet things;  ///< in that set
     DepthBuffer depth;   ///< around the things in view
     FrameLight light;
     MirrorScratch mirror;

@@ -114,7 +114,7 @@ std::int64_t draw_span(const Span& span, const MeshGradients& gradients, const M
                      : MeshPixel::at<kTraits.is_phong>(
                            gradients, [=](const auto& quantity) { return quantity.at_shown(column, row); });
     for (std::int32_t x = span.first; x < span.end; ++x, pixel.template step<kTraits.is_phong>(gradients)) {
-        const InverseDepth depth = to_inverse_depth(pixel.inverse_z);
+        const InverseDepth depth = to_inverse_depth(pixel.inverse_z) | kThingBit;
         if (depths[x] > depth) continue;
         const std::uint8_t texel = texel_at<kTraits.is_affine>(pixel, paint.skin);
         if constexpr (kTraits.has_holes)
@@ -219,7 +219,7 @@ bool is_covered(std::span<const Span> spans, const Barycentric& weights, const L
         const std::int32_t column = span.first - weights.first_column, row = span.y - weights.first_row;
         InverseZ at = (column | row) == 0 ? inverse_z.origin : inverse_z.at_shown(column, row);
         for (std::int32_t x = span.first; x < span.end; ++x, at = stepped(at, inverse_z.per_column, 1))
-            if (depths[x] <= to_inverse_depth(at)) return false;
+            if (depths[x] <= (to_inverse_depth(at) | kThingBit)) return false;
         return true;
     });
 }

@@ -31,7 +31,8 @@ void fill_run(InverseZ first, InverseZ step, std::int32_t count, InverseDepth* o
     // Moved up, so that a depth is the upper half of 64 bits.
     auto value = first.bits() << (32 - kDropped);
     const auto step_up = step.bits() << (32 - kDropped);
-    for (std::int32_t i = 0; i < count; ++i, value += step_up) out[i] = static_cast<InverseDepth>(value >> 32);
+    for (std::int32_t i = 0; i < count; ++i, value += step_up)
+        out[i] = static_cast<InverseDepth>(value >> 32) & ~kThingBit;
 }
 
 }  // namespace
@@ -111,7 +112,8 @@ void DepthBuffer::append_seen(std::span<const Span> spans, const LinearQuantity<
         }
         std::int32_t first = span.first;
         for (std::int32_t x = span.first; x < span.end; ++x) {
-            if (!is_wanted_at(x, span.y) || row(span.y)[x] <= to_inverse_depth(inverse_z.at(x, span.y))) continue;
+            const InverseDepth there = is_wanted_at(x, span.y) ? row(span.y)[x] : 0;
+            if ((there & kThingBit) == 0 || there <= (to_inverse_depth(inverse_z.at(x, span.y)) | kThingBit)) continue;
             if (first < x) seen.push_back({span.y, first, x});
             first = x + 1;
         }

@@ -14,13 +14,16 @@
 namespace oblong {
 
 /// 1/z in a depth buffer, in steps of 2^-32: larger is nearer, 0 is infinitely far (sky, the void), and all z up to one
-/// unit are equal.
+/// unit are equal. The lowest bit is no part of it: in the buffer it is set where a thing was drawn. Things compare and
+/// are drawn with it, and so over all that is equally deep.
 using InverseDepth = std::uint32_t;
+inline constexpr InverseDepth kThingBit = 1;
 
+/// The even number below.
 constexpr InverseDepth to_inverse_depth(InverseZ inverse_z) {
     constexpr std::int64_t kMost = std::numeric_limits<InverseDepth>::max();
     const std::int64_t steps = floor_of<32>(inverse_z);
-    return static_cast<InverseDepth>(steps < 0 ? 0 : steps > kMost ? kMost : steps);
+    return static_cast<InverseDepth>(steps < 0 ? 0 : steps > kMost ? kMost : steps) & ~kThingBit;
 }
 
 /// The depth of pixels, for things that are drawn after the faces. Faces need none (span buffer), so it is kept only in
@@ -43,7 +46,8 @@ class DepthBuffer {
     bool touches(std::span<const Span> spans, const ScreenRectangle& around) const;
     /// Sets the depth of those pixels of spans on a plane that are in the rectangles.
     void fill(std::span<const Span> spans, const LinearQuantity<InverseZ>& inverse_z);
-    /// Appends the parts of spans on a plane where nothing is nearer, including all pixels outside the rectangles.
+    /// Appends the parts of spans on a plane where no thing is nearer, including all pixels outside the rectangles.
+    /// Faces do not count: whether they have depth depends on things that nobody sees.
     void append_seen(std::span<const Span> spans, const LinearQuantity<InverseZ>& inverse_z, std::vector<Span>& seen);
 
     /// Row y, which must be in a rectangle.

@@ -146,10 +146,13 @@ PlacedBox place_box(const Level& level, const LevelBox& box) {
     return placed;
 }
 
-bool may_be_seen(const PlacedBox& placed, const LeafSet& leaves, const BoxCuller& culler) {
-    if (culler.sides_crossed(placed.box, kAllSides) == kOutside) return false;
+bool reaches(const PlacedBox& placed, const LeafSet& leaves) {
     const auto is_visible = [&leaves](LeafIndex leaf) { return leaves.has(leaf); };
     return placed.has_many_leaves || std::any_of(placed.leaves.begin(), placed.leaves.end(), is_visible);
+}
+
+bool may_be_seen(const PlacedBox& placed, const LeafSet& leaves, const BoxCuller& culler) {
+    return culler.sides_crossed(placed.box, kAllSides) != kOutside && reaches(placed, leaves);
 }
 
 }  // namespace oblong

@@ -82,6 +82,9 @@ struct PlacedBox {
 /// Finds the leaves by descending the tree; call it once a level, not once a frame.
 PlacedBox place_box(const Level& level, const LevelBox& box);
 
+/// False if none of its leaves is in `leaves`.
+bool reaches(const PlacedBox& placed, const LeafSet& leaves);
+
 /// False if the box is outside the view, or none of its leaves is in `leaves`.
 bool may_be_seen(const PlacedBox& placed, const LeafSet& leaves, const BoxCuller& culler);
 

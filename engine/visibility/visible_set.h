@@ -31,6 +31,7 @@ class VisibleSet {
 
     /// Marks what may be visible from `leaf`; from solid and sky everything, as their PVS holds only themselves.
     void see_from(const Level& level, LeafIndex leaf);
+    LeafIndex seen_from() const { return seen_from_; }
     bool has_node(NodeIndex node) const { return node_marks_[node] == mark_; }
     bool has_leaf(LeafIndex leaf) const { return leaf_set_.has(leaf); }
     const LeafSet& leaf_set() const { return leaf_set_; }

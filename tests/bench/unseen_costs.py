@@ -18,7 +18,7 @@ sys.path.insert(0, os.path.join(ROOT, "tools/bench"))
 import runs  # noqa: E402
 
 # Of all instructions; directions at each camera; of how many cameras.
-BOUNDS = {"demo": (0.008, 12, 1000), "real": (0.0014, 1, 60)}
+BOUNDS = {"demo": (0.0062, 12, 1000), "real": (0.0014, 1, 60)}
 
 
 def instructions(place, directions, folder):

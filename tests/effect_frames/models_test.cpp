@@ -3,10 +3,12 @@
 
 #include <cmath>
 #include <numeric>
+#include <random>
 
 #include "engine/accuracy/accuracy.h"
 #include "tests/effect_frames/effect_stage.h"
 #include "tests/mesh/mesh_picture.h"
+#include "tests/support/random.h"
 #include "tools/gallery/mesh_scene.h"
 
 namespace oblong::test::models_test {
@@ -99,6 +101,73 @@ TEST(Models, AreDrawnWhereTheyAreNearerThanFaces) {
         if (x == 0 || x == 60) {
             EXPECT_GT(covered, 100) << x << ", " << y;
         }
+    }
+}
+
+/// A wall across the room, sky above z = 90, from `south` on. From y = 100 it fills the view: the walk enters no leaf
+/// behind it.
+MapText walled_room(int south) {
+    std::string things = entity_at("misc_sparks", {180, 100, 100}, {{"size", "40 40 90"}, {"count", "60"}});
+    for (const int x : {-180, 180})
+        things += entity_at("misc_sprite", {x, 0, 110}, {{"texture", "{lamp"}, {"scale", "2"}});
+    return room_with(box({-16, south, 0}, {16, 256, 90}, "other") + box({-16, south, 90}, {16, 256, 192}, "sky"),
+                     things);
+}
+
+TEST(Models, BehindTheSkyAreDrawnInFrontOfItAlone) {
+    EffectStage stage(walled_room(-200), camera_at(point_at(-100, 100, 90), 0));
+    stage.settings.allowed_effects = EffectSet::all().without(Effect::Particles).without(Effect::Sprites);
+    stage.work.keep_record();
+    stage.meshes = {ball_at(point_at(160, 100, 90))};
+    const Picture picture = stage.draw(), bare = stage.draw_without(Effect::Meshes);
+    std::int64_t ball = 0, hidden = 0;
+    const TrueCamera camera(stage.camera);
+    for_each_pixel([&](std::int32_t column, std::int32_t row, std::size_t pixel) {
+        const auto meets = [&](const Point& ray) { return mesh_distance(stage.meshes[0], camera.eye, ray) < INFINITY; };
+        const std::optional<bool> is_met = at_all_rays(camera, column, row, kMargin, meets);
+        if (!is_met) return;
+        const bool shows = *is_met && stage.texture_at(pixel) == "sky";
+        ASSERT_EQ(picture[pixel], shows ? kBall : bare[pixel]) << column << ", " << row;
+        ball += shows;
+        hidden += *is_met && !shows;
+    });
+    EXPECT_GT(ball, 300);
+    EXPECT_GT(hidden, 300);
+}
+
+/// What is kept of models and things from frame to frame holds for another eye, and for models that moved.
+TEST(Models, AreFoundAgainWhereverTheyAndTheEyeMove) {
+    std::mt19937 random(1);
+    for (const int south : {-200, -256}) {  // with a gap, and without: then neither room is in the other's visible set
+        EffectStage stage(walled_room(south), before_pillar());
+        const Mesh cube = cube_mesh(30, plain_skin(kBall));
+        stage.meshes = {ball_at(point_at(100, 100, 90)), ball_at(point_at(-100, 100, 90))};
+        const auto any_place = [&] {
+            const int side = random_below(random, 2) == 0 ? -160 : 160;
+            return point_at(side, random_below(random, 400) - 200, 60 + random_below(random, 60));
+        };
+        int seen = 0;
+        for (int step = 0; step < 120; ++step) {
+            PlacedMesh& moved = stage.meshes[as_size(step % 2)];
+            switch (random_below(random, 5)) {
+                case 0:
+                    moved.position = any_place();
+                    break;
+                case 1:
+                    moved.yaw = moved.yaw + Angle::from_bam(5'000);
+                    break;
+                case 2:
+                    moved.mesh = moved.mesh == &cube ? &sphere() : &cube;
+                    break;
+                default:
+                    stage.camera.eye = any_place();
+                    stage.camera.yaw = Angle::from_bam(random_below(random, 65'536));
+            }
+            ASSERT_EQ(changed_pixels(stage.draw(), stage.draw_afresh()), 0) << south << ", step " << step;
+            seen += stage.has(Effect::Meshes);
+        }
+        EXPECT_GT(seen, 20);
+        EXPECT_LT(seen, 110);
     }
 }
 

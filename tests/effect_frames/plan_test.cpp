@@ -160,9 +160,9 @@ TEST_F(DemoAllAround, NoPassRunsWithoutPixelsAndLittleIsDoneInVain) {
             add_what_was_in_vain(sum);
         }
     EXPECT_EQ(sum.frames, 39 * kDirections);
-    EXPECT_LE(sum.with_particles, 123);
-    EXPECT_LE(sum.particles, 4'728);
-    EXPECT_LE(sum.with_depth, 5);
+    EXPECT_LE(sum.with_particles, 122);
+    EXPECT_LE(sum.particles, 4'157);
+    EXPECT_LE(sum.with_depth, 3);
 }
 
 /// As mappers of the time kept r_speeds: the level's aim is 120 and 350.

@@ -183,7 +183,7 @@ TEST(RainBehindAWall, IsLeftOutWhereTheWallHidesIt) {
         ThingsInView in_view;
         DepthBuffer none(kPictureWidth, kPictureHeight);
         const ViewContext view = make_view_context(first_person_view(stage.camera), ScreenMode{}, {});
-        find_particles(stage.work.cache.things, 0, oblong::Sight{stage.work.view.visible.leaf_set(), view}, in_view,
+        find_particles(stage.work.view.things, 0, oblong::Sight{stage.work.view.visible.leaf_set(), view}, in_view,
                        none);
         ASSERT_FALSE(in_view.dots.empty());
         for (const ParticleDot& dot : in_view.dots) {

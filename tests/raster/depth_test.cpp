@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "tests/support/random.h"
@@ -51,8 +52,8 @@ TEST(DepthBuffer, HoldsTheInverseDepthOfAPlaneWhereItIsWanted) {
     for (const ScreenRectangle& rectangle : wanted)
         for (std::int32_t y = rectangle.first_row; y < rectangle.end_row; ++y)
             for (std::int32_t x = rectangle.first_column; x < rectangle.end_column; ++x)
-                // Steps of 2^-44 are half a step off, 520 times.
-                ASSERT_NEAR(depth.row(y)[x], slope.steps(x, y), 1.1) << x << ", " << y;
+                // In the middle of the two steps above an even number; steps of 2^-44 are half a step off, 520 times.
+                ASSERT_NEAR(depth.row(y)[x] + 1.0, slope.steps(x, y), 1.1) << x << ", " << y;
 }
 
 TEST(DepthBuffer, IsInfinitelyFarWhereNoFaceWasFilled) {
@@ -74,27 +75,31 @@ TEST(DepthBuffer, ClampsWhatIsNearerThanAUnitOrBehindTheEye) {
     depth.fill(std::vector<Span>{{0, 0, kWidth}}, Slope{-1, 0.01, 0}.quantity());
     EXPECT_EQ(depth.row(0)[50], 0u) << "1/z = -0.5";
     EXPECT_NEAR(depth.row(0)[150], std::ldexp(0.5, 32), 2);
-    EXPECT_EQ(depth.row(0)[250], 0xffffffffu) << "1/z = 1.5";
+    EXPECT_EQ(depth.row(0)[250], 0xfffffffeu) << "1/z = 1.5";
     depth.fill(std::vector<Span>{{0, 0, kWidth}}, Slope{1, 0, 0}.quantity());
-    EXPECT_EQ(depth.row(0)[50], 0xffffffffu) << "1/z = 1";
+    EXPECT_EQ(depth.row(0)[50], 0xfffffffeu) << "1/z = 1";
 }
 
-TEST(DepthBuffer, WhatIsAsNearAsAFaceIsSeen) {
+TEST(DepthBuffer, ThingsAloneHideWhatIsSeenThrough) {
     DepthBuffer depth(kWidth, kHeight);
     depth.start_frame();
     depth.want({100, 110, 0, 1});
     depth.clear();
     depth.fill(std::vector<Span>{{0, 0, kWidth}}, Slope{0.01, 0, 0}.quantity());
-    const auto pixels_seen = [&](double inverse_z) {
-        std::vector<Span> seen;
-        depth.append_seen(std::vector<Span>{{0, 90, 120}}, Slope{inverse_z, 0, 0}.quantity(), seen);
-        std::int32_t count = 0;
-        for (const Span& span : seen) count += span.end - span.first;
-        return count;
+    for (int x = 102; x < 106; ++x)
+        depth.row(0)[x] = to_inverse_depth(InverseZ::from_raw((1LL << InverseZ::kFractionBits) / 50)) | kThingBit;
+    const auto seen = [&](std::int64_t z) {
+        const InverseZ inverse_z = InverseZ::from_raw((1LL << InverseZ::kFractionBits) / z);
+        std::vector<Span> spans;
+        depth.append_seen(std::vector<Span>{{0, 90, 120}}, {inverse_z, {}, {}}, spans);
+        std::string columns;
+        for (const Span& span : spans) columns += std::to_string(span.first) + "-" + std::to_string(span.end) + " ";
+        return columns;
     };
-    EXPECT_EQ(pixels_seen(0.02), 30);
-    EXPECT_EQ(pixels_seen(0.01), 30);
-    EXPECT_EQ(pixels_seen(0.005), 20) << "all outside of the rectangle";
+    EXPECT_EQ(seen(200), "90-102 106-120 ") << "behind the face, too";
+    EXPECT_EQ(seen(60), "90-102 106-120 ");
+    EXPECT_EQ(seen(50), "90-120 ") << "as near";
+    EXPECT_EQ(seen(40), "90-120 ");
 }
 
 TEST(DepthBuffer, IsNotWantedWithoutARectangle) {
