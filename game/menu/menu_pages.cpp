@@ -11,7 +11,8 @@ namespace {
 std::string text_of_end(const EndFigures& figures) {
     std::string text =
         (figures.message.empty() ? "You have reached the end." : figures.message) + "\n\nTime: " + figures.time;
-    if (!figures.lenses.empty()) text += "\n" + figures.lenses;
+    for (const std::string& line : {figures.lenses, figures.secrets, figures.picture})
+        if (!line.empty()) text += "\n" + line;
     if (!figures.fault.empty()) text += "\n\nThe next level cannot be played: " + figures.fault;
     return text;
 }

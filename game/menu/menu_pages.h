@@ -36,6 +36,8 @@ struct EndFigures {
     std::string message;     ///< the level's message; may be empty
     std::string time;        ///< "3:12"
     std::string lenses;      ///< "Lenses found: 5 of 12"; empty if the level has none
+    std::string secrets;     ///< secrets_text(); may be empty
+    std::string picture;     ///< time and error of the last picture; may be empty
     std::string next_level;  ///< "e1m2"; empty if there is none
     std::string fault;       ///< why the next level, which it names, cannot be played; may be empty
 };

@@ -104,7 +104,10 @@ std::string PlayedGame::find(const std::string& name, const LoadedLevel& played)
 }
 
 EndFigures PlayedGame::end_figures(const LoadedLevel& played, const GameState& state) const {
-    EndFigures figures{std::string(end_message(played.level, state)), time_text(state.tick), "", "", ""};
+    EndFigures figures;
+    figures.message = end_message(played.level, state);
+    figures.time = time_text(state.tick);
+    figures.secrets = secrets_text(played.level, state);
     const std::string next = next_level(played, state);
     if (!next.empty()) find_next(next, places(played), figures);
     if (const Goal goal = goal_of(played.level, state); !goal.count.empty())

@@ -65,7 +65,7 @@ class Screens final : public MenuHost {
     std::string figures() const override { return screens_.back()->figures(); }
     std::vector<LevelEntry> levels() const override { return game_.levels(level_below()); }
     std::vector<SaveEntry> saves() override;
-    EndFigures end_figures() const override { return game_.end_figures(walk_->loaded(), walk_->state()); }
+    EndFigures end_figures() const override;
     std::string credits() const override { return game_.credits(); }
     bool can_save() const override { return saves_.can_save(); }
     std::optional<SaveEntry> last_walk() const override;

@@ -43,7 +43,12 @@ class FakeHost final : public MenuHost {
     }
     std::optional<SaveEntry> last_walk() const override { return last ? *last : list()[3]; }
     EndFigures end_figures() const override {
-        return {"You have seen the museum.", "12:34", "Lenses found: 12 of 12", end_fault.empty() ? "e1m2" : "",
+        return {"You have seen the museum.",
+                "12:34",
+                "Lenses found: 12 of 12",
+                "Secrets found: 1 of 4",
+                "Picture (bounded): 486",
+                end_fault.empty() ? "e1m2" : "",
                 end_fault};
     }
     std::string credits() const override { return std::string(2000, 'c'); }
@@ -329,7 +334,8 @@ TEST_F(Pages, TheListOfLoadIsANewOneAfterThatOfDelete) {
 TEST_F(Pages, TheEndLeadsOn) {
     pages_.open_end();
     EXPECT_NE(menu_.page().text.find("12:34"), std::string::npos);
-    EXPECT_NE(menu_.page().text.find("Lenses found: 12 of 12"), std::string::npos);
+    for (const char* line : {"\nLenses found: 12 of 12", "\nSecrets found: 1 of 4", "\nPicture (bounded): 486"})
+        EXPECT_NE(menu_.page().text.find(line), std::string::npos) << menu_.page().text;
     choose("On to e1m2");
     EXPECT_EQ(host_.done.back(), "next");
     pages_.open_end();
