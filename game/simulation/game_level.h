@@ -58,7 +58,7 @@ struct Leg {
     Vec3<World> way;               ///< from there to its end
     World length;                  ///< of `way`
     std::int32_t pause_ticks = 0;  ///< a train's, at the leg's end; kForever: it stays there
-    std::uint32_t next = 0;        ///< a train's next leg
+    std::uint32_t next = 0;        ///< a train's next leg; their count: none
 };
 
 /// What touching a mover does.
