@@ -77,6 +77,7 @@ class Screens final : public MenuHost {
     void restart() override;
     void play_level(const std::string& file) override;
     void play_next() override;
+    std::string save_picture(const std::string& text) override { return walk_->save_picture(text); }
     std::string save(std::size_t entry) override;
     void load(std::size_t entry) override { load_from(listed_.at(entry).slot); }
     std::string remove_save(std::size_t entry) override;

@@ -225,6 +225,14 @@ std::string Session::figures() const {
            (errors.count > 0 ? "\nIts worst texel: " + three_digits(errors.max) + " pixels off" : "");
 }
 
+std::string Session::save_picture(const std::string& text) {
+    const ShownPicture picture = draw(true);
+    Messages none;
+    overlays_.draw_text({{text}, picture.canvas.height_px - kTextMargin_px}, {}, none, played_us_, menu_look_.veil,
+                        picture.canvas);
+    return save_screenshots(picture.canvas, picture.palette, renderer_->mode());
+}
+
 Thumbnail Session::thumbnail() {
     follow_mode();
     const GameView view = shown_view();

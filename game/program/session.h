@@ -95,6 +95,8 @@ class Session final : public GameScreen {
     void restore(const GameState& state);
     /// Shows the player a message, with the names of keys in it (KeyNames::in()).
     void show(const std::string& message);
+    /// Saves the view without overlays, with a text under it; what to tell the player, for KeyNames::in().
+    std::string save_picture(const std::string& text);
     /// Shows a path in the level, through walls too; empty: none.
     void show_path(std::vector<Vec3<World>> points);
     /// All messages to the player, the newest first.

@@ -75,16 +75,14 @@ std::string_view end_message(const GameLevel& level, const GameState& state) {
     return message == kNoMessage ? std::string_view{} : item(level.messages, message);
 }
 
-std::string secrets_text(const GameLevel& level, const GameState& state) {
-    if (level.secrets == 0) return "";
+std::string missed_secrets(const GameLevel& level, const GameState& state) {
     std::string missed;
     for (std::size_t i = 0; i < level.triggers.size(); ++i) {
         if (!level.triggers[i].is_secret || state.triggers[i].ready_tick == TriggerState::kNever) continue;
         const std::string name = level_text(level.bsp->entities[level.triggers[i].entity].value("netname"));
-        if (!name.empty()) missed += (missed.empty() ? ". Missed: " : ", ") + name;
+        if (!name.empty()) missed += (missed.empty() ? "" : ", ") + name;
     }
-    return "Secrets found: " + std::to_string(state.progress.found_secrets) + " of " + std::to_string(level.secrets) +
-           missed;
+    return missed;
 }
 
 Box obstacle_box(const GameLevel& level, ModelIndex model, const Vec3<World>& offset) {

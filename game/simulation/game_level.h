@@ -224,8 +224,8 @@ std::string_view next_map(const GameLevel& level, const GameState& state);
 /// The message of the exit that ended the level; may be empty.
 std::string_view end_message(const GameLevel& level, const GameState& state);
 
-/// "Secrets found: 1 of 4. Missed: NAME, NAME", with the names that the level has for them; empty without secrets.
-std::string secrets_text(const GameLevel& level, const GameState& state);
+/// The level's names of secrets that were not found: "NAME, NAME"; may be empty.
+std::string missed_secrets(const GameLevel& level, const GameState& state);
 
 /// The box of a model at an offset, grown by 2 units: compilers write boxes up to a unit too small.
 Box obstacle_box(const GameLevel& level, ModelIndex model, const Vec3<World>& offset);

@@ -93,8 +93,10 @@ TEST(ShownView, ZoomsBetweenItsLimitsAndIsOffAt90Degrees) {
     EXPECT_EQ(options.zoom_degrees, 0);
     for (int i = 0; i < 20; ++i) press(Action::ZoomOut);
     EXPECT_EQ(options.zoom_degrees, 120);
-    for (int i = 0; i < 20; ++i) press(Action::ZoomIn);
+    for (int i = 0; i < 11; ++i) press(Action::ZoomIn);
     EXPECT_EQ(options.zoom_degrees, 10);
+    press(Action::ZoomIn);
+    EXPECT_EQ(options.zoom_degrees, 0) << "one button leads all the way round";
 }
 
 std::string press(Action command, ViewOptions& options) {
