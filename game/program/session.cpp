@@ -115,7 +115,7 @@ void Session::handle_commands(const Controls& controls) {
 
 Action Session::action_here() const {
     constexpr std::array kActions{Action::AccuracyTier, Action::ProjectionAspect, Action::DisplayAspect,
-                                  Action::Isometric,    Action::Wireframe,        Action::ZoomIn};
+                                  Action::Isometric,    Action::Wireframe,        Action::ZoomOut};
     return item(kActions, asked_dial(loaded_->level, state()).value_or(ViewDialKind::Accuracy));
 }
 
