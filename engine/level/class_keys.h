@@ -234,6 +234,7 @@ inline constexpr std::array kTriggerOnce{
     EntityKey{"sounds", Whole, "", kNoEffect},
     flags(kTriggerFlags),
 };
+inline constexpr std::array kSecret{EntityKey{"netname", Text, "", "what the end calls it if it was missed"}};
 inline constexpr std::array kTriggerMultiple{
     number("health", "0", "as in `trigger_once`"),
     number("wait", "0.2", "seconds until it can fire again"),
@@ -283,6 +284,12 @@ inline constexpr std::array kLens{
     number("scale", "9", "units of the level for one of its model's"),
 };
 inline constexpr std::array kKeyModel{kItemModel, number("scale", "12", "units of the level for one of its model's")};
+inline constexpr std::array kIntermission{
+    numbers("mangle", 3, 3, "", "pitch yaw roll in degrees, in place of `angle`"),
+    number("speed", "0", "degrees a second that it turns to the left"),
+    number("wait", "0", "seconds before the end's page: half at the player's pace, half at a 386's"),
+    EntityKey{"message", Text, "", "text shown to the player"},
+};
 inline constexpr std::array kCheckpoint{numbers("size", 3, 3, "128 128 112", "size of its box: x y z")};
 
 inline constexpr EntityKey kCount = number("count", "", "number of particles"),

@@ -54,6 +54,7 @@ enum class ClassRole : std::uint8_t {
     DeathmatchStart,
     TeleportExit,
     Checkpoint,
+    Intermission,
     Lamp,
     // From here to Train: made of brushes; a wall while it does not move.
     BrushGroup,

@@ -28,7 +28,8 @@ GameDefinition read_game_definition(const std::string& folder) {
     return game;
 }
 
-/// The museum, prepared by the build: there is no reader of OBJ and PNG files, and the rest takes seconds on a 486.
+/// The museum, prepared by the build: there is no reader of OBJ and PNG files, no music, and the rest takes seconds on
+/// a 486.
 GameData load_game(const LevelFiles& files) {
     const auto file = [&](const char* name) { return (std::filesystem::path(files.assets) / name).string(); };
     GameData data;
@@ -36,7 +37,8 @@ GameData load_game(const LevelFiles& files) {
     data.palette = read_parsed(files.game->palette, read_palette);
     read_parsed(data.level_file,
                 [&](std::span<const std::uint8_t> bytes) { return decode_prepared_game(bytes, data); });
-    data.sounds = read_level_sounds(data.level, {file("sounds")});
+    std::erase_if(data.level.entities.front().pairs, [](const auto& pair) { return pair.first == "music"; });
+    data.sounds = read_level_sounds(data.level, {files.assets});
     data.effects = read_level_effects(data.level);
     return data;
 }

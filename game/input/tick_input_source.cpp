@@ -141,10 +141,11 @@ TickInputSource::TickInputSource(const GameState& start, std::optional<Demo> rep
 TickReport TickInputSource::play_tick(const GameLevel& level, GameState& state) {
     was_replayed_ = is_replaying();
     last_ = was_replayed_ ? replayed_->ticks[next_].input : live_.next();
+    const bool is_over = state.has_ended;
     const TickReport report = step(level, state, last_);
     if (!was_replayed_ && !records_) return report;
     const std::uint64_t hash = hash_of(state);
-    if (records_) recorded_.ticks.push_back({last_, hash});
+    if (records_ && !is_over) recorded_.ticks.push_back({last_, hash});
     if (was_replayed_ && replayed_->ticks[next_++].state_hash != hash)
         throw InputError("tick " + std::to_string(next_), "leads to another state, expected the recorded one");
     return report;

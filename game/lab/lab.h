@@ -30,6 +30,8 @@ std::int32_t draw_lab_panel(const LabOptions& options, const LabFigures& figures
 
 /// A count in at most four characters: "999", "64k", "1.2M".
 std::string short_count(std::int64_t count);
+/// "0.37", "12.5", "240".
+std::string three_digits(double value);
 
 /// The map of the error: each pixel's colour shows how far its texel is from its exact place.
 class ErrorMap {

@@ -157,10 +157,6 @@ std::string with_decimals(double value, int digits) {
     return text;
 }
 
-std::string three_digits(double value) {
-    return with_decimals(value, value < 9.995 ? 2 : value < 99.95 ? 1 : 0);
-}
-
 std::string describe_errors(const LabFigures& figures) {
     if (!figures.problem.empty()) return "No error: " + figures.problem;
     const std::string of = "Texels off, px: ";
@@ -190,6 +186,10 @@ std::string describe_cost(const Events& events) {
 }
 
 }  // namespace
+
+std::string three_digits(double value) {
+    return with_decimals(value, value < 9.995 ? 2 : value < 99.95 ? 1 : 0);
+}
 
 std::string short_count(std::int64_t count) {
     if (count < 1000) return std::to_string(count);

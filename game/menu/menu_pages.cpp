@@ -8,10 +8,17 @@
 namespace oblong {
 namespace {
 
+std::string lines_of_end(const EndFigures& figures) {
+    std::string text = "Time: " + figures.time;
+    for (const std::string& line : {figures.lenses, figures.secrets, figures.picture})
+        if (!line.empty()) text += "\n" + line;
+    return text;
+}
+
 std::string text_of_end(const EndFigures& figures) {
     std::string text =
-        (figures.message.empty() ? "You have reached the end." : figures.message) + "\n\nTime: " + figures.time;
-    if (!figures.lenses.empty()) text += "\n" + figures.lenses;
+        (figures.message.empty() ? "You have reached the end." : figures.message) + "\n\n" + lines_of_end(figures);
+    if (!figures.missed.empty()) text += "\n" + figures.missed;
     if (!figures.fault.empty()) text += "\n\nThe next level cannot be played: " + figures.fault;
     return text;
 }
@@ -121,6 +128,12 @@ MenuPage MenuPages::end_page(const EndFigures& figures) {
     if (!figures.next_level.empty())
         page.rows.push_back(menu_row("On to " + figures.next_level, closing([this] { host_.play_next(); })));
     page.rows.push_back(menu_row("Again", closing([this] { host_.restart(); })));
+    page.rows.push_back(menu_row(
+        "Picture",
+        [this, text = lines_of_end(figures)] {
+            open_message("Picture", host_.key_names().in(host_.save_picture(host_.game_title() + "\n" + text)));
+        },
+        "this view with these figures under it, to share"));
     page.rows.push_back(menu_row("Another level", [this] { open_levels(); }));
     page.rows.push_back(menu_row("Title", closing([this] { host_.show_title(); })));
     return page;

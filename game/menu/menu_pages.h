@@ -36,6 +36,9 @@ struct EndFigures {
     std::string message;     ///< the level's message; may be empty
     std::string time;        ///< "3:12"
     std::string lenses;      ///< "Lenses found: 5 of 12"; empty if the level has none
+    std::string secrets;     ///< "Secrets found: 1 of 4"; empty if the level has none
+    std::string missed;      ///< "Missed: an egg among spheres"; may be empty
+    std::string picture;     ///< time and error of the last picture; may be empty
     std::string next_level;  ///< "e1m2"; empty if there is none
     std::string fault;       ///< why the next level, which it names, cannot be played; may be empty
 };
@@ -73,7 +76,9 @@ class MenuHost {
     virtual void continue_walk() = 0;
     virtual void restart() = 0;
     virtual void play_level(const std::string& file) = 0;
-    virtual void play_next() = 0;                            ///< EndFigures::next_level
+    virtual void play_next() = 0;  ///< EndFigures::next_level
+    /// Saves the picture behind the menu with a text under it; what to tell the player.
+    virtual std::string save_picture(const std::string& text) = 0;
     virtual std::string save(std::size_t entry) = 0;         ///< of saves(); the error, or ""
     virtual void load(std::size_t entry) = 0;                ///< shows the reason if it cannot be loaded
     virtual std::string remove_save(std::size_t entry) = 0;  ///< the error, or ""

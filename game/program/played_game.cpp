@@ -104,7 +104,14 @@ std::string PlayedGame::find(const std::string& name, const LoadedLevel& played)
 }
 
 EndFigures PlayedGame::end_figures(const LoadedLevel& played, const GameState& state) const {
-    EndFigures figures{std::string(end_message(played.level, state)), time_text(state.tick), "", "", ""};
+    EndFigures figures;
+    figures.message = end_message(played.level, state);
+    figures.time = time_text(state.tick);
+    if (played.level.secrets > 0)
+        figures.secrets = "Secrets found: " + std::to_string(state.progress.found_secrets) + " of " +
+                          std::to_string(played.level.secrets);
+    if (const std::string missed = missed_secrets(played.level, state); !missed.empty())
+        figures.missed = "Missed: " + missed;
     const std::string next = next_level(played, state);
     if (!next.empty()) find_next(next, places(played), figures);
     if (const Goal goal = goal_of(played.level, state); !goal.count.empty())

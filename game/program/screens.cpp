@@ -170,6 +170,14 @@ void Screens::start_walk(std::shared_ptr<const LoadedLevel> loaded) {
     start(std::move(loaded), TickInputSource(state, std::nullopt, false), SessionKind::Walk);
 }
 
+EndFigures Screens::end_figures() const {
+    GameState end = walk_->state();
+    end.tick -= walk_->ticks_since_end();
+    EndFigures figures = game_.end_figures(walk_->loaded(), end);
+    figures.picture = walk_->figures();
+    return figures;
+}
+
 Goal Screens::goal() const {
     return walk_ ? goal_of(walk_->loaded().level, walk_->state()) : Goal{};
 }

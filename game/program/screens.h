@@ -67,7 +67,7 @@ class Screens final : public MenuHost {
     std::string figures() const override { return screens_.back()->figures(); }
     std::vector<LevelEntry> levels() const override { return game_.levels(level_below()); }
     std::vector<SaveEntry> saves() override;
-    EndFigures end_figures() const override { return game_.end_figures(walk_->loaded(), walk_->state()); }
+    EndFigures end_figures() const override;
     std::string credits() const override { return game_.credits(); }
     bool can_save() const override { return saves_.can_save(); }
     std::optional<SaveEntry> last_walk() const override;
@@ -80,6 +80,7 @@ class Screens final : public MenuHost {
     void restart() override;
     void play_level(const std::string& file) override;
     void play_next() override;
+    std::string save_picture(const std::string& text) override { return walk_->save_picture(text); }
     std::string save(std::size_t entry) override;
     void load(std::size_t entry) override { load_from(listed_.at(entry).slot); }
     std::string remove_save(std::size_t entry) override;

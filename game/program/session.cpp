@@ -5,6 +5,9 @@
 
 #include "engine/programs/arguments.h"
 #include "game/input/bindings.h"
+#include "game/lab/lab.h"
+#include "game/lab/lab_measures.h"
+#include "game/lab/lab_options.h"
 #include "game/simulation/items.h"
 #include "game/view/screenshot.h"
 #include "game/view/shown_view.h"
@@ -17,6 +20,8 @@ std::string message_of(const GameLevel& level, const GameState& before, const Ga
     const bool is_new = after.message.shown != before.message.shown || after.message.tick != before.message.tick;
     std::string text;
     if (is_new && after.message.shown >= 0) text = item(level.messages, after.message.shown);
+    if (after.has_ended && !before.has_ended && level.intermission && level.intermission->message != kNoMessage)
+        text = item(level.messages, level.intermission->message);
     if (after.items != before.items) text += (text.empty() ? "" : "\n") + found_text(level, before, after);
     return text;
 }
@@ -92,14 +97,20 @@ bool Session::captures_mouse() const {
 }
 
 void Session::open_page(Action command, MenuPages& pages) {
-    if (command == Action::Menu) pages.open_game();
+    if (command == Action::Menu) state().has_ended ? pages.open_end() : pages.open_game();
     if (command == Action::ShowHelp) pages.open_keys();
     if (command == Action::Restart && settings_.kind == SessionKind::Walk) pages.open_restart();
 }
 
-// An ended walk always shows a page.
+// An ended walk shows a page, after the level's intermission.
 void Session::open_due_page(MenuPages& pages) {
-    if (state().has_ended && !input().is_replaying()) pages.open_end();
+    if (state().has_ended && ticks_since_end() >= intermission_ticks() && !input().is_replaying()) pages.open_end();
+}
+
+// The second half of an intermission is a 386's.
+std::optional<Processor> Session::machine() const {
+    const std::int64_t ticks = ticks_since_end(), all = intermission_ticks();
+    return ticks * 2 >= all && ticks < all ? Processor::I386 : view_options_.preferences.machine;
 }
 
 void Session::handle_commands(const Controls& controls) {
@@ -113,13 +124,14 @@ void Session::handle_commands(const Controls& controls) {
 
 Action Session::action_here() const {
     constexpr std::array kActions{Action::AccuracyTier, Action::ProjectionAspect, Action::DisplayAspect,
-                                  Action::Isometric,    Action::Wireframe,        Action::ZoomIn};
+                                  Action::Isometric,    Action::Wireframe,        Action::ZoomOut};
     return item(kActions, asked_dial(loaded_->level, state()).value_or(ViewDialKind::Accuracy));
 }
 
 void Session::note_tick(const GameState& before, const GameState& after, const TickReport& report) {
     warn_of(report);
     palette_.note_tick(before, after);
+    if (after.has_ended && !before.has_ended) ended_tick_ = after.tick;
     if (settings_.sound) settings_.sound->note_tick(before, after, report);
     const std::string message = message_of(loaded_->level, before, after);
     if (!message.empty()) show(message);
@@ -146,6 +158,8 @@ GameView Session::shown_view() const {
     const PicturePreferences picture = picture_in(platform_.window_size(), preferences);
     Camera camera = ticks_.camera(picture.field_of_view);
     if (preferences.view_bob_100 != 0 || preferences.view_roll_100 != 0) sway(state, preferences, camera);
+    if (state.after.has_ended && loaded_->level.intermission)
+        show_intermission(*loaded_->level.intermission, ticks_since_end(), camera);
     const Overlays& on = overlays_.on();
     return {state, camera, on.has_torch,
             other_view(on.is_isometric, on.zoom_degrees, camera, picture.mode, loaded_->data.level)};
@@ -183,7 +197,7 @@ ShownPicture Session::draw_all(bool is_behind_menu) {
     overlays_.draw_lines(view, drawn, *renderer_);
     PanelText panels;
     if (!is_behind_menu) panels = overlays_.draw_panels(view, settings, last_us_, canvas);
-    if (preferences.machine) panels.notes.push_back(describe_rate(*preferences.machine, cycles_));
+    if (const auto shown = machine()) panels.notes.push_back(describe_rate(*shown, cycles_));
     const Palette palette = palette_of(view, effects);
     if (std::exchange(wants_screenshot_, false)) show(save_screenshots(canvas, palette, renderer_->mode()));
     if (!is_behind_menu)
@@ -196,17 +210,37 @@ ShownPicture Session::draw_all(bool is_behind_menu) {
 // Counts what it draws if the player or the level asks for its time.
 void Session::draw_picture(const GameView& view, const Settings& drawn) {
     shows_until_us_ = last_us_;
-    const std::optional<Processor> machine = view_options_.preferences.machine;
+    const std::optional<Processor> paced_as = machine();
     const bool counts_work = asks_for_work(loaded_->level, state());
     work_ = 0;
-    if (!machine && !counts_work) return renderer_->draw(view, drawn);
+    if (!paced_as && !counts_work) return renderer_->draw(view, drawn);
     const Events events = events_of(renderer_->draw_and_count(view, drawn), drawn.accuracy);
     if (counts_work)
         work_ =
             static_cast<std::uint16_t>(std::clamp<std::int64_t>(cycles_on(Processor::I486, events) / 1000, 1, 0xffff));
-    if (!machine) return;
-    cycles_ = cycles_on(*machine, events);
-    shows_until_us_ += static_cast<std::uint64_t>(cycles_ / megahertz_of(*machine));
+    if (!paced_as) return;
+    cycles_ = cycles_on(*paced_as, events);
+    shows_until_us_ += static_cast<std::uint64_t>(cycles_ / megahertz_of(*paced_as));
+}
+
+std::string Session::figures() const {
+    if (!renderer_) return "";
+    const GameView view = shown_view();
+    const Settings settings = settings_of(view_options_.preferences);
+    const Events events = events_of(renderer_->draw_and_count(view, settings), settings.accuracy);
+    ErrorMeter meter(loaded_->data.level_file, loaded_->level);
+    const ErrorSummary errors = summarize_pixels(meter.measure(view, settings, *renderer_));
+    return "Picture (" + setting_name(settings.accuracy) +
+           "): " + describe_rate(Processor::I486, cycles_on(Processor::I486, events)) +
+           (errors.count > 0 ? "\nIts worst texel: " + three_digits(errors.max) + " pixels off" : "");
+}
+
+std::string Session::save_picture(const std::string& text) {
+    const ShownPicture picture = draw(true);
+    Messages none;
+    overlays_.draw_text({{text}, picture.canvas.height_px - kTextMargin_px}, {}, none, played_us_, menu_look_.veil,
+                        picture.canvas);
+    return save_screenshots(picture.canvas, picture.palette, renderer_->mode());
 }
 
 Thumbnail Session::thumbnail() {
@@ -222,6 +256,7 @@ Thumbnail Session::thumbnail() {
 
 void Session::restore(const GameState& state) {
     ticks_.restore(state);
+    ended_tick_ = state.tick;
     has_drawn_ = false;
 }
 

@@ -86,6 +86,8 @@ class Session final : public GameScreen {
     void open_due_page(MenuPages& pages) override;
     const std::shared_ptr<const LoadedLevel>& shared_level() const override { return loaded_; }
     std::vector<KeyHelp> key_help(const KeyNames& names) const override { return game_help(names); }
+    /// The time and the error of the picture that is shown.
+    std::string figures() const override;
 
     /// Opens what the level opens for who only wants to walk.
     void visit() { ticks_.input().visit(); }
@@ -93,6 +95,8 @@ class Session final : public GameScreen {
     void restore(const GameState& state);
     /// Shows the player a message, with the names of keys in it (KeyNames::in()).
     void show(const std::string& message);
+    /// Saves the view without overlays, with a text under it; what to tell the player, for KeyNames::in().
+    std::string save_picture(const std::string& text);
     /// Shows a path in the level, through walls too; empty: none.
     void show_path(std::vector<Vec3<World>> points);
     /// All messages to the player, the newest first.
@@ -102,6 +106,8 @@ class Session final : public GameScreen {
 
     const LoadedLevel& loaded() const { return *loaded_; }
     const GameState& state() const { return ticks_.state(); }
+    /// 0 while the level goes on.
+    std::int64_t ticks_since_end() const { return state().has_ended ? state().tick - ended_tick_ : 0; }
     const TickInputSource& input() const { return ticks_.input(); }
     SessionKind kind() const { return settings_.kind; }
 
@@ -110,6 +116,10 @@ class Session final : public GameScreen {
     void draw_picture(const GameView& view, const Settings& drawn);
     void follow_demo();
     Action action_here() const;
+    std::int64_t intermission_ticks() const {
+        return loaded_->level.intermission ? loaded_->level.intermission->wait_ticks : 0;
+    }
+    std::optional<Processor> machine() const;
     GameView shown_view() const;
     Palette palette_of(const GameView& view, const PaletteEffects& effects) const;
     void note_tick(const GameState& before, const GameState& after, const TickReport& report);
@@ -130,6 +140,7 @@ class Session final : public GameScreen {
     Messages messages_;
     std::uint64_t last_us_;  // the platform's time up to which the game was played
     std::uint64_t shows_until_us_ = 0;
+    std::int64_t ended_tick_ = 0;           // after which the level's intermission is shown
     std::int64_t cycles_ = 0;               // that the chosen machine takes for the last picture
     std::uint16_t work_ = 0;                // of the last picture: TickInput::work
     ViewDials replayed_view_ = kUsualView;  // of the replay's last tick

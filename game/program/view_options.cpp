@@ -36,8 +36,8 @@ Enum next_of(Enum value, int count) {
 std::string zoom(bool is_narrower, ViewOptions& options) {
     options.is_isometric = false;
     const std::int32_t degrees = options.zoom_degrees == 0 ? kUnzoomed : options.zoom_degrees;
-    const std::int32_t changed =
-        std::clamp(degrees + (is_narrower ? -kZoomStep : kZoomStep), kNarrowestZoom, kWidestZoom);
+    std::int32_t changed = std::max(degrees + (is_narrower ? -kZoomStep : kZoomStep), kNarrowestZoom);
+    if (changed > kWidestZoom) changed = kUnzoomed;  // the exhibit's one button leads out again
     options.zoom_degrees = changed == kUnzoomed ? 0 : changed;
     if (options.zoom_degrees == 0) return "{zoom-in} {zoom-out} Zoom against dolly: off";
     return "{zoom-in} {zoom-out} Zoom against dolly: " + std::to_string(changed) +

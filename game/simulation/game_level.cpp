@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/base/text.h"
 #include "engine/fixed/trig.h"
 #include "game/simulation/level_builder.h"
 #include "game/simulation/tick.h"
@@ -72,6 +73,16 @@ std::string_view next_map(const GameLevel& level, const GameState& state) {
 std::string_view end_message(const GameLevel& level, const GameState& state) {
     const MessageIndex message = state.exit < 0 ? kNoMessage : item(level.triggers, state.exit).fires.message;
     return message == kNoMessage ? std::string_view{} : item(level.messages, message);
+}
+
+std::string missed_secrets(const GameLevel& level, const GameState& state) {
+    std::string missed;
+    for (std::size_t i = 0; i < level.triggers.size(); ++i) {
+        if (!level.triggers[i].is_secret || state.triggers[i].ready_tick == TriggerState::kNever) continue;
+        const std::string name = level_text(level.bsp->entities[level.triggers[i].entity].value("netname"));
+        if (!name.empty()) missed += (missed.empty() ? "" : ", ") + name;
+    }
+    return missed;
 }
 
 Box obstacle_box(const GameLevel& level, ModelIndex model, const Vec3<World>& offset) {

@@ -58,7 +58,7 @@ struct Leg {
     Vec3<World> way;               ///< from there to its end
     World length;                  ///< of `way`
     std::int32_t pause_ticks = 0;  ///< a train's, at the leg's end; kForever: it stays there
-    std::uint32_t next = 0;        ///< a train's next leg
+    std::uint32_t next = 0;        ///< a train's next leg; their count: none
 };
 
 /// What touching a mover does.
@@ -154,6 +154,15 @@ struct LevelBoxes {
     BoxTree obstacles;  ///< all places of solid walls, then of movers, numbered in this order
 };
 
+/// Where the level is seen from after its end: an info_intermission.
+struct Intermission {
+    Position eye;
+    Angle yaw, pitch;
+    std::int32_t turn_degrees = 0;  ///< of the yaw, a second
+    std::int32_t wait_ticks = 0;    ///< before the end's page
+    MessageIndex message = kNoMessage;
+};
+
 /// The level's names for its lenses.
 struct LensNames {
     std::string one = "a lens", several = "lenses";
@@ -176,7 +185,8 @@ struct GameLevel {
     LevelBoxes boxes;
     Place start;                    ///< the player's
     TargetIndex visit = kNoTarget;  ///< kVisitName
-    LensNames lens_names;           ///< make_game_level() leaves them as they are
+    std::optional<Intermission> intermission;
+    LensNames lens_names;  ///< make_game_level() leaves them as they are
 
     const Target& target(TargetIndex index) const { return item(targets, index); }
     const SubModel& model(ModelIndex index) const { return bsp->models[index]; }
@@ -213,6 +223,9 @@ std::string_view next_map(const GameLevel& level, const GameState& state);
 
 /// The message of the exit that ended the level; may be empty.
 std::string_view end_message(const GameLevel& level, const GameState& state);
+
+/// The level's names of secrets that were not found: "NAME, NAME"; may be empty.
+std::string missed_secrets(const GameLevel& level, const GameState& state);
 
 /// The box of a model at an offset, grown by 2 units: compilers write boxes up to a unit too small.
 Box obstacle_box(const GameLevel& level, ModelIndex model, const Vec3<World>& offset);

@@ -18,6 +18,7 @@ namespace {
 
 constexpr int kStartsDark = 1;                 // spawnflag of lights
 constexpr std::int64_t kFirstSwitchable = 32;  // light style
+constexpr std::int32_t kFastestTurn = 360;     // of an intermission, degrees a second
 constexpr std::int32_t kExitHeight = 27;       // of the player's origin over an info_teleport_destination
 
 using Kind = EntityRef::Kind;
@@ -66,6 +67,7 @@ void LevelBuilder::add_entity(const Entity& entity) {
     add_trigger(entity);
     add_item(entity);
     if (role == ClassRole::Lamp) add_light(entity);
+    if (role == ClassRole::Intermission) add_intermission(entity);
 }
 
 bool LevelBuilder::add_mover(const Entity& entity) {
@@ -117,6 +119,20 @@ void LevelBuilder::add_item(const Entity& entity) {
     item->entity = index_of(entity);
     level_.items.push_back(*item);
     name(entity, Kind::Item, level_.items.size());
+}
+
+// The first; Quake takes any.
+void LevelBuilder::add_intermission(const Entity& entity) {
+    const auto origin = origin_of(entity);
+    if (!origin || level_.intermission) return;
+    const auto angles = parse_world_vector(entity.value("mangle"));
+    const auto angle = [](World degrees) { return degrees_to_angle(convert<Degrees>(degrees)); };
+    level_.intermission = {*origin,
+                           angles ? angle(angles->y) : yaw_of(entity),
+                           angles ? angle(angles->x) : Angle{},
+                           floor_of(number_of(entity, "speed", kFastestTurn)),
+                           std::max(0, ticks_of(entity, "wait")),
+                           message(level_text(entity.value("message")))};
 }
 
 // As in Quake, a light with a targetname and a style from 32 on can be switched; spawnflag 1: off at the start.

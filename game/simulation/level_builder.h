@@ -28,6 +28,7 @@ class LevelBuilder {
     void add_trigger(const Entity& entity);
     bool find_exit(const Entity& entity, Trigger& trigger) const;
     void add_item(const Entity& entity);
+    void add_intermission(const Entity& entity);
     void add_light(const Entity& entity);
     void add_what_monsters_leave();
     void add_start();

@@ -173,7 +173,7 @@ std::vector<Leg> legs_of(const Path& path) {
     else if (legs.empty())
         legs.push_back(leg_between(path.corners.front(), path.corners.front(), 0));
     if (!path.next) legs.back().pause_ticks = kForever;
-    if (!path.next) legs.back().next = 0;
+    if (!path.next) legs.back().next = static_cast<std::uint32_t>(legs.size());
     return legs;
 }
 

@@ -78,6 +78,11 @@ void travel(const Mover& mover, MoverState& state) {
         reach_start(mover, state);
 }
 
+void begin_next_leg(const Mover& mover, MoverState& train) {
+    train.leg = mover.legs[train.leg].next;
+    train.travelled = World{};
+}
+
 void wait(const Mover& mover, MoverState& state) {
     if (state.wait_ticks == kForever) return;
     state.wait_ticks = std::max(0, state.wait_ticks - 1);
@@ -87,8 +92,7 @@ void wait(const Mover& mover, MoverState& state) {
         return;
     }
     state.phase = Phase::Leaving;
-    state.leg = mover.legs[state.leg].next;
-    state.travelled = World{};
+    begin_next_leg(mover, state);
 }
 
 // Carries or pushes the player along; false where there is no room.
@@ -222,8 +226,13 @@ void touch_lift(GameState& state, std::uint32_t i) {
     if (lift.phase == Phase::AtEnd && lift.wait_ticks >= 0) lift.wait_ticks = kRiderWait_ticks;
 }
 
-void activate_train(GameState& state, std::uint32_t i) {
-    if (state.movers[i].phase == Phase::AtStart) set_off(state, i, Phase::Leaving);
+// Also one that stands at a corner for ever: in Quake it never leaves.
+void activate_train(const Mover& mover, GameState& state, std::uint32_t i) {
+    MoverState& train = state.movers[i];
+    const bool waits =
+        train.phase == Phase::AtEnd && train.wait_ticks == kForever && mover.legs[train.leg].next < mover.legs.size();
+    if (waits) begin_next_leg(mover, train);
+    if (waits || train.phase == Phase::AtStart) set_off(state, i, Phase::Leaving);
 }
 
 void touch_mover(const GameLevel& level, GameState& state, std::uint32_t i, Activations& activations) {
@@ -280,7 +289,7 @@ void activate_mover(const GameLevel& level, GameState& state, std::uint32_t i, A
         case MoverKind::Lift:
             return activate_lift(state, i);
         case MoverKind::Train:
-            return activate_train(state, i);
+            return activate_train(level.movers[i], state, i);
     }
 }
 

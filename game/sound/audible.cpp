@@ -219,13 +219,23 @@ VoiceLevels levels_at(const SoundSource& source, const Listener& listener) {
     return {level((kOne_16 - pan_16) / 2), level((kOne_16 + pan_16) / 2), false};
 }
 
+namespace {
+
+bool is_fence(const GameLevel& level, ModelIndex model) {
+    for (const FaceIndex face : level.model(model).faces)
+        return level.bsp->texture_of(level.bsp->faces[face]).name.starts_with('{');
+    return false;
+}
+
+}  // namespace
+
 bool is_clear(const GameLevel& level, const GameState& state, const Position& from, const Position& to,
               ModelIndex except) {
     if (stops_line(*level.bsp, kWorldModel, from, to)) return false;
     const Box line = Box{from, from}.united({to, to});
     for (const std::uint32_t i : level.boxes.obstacles.part_overlapping(line).numbers) {
         const std::optional<Obstacle> obstacle = obstacle_of(level, state, i);
-        if (!obstacle || obstacle->model == except) continue;
+        if (!obstacle || obstacle->model == except || is_fence(level, obstacle->model)) continue;
         const auto& [model, offset] = *obstacle;
         if (!obstacle_box(level, model, offset).overlaps(line)) continue;
         if (stops_line(*level.bsp, model, from - offset, to - offset)) return false;

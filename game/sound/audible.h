@@ -44,7 +44,7 @@ inline constexpr std::size_t kMostLinesOfASource = 5;  ///< for a hidden area; o
 VoiceLevels levels_at(const SoundSource& source, const Listener& listener);
 
 /// Whether nothing solid is between two points: neither the world nor a brush model at its current place, other than
-/// `except`.
+/// `except` and fences, through whose holes sound passes.
 bool is_clear(const GameLevel& level, const GameState& state, const Position& from, const Position& to,
               ModelIndex except);
 

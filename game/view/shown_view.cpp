@@ -120,6 +120,13 @@ Camera camera_at(const InterpolatedState& state, LookOffset offset, Degrees fiel
     return camera;
 }
 
+void show_intermission(const Intermission& intermission, std::int64_t ticks, Camera& camera) {
+    camera.eye = intermission.eye;
+    camera.pitch = intermission.pitch;
+    camera.yaw =
+        intermission.yaw + Angle::from_bam(intermission.turn_degrees * ticks * 65'536 / (360 * kTicksPerSecond));
+}
+
 std::optional<ViewSpec> other_view(bool is_isometric, std::int32_t zoom_degrees, const Camera& camera,
                                    const ScreenMode& mode, const Level& level) {
     if (!is_isometric && zoom_degrees == 0) return std::nullopt;

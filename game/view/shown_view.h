@@ -44,6 +44,9 @@ std::vector<PlacedModel> placed_models(const GameLevel& level, const Interpolate
 /// The player's eye, turned further by `offset`.
 Camera camera_at(const InterpolatedState& state, LookOffset offset, Degrees field_of_view);
 
+/// The level's intermission, `ticks` after its end.
+void show_intermission(const Intermission& intermission, std::int64_t ticks, Camera& camera);
+
 /// The view drawn instead of the camera's, if a key asks for one. Isometric: from the south-west, the player in the
 /// middle, without the level above. Zoomed: another field of view, with the eye moved so that the object in the middle
 /// keeps its size; a front plane through the player cuts off what the eye has backed into. `zoom_degrees`: 0: none.

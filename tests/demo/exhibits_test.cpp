@@ -40,19 +40,23 @@ class Exhibits : public testing::Test {
         const auto& direction = level_.triggers[trigger].view->direction;
         return direction ? arctangent2(convert<World>(direction->y), convert<World>(direction->x)) : Angle{};
     }
+    bool looks_up(std::size_t trigger) const {
+        const auto& direction = level_.triggers[trigger].view->direction;
+        return direction && direction->z > Unit{};
+    }
 
     const Level bsp_ = read_bsp(read_file(test::build_folder() + "/assets/demo.bsp"));
     const GameLevel level_ = make_game_level(bsp_);
 };
 
-constexpr std::uint16_t kDearPicture = 6000;
+constexpr std::uint16_t kDearPicture = 60'000;
 
 void wait(const GameLevel& level, TickInput input, int ticks, GameState& state) {
     for (int tick = 0; tick < ticks; ++tick) step(level, state, input);
 }
 
 TEST_F(Exhibits, OpenForTheirViewAndForNoOther) {
-    EXPECT_EQ(asking().size(), 6u);
+    EXPECT_EQ(asking().size(), 12u) << "of eleven exhibits, the mirror's from two sides";
     for (const std::size_t trigger : asking()) {
         const ViewCondition& view = *level_.triggers[trigger].view;
         GameState state = inside(*level_.triggers[trigger].box);
@@ -67,6 +71,7 @@ TEST_F(Exhibits, OpenForTheirViewAndForNoOther) {
             EXPECT_TRUE(!view.dials[i] || dial) << "the verb turns nothing there";
         }
         state.player.yaw = yaw_of(trigger);
+        if (looks_up(trigger)) state.player.pitch = -Player::kSteepestPitch;
         if (view.asks_for_work()) input.work = view.most_work;
         wait(level_, input, 100, state);
         EXPECT_EQ(cage_of(cage_name(trigger), state).phase, MoverState::Phase::AtEnd) << cage_name(trigger);
@@ -96,6 +101,19 @@ TEST_F(Exhibits, OpenByThemselvesThreeMinutesAfterTheVisitorCame) {
         wait(level_, input, 4 * static_cast<int>(kTicksPerSecond), state);
         EXPECT_EQ(cage_of(cage, state).phase, MoverState::Phase::AtEnd) << cage;
     }
+}
+
+TEST_F(Exhibits, HideFourSecretsThatAreFoundByTouch) {
+    std::size_t found = 0;
+    for (const Trigger& trigger : level_.triggers) {
+        if (!trigger.is_secret) continue;
+        EXPECT_NE(bsp_.entities[trigger.entity].value("netname"), "") << "what the end says was missed";
+        GameState state = inside(trigger.box.value());
+        wait(level_, {}, 2, state);
+        EXPECT_EQ(state.progress.found_secrets, 1);
+        ++found;
+    }
+    EXPECT_EQ(found, 4u);
 }
 
 }  // namespace

@@ -47,6 +47,7 @@ TEST_F(RecordedWalk, FindsAllLensesAndEndsTheLevelInTwoToFourMinutes) {
     const ItemCount lenses = count_items(game_level_, last, ItemClass::Lens);
     EXPECT_EQ(lenses.all, static_cast<std::int32_t>(kLenses));
     EXPECT_EQ(lenses.taken, lenses.all);
+    EXPECT_EQ(last.progress.found_secrets, 0) << "it gives none away";
     EXPECT_TRUE(last.has_ended);
     EXPECT_GE(last.tick, 120 * kTicksPerSecond);
     EXPECT_LE(last.tick, 240 * kTicksPerSecond);
@@ -95,6 +96,22 @@ TEST_F(RecordedWalk, LightsAWindowOfTheTowerWithEachLens) {
     }
     EXPECT_EQ(names.size(), kLenses);
     EXPECT_EQ(colours.size(), kLenses) << "each has its own";
+}
+
+TEST_F(RecordedWalk, FollowsALampThatIsARoomAheadAndInNobodysWay) {
+    const auto lamp = static_cast<std::size_t>(std::ranges::find(game_level_.movers, MoverKind::Train, &Mover::kind) -
+                                               game_level_.movers.begin());
+    ASSERT_LT(lamp, game_level_.movers.size());
+    const Mover& mover = game_level_.movers[lamp];
+    std::set<std::uint32_t> stops;
+    Box box{};
+    replay([&](const GameState& state) {
+        box = box_of(game_level_.model(mover.model).box).moved(offset_of(mover, state.movers[lamp]));
+        EXPECT_FALSE(box.grown(world_vector(4, 4, 4)).overlaps(player_box(state.player.position))) << state.tick;
+        if (is_at_rest(state.movers[lamp])) stops.insert(state.movers[lamp].leg);
+    });
+    EXPECT_EQ(stops.size(), 14u) << "one for each room, the distance and the tower";
+    EXPECT_TRUE(box.overlaps(Box{world_vector(480, 1930, 48), world_vector(544, 1990, 200)})) << "before the tower";
 }
 
 TEST_F(RecordedWalk, HearsTheRainUnmuffledInAllOfItsCourt) {

@@ -56,6 +56,19 @@ TEST(Goal, TextsInQuakesRedLettersAreReadable) {
     EXPECT_EQ(std::count(game.level.messages.begin(), game.level.messages.end(), "Lens 1"), 1);
 }
 
+TEST(Secrets, WithANameAreMissedUntilTheyAreFound) {
+    LogicLevel level;
+    level.add("trigger_secret", {100, -50, 0, 150, 50, 64}, {{"netname", "an egg"}});
+    level.add("trigger_secret", {500, -50, 0, 550, 50, 64}, {{"netname", "a lie"}});
+    level.add("trigger_secret", {900, -50, 0, 950, 50, 64}, {});
+    LogicGame game(level);
+    EXPECT_EQ(missed_secrets(game.level, game.state), "an egg, a lie");
+    game.stand_at(120, 0);
+    EXPECT_EQ(missed_secrets(game.level, game.state), "a lie");
+    game.stand_at(520, 0);
+    EXPECT_EQ(missed_secrets(game.level, game.state), "");
+}
+
 TEST(Goal, IsNothingWithoutLenses) {
     LogicLevel level;
     LogicGame game(level);

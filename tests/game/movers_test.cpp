@@ -44,6 +44,16 @@ constexpr Scenario kTrains[] = {
         + path_corner targetname=b target=nowhere origin="300 400 100"
         wait 1050: ox0 = 900, oy0 = 1000, oz0 = 0, active = 0
     )"},
+    {"GoOnFromACornerWhenTheyAreActivated", R"(
+        + func_train -600 -600 100 -472 -472 116 targetname=train target=a speed=200
+        + path_corner targetname=a target=b origin="300 0 100"
+        + path_corner targetname=b target=c origin="700 0 100" wait=-1
+        + path_corner targetname=c target=nowhere origin="700 400 100"
+        + trigger_multiple -1000 -50 0 -950 50 64 target=train
+        stand -970 0; wait 300: ox0 = 1300, oy0 = 600, active = 0
+        stand -970 0; wait 300: ox0 = 1300, oy0 = 1000, active = 0
+        stand -970 0; wait 10: ox0 = 1300, oy0 = 1000, active = 0      # there is no next corner
+    )"},
     {"CarryThePlayer", R"(
         + func_train -600 -600 100 -472 -472 116 target=a speed=200
         + path_corner targetname=a target=b origin="300 0 100"

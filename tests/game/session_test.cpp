@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 
 #include "engine/platform/headless.h"
 #include "tests/support/folders.h"
@@ -135,6 +136,38 @@ TEST_F(SessionOfTheDemo, ArrowsWalkUnlessTheLabIsOpen) {
     EXPECT_EQ(demo_, walked);
     play({{0, {kPanel}}}, true);
     EXPECT_NE(demo_, walked);
+}
+
+// From within the great lens.
+TEST_F(SessionOfTheDemo, EndsWithAnIntermissionWhoseSecondHalfHasThePaceOfA386) {
+    const std::int64_t wait = loaded_->level.intermission->wait_ticks;
+    HeadlessPlatform platform(
+        wait + 4, 35, [](std::int64_t) { return PlatformInput{}; }, [](Framebuffer, const Palette&) {});
+    ViewOptions view_options;
+    Session session(loaded_, {}, view_options, TickInputSource(start_of(loaded_->level), std::nullopt, false),
+                    platform);
+    GameState at_lens = start_of(loaded_->level);
+    at_lens.player.position = world_vector(424, 1804, 500);
+    session.restore(at_lens);
+    std::uint64_t longest_us[2]{};
+    std::set<Picture> pictures[2];
+    while (platform.is_open()) {
+        platform.poll();
+        session.advance({}, platform.now_us());
+        const Framebuffer canvas = session.draw(false).canvas;
+        const std::int64_t ticks = session.ticks_since_end();
+        EXPECT_EQ(ticks > 0, session.state().has_ended && session.state().tick > 1);
+        const std::size_t half = ticks * 2 >= wait && ticks < wait ? 1 : 0;
+        longest_us[half] = std::max(longest_us[half], session.shows_until_us() - platform.now_us());
+        pictures[half].emplace(canvas.pixels, canvas.row(canvas.height_px));
+        platform.present(canvas, Palette{}, {});
+    }
+    EXPECT_EQ(longest_us[0], 0u);
+    EXPECT_GT(longest_us[1], 500'000u) << "microseconds";
+    EXPECT_GT(pictures[0].size(), 200u) << "it turns";
+    const std::string figures = session.figures();
+    EXPECT_TRUE(figures.starts_with("Picture (bounded): 486 at 66 MHz: ")) << figures;
+    EXPECT_NE(figures.find("\nIts worst texel: 0.3"), std::string::npos) << figures;
 }
 
 }  // namespace

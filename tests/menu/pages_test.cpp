@@ -43,8 +43,9 @@ class FakeHost final : public MenuHost {
     }
     std::optional<SaveEntry> last_walk() const override { return last ? *last : list()[3]; }
     EndFigures end_figures() const override {
-        return {"You have seen the museum.", "12:34", "Lenses found: 12 of 12", end_fault.empty() ? "e1m2" : "",
-                end_fault};
+        return {"You have seen the museum.",     "12:34",          "Lenses found: 12 of 12",
+                "Secrets found: 1 of 4",         "Missed: an egg", "Picture (bounded): 486",
+                end_fault.empty() ? "e1m2" : "", end_fault};
     }
     std::string credits() const override { return std::string(2000, 'c'); }
     bool can_save() const override { return has_folder; }
@@ -57,6 +58,10 @@ class FakeHost final : public MenuHost {
     void restart() override { done.push_back("restart"); }
     void play_level(const std::string& name) override { done.push_back("level " + name); }
     void play_next() override { done.push_back("next"); }
+    std::string save_picture(const std::string& text) override {
+        done.push_back("picture " + text);
+        return "{screenshot} Saved";
+    }
     std::string save(std::size_t entry) override {
         done.push_back("save " + std::to_string(entry));
         return save_fault;
@@ -351,7 +356,15 @@ TEST_F(Pages, TheListOfLoadIsANewOneAfterThatOfDelete) {
 TEST_F(Pages, TheEndLeadsOn) {
     pages_.open_end();
     EXPECT_NE(menu_.page().text.find("12:34"), std::string::npos);
-    EXPECT_NE(menu_.page().text.find("Lenses found: 12 of 12"), std::string::npos);
+    for (const char* line :
+         {"\nLenses found: 12 of 12", "\nSecrets found: 1 of 4", "\nPicture (bounded): 486", "\nMissed: an egg"})
+        EXPECT_NE(menu_.page().text.find(line), std::string::npos) << menu_.page().text;
+    choose("Picture");
+    EXPECT_TRUE(host_.done.back().ends_with(
+        "\nTime: 12:34\nLenses found: 12 of 12\nSecrets found: 1 of 4\nPicture (bounded): 486"))
+        << host_.done.back();
+    EXPECT_EQ(menu_.page().title, "Picture");
+    choose("OK");
     choose("On to e1m2");
     EXPECT_EQ(host_.done.back(), "next");
     pages_.open_end();

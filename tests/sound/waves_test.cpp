@@ -8,6 +8,7 @@
 #include <set>
 
 #include "engine/io/files.h"
+#include "engine/level/bsp_read.h"
 #include "engine/sound/sound_file.h"
 #include "game/sound/sound_table.h"
 #include "tests/support/folders.h"
@@ -49,6 +50,9 @@ TEST(Waves, AreThoseThatTheGameAsksForAndNoOthers) {
     std::set<std::string> wanted, there;
     for (std::size_t i = 0; i < kSoundCount; ++i)
         for (const std::string& name : files_of(static_cast<Sound>(i))) wanted.insert(name);
+    for (const Entity& entity : read_bsp(read_file(test::source_folder() + "/assets/demo.bsp")).entities)
+        if (const std::string own = entity.value("noise"); !own.empty())
+            wanted.insert(std::filesystem::path(own).stem().string());
     for (const auto& [name, wave] : waves()) there.insert(name);
     EXPECT_EQ(there, wanted);
 }

@@ -28,7 +28,8 @@ std::vector<std::int16_t> samples_of(const std::string& assets, std::size_t tick
     const Demo demo = read_parsed(assets + "/walk.demo", decode_demo);
     Mixer mixer;
     SoundPlayer player(mixer, {assets + "/sounds"});
-    SoundScene scene(loaded.level);
+    player.take_own(loaded.data.sounds);
+    SoundScene scene(loaded.level, &loaded.data.sounds);
     GameState state = start_of(loaded.level);
     std::vector<std::int16_t> samples;
     for (std::size_t tick = 0; tick < ticks && tick < demo.ticks.size(); ++tick) {
