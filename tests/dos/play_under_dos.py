@@ -30,7 +30,7 @@ WITH_CARD = ["-icount", "shift=5", "-device", "sb16,audiodev=card", "-audiodev",
 ROWS = 120  # of the gallery, and some again
 STILL, MOVED = 3_000, 20_000  # pixels of 64,000 that differ
 # Rooms that have times and rates, which are doubles; the readers of files; the gallery's expected numbers.
-WITH_FLOATS = {"files", "gallery", "measure", "game_lab", "game_view", "game_simulation"}
+WITH_FLOATS = {"programs", "gallery", "measure", "game_lab", "game_view", "game_simulation"}
 FLOAT = re.compile(r"^\s*[0-9a-f]+:\t(?:[a-z]+ )*f[a-z]\w*", re.M)
 
 
