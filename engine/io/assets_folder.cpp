@@ -1,6 +1,7 @@
 #include <filesystem>
 
 #include "engine/io/files.h"
+#include "engine/io/system.h"
 
 namespace oblong {
 namespace {
@@ -15,9 +16,8 @@ bool has_assets(const fs::path& folder) {
 }  // namespace
 
 std::string program_folder(const char* called_as) {
-    std::error_code error;
-    const fs::path program = fs::read_symlink("/proc/self/exe", error);
-    return (error ? fs::absolute(called_as) : program).parent_path().string();
+    const fs::path program = program_file();
+    return (program.empty() ? fs::absolute(called_as) : program).parent_path().string();
 }
 
 std::string assets_folder(const char* called_as) {

@@ -1,9 +1,5 @@
 #include "engine/io/files.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -12,6 +8,7 @@
 #include <memory>
 
 #include "engine/base/table.h"
+#include "engine/io/system.h"
 
 namespace oblong {
 
@@ -41,23 +38,9 @@ std::string folder_of(const std::string& path) {
     return folder.empty() ? "." : folder;
 }
 
-// Flushes a file to the disk; file systems that cannot do that are ignored.
-std::string sync(int descriptor) {
-    return reason_unless(fsync(descriptor) == 0 || errno == EINVAL || errno == ENOTSUP);
-}
-
-std::string sync_folder(const std::string& folder) {
-    const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor < 0) return errno == EACCES ? "" : reason();  // a folder that may be written but not read
-    std::string failure = sync(descriptor);
-    close(descriptor);
-    return failure;
-}
-
-std::string write_all(int descriptor, std::span<const std::uint8_t> bytes) {
+std::string write_all(int file, std::span<const std::uint8_t> bytes) {
     while (!bytes.empty()) {
-        const ssize_t count = write(descriptor, bytes.data(), bytes.size());
-        if (count < 0 && errno == EINTR) continue;
+        const std::int64_t count = write_some(file, bytes);
         if (count < 0) return reason();
         bytes = bytes.subspan(as_size(count));
     }
@@ -65,20 +48,20 @@ std::string write_all(int descriptor, std::span<const std::uint8_t> bytes) {
 }
 
 // Takes ownership of an open file, or -1.
-std::string write_and_close(int descriptor, std::span<const std::uint8_t> bytes, bool is_synced) {
-    if (descriptor < 0) return reason();
-    std::string failure = write_all(descriptor, bytes);
-    if (failure.empty() && is_synced) failure = sync(descriptor);
-    const std::string of_closing = reason_unless(close(descriptor) == 0);
+std::string write_and_close(int file, std::span<const std::uint8_t> bytes, bool is_synced) {
+    if (file < 0) return reason();
+    std::string failure = write_all(file, bytes);
+    if (failure.empty() && is_synced) failure = reason_unless(sync_file(file));
+    const std::string of_closing = reason_unless(close_file(file));
     return failure.empty() ? of_closing : failure;
 }
 
 // Creates a new file beside another; `name` becomes its name. -1 on failure.
 int open_unfinished(const std::string& path, std::string& name) {
     for (int number = 0;; ++number) {
-        name = path + "." + std::to_string(getpid()) + "-" + std::to_string(number) + kUnfinishedExtension;
-        const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (descriptor >= 0 || errno != EEXIST) return descriptor;
+        name = path + "." + std::to_string(process_number()) + "-" + std::to_string(number) + kUnfinishedExtension;
+        const int file = open_file(name, OpenMode::New);
+        if (file >= 0 || errno != EEXIST) return file;
     }
 }
 
@@ -86,9 +69,9 @@ int open_unfinished(const std::string& path, std::string& name) {
 template <class Finish>
 std::string write_beside(const std::string& path, std::span<const std::uint8_t> bytes, bool is_synced, Finish finish) {
     std::string name;
-    const int descriptor = open_unfinished(path, name);
-    if (descriptor < 0) return reason();
-    std::string failure = write_and_close(descriptor, bytes, is_synced);
+    const int file = open_unfinished(path, name);
+    if (file < 0) return reason();
+    std::string failure = write_and_close(file, bytes, is_synced);
     if (failure.empty()) failure = finish(name);
     if (!failure.empty()) std::remove(name.c_str());
     return failure;
@@ -125,8 +108,8 @@ File open_regular(const std::string& path) {
     const fs::file_status status = fs::status(path, ignored);
     if (fs::is_directory(status)) throw FileError(path, "open", "is a folder, expected a file");
     if (fs::exists(status) && !fs::is_regular_file(status)) throw FileError(path, "open", kNoRegularFile);
-    const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);  // a pipe may have come meanwhile
-    File file(descriptor < 0 ? nullptr : fdopen(descriptor, "rb"));
+    const int number = open_file(path, OpenMode::Read);  // a pipe may have come meanwhile
+    File file(number < 0 ? nullptr : stream_of(number));
     if (!file) throw FileError(path, "open", reason() + ", expected a readable file");
     return file;
 }
@@ -160,8 +143,7 @@ std::vector<std::uint8_t> read_file_part(const std::string& path, std::uint64_t 
             path, "offset " + std::to_string(offset),
             "the file has " + std::to_string(size) + " bytes, expected " + std::to_string(length) + " from here on");
     std::vector<std::uint8_t> bytes(length);
-    if (fseeko(file.get(), static_cast<off_t>(offset), SEEK_SET) != 0 ||
-        std::fread(bytes.data(), 1, length, file.get()) != length)
+    if (!seek(file.get(), offset) || std::fread(bytes.data(), 1, length, file.get()) != length)
         throw FileError(path, "read", "expected a readable file");
     return bytes;
 }
@@ -185,13 +167,13 @@ void write_file(const std::string& path, std::span<const std::uint8_t> bytes, Fi
     std::string failure;
     if (is_written_in_place(path)) {
         if (use == FileUse::Kept) throw FileError(path, "write", kNoRegularFile);
-        failure = write_and_close(open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666), bytes, false);
+        failure = write_and_close(open_file(path, OpenMode::Replace), bytes, false);
     } else {
         const std::string end = end_of_links(path);
         std::error_code ignored;
         const bool is_synced = use == FileUse::Kept || fs::exists(end, ignored);
         failure = write_beside(end, bytes, is_synced, [&](const std::string& name) { return rename_file(name, end); });
-        if (failure.empty() && use == FileUse::Kept) failure = sync_folder(folder_of(end));
+        if (failure.empty() && use == FileUse::Kept) failure = reason_unless(sync_folder(folder_of(end)));
     }
     if (!failure.empty()) refuse_writing(path, failure, bytes.size());
 }
@@ -201,7 +183,7 @@ void replace_file(const std::string& path, const std::string& former_path, std::
         const std::string of_former = rename_file(path, former_path);
         return of_former.empty() ? rename_file(name, path) : of_former;
     });
-    if (failure.empty()) failure = sync_folder(folder_of(path));
+    if (failure.empty()) failure = reason_unless(sync_folder(folder_of(path)));
     if (!failure.empty()) refuse_writing(path, failure, bytes.size());
 }
 
@@ -216,7 +198,7 @@ void check_writable(const std::string& path) {
 void remove_files(const std::vector<std::string>& paths) {
     for (const std::string& path : paths) {
         std::string failure = reason_unless(std::remove(path.c_str()) == 0 || errno == ENOENT);
-        if (failure.empty()) failure = sync_folder(folder_of(path));
+        if (failure.empty()) failure = reason_unless(sync_folder(folder_of(path)));
         if (!failure.empty()) throw FileError(path, "remove", failure + ", expected a file that may be removed");
     }
 }
@@ -261,7 +243,7 @@ void make_folder(const std::string& path) {
     fs::create_directories(path, error);
     std::string failure = error ? error.message() : "";
     for (const std::string& each : made)
-        if (failure.empty()) failure = sync_folder(folder_of(each));
+        if (failure.empty()) failure = reason_unless(sync_folder(folder_of(each)));
     if (!failure.empty()) throw FileError(path, "make folder", failure + ", expected a place for a folder");
 }
 

@@ -133,7 +133,7 @@ class LevelModelReader {
         const std::optional<Vec3<World>> origin = values.origin();
         const fs::path path = values.text("model");
         if (!origin) return;
-        if (path.empty() || !stays_below(path))
+        if (path.empty() || !stays_below(path.string()))
             return values.warn("model is \"" + path.string() +
                                "\", expected a path of a file below the level's folder: it is left out");
         const std::optional<std::string> file = finder_.find(path);
@@ -216,7 +216,7 @@ class LevelModelReader {
     void read_own_item(const OwnModel& own, const EntityValues& values) {
         const std::optional<Vec3<World>> origin = values.origin();
         const fs::path named = values.text("model");
-        const bool has_own = !named.empty() && stays_below(named);
+        const bool has_own = !named.empty() && stays_below(named.string());
         const std::optional<std::string> file = finder_.find(has_own ? named : fs::path(own.file));
         if (!origin) return;
         if (!file && !named.empty())

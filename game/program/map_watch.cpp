@@ -1,11 +1,5 @@
 #include "game/program/map_watch.h"
 
-#include <fcntl.h>
-#include <signal.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <chrono>
 #include <iostream>
 #include <sstream>
@@ -13,6 +7,7 @@
 
 #include "engine/base/text.h"
 #include "engine/io/files.h"
+#include "engine/io/system.h"
 #include "engine/programs/arguments.h"
 #include "game/level/level_search.h"
 
@@ -106,13 +101,10 @@ MapWatch::MapWatch(std::string map_file, std::string compiler, std::string game)
     log_file_ = base + ".log";
     points_file_ = base + ".pts";
     reads_file_ = base + ".reads";
-    signal(SIGCHLD, SIG_DFL);  // a shell may have left it ignored: then no exit code would be kept
 }
 
 MapWatch::~MapWatch() {
-    if (!running_) return;
-    kill(*running_, SIGKILL);  // it writes a level whole or not at all
-    waitpid(*running_, nullptr, 0);
+    if (running_) stop_program(*running_);  // it writes a level whole or not at all
 }
 
 MapWatch::Stamp MapWatch::stamp_of(const std::string& file) {
@@ -143,13 +135,12 @@ std::optional<MapWatch::Result> MapWatch::poll(std::uint64_t now_us) {
 
 std::optional<MapWatch::Result> MapWatch::look(std::uint64_t now_us) {
     if (running_) {
-        int status = 0;
-        const pid_t ended = waitpid(*running_, &status, WNOHANG);
-        if (ended == 0) return std::nullopt;
+        const ProgramState state = state_of_program(*running_);
+        if (state == ProgramState::Runs) return std::nullopt;
         running_.reset();
-        if (ended < 0)
+        if (state == ProgramState::Unknown)
             throw FileError(compiler_, "wait", "the system does not tell how it ended, expected an exit code");
-        Result result = finish(status);
+        Result result = finish(state == ProgramState::Succeeded);
         if (result.has_level || running_change_ == MapChange::All) {
             remind_of(result.fault);
             return result;
@@ -204,21 +195,11 @@ void MapWatch::begin(MapChange change) {
     std::vector<std::string> words{compiler_, map_file_, "-o", level_file_, "--fast", "--reads", reads_file_};
     if (change != MapChange::All) words.insert(words.end(), {"--only", option_of(change)});
     if (!game_.empty()) words.insert(words.end(), {"--game", game_});
-    std::vector<char*> arguments;
-    for (std::string& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
     std::error_code ignored;
     fs::remove(points_file_, ignored);
     write_file(log_file_, std::string());  // names the folder if it is read-only: below, the compiler would be blamed
-    posix_spawn_file_actions_t files;
-    posix_spawn_file_actions_init(&files);
-    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_addopen(&files, STDERR_FILENO, log_file_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
-    pid_t process = 0;
-    const int error = posix_spawn(&process, compiler_.c_str(), &files, nullptr, arguments.data(), environ);
-    posix_spawn_file_actions_destroy(&files);
-    if (error != 0) throw FileError(compiler_, "start", "the compiler does not start, expected oblong-map there");
-    running_ = process;
+    running_ = start_program(std::move(words), log_file_);
+    if (!running_) throw FileError(compiler_, "start", "the compiler does not start, expected oblong-map there");
     running_change_ = change;
 }
 
@@ -235,10 +216,10 @@ void MapWatch::look_for_others() {
     others_ = std::move(others);
 }
 
-MapWatch::Result MapWatch::finish(int status) {
+MapWatch::Result MapWatch::finish(bool has_level) {
     look_for_others();
     Result result;
-    result.has_level = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    result.has_level = has_level;
     has_failed_ = !result.has_level;
     std::istringstream lines(read_text(log_file_));
     for (std::string line; std::getline(lines, line);) {

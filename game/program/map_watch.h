@@ -60,7 +60,7 @@ class MapWatch {
     bool others_have_changed();
     void look_for_others();
     void begin(MapChange change);
-    Result finish(int status);
+    Result finish(bool has_level);
 
     std::string map_file_, compiler_, game_, level_file_, log_file_, points_file_, reads_file_;
     std::string text_;        // of the current level

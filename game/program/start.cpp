@@ -1,9 +1,9 @@
-#include <csignal>
 #include <iostream>
 #include <memory>
 #include <utility>
 
 #include "engine/io/files.h"
+#include "engine/io/system.h"
 #include "engine/platform/sdl/sdl.h"
 #include "engine/platform/worker_threads.h"
 #include "engine/programs/arguments.h"
@@ -15,17 +15,10 @@
 namespace oblong {
 namespace {
 
-// When its terminal is closed, the game saves and ends as with SIGTERM, which SDL's window takes; when nobody reads on
-// what it prints, it goes on.
-void outlive_terminal() {
-    if (std::signal(SIGHUP, [](int) { std::raise(SIGTERM); }) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // nohup
-    std::signal(SIGPIPE, SIG_IGN);
-}
-
 std::unique_ptr<Platform> open_platform(const Options& options) {
     if (options.headless_frames > 0) return open_headless(options);
     auto window = open_window("Oblong", options.window);
-    outlive_terminal();
+    end_with_terminal();  // SDL's window takes SIGTERM, upon which the game saves
     return window;
 }
 

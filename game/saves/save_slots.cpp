@@ -1,8 +1,5 @@
 #include "game/saves/save_slots.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -17,29 +14,16 @@
 
 #include "engine/base/table.h"
 #include "engine/io/files.h"
+#include "engine/io/system.h"
 
 namespace oblong {
-namespace {
-
-// Open file description locks: two locks in one program exclude each other too.
-bool is_held_by_another(int descriptor, std::int64_t byte) {
-    struct flock lock = {};
-    lock.l_type = F_WRLCK;
-    lock.l_whence = SEEK_SET;
-    lock.l_start = static_cast<off_t>(byte);
-    lock.l_len = 1;
-    return fcntl(descriptor, F_OFD_SETLK, &lock) != 0 && (errno == EAGAIN || errno == EACCES || errno == EINTR);
-}
-
-}  // namespace
 
 std::unique_ptr<FileLock> FileLock::take(const std::string& file, std::int64_t byte, int longest_wait_ms) {
     constexpr int kPause_ms = 5;
-    const int descriptor = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0666);
-    if (descriptor < 0)
-        throw FileError(file, "open", std::strerror(errno) + std::string(", expected a place for a lock"));
-    std::unique_ptr<FileLock> lock(new FileLock(descriptor));
-    for (int waited_ms = 0; is_held_by_another(descriptor, byte); waited_ms += kPause_ms) {
+    const int number = open_file(file, OpenMode::Lock);
+    if (number < 0) throw FileError(file, "open", std::strerror(errno) + std::string(", expected a place for a lock"));
+    std::unique_ptr<FileLock> lock(new FileLock(number));
+    for (int waited_ms = 0; !lock_byte(number, byte); waited_ms += kPause_ms) {
         if (waited_ms >= longest_wait_ms) return nullptr;
         std::this_thread::sleep_for(std::chrono::milliseconds(kPause_ms));
     }
@@ -47,7 +31,7 @@ std::unique_ptr<FileLock> FileLock::take(const std::string& file, std::int64_t b
 }
 
 FileLock::~FileLock() {
-    close(descriptor_);
+    close_file(number_);
 }
 
 namespace {

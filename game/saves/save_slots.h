@@ -23,9 +23,9 @@ class FileLock {
     FileLock& operator=(const FileLock&) = delete;
 
   private:
-    explicit FileLock(int descriptor) : descriptor_(descriptor) {}
+    explicit FileLock(int number) : number_(number) {}
 
-    const int descriptor_;
+    const int number_;  ///< of its open file
 };
 
 enum class SaveKind : std::uint8_t {

@@ -6,3 +6,5 @@ endforeach()
 set_tests_properties(consumer.add_subdirectory consumer.fetch_content consumer.shared consumer.libcxx PROPERTIES
                      LABELS slow COST 200 TIMEOUT 36000 SKIP_RETURN_CODE 77)
 set_tests_properties(consumer.pkg_config PROPERTIES LABELS slow)
+add_test(NAME consumer.for_windows COMMAND python3 -B ${CMAKE_CURRENT_LIST_DIR}/compile_for_windows.py ${PROJECT_SOURCE_DIR})
+set_tests_properties(consumer.for_windows PROPERTIES LABELS slow COST 30 SKIP_RETURN_CODE 77)

@@ -1,11 +1,11 @@
 #include "tools/map/work_sharing.h"
 
-#include <unistd.h>
-
 #include <atomic>
 #include <cstdio>
 #include <exception>
 #include <mutex>
+
+#include "engine/io/system.h"
 
 namespace oblong::map {
 namespace {
@@ -66,7 +66,7 @@ void WorkSharing::for_each(std::size_t count, const std::function<void(std::size
 }
 
 ProgressLine::ProgressLine(std::string program)
-    : start_(Clock::now()), program_(std::move(program)), is_terminal_(isatty(STDERR_FILENO) != 0) {
+    : start_(Clock::now()), program_(std::move(program)), is_terminal_(is_shown_on_terminal()) {
     stage_start_ = last_shown_ = start_;
 }
 
