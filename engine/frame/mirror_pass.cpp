@@ -136,7 +136,7 @@ EffectSet draw_mirrored_view(const MirrorView& mirror, LeafIndex leaf, std::span
 
 bool is_behind(const MirrorView& mirror, const Vec3<World>& place, const Level& level) {
     const MirrorPlane& plane = mirror.plane;
-    return distance_before(level.planes[plane.plane], plane.is_back, place - plane.offset) <= PlaneDistance{};
+    return is_behind(level.planes[plane.plane], plane.is_back, place - plane.offset);
 }
 
 void limit_mirrors(const FrameContext& frame, Claims& claims) {

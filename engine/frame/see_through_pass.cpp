@@ -14,9 +14,8 @@ namespace oblong {
 namespace {
 
 bool is_behind(const Vec3<World>& place, const VisibleFace& claimed, const FrameContext& frame) {
-    const Level& level = frame.scene.level;
-    const Face& face = level.faces[claimed.face];
-    return distance_before(level.planes[face.plane], face.is_back, place - frame.offset_of(claimed)) <= PlaneDistance{};
+    const Face& face = frame.scene.level.faces[claimed.face];
+    return is_behind(frame.scene.level.planes[face.plane], face.is_back, place - frame.offset_of(claimed));
 }
 
 /// Draws the waiting things; if there is a face, only those behind it.

@@ -83,6 +83,11 @@ constexpr LevelNumber box_coordinate(std::int64_t units) {
     return static_cast<LevelNumber>(std::clamp(units, -kFarthest, kFarthest));
 }
 
+constexpr Vec3<World> middle_of(const LevelBox& box) {
+    const auto middle = [&](std::size_t axis) { return World::from_raw((box.mins[axis] + box.maxs[axis]) * 2048); };
+    return {middle(0), middle(1), middle(2)};
+}
+
 /// How a face is drawn. Only lit faces have a lightmap and a limited extent; unlit ones show their texture as it is.
 enum class Material : std::uint8_t { Lit, Liquid, Sky, Unlit };
 

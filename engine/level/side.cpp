@@ -35,6 +35,10 @@ int plane_side(const LevelPlane& plane, Vec3<World> p) {
     return sign_of(distance * (std::int64_t{1} << 30) + distance_rest_72(plane, p));
 }
 
+bool is_behind(const LevelPlane& plane, bool is_back, const Vec3<World>& p) {
+    return distance_before(plane, is_back, p) <= PlaneDistance{};
+}
+
 LeafIndex find_leaf(const Level& level, const SubModel& model, Vec3<World> p) {
     NodeChild child = model.root;
     while (!child.is_leaf()) {

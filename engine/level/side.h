@@ -32,6 +32,9 @@ inline Texel texel_along(const Vec3<TexelAxis>& axis, const Vec3<World>& p) {
 /// behind.
 int plane_side(const LevelPlane& plane, Vec3<World> p);
 
+/// Whether a point is behind a face of the plane, or in it.
+bool is_behind(const LevelPlane& plane, bool is_back, const Vec3<World>& p);
+
 /// The leaf of a model that holds a point. A point on a plane belongs to its back. `p` is in the model's coordinates.
 LeafIndex find_leaf(const Level& level, const SubModel& model, Vec3<World> p);
 

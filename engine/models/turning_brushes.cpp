@@ -107,7 +107,7 @@ std::optional<Vec3<World>> place_of_axis(const SubModel& brushes, bool is_door, 
     const std::string named = values.text("origin");
     const std::optional<Vec3<World>> origin = parse_world_vector(named);
     if (origin && is_within_mesh(brushes, *origin)) return origin;
-    const Vec3<World> middle = middle_of(brushes);
+    const Vec3<World> middle = middle_of(brushes.box);
     if (!is_within_mesh(brushes, middle)) {
         values.warn("it is larger than 65,535 units: it is left out");
         return {};
@@ -134,14 +134,6 @@ Mesh make_brush_mesh(const Level& level, ModelIndex model, const Vec3<World>& ab
     BrushMeshBuilder builder(level, about, texels_left);
     for (const FaceIndex face : level.models[model].faces) builder.add(level.faces[face]);
     return builder.finish();
-}
-
-Vec3<World> middle_of(const SubModel& model) {
-    const auto middle = [&](std::size_t axis) {
-        const std::int64_t doubled = std::int64_t{model.box.mins[axis]} + model.box.maxs[axis];
-        return convert<World>(WorldWide::from_int(doubled) / 2);
-    };
-    return {middle(0), middle(1), middle(2)};
 }
 
 std::optional<LevelModel> TurningBrushes::read(const Level& level, const Entity& entity, const EntityValues& values,

@@ -21,9 +21,6 @@ bool is_within_mesh(const SubModel& model, const Vec3<World>& about);
 /// for which too few are left gets one colour.
 Mesh make_brush_mesh(const Level& level, ModelIndex model, const Vec3<World>& about, std::int64_t& texels_left);
 
-/// The middle of a brush model's box.
-Vec3<World> middle_of(const SubModel& model);
-
 /// Reads entities with turning brushes, func_rotating and func_door_rotating, as models. It warns of entities that are
 /// left out or turn about their middle.
 class TurningBrushes {

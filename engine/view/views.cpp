@@ -105,7 +105,7 @@ View along(const Vec3<Unit>& axis, const Vec3<World>& p, const Vec3<World>& refe
     return view_coordinate(widening_difference(p, reference_point), axis);
 }
 
-View middle_of(World low, World high) {
+View half_way(World low, World high) {
     return convert<View>(floor_shift(convert<View>(low) + convert<View>(high), 1));
 }
 
@@ -203,7 +203,7 @@ ViewSpec window_view(const WindowView& window) {
     view.axes = axes_of(window);
     const Vec3<World>&cop = window.centre_of_projection, &vrp = window.reference_point;
     const View distance = along(view.axes.forward, vrp, cop);
-    const View middle_u = middle_of(window.u_min, window.u_max), middle_v = middle_of(window.v_min, window.v_max);
+    const View middle_u = half_way(window.u_min, window.u_max), middle_v = half_way(window.v_min, window.v_max);
     view.shear_x = shear_of(along(view.axes.right, vrp, cop) + middle_u, distance);
     view.shear_y = shear_of(along(view.axes.up, vrp, cop) + middle_v, distance);
     view.is_parallel = window.is_parallel;

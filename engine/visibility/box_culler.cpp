@@ -122,11 +122,6 @@ InverseDepth nearest_inverse_depth_of(const ViewBox& box) {
     return to_inverse_depth(reciprocal<InverseZ>(std::max(box.nearest_z(), View::from_int(1))));
 }
 
-Vec3<World> middle_of(const LevelBox& box) {
-    const auto middle = [&](std::size_t axis) { return World::from_raw((box.mins[axis] + box.maxs[axis]) * 2048); };
-    return {middle(0), middle(1), middle(2)};
-}
-
 PlacedBox place_box(const Level& level, const LevelBox& box) {
     PlacedBox placed{box, {}, false};
     std::vector<NodeChild> pending{level.world().root};

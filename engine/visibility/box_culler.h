@@ -70,8 +70,6 @@ ScreenOutline outline_of(const LevelBox& box, const ViewContext& view);
 InverseDepth nearest_inverse_depth_of(const LevelBox& box, const ViewContext& view);
 InverseDepth nearest_inverse_depth_of(const ViewBox& box);
 
-Vec3<World> middle_of(const LevelBox& box);
-
 /// A box that holds something which does not move, with the world's open leaves that it reaches into.
 struct PlacedBox {
     LevelBox box;

@@ -27,7 +27,7 @@ std::string message_of(const GameLevel& level, const GameState& before, const Ga
 }
 
 // The part of a picture that has a thumbnail's shape: of one that is narrower, the rows in the middle.
-Framebuffer middle_of(Framebuffer picture, const ScreenMode& mode) {
+Framebuffer thumbnail_part(Framebuffer picture, const ScreenMode& mode) {
     const Ratio part = mode.display * Ratio{3, 4};
     const std::int64_t rows = std::min<std::int64_t>(
         picture.height_px, std::max<std::int64_t>(1, picture.height_px * part.numerator / part.denominator));
@@ -251,7 +251,7 @@ Thumbnail Session::thumbnail() {
     has_drawn_ = true;
     const PaletteEffects effects =
         palette_.effects_at(view, preferences.flashes, preferences.light(), preferences.has_dac6);
-    return make_thumbnail(middle_of(renderer_->canvas(), renderer_->mode()), palette_of(view, effects));
+    return make_thumbnail(thumbnail_part(renderer_->canvas(), renderer_->mode()), palette_of(view, effects));
 }
 
 void Session::restore(const GameState& state) {

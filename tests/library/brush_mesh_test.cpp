@@ -44,9 +44,9 @@ TEST(BrushMesh, IsClosedFacesOutwardAndShowsTheTexelsOfTheLevel) {
         map::Wad(wad_bytes(std::vector<StripedTexture>{{"wall", 1, 1}, {"stripes", 5, 9}}))};
     const Level level = engine_level(map::compile_map(map::parse_map(text), wads, {true}));
     const SubModel& model = level.models[ModelIndex(1)];
-    EXPECT_EQ(point_of(middle_of(model)), (Point{1, 5, 100}));
+    EXPECT_EQ(point_of(middle_of(model.box)), (Point{1, 5, 100}));
     std::int64_t texels_left = 100'000;
-    const Mesh mesh = make_brush_mesh(level, ModelIndex(1), middle_of(model), texels_left);
+    const Mesh mesh = make_brush_mesh(level, ModelIndex(1), middle_of(model.box), texels_left);
     std::size_t texels = 0;
     for (const Skin& skin : mesh.skins) texels += skin.texels.size();
     EXPECT_EQ(texels_left + static_cast<std::int64_t>(texels), 100'000);
