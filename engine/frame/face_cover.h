@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/effects/things.h"
+#include "engine/effects/sight.h"
 #include "engine/frame/claims.h"
 
 namespace oblong {

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/effects/things.h"
+#include "engine/effects/things_in_view.h"
 #include "engine/mesh/placed_mesh.h"
 
 namespace oblong {

@@ -1,11 +1,10 @@
 // What is read from entities, what is said of bad ones, and what of it a frame computes.
-#include "engine/effects/things.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 
+#include "engine/effects/things_in_view.h"
 #include "engine/level/bsp_read.h"
 #include "engine/level/entities.h"
 #include "engine/visibility/visible_set.h"
