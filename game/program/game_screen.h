@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,8 @@ class GameScreen {
     virtual ShownPicture draw(bool is_behind_menu) = 0;
     /// The platform's time up to which the last picture stays.
     virtual std::uint64_t shows_until_us() const { return 0; }
+    /// That picture in the colours of now, if they have changed: a palette turns without drawing.
+    virtual std::optional<ShownPicture> recoloured() { return std::nullopt; }
     /// The colours of a menu over this screen.
     virtual const MenuLook& menu_look() const = 0;
 

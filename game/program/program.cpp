@@ -129,6 +129,8 @@ void Program::show_frame() {
         is_stale_ = false;
         return draw();
     }
+    if (left_ms > 0 && !controls.is_minimised)
+        if (const std::optional<ShownPicture> recoloured = screens_.up().recoloured()) present(*recoloured);
     const std::int32_t longest_ms = std::min(kLongestWait_ms, input_.longest_wait_ms());
     is_stale_ |= platform_.wait_for_input(left_ms == 0 ? longest_ms : std::min(left_ms, longest_ms));
 }
@@ -207,7 +209,7 @@ void Program::draw() {
     const bool is_menu_open = screens_.menu().is_open();
     const ShownPicture picture = screens_.up().draw(is_menu_open);
     if (is_menu_open) draw_menu(picture);
-    platform_.present(picture.canvas, picture.palette, picture.rect);
+    present(picture);
 }
 
 void Program::draw_menu(const ShownPicture& picture) {

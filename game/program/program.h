@@ -36,6 +36,7 @@ class Program {
     void take_on_screen(const Controls& controls);
     void follow_preferences();
     void draw();
+    void present(const ShownPicture& picture) { platform_.present(picture.canvas, picture.palette, picture.rect); }
     void draw_menu(const ShownPicture& picture);
     bool is_moving() { return !screens_.menu().is_open() || screens_.up().moves_behind_menu(); }
     const Preferences& preferences() { return screens_.view_options().preferences; }

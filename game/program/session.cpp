@@ -165,9 +165,9 @@ GameView Session::shown_view() const {
             other_view(on.is_isometric, on.zoom_degrees, camera, picture.mode, loaded_->data.level)};
 }
 
-Palette Session::palette_of(const GameView& view, const PaletteEffects& effects) const {
+Palette Session::palette_of(const InterpolatedState& state, const PaletteEffects& effects) const {
     const Palette& plain = loaded_->data.palette;
-    return effects.is_plain() ? plain : apply_palette_effects(plain, effects, time_ms_at(view.state));
+    return effects.is_plain() ? plain : apply_palette_effects(plain, effects, time_ms_at(state));
 }
 
 // What is shown over the picture may need more memory than there is: under DOS the lab does, beside sounds.
@@ -188,7 +188,8 @@ ShownPicture Session::draw_all(bool is_behind_menu) {
     const GameView view = shown_view();
     const Settings settings = settings_of(preferences), drawn = overlays_.shown(settings, last_us_);
     if (!std::exchange(has_drawn_, false) || overlays_.changes_picture()) draw_picture(view, drawn);
-    PaletteEffects effects = palette_.effects_at(view, preferences.flashes, preferences.light(), preferences.has_dac6);
+    PaletteEffects& effects = shown_effects_ =
+        palette_.effects_at(view, preferences.flashes, preferences.light(), preferences.has_dac6);
     if (is_behind_menu) effects.flash = {};  // it would brighten the menu
     overlays_.note(view, drawn, effects, last_us_, *renderer_);
 
@@ -198,13 +199,22 @@ ShownPicture Session::draw_all(bool is_behind_menu) {
     PanelText panels;
     if (!is_behind_menu) panels = overlays_.draw_panels(view, settings, last_us_, canvas);
     if (const auto shown = machine()) panels.notes.push_back(describe_rate(*shown, cycles_));
-    const Palette palette = palette_of(view, effects);
+    const Palette& palette = shown_colours_ = palette_of(view.state, effects);
     if (std::exchange(wants_screenshot_, false)) show(save_screenshots(canvas, palette, renderer_->mode()));
     if (!is_behind_menu)
         overlays_.draw_text(std::move(panels),
                             settings_.sound ? settings_.sound->captions() : std::vector<std::string>(), messages_,
                             played_us_, menu_look_.veil, canvas);
     return {canvas, palette, shown_rect(preferences, platform_.window_size())};
+}
+
+// Not of a picture that thumbnail() has drawn, which is without text.
+std::optional<ShownPicture> Session::recoloured() {
+    if (!renderer_ || has_drawn_) return std::nullopt;
+    const Palette now = palette_of(ticks_.shown(), shown_effects_);
+    if (now.colours == shown_colours_.colours) return std::nullopt;
+    shown_colours_ = now;
+    return ShownPicture{renderer_->canvas(), now, shown_rect(view_options_.preferences, platform_.window_size())};
 }
 
 // Counts what it draws if the player or the level asks for its time.
@@ -251,7 +261,7 @@ Thumbnail Session::thumbnail() {
     has_drawn_ = true;
     const PaletteEffects effects =
         palette_.effects_at(view, preferences.flashes, preferences.light(), preferences.has_dac6);
-    return make_thumbnail(thumbnail_part(renderer_->canvas(), renderer_->mode()), palette_of(view, effects));
+    return make_thumbnail(thumbnail_part(renderer_->canvas(), renderer_->mode()), palette_of(view.state, effects));
 }
 
 void Session::restore(const GameState& state) {

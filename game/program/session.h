@@ -81,6 +81,7 @@ class Session final : public GameScreen {
     bool is_heard(bool is_behind_menu) const override { return !is_behind_menu || state().has_ended; }
     ShownPicture draw(bool is_behind_menu) override;
     std::uint64_t shows_until_us() const override { return shows_until_us_; }
+    std::optional<ShownPicture> recoloured() override;
     const MenuLook& menu_look() const override { return menu_look_; }
     void open_page(Action command, MenuPages& pages) override;
     void open_due_page(MenuPages& pages) override;
@@ -121,7 +122,7 @@ class Session final : public GameScreen {
     }
     std::optional<Processor> machine() const;
     GameView shown_view() const;
-    Palette palette_of(const GameView& view, const PaletteEffects& effects) const;
+    Palette palette_of(const InterpolatedState& state, const PaletteEffects& effects) const;
     void note_tick(const GameState& before, const GameState& after, const TickReport& report);
     void warn_of(const TickReport& report);
     void handle_commands(const Controls& controls);
@@ -134,6 +135,8 @@ class Session final : public GameScreen {
     WalkTicks ticks_;
     std::unique_ptr<GameRenderer> renderer_;  // for the current mode
     ShownPalette palette_;
+    PaletteEffects shown_effects_;  // of the last picture
+    Palette shown_colours_;
     Overlays no_overlays_;  // of a title
     ShownOverlays overlays_;
     const MenuLook menu_look_;

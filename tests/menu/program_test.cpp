@@ -295,13 +295,15 @@ class CountingPlatform final : public test::ScriptedPlatform {
         waited_us_ += static_cast<std::uint64_t>(timeout_ms) * 1000;
         return false;
     }
-    void present(Framebuffer, const Palette&, const PresentRect&) override {
+    void present(Framebuffer, const Palette& palette, const PresentRect&) override {
         shown.push_back(polls_);
         shown_us.push_back(now_us());
+        colours.push_back(palette.colours);
     }
 
     std::vector<std::int64_t> shown;      // the poll before each picture
     std::vector<std::uint64_t> shown_us;  // when
+    std::vector<decltype(Palette::colours)> colours;
     std::vector<bool> captured;
 
   private:
@@ -323,7 +325,8 @@ TEST_F(ProgramOfTheDemo, NothingIsDrawnWhileNothingChanges) {
 TEST_F(ProgramOfTheDemo, APictureStaysForTheTimeOfItsMachine) {
     const GameData data = load_game({"", "", assets_, ""});
     const GameLevel level = make_game_level(data.level);
-    const GameState state = start_of(level);
+    GameState state = start_of(level);
+    while (state.player.ground == Player::kNoGround) step(level, state, {});
     const InterpolatedState shown{state, state};
     GameRenderer renderer(data, level, ScreenMode{});
     const Settings settings;
@@ -334,6 +337,7 @@ TEST_F(ProgramOfTheDemo, APictureStaysForTheTimeOfItsMachine) {
         CountingPlatform platform({});
         Options options;
         options.preferences.machine = machine;
+        options.preferences.flashes = Flashes::Off;  // or the palette turns between two pictures
         play_on(platform, options);
         ASSERT_GT(platform.shown_us.size(), 4u);
         const std::int64_t wanted_us = cycles_on(machine, events) / megahertz_of(machine);
@@ -343,6 +347,21 @@ TEST_F(ProgramOfTheDemo, APictureStaysForTheTimeOfItsMachine) {
         EXPECT_GE(found_us, wanted_us * 97 / 100) << "lamps flicker";
         EXPECT_LE(found_us, wanted_us * 103 / 100 + 2 * 28'572) << "two polls more, at most";
     }
+}
+
+// The museum's palette takes four steps a second, between a 386's pictures too.
+TEST_F(ProgramOfTheDemo, ThePaletteTurnsWhileAPictureStays) {
+    CountingPlatform platform({});
+    Options options;
+    options.preferences.machine = Processor::I386;
+    play_on(platform, options);
+    std::vector<std::uint64_t> turned_us;
+    for (std::size_t i = 1; i < platform.colours.size(); ++i)
+        if (platform.colours[i] != platform.colours[i - 1]) turned_us.push_back(platform.shown_us[i]);
+    ASSERT_GT(turned_us.size(), 3u);
+    for (std::size_t i = 1; i < turned_us.size(); ++i)
+        EXPECT_NEAR(static_cast<double>(turned_us[i] - turned_us[0]), 250'000.0 * static_cast<double>(i), 2 * 28'572)
+            << "two polls";
 }
 
 TEST_F(ProgramOfTheDemo, APageThatOpensByItselfIsDrawn) {
