@@ -73,8 +73,11 @@ bool have_same_shape(const PlacedMesh& a, const PlacedMesh& b) {
 bool is_in_set(const PlacedMesh& placed, const Level& level, const VisibleSet& visible, MeshPlace& known) {
     if (!have_same_shape(known.placed, placed)) {
         const TurningShape shape = turning_shape(placed);
-        if (known.shape != shape)
-            known = {{}, shape, place_box(level, turning_box(shape)), LeafIndex::none(), {}, {}, {}};
+        if (known.shape != shape) {
+            known = {};
+            known.shape = shape;
+            known.any_turn = place_box(level, turning_box(shape));
+        }
         known.placed = placed;
         known.box.reset();
     }

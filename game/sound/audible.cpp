@@ -221,10 +221,12 @@ VoiceLevels levels_at(const SoundSource& source, const Listener& listener) {
 
 namespace {
 
+// All around; what shows nothing is none.
 bool is_fence(const GameLevel& level, ModelIndex model) {
-    for (const FaceIndex face : level.model(model).faces)
-        return level.bsp->texture_of(level.bsp->faces[face]).name.starts_with('{');
-    return false;
+    const IndexRange<Face> faces = level.model(model).faces;
+    for (const FaceIndex face : faces)
+        if (!has_holes(level.bsp->texture_of(level.bsp->faces[face]).name)) return false;
+    return faces.count > 0;
 }
 
 }  // namespace
@@ -235,10 +237,10 @@ bool is_clear(const GameLevel& level, const GameState& state, const Position& fr
     const Box line = Box{from, from}.united({to, to});
     for (const std::uint32_t i : level.boxes.obstacles.part_overlapping(line).numbers) {
         const std::optional<Obstacle> obstacle = obstacle_of(level, state, i);
-        if (!obstacle || obstacle->model == except || is_fence(level, obstacle->model)) continue;
+        if (!obstacle || obstacle->model == except) continue;
         const auto& [model, offset] = *obstacle;
         if (!obstacle_box(level, model, offset).overlaps(line)) continue;
-        if (stops_line(*level.bsp, model, from - offset, to - offset)) return false;
+        if (!is_fence(level, model) && stops_line(*level.bsp, model, from - offset, to - offset)) return false;
     }
     return true;
 }

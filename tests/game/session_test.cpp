@@ -129,6 +129,29 @@ TEST_F(SessionOfTheDemo, MapAndEdgesAreOnBothSidesOfASplitPicture) {
     EXPECT_NE(halves, whole);
 }
 
+class UprightWindow final : public Platform {
+  public:
+    bool is_open() const override { return true; }
+    PlatformInput poll() override { return {}; }
+    std::uint64_t now_us() override { return 0; }
+    WindowSize window_size() const override { return {720, 1280}; }
+    void set_title(const char*) override {}
+    void present(Framebuffer, const Palette&, const PresentRect&) override {}
+};
+
+// 200x320 for 9:16 has the shape 4:3 in 135 of its rows.
+TEST_F(SessionOfTheDemo, TheThumbnailOfAnUprightPictureIsOfItsMiddle) {
+    UprightWindow platform;
+    ViewOptions view_options;
+    Session session(loaded_, {}, view_options, TickInputSource(start_of(loaded_->level), std::nullopt, false),
+                    platform);
+    const Thumbnail thumbnail = session.thumbnail();
+    const ShownPicture shown = session.draw(true);
+    const Framebuffer middle = part_of(shown.canvas, {0, 92, 200, 135});
+    EXPECT_TRUE(thumbnail.pixels == make_thumbnail(middle, shown.palette).pixels);
+    EXPECT_FALSE(thumbnail.pixels == make_thumbnail(shown.canvas, shown.palette).pixels);
+}
+
 TEST_F(SessionOfTheDemo, ArrowsWalkUnlessTheLabIsOpen) {
     play({});
     const Demo walked = demo_;

@@ -187,7 +187,8 @@ TEST(Audible, HasNoMoreThanItsMostAndKeepsTheLoudest) {
     for (const AudibleSound& sound : audible.sounds) EXPECT_LE(sound.serial, kMostAudible + 8);
 }
 
-TEST(Audible, AShutDoorIsInTheWayOfOthersButNotOfItself) {
+// Of a slab across the line of sight.
+ToyLevel with_shut_door() {
     ToyLevel toy;
     toy.add_model(floor_and({})).add_model({{200, -64, 0, 216, 64, 128}});
     toy.add_entity({{"classname", "func_door"}, {"model", "*1"}, {"angle", "-1"}});
@@ -197,11 +198,38 @@ TEST(Audible, AShutDoorIsInTheWayOfOthersButNotOfItself) {
     slab.children = {NodeChild(LeafIndex(0)), NodeChild(LeafIndex(0))};
     toy.level.nodes.push_back(slab);
     toy.level.models[ModelIndex(1)].root = NodeChild(NodeIndex(1));
-    const ToyGame game(std::move(toy));
+    return toy;
+}
+
+TEST(Audible, AShutDoorIsInTheWayOfOthersButNotOfItself) {
+    const ToyGame game(with_shut_door());
     const Position far = world_vector(400, 0, 46), aside = world_vector(-400, 0, 46);
     EXPECT_FALSE(is_clear(game.level, game.state, kListener.ear, far, kWorldModel));
     EXPECT_TRUE(is_clear(game.level, game.state, kListener.ear, far, ModelIndex(1)));
     EXPECT_TRUE(is_clear(game.level, game.state, kListener.ear, aside, kWorldModel));
+}
+
+TEST(Audible, BarsAreNotInTheWayIfTheyHaveHolesAllAround) {
+    for (const bool is_all_bars : {true, false}) {
+        ToyLevel toy = with_shut_door();
+        for (const char* name : {"{bars", "stone"}) {
+            MipTexture texture;
+            texture.name = name;
+            toy.level.textures.push_back(texture);
+        }
+        IndexRange<Face>& faces = toy.level.models[ModelIndex(1)].faces;
+        faces = {FaceIndex(static_cast<std::uint32_t>(toy.level.faces.count())), 2};
+        for (const bool is_stone : {false, !is_all_bars}) {
+            TexInfo mapping;
+            mapping.texture = TextureIndex(is_stone ? 1 : 0);
+            toy.level.texinfos.push_back(mapping);
+            Face face;
+            face.texinfo = TexInfoIndex(static_cast<std::uint32_t>(toy.level.texinfos.count() - 1));
+            toy.level.faces.push_back(face);
+        }
+        const ToyGame game(std::move(toy));
+        EXPECT_EQ(is_clear(game.level, game.state, kListener.ear, world_vector(400, 0, 46), kWorldModel), is_all_bars);
+    }
 }
 
 }  // namespace
