@@ -180,12 +180,15 @@ std::string KeyNames::of(Action action) const {
 
 // Empty if the name is unknown.
 std::string KeyNames::of(std::string_view name) const {
-    if (name == "choose") return uses_pad_ ? "Stick" : "Arrows";
+    if (name == "choose")
+        return uses_pad_ ? "Stick" : platform_.local_name_of(input_named("Up")).empty() ? "Taps" : "Arrows";
     if (name == "accept") return platform_.local_name_of(uses_pad_ ? pad_button(PadButton::A) : kEnter);
     const auto actions = all_actions();
     const auto found =
         std::find_if(actions.begin(), actions.end(), [&](const ActionRow& row) { return row.name == name; });
-    return found == actions.end() ? "" : of(found->action);
+    if (found == actions.end()) return "";
+    const std::string key = of(found->action);
+    return key.empty() ? of(Action::Menu) + ", Keys" : key;
 }
 
 std::string KeyNames::in(const std::string& text) const {

@@ -147,10 +147,12 @@ class KeyNames {
     KeyNames(const Bindings& bindings, const Platform& platform, bool uses_pad)
         : bindings_(bindings), platform_(platform), uses_pad_(uses_pad) {}
 
-    /// The first input of an action on the device in use, else on another device: "F2"; "none" if there is none.
+    /// The first input of an action on the device in use, else on another device: "F2"; "none" if there is none; empty
+    /// if a touch screen is in use that has no button for it.
     std::string of(Action action) const;
     /// Replaces the names of actions in braces by those of their keys: "{accuracy}" by "F4". {choose} and {accept} are
-    /// the inputs of menus. Unknown names stay as they are.
+    /// the inputs of menus. An action without a button is reached by the page of keys: "Menu, Keys". Unknown names stay
+    /// as they are.
     std::string in(const std::string& text) const;
 
   private:

@@ -29,6 +29,32 @@ TEST(KeyNames, AreThoseThatAreBoundOnTheDeviceInUse) {
     EXPECT_EQ(keys.in("{no such} {jump"), "{no such} {jump");
 }
 
+class TouchScreen : public Platform {
+  public:
+    bool is_open() const override { return true; }
+    PlatformInput poll() override { return {}; }
+    std::uint64_t now_us() override { return 0; }
+    WindowSize window_size() const override { return {}; }
+    void set_title(const char*) override {}
+    std::string local_name_of(Input input) const override {
+        const std::string name = name_of(input);
+        return name == "Escape" ? "Menu" : name == "Enter" ? "OK" : name == "Space" ? "Jump" : "";
+    }
+    void present(Framebuffer, const Palette&, const PresentRect&) override {}
+};
+
+// A phone's page has four buttons; the menu's page of keys does the rest.
+TEST(KeyNames, SayHowATouchScreenReachesWhatHasNoButton) {
+    const Bindings bindings = default_bindings();
+    const TouchScreen screen;
+    const KeyNames names(bindings, screen, false);
+    EXPECT_EQ(names.in("{jump} jumps, {help}: help, {menu} stops"), "Jump jumps, Menu, Keys: help, Menu stops");
+    EXPECT_EQ(names.in("{choose} choose, {accept} accepts"), "Taps choose, OK accepts");
+    for (const ActionRow& row : all_actions())
+        EXPECT_FALSE(test::is_found(names.in("{" + std::string(row.name) + "}"), R"x(\bF[1-9])x")) << row.name;
+    EXPECT_EQ(names.in("{no such} {jump"), "{no such} {jump");
+}
+
 // In messages, captions and help of the game: they are named as they are bound, by KeyNames alone.
 TEST(KeyNames, StandInNoTextOfTheGame) {
     const std::string literal = R"x("((?:[^"\\]|\\.)*)")x";

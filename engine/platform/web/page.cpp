@@ -30,7 +30,11 @@ EM_JS(int, page_take_lost, (), { return Page.takeLost() ? 1 : 0; });
 EM_JS(void, page_title, (const char* title), { document.title = UTF8ToString(title); });
 EM_JS(void, page_capture, (int is_captured), { Page.capture(is_captured != 0); });
 EM_JS(int, page_letter, (int key), { return Page.letter(key); });
-EM_JS(void, page_button, (int key, char* name, int size), { stringToUTF8(Page.buttonOf(key), name, size); });
+// Whether touch is in use.
+EM_JS(int, page_button, (int key, char* name, int size), {
+    stringToUTF8(Page.buttonOf(key), name, size);
+    return Page.hasTouch;
+});
 EM_JS(void, page_fill_screen, (int fills), { Page.fillScreen(fills != 0); });
 EM_JS(void, page_mask, (const std::uint32_t* argb, int width, int height),
       { Page.screen.setMask(HEAPU8.subarray(argb, argb + 4 * width * height), width, height); });
@@ -90,9 +94,9 @@ WindowSize PagePlatform::window_size() const {
 // The name of the button on the screen, or the letter on the user's keyboard if the browser reports it.
 std::string PagePlatform::local_name_of(Input input) const {
     std::array<char, 16> button{};
-    if (input.device == Device::Key) page_button(input.code, button.data(), std::ssize(button));
-    if (button[0] != 0) return button.data();
-    const std::string name = input.device == Device::Key ? name_of_letter(page_letter(input.code)) : "";
+    if (input.device != Device::Key) return name_of(input);
+    if (page_button(input.code, button.data(), std::ssize(button)) != 0) return button.data();
+    const std::string name = name_of_letter(page_letter(input.code));
     return name.empty() ? name_of(input) : name;
 }
 
