@@ -262,6 +262,9 @@ inline constexpr std::array kCounter{
     EntityKey{"sounds", Whole, "", kNoEffect},
     flags(kCounterFlags),
 };
+inline constexpr std::array kRelay{
+    number("found", "", "plays the sound of the item taken first (1), second (2) ..., none if fewer are"),
+};
 inline constexpr std::array kTeleport{
     required({"target", Place, "", "the exit, an `info_teleport_destination`"}),
     EntityKey{"sounds", Whole, "", kNoEffect},

@@ -165,7 +165,7 @@ constexpr auto kClasses = std::to_array<EntityClass>({
     {"trigger_multiple", Brush, TriggerMultiple, "fires at each touch", {kTurned, kTriggerMultiple, kFires, kNoise}},
     {"trigger_secret", Brush, TriggerSecret, "counts as a secret", {kTriggerOnce, kSecret, kFires, kNoise}},
     {"trigger_onlyregistered", Brush, TriggerOnlyRegistered, "as `trigger_once`", {kFires, kNoise, kSounds}},
-    {"trigger_relay", Either, TriggerRelay, "when activated, activates its targets", {kFires, kNoise}},
+    {"trigger_relay", Either, TriggerRelay, "when activated, activates its targets", {kRelay, kFires, kNoise}},
     {"trigger_counter", Either, TriggerCounter, "fires after a number of activations", {kCounter, kFires, kNoise}},
     {"trigger_teleport",
      Brush,

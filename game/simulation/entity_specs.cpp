@@ -228,6 +228,7 @@ std::optional<Trigger> trigger_of(const Entity& entity, const Level& bsp) {
     }
     if (trigger.kind == TriggerKind::Multiple) read_multiple(entity, its_class->role, trigger);
     if (trigger.kind == TriggerKind::Counter) read_counter(entity, trigger);
+    if (trigger.kind == TriggerKind::Relay) trigger.found = std::max(0, floor_of(number_of(entity, "found")));
     if (trigger.kind == TriggerKind::Push) read_push(entity, trigger);
     if (trigger.kind == TriggerKind::Checkpoint && !read_checkpoint(entity, trigger)) return {};
     if (trigger.kind == TriggerKind::Exit) trigger.next_map = entity.value("map");

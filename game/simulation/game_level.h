@@ -120,6 +120,7 @@ struct Trigger {
     Firing fires;
     std::int32_t wait_ticks = 0;        ///< between two firings; kForever: it fires once
     std::int32_t count = 0;             ///< a counter's, or the strokes of lightning
+    std::int32_t found = 0;             ///< above 0: it sounds as the item that was taken as number `found`
     std::optional<Vec3<Unit>> facing;   ///< fires only if the player looks this way, within a quarter turn
     std::optional<ViewCondition> view;  ///< fires only if it holds
     bool is_secret = false;             ///< counts in Progress::found_secrets

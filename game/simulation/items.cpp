@@ -75,6 +75,7 @@ void touch_items(const GameLevel& level, GameState& state, Activations& activati
     for (const std::uint32_t i : activations.touched(level.boxes.items, player, state.backlog.next_item_box)) {
         if (!is_there(state, i)) continue;
         state.items[i] = ItemState::Taken;
+        state.progress.taken.push_back(i);
         state.progress.keys |= key_of(level.items[i].item_class);
         activations.fire({EntityRef::Kind::Item, i});
     }

@@ -37,9 +37,10 @@ struct Player {
 
 /// What the player has done so far.
 struct Progress {
-    std::int32_t found_secrets = 0;  ///< of GameLevel::secrets
-    std::uint8_t keys = 0;           ///< kSilverKey, kGoldKey
-    Place respawn;                   ///< where kRespawnButton leads
+    std::int32_t found_secrets = 0;    ///< of GameLevel::secrets
+    std::vector<std::uint32_t> taken;  ///< items, in the order in which they were taken
+    std::uint8_t keys = 0;             ///< kSilverKey, kGoldKey
+    Place respawn;                     ///< where kRespawnButton leads
 
     bool operator==(const Progress&) const = default;
 };
@@ -156,9 +157,9 @@ void visit_fields(MaybeConst<GameState> auto& state, auto& visit) {
     visit_each(visit, state.tick, player.position.x, player.position.y, player.position.z, player.velocity.x,
                player.velocity.y, player.velocity.z, player.yaw, player.pitch, player.eye_lag, player.ground,
                player.depth, player.holds_jump, state.movers, state.active_movers, state.walls, state.triggers,
-               state.items, state.delayed, state.dark_styles, state.progress.found_secrets, state.progress.keys,
-               respawn.position.x, respawn.position.y, respawn.position.z, respawn.yaw, state.message.shown,
-               state.message.tick, state.has_ended, state.exit, state.backlog);
+               state.items, state.delayed, state.dark_styles, state.progress.found_secrets, state.progress.taken,
+               state.progress.keys, respawn.position.x, respawn.position.y, respawn.position.z, respawn.yaw,
+               state.message.shown, state.message.tick, state.has_ended, state.exit, state.backlog);
 }
 
 void visit_fields(MaybeConst<MoverState> auto& mover, auto& visit) {

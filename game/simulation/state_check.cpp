@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "engine/base/table.h"
 #include "game/simulation/activations.h"
 #include "game/simulation/collision.h"
@@ -93,6 +95,12 @@ void check_others(const GameLevel& level, const GameState& state, Check& check) 
         check.expect(is_one_of(wall, WallState::Removed), "walls: an unknown state");
     for (const ItemState item : state.items)
         check.expect(is_one_of(item, ItemState::Removed), "items: an unknown state");
+    std::vector<std::uint32_t> taken;
+    for (std::uint32_t i = 0; i < state.items.size(); ++i)
+        if (state.items[i] == ItemState::Taken) taken.push_back(i);
+    check.expect(
+        std::is_permutation(taken.begin(), taken.end(), state.progress.taken.begin(), state.progress.taken.end()),
+        "items: those in the order of taking are not those that are taken");
     check.expect(
         state.message.shown >= kNoMessage && state.message.shown < static_cast<std::int64_t>(level.messages.size()),
         "message " + std::to_string(state.message.shown) + ", which the level does not have");

@@ -47,6 +47,7 @@ class SoundStarts {
     void note_movers(const GameState& before, const GameState& after, std::vector<SoundSource>& sources);
     void note_messages(const GameState& before, const GameState& after, const TickReport& report,
                        std::vector<SoundSource>& sources);
+    std::int32_t own_of_trigger(const Trigger& trigger, const GameState& state) const;
     bool is_own_teleporter(std::uint32_t trigger) const;
     std::int32_t own_of(std::size_t entity) const;
     void add(Sound sound, std::int32_t own, std::vector<SoundSource>& sources);

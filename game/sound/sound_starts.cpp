@@ -60,6 +60,13 @@ std::int32_t SoundStarts::own_of(std::size_t entity) const {
     return own_ ? item(own_->by_entity, entity) : LevelSounds::kNone;
 }
 
+std::int32_t SoundStarts::own_of_trigger(const Trigger& trigger, const GameState& state) const {
+    if (trigger.found == 0) return own_of(trigger.entity);
+    const std::vector<std::uint32_t>& taken = state.progress.taken;
+    const std::size_t number = as_size(trigger.found) - 1;
+    return number < taken.size() ? own_of(level_.items[taken[number]].entity) : LevelSounds::kNone;
+}
+
 bool SoundStarts::is_own_teleporter(std::uint32_t trigger) const {
     const Trigger& fired = level_.triggers[trigger];
     return fired.kind == TriggerKind::Teleport && own_of(fired.entity) != LevelSounds::kNone;
@@ -162,7 +169,7 @@ void SoundStarts::note_messages(const GameState& before, const GameState& after,
         tell(taken.item_class == ItemClass::Lens ? Sound::Lens : Sound::Key, own_of(taken.entity));
     }
     std::set<std::int32_t> own_of_fired;
-    for (const std::uint32_t i : report.fired_triggers) own_of_fired.insert(own_of(level_.triggers[i].entity));
+    for (const std::uint32_t i : report.fired_triggers) own_of_fired.insert(own_of_trigger(level_.triggers[i], after));
     own_of_fired.erase(kStandard);
     for (const std::int32_t own : own_of_fired) tell(Sound::Message, own);
     if (!own_of_fired.empty()) return;

@@ -69,6 +69,10 @@ const std::vector<Spoiler> kSpoilers{
     {"touched before the start of time", [](GameState& state) { state.movers[1].next_touch = -1; }},
     {"no state of a wall", [](GameState& state) { state.walls[0] = static_cast<WallState>(7); }},
     {"no state of an item", [](GameState& state) { state.items[0] = static_cast<ItemState>(7); }},
+    {"an item taken in no order", [](GameState& state) { state.progress.taken.clear(); }},
+    {"in the order, but there", [](GameState& state) { state.items[0] = ItemState::There; }},
+    {"taken twice", [](GameState& state) { state.progress.taken.push_back(0); }},
+    {"taken, but no item", [](GameState& state) { state.progress.taken.push_back(99); }},
     {"open for ever", [](GameState& state) { state.triggers[0].open_until = TriggerState::kNever; }},
     {"delayed by none", [](GameState& state) { state.delayed[0].by.index = 99; }},
     {"delayed by a wall", [](GameState& state) { state.delayed[0].by.kind = EntityRef::Kind::Wall; }},
@@ -128,6 +132,7 @@ TEST(Consistency, WhatTheGameCanNotGoOnFromIsFound) {
     LogicGame game(level);
     game.play(20, kAhead);
     ASSERT_EQ(game.state.delayed.size(), 1u);
+    ASSERT_EQ(game.state.progress.taken.size(), 1u);
     GameState waits = game.state;
     waits.backlog.waiting = {{0, 0, false}};
     ASSERT_EQ(find_inconsistency(game.level, waits), "");

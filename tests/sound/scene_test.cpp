@@ -294,6 +294,23 @@ TEST(OwnSounds, OfATriggerAreHeardWhereAnotherFiresIt) {
     }
 }
 
+// A relay with `found` plays the sound of an item by its number in the order of taking.
+TEST(OwnSounds, OfItemsAreHeardInTheOrderFound) {
+    for (const bool is_first : {false, true})
+        for (const int found : {1, 2, 3}) {
+            ToyLevel toy = plain();
+            toy.add_model({{300, -64, 0, 320, 64, 128}});
+            toy.add_entity({{"classname", "trigger_once"}, {"model", "*1"}, {"target", "tune"}});
+            toy.add_entity({{"classname", "trigger_relay"}, {"targetname", "tune"}, {"found", std::to_string(found)}});
+            toy.add_entity({{"classname", "item_lens"}, {"origin", is_first ? "180 0 24" : "90 0 24"}});
+            toy.add_entity({{"classname", "item_lens"}, {"origin", is_first ? "90 0 24" : "180 0 24"}});
+            HeardGame heard(std::move(toy), 0, "");
+            heard.play(150, kAhead);
+            ASSERT_GT(heard.game.x(), 320) << "through all";
+            EXPECT_EQ(heard.own_begun, 1 + (found == (is_first ? 1 : 2))) << found << is_first;
+        }
+}
+
 TEST(OwnSounds, OfATriggerThatIsRemovedAreNotHeard) {
     ToyLevel toy = plain();
     toy.add_model({{100, -64, 0, 120, 64, 128}}).add_model({{600, -64, 0, 640, 64, 128}});
