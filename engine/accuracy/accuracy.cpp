@@ -107,13 +107,13 @@ constexpr std::array kDials{
     dial<&Accuracy::mends_t_junctions>(
         "t-junctions", "T-junctions",
         "Whether a face has corners where corners of others lie on its edges. Without them cracks open.", "",
-        "engine/frame/claims.cpp", true, kTJunctions),
+        "engine/frame/claim_faces.cpp", true, kTJunctions),
     dial<&Accuracy::subpixel_bits>("subpixel-bits", "sub-pixel bits",
                                    "Fraction bits of screen vertices; 0: whole pixels.", "fraction bits",
                                    "engine/frame/frame.cpp", false, kSubpixelBits, 0, 8),
     dial<&Accuracy::edges>("edges", "edges",
                            "How an edge steps from row to row: by a 16.16 slope that is added up, or exactly.", "",
-                           "engine/frame/claims.cpp", true, kEdges),
+                           "engine/frame/claim_faces.cpp", true, kEdges),
     dial<&Accuracy::mip>(
         "mip", "mip level",
         "Where a mip level is chosen: nowhere, for a face by its nearest corner, for a span by its nearest pixel.", "",

@@ -1,7 +1,8 @@
+#include "engine/frame/continued_face.h"
+
 #include <algorithm>
 
 #include "engine/fixed/arithmetic.h"
-#include "engine/frame/torn_pixels.h"
 #include "engine/level/side.h"
 #include "engine/visibility/box_culler.h"
 

@@ -4,6 +4,7 @@
 
 #include "engine/base/table.h"
 #include "engine/frame/frame_context.h"
+#include "engine/frame/surface_pass.h"
 
 namespace oblong {
 

@@ -8,6 +8,8 @@
 
 namespace oblong {
 
+struct FrameContext;
+
 /// A face that may leave pixels open to a thing.
 struct OpenFace {
     std::span<const Span> spans;

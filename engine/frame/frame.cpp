@@ -1,9 +1,12 @@
 #include "engine/frame/frame.h"
 
+#include "engine/frame/draw_view.h"
 #include "engine/frame/frame_context.h"
+#include "engine/frame/frame_counts.h"
+#include "engine/frame/frame_fog.h"
 #include "engine/frame/frame_light.h"
-#include "engine/frame/mirror_pass.h"
-#include "engine/frame/torn_pixels.h"
+#include "engine/frame/frame_record.h"
+#include "engine/frame/shared_drawing.h"
 #include "engine/frame/workspace.h"
 #include "engine/view/views.h"
 #include "engine/visibility/eye.h"
@@ -42,17 +45,17 @@ FrameContext make_context(const Scene& scene, const ViewSpec& spec, const Screen
     const Accuracy& accuracy = settings.accuracy;
     const ViewContext view = make_view_context(
         spec, mode, {accuracy.matrix_bits, accuracy.view_bits, accuracy.subpixel_bits, settings.correct_aspect});
-    FrameContext frame{scene,
-                       settings,
-                       work.cache,
-                       work.observers,
-                       view,
-                       make_inverse_projection(view.projection, spec.shear_x, spec.shear_y),
-                       make_span_texturing(accuracy, *settings.kernels),
-                       out,
-                       limits_of(spec)};
+    FrameContext frame{.scene = scene,
+                       .settings = settings,
+                       .cache = work.cache,
+                       .observers = work.observers,
+                       .view = view,
+                       .inverse_projection = make_inverse_projection(view.projection, spec.shear_x, spec.shear_y),
+                       .texturing = make_span_texturing(accuracy, *settings.kernels),
+                       .out = out,
+                       .limits = limits_of(spec),
+                       .claimer = work.claimer};
     frame.fog = make_frame_fog(frame);
-    frame.claimer = work.claimer;
     const bool needs_one_thread = frame.observers.counts || frame.observers.record;
     if (!needs_one_thread) frame.shared = work.shared.get();
     return frame;
@@ -86,38 +89,7 @@ bool is_under_liquid(const FrameContext& frame, LeafIndex leaf) {
     return contents <= contents::kWater && contents >= contents::kLava && frame.allows(Effect::Underwater);
 }
 
-/// Finds the face that owns each pixel.
-void claim_pixels(const FrameContext& frame, ViewScratch& scratch) {
-    const Stopwatch watch(frame.observers.times, &PassTimes::claims_ns);
-    if (frame.claimer)
-        frame.claimer->claim(frame, scratch);
-    else
-        claim_faces(frame, scratch);
-    if (!scratch.claiming->span_buffer.is_full()) claim_torn_pixels(frame, scratch);
-    if (!scratch.claims.list(FaceList::Mirror).empty()) limit_mirrors(frame, scratch.claims);
-}
-
 }  // namespace
-
-void start_view(const FrameContext& frame, LeafIndex leaf, ViewScratch& scratch) {
-    const Scene& scene = frame.scene;
-    scratch.visible.see_from(scene.level, leaf);
-    scratch.claiming->vertices.start_frame();
-    scratch.claims.clear();
-    const Stopwatch watch(frame.observers.times, Effect::BrushModels);
-    frame.cache.brush_models.start_frame(scene.level, scene.models, frame.cache.faces);
-}
-
-FramePlan draw_view(const FrameContext& frame, ViewScratch& scratch) {
-    claim_pixels(frame, scratch);
-    find_things(frame, scratch);
-    find_fog(frame, scratch);
-    find_light(frame, scratch);
-    FramePlan plan = plan_frame(scratch.claims);
-    run_passes(plan, frame, scratch);
-    plan.effects = scratch.claims.effects;
-    return plan;
-}
 
 void draw_frame(const Scene& scene, const ViewSpec& view, const ScreenMode& mode, const Settings& settings,
                 FrameWorkspace& work, Framebuffer out) {

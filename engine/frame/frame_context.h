@@ -3,11 +3,11 @@
 #include <vector>
 
 #include "engine/accuracy/accuracy.h"
-#include "engine/frame/frame.h"
-#include "engine/frame/frame_fog.h"
+#include "engine/frame/fog_tables.h"
 #include "engine/frame/level_cache.h"
 #include "engine/frame/observers.h"
-#include "engine/frame/surface_pass.h"
+#include "engine/frame/scene.h"
+#include "engine/frame/span_texturing.h"
 #include "engine/view/texture_gradients.h"
 #include "engine/view/view_context.h"
 #include "engine/visibility/front_to_back.h"
@@ -40,15 +40,5 @@ struct FrameContext {
     /// The offset of a face's model.
     Vec3<World> offset_of(const VisibleFace& face) const { return cache.brush_models.offset_of(face.fragment); }
 };
-
-// In frame.cpp; used by draw_frame() and for mirrors.
-
-/// Starts a view from a leaf: finds its visible set, and clears the claims. The caller then sets the span buffer's free
-/// pixels: all, or a mirror's.
-void start_view(const FrameContext& frame, LeafIndex leaf, ViewScratch& scratch);
-
-/// Draws a started view: faces claim the free pixels of its span buffer, then the plan made from the claims is run.
-/// Returns the plan.
-FramePlan draw_view(const FrameContext& frame, ViewScratch& scratch);
 
 }  // namespace oblong

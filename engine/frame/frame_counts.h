@@ -8,7 +8,7 @@
 
 #include "engine/base/table.h"
 #include "engine/effects/sky.h"
-#include "engine/frame/passes.h"
+#include "engine/frame/frame_plan.h"
 #include "engine/raster/scan.h"
 #include "engine/raster/texture_blocks.h"
 #include "engine/view/screen.h"

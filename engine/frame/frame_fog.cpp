@@ -5,29 +5,12 @@
 #include "engine/base/table.h"
 #include "engine/frame/frame_context.h"
 #include "engine/frame/frame_counts.h"
+#include "engine/frame/surface_pass.h"
 #include "engine/frame/torn_pixels.h"
 #include "engine/frame/workspace.h"
 #include "engine/view/gradients.h"
 
 namespace oblong {
-
-LevelFogTables::LevelFogTables(const LevelFog& fog, const Palette& palette)
-    : palette_(palette),
-      colour_(fog.colour),
-      share_256_(fog.alpha_256),
-      depths_(
-          make_fog_depths(convert<FogDensity>(fog.density), convert<View>(fog.nearest), convert<View>(fog.farthest))) {}
-
-const ColourRow& LevelFogTables::colours(std::int32_t level) {
-    ColourRow& row = item(colours_.levels, level);
-    if (!std::exchange(item(is_made_, level), true)) row = make_fog_level(palette_, colour_, share_256_, level);
-    return row;
-}
-
-const FogTable& LevelFogTables::colours_of(std::span<const FogRun> runs) {
-    for (const FogRun& run : runs) colours(run.level);
-    return colours_;
-}
 
 FrameFog make_frame_fog(const FrameContext& frame) {
     const std::optional<LevelFog>& fog = frame.cache.effects.fog;

@@ -1,20 +1,9 @@
 #pragma once
 
-#include <vector>
-
-#include "engine/scene/light_styles.h"
-#include "engine/scene/moving_lights.h"
-
 namespace oblong {
 
 struct FrameContext;
 struct ViewScratch;
-
-/// The light of a view.
-struct FrameLight {
-    LightStyles styles{};
-    std::vector<MovingLight> moving;  ///< lights that may touch something in view
-};
 
 /// Finds the brightness of the light styles, and the moving lights; if these touch no claimed face, none are kept.
 /// Surfaces with changed light are built again when drawn.

@@ -8,9 +8,6 @@
 
 namespace oblong {
 
-struct FrameContext;
-struct ViewScratch;
-
 /// A visible thing: the dots of an emitter, or a sprite.
 struct VisibleThing {
     Vec3<World> middle;
@@ -44,32 +41,5 @@ struct FrameThings {
         return std::span(mesh_parts).subspan(mesh.first_part, mesh.part_count);
     }
 };
-
-/// Finds the particles, sprites, shadows and meshes that are in view and not wholly hidden by the claimed faces.
-void find_things(const FrameContext& frame, ViewScratch& scratch);
-
-/// Draws a thing where nothing is nearer.
-void draw_thing(const VisibleThing& thing, const FrameContext& frame, ViewScratch& scratch);
-
-/// Darkens the floors under shadows.
-void draw_shadows(const FrameContext& frame, ViewScratch& scratch);
-
-// In mesh_pass.cpp.
-
-/// Finds the meshes that may be visible, and requests depth for them. Meshes are skipped if they are out of view, in no
-/// leaf of the visible set, or hidden by nearer faces in their whole rectangle, and in a mirror's view if their origin
-/// is behind it.
-void find_meshes(const FrameContext& frame, const Sight& sight, ViewScratch& scratch);
-
-/// Removes the meshes before the first one that faces do not wholly hide; all, if there is none. That decides whether
-/// the pass runs; draw_meshes() tests the others. Requires depth.
-void keep_seen_meshes(const FrameContext& frame, ViewScratch& scratch);
-
-/// Draws the remaining meshes, in the level's light and fog.
-void draw_meshes(const FrameContext& frame, ViewScratch& scratch);
-
-/// Draws what does not claim pixels, back to front: see-through faces, in the reverse order of the walk, and things
-/// among them. A thing is drawn before the farthest of these faces that is in front of it. In see_through_pass.cpp.
-void draw_see_through(const FrameContext& frame, ViewScratch& scratch);
 
 }  // namespace oblong

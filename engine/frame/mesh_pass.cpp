@@ -1,3 +1,5 @@
+#include "engine/frame/mesh_pass.h"
+
 #include <algorithm>
 
 #include "engine/frame/frame_context.h"

@@ -5,10 +5,15 @@
 
 #include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"
+#include "engine/frame/claim_faces.h"
+#include "engine/frame/draw_view.h"
 #include "engine/frame/frame_context.h"
 #include "engine/frame/frame_counts.h"
+#include "engine/frame/frame_fog.h"
 #include "engine/frame/frame_light.h"
 #include "engine/frame/frame_record.h"
+#include "engine/frame/mirror_view.h"
+#include "engine/frame/passes.h"
 #include "engine/frame/shared_drawing.h"
 #include "engine/frame/workspace.h"
 #include "engine/level/side.h"
@@ -111,18 +116,19 @@ EffectSet draw_mirrored_view(const MirrorView& mirror, LeafIndex leaf, std::span
     const FrameObservers own{outer.counts ? &counts : nullptr, nullptr, outer.times ? &times : nullptr};
     Settings settings = frame.settings;
     settings.allowed_effects = settings.allowed_effects.without(Effect::Mirror);
-    FrameContext mirrored_frame{frame.scene,
-                                settings,
-                                frame.cache,
-                                own,
-                                mirrored(frame.view, mirror, frame.scene.level),
-                                frame.inverse_projection,
-                                frame.texturing,
-                                {scratch.picture.data(), frame.out.width_px, frame.out.height_px, frame.out.width_px},
-                                limits_of(mirror, frame)};
+    FrameContext mirrored_frame{
+        .scene = frame.scene,
+        .settings = settings,
+        .cache = frame.cache,
+        .observers = own,
+        .view = mirrored(frame.view, mirror, frame.scene.level),
+        .inverse_projection = frame.inverse_projection,
+        .texturing = frame.texturing,
+        .out = {scratch.picture.data(), frame.out.width_px, frame.out.height_px, frame.out.width_px},
+        .limits = limits_of(mirror, frame),
+        .mirror = &mirror,
+        .claimer = frame.claimer};
     mirrored_frame.fog = make_frame_fog(mirrored_frame);
-    mirrored_frame.mirror = &mirror;
-    mirrored_frame.claimer = frame.claimer;
     fill_spans(flipped, 0, mirrored_frame.out);
     start_view(mirrored_frame, leaf, *scratch.view);
     scratch.view->claiming->span_buffer.reset_to(flipped);
@@ -133,11 +139,6 @@ EffectSet draw_mirrored_view(const MirrorView& mirror, LeafIndex leaf, std::span
 }
 
 }  // namespace
-
-bool is_behind(const MirrorView& mirror, const Vec3<World>& place, const Level& level) {
-    const MirrorPlane& plane = mirror.plane;
-    return is_behind(level.planes[plane.plane], plane.is_back, place - plane.offset);
-}
 
 void limit_mirrors(const FrameContext& frame, Claims& claims) {
     std::array<MirrorPlane, kMostMirrors> planes;

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "engine/base/table.h"
-#include "engine/frame/passes.h"
+#include "engine/frame/frame_plan.h"
 #include "engine/scene/level_effects.h"
 
 namespace oblong {

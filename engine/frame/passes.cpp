@@ -9,7 +9,12 @@
 #include "engine/frame/frame_counts.h"
 #include "engine/frame/frame_record.h"
 #include "engine/frame/frame_things.h"
+#include "engine/frame/mesh_pass.h"
+#include "engine/frame/mirror_pass.h"
+#include "engine/frame/see_through_pass.h"
 #include "engine/frame/shared_drawing.h"
+#include "engine/frame/surface_pass.h"
+#include "engine/frame/thing_pass.h"
 #include "engine/frame/torn_pixels.h"
 #include "engine/frame/workspace.h"
 

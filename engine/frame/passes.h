@@ -1,10 +1,10 @@
 #pragma once
 
 #include <array>
-#include <bitset>
 #include <cstdint>
 #include <string_view>
 
+#include "engine/frame/frame_plan.h"
 #include "engine/scene/level_effects.h"
 
 namespace oblong {
@@ -24,14 +24,7 @@ struct Pass {
 };
 
 /// All passes in the order in which they run; those that own pixels come first.
-inline constexpr std::size_t kPassCount = 11;
 extern const std::array<Pass, kPassCount> kPasses;
-
-/// The passes that a frame runs: those with work.
-struct FramePlan {
-    std::bitset<kPassCount> passes;  ///< by index in kPasses
-    EffectSet effects;               ///< that own pixels, also in mirrors; final when the passes have run
-};
 
 /// The pass that draws nothing but an effect, by index in kPasses; kPassCount: none.
 std::size_t pass_of(Effect effect);

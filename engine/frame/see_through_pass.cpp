@@ -1,3 +1,5 @@
+#include "engine/frame/see_through_pass.h"
+
 #include <algorithm>
 
 #include "engine/base/table.h"
@@ -6,6 +8,7 @@
 #include "engine/frame/frame_fog.h"
 #include "engine/frame/frame_things.h"
 #include "engine/frame/surface_pass.h"
+#include "engine/frame/thing_pass.h"
 #include "engine/frame/workspace.h"
 #include "engine/level/side.h"
 

@@ -257,17 +257,6 @@ void draw_bounded(const TexturedFace& face, std::span<const Span> spans, const S
 
 }  // namespace
 
-SpanTexturing make_span_texturing(const Accuracy& accuracy, const Kernels& kernels) {
-    Accuracy pixels = accuracy;
-    pixels.texturing = Texturing::Exact;
-    return {accuracy.texturing,
-            make_block_rule(accuracy),
-            block_cutter(accuracy, kernels),
-            block_cutter(pixels, kernels),
-            accuracy.reciprocal == ReciprocalMethod::Exact,
-            &kernels};
-}
-
 void set_cutting(TexturedFace& face, std::span<const Span> spans, const SpanTexturing& texturing) {
     BlockCutting& cutting = face.cutting;
     cutting.limits = face.surface.limits;

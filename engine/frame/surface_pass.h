@@ -7,6 +7,7 @@
 #include "engine/accuracy/accuracy.h"
 #include "engine/frame/claims.h"
 #include "engine/frame/observers.h"
+#include "engine/frame/span_texturing.h"
 #include "engine/raster/kernels/effect_kernels.h"
 #include "engine/raster/texture_blocks.h"
 #include "engine/scene/face_surface.h"
@@ -15,16 +16,8 @@
 
 namespace oblong {
 
-/// The dials for texturing spans, computed once a frame.
-struct SpanTexturing {
-    Texturing texturing = Texturing::Bounded;
-    BlockRule rule;
-    BlockCutter cut_blocks = nullptr;
-    BlockCutter cut_pixels = nullptr;  ///< blocks of one pixel
-    bool divides_exactly = true;       ///< false: by a table method, for which only blocks exist
-    const Kernels* kernels = nullptr;
-};
-SpanTexturing make_span_texturing(const Accuracy& accuracy, const Kernels& kernels = best_kernels());
+struct FrameContext;
+struct ViewScratch;
 
 /// How a pass draws surfaces: plain texels, or with effects (EffectTexels).
 struct SurfaceOptions {
@@ -61,15 +54,6 @@ inline TexelDensity texels_across(View z, TexelDensity least_density, WidthAtOne
                                  Rounding::Floor);
 }
 
-/// Scratch for texturing spans; one for each thread.
-struct SpanScratch {
-    /// For spans of up to `longest_px` pixels.
-    explicit SpanScratch(std::int32_t longest_px) : blocks(longest_px) {}
-
-    std::vector<Span> block_spans, pixel_spans;  ///< drawn as blocks, and pixel by pixel
-    BlockList blocks;
-};
-
 /// How and where spans are drawn.
 struct SpanTarget {
     const SpanTexturing& texturing;
@@ -82,14 +66,6 @@ struct SpanTarget {
 /// dials say so or bounded blocks would be too short. Changes only pixels, scratch and observers, so threads may
 /// call it concurrently.
 void draw_textured(const TexturedFace& face, std::span<const Span> spans, const SpanTarget& target);
-
-/// Scratch of a view's surfaces.
-struct SurfaceScratch {
-    explicit SurfaceScratch(std::int32_t longest_px) : spans(longest_px) {}
-
-    std::array<std::vector<Span>, 4> of_mip;  ///< the current face's spans by mip level
-    SpanScratch spans;
-};
 
 /// Draws spans of a face: chooses the mip level, gets the surface, makes gradients, and draws (draw_textured) or hands
 /// over to other threads (SharedDrawing).

@@ -4,6 +4,8 @@
 
 #include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"
+#include "engine/frame/claim_faces.h"
+#include "engine/frame/continued_face.h"
 #include "engine/frame/frame_context.h"
 #include "engine/frame/frame_record.h"
 #include "engine/frame/workspace.h"

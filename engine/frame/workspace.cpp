@@ -1,6 +1,8 @@
 #include "engine/frame/workspace.h"
 
 #include "engine/base/table.h"
+#include "engine/base/workers.h"
+#include "engine/frame/shared_drawing.h"
 
 namespace oblong {
 
@@ -27,5 +29,12 @@ ViewScratch::ViewScratch(const ViewScratch& outer, const ScreenMode& mode)
       claiming(outer.claiming),
       surfaces(outer.surfaces),
       effects(outer.effects) {}
+
+FrameWorkspace::FrameWorkspace(const Level& level, const ScreenMode& mode, Workers* workers)
+    : cache(level, mode), view(level, cache.faces, mode) {
+    if (workers && workers->count() > 1) shared = std::make_unique<SharedDrawing>(*workers, mode.width_px);
+}
+
+FrameWorkspace::~FrameWorkspace() = default;
 
 }  // namespace oblong

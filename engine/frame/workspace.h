@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -7,17 +8,16 @@
 #include "engine/effects/warp.h"
 #include "engine/frame/claims.h"
 #include "engine/frame/face_cover.h"
-#include "engine/frame/frame_counts.h"
-#include "engine/frame/frame_light.h"
-#include "engine/frame/frame_record.h"
+#include "engine/frame/frame_plan.h"
 #include "engine/frame/level_cache.h"
-#include "engine/frame/mirror_pass.h"
+#include "engine/frame/mirror_view.h"
 #include "engine/frame/observers.h"
-#include "engine/frame/shared_drawing.h"
-#include "engine/frame/surface_pass.h"
+#include "engine/frame/span_texturing.h"
 #include "engine/mesh/draw_mesh.h"
 #include "engine/raster/depth.h"
 #include "engine/raster/scan.h"
+#include "engine/scene/light_styles.h"
+#include "engine/scene/moving_lights.h"
 #include "engine/view/screen_polygon.h"
 #include "engine/visibility/front_to_back.h"
 #include "engine/visibility/span_buffer.h"
@@ -25,11 +25,29 @@
 
 namespace oblong {
 
+class FaceClaimer;
+class SharedDrawing;
+class Workers;
+
 /// Corners of the current face.
 struct CornerScratch {
     std::vector<VertexIndex> own;          ///< without those at T-junctions
     std::vector<Vec3<World>> world;        ///< all, then those of the part within the frame's limits
     std::vector<PlaneDistance> distances;  ///< of `world` from a limit
+};
+
+/// The light of a view.
+struct FrameLight {
+    LightStyles styles{};
+    std::vector<MovingLight> moving;  ///< lights that may touch something in view
+};
+
+/// Scratch of a view's surfaces.
+struct SurfaceScratch {
+    explicit SurfaceScratch(std::int32_t longest_px) : spans(longest_px) {}
+
+    std::array<std::vector<Span>, 4> of_mip;  ///< the current face's spans by mip level
+    SpanScratch spans;
 };
 
 /// Scratch of effects; not used by frames without them.
@@ -83,10 +101,8 @@ struct ViewScratch {
 /// Caches and scratch for frames of one level with one colormap in one mode. They never change a picture.
 struct FrameWorkspace {
     /// `level` and `workers` must outlive it. `workers` share the drawing; null: one thread draws.
-    FrameWorkspace(const Level& level, const ScreenMode& mode, Workers* workers = nullptr)
-        : cache(level, mode), view(level, cache.faces, mode) {
-        if (workers && workers->count() > 1) shared = std::make_unique<SharedDrawing>(*workers, mode.width_px);
-    }
+    FrameWorkspace(const Level& level, const ScreenMode& mode, Workers* workers = nullptr);
+    ~FrameWorkspace();
 
     LevelCache cache;
     ViewScratch view;                       ///< of the eye's view; contains that of mirrors

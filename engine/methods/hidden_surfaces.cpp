@@ -5,6 +5,7 @@
 
 #include "engine/base/table.h"
 #include "engine/frame/frame_context.h"
+#include "engine/frame/surface_pass.h"
 #include "engine/frame/workspace.h"
 #include "engine/level/side.h"
 #include "engine/methods/pixel_owners.h"

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/frame/claims.h"
+#include "engine/frame/claim_faces.h"
 #include "engine/frame/frame_counts.h"
 #include "engine/methods/pixel_owners.h"
 
