@@ -32,14 +32,8 @@ MenuPicture test_picture() {
 
 void MenuPages::open_light() {
     menu_.open([this] {
-        const auto done = [this] {
-            host_.preferences().has_set_light = true;
-            menu_.close();
-        };
         MenuPage page{"Light",
                       "Change gamma until you see three of the four squares clearly and the first one barely."};
-        page.back = done;
-        page.rows.push_back({"OK", "", "This page is also in Options, Light", done, nullptr, test_picture()});
         for (const char* name : {"gamma", "brightness", "tube-light"}) {
             page.rows.push_back(preference_row(preference_named(name)));
             page.rows.back().picture = test_picture();

@@ -216,13 +216,6 @@ KeptValue lights_value() {
     return value;
 }
 
-// Whether the page for setting the light was shown.
-KeptValue light_set_value() {
-    return on_or_off(
-        {"light-set", "Light is set", "whether the page that sets the light was shown", PreferencePage::Picture},
-        &Preferences::has_set_light);
-}
-
 // For each action, its keys and buttons.
 std::vector<KeptValue> binding_values() {
     std::vector<KeptValue> values;
@@ -272,12 +265,12 @@ const Preference& preference_named(std::string_view name) {
 }
 
 std::span<const KeptValue* const> all_kept_values() {
-    static const std::vector<KeptValue> lights{lights_value(), light_set_value()};
+    static const KeptValue lights = lights_value();
     static const std::vector<KeptValue> bindings = binding_values();
     static const std::vector<const KeptValue*> values = [] {
         std::vector<const KeptValue*> all;
         for (const Preference& preference : all_preferences()) all.push_back(&preference);
-        for (const KeptValue& light : lights) all.push_back(&light);
+        all.push_back(&lights);
         for (const KeptValue& binding : bindings) all.push_back(&binding);
         return all;
     }();

@@ -49,7 +49,7 @@ struct Preference : KeptValue {
 std::span<const Preference> all_preferences();
 /// The preference of a name, which must exist.
 const Preference& preference_named(std::string_view name);
-/// All values of the file, in its order: all preferences, "game-lights", "light-set", and for each action "bind-NAME",
+/// All values of the file, in its order: all preferences, "game-lights", and for each action "bind-NAME",
 /// its inputs.
 std::span<const KeptValue* const> all_kept_values();
 

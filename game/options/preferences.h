@@ -62,7 +62,6 @@ struct PicturePreferences {
 struct LightPreferences {
     std::map<std::string, Light> lights;  ///< by game, where it differs from light_of_new()
     std::string game = kMuseum;           ///< the current game, which light() returns the light of
-    bool has_set_light = false;           ///< the page for setting the light was shown
 
     Light light() const { return light_of(game); }
     Light light_of(const std::string& name) const {

@@ -1,6 +1,7 @@
 #include "game/options/preferences_store.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -33,6 +34,9 @@ std::string text_of_lines(const std::vector<std::string>& lines) {
     return text;
 }
 
+/// Names that earlier versions wrote.
+constexpr std::array kFormerNames{"light-set"};
+
 bool is_known(const std::string& name, const std::span<const KeptValue* const> values) {
     return std::any_of(values.begin(), values.end(), [&](const KeptValue* value) { return value->name == name; });
 }
@@ -52,7 +56,7 @@ std::vector<ReadLine> read_lines(const std::string& text, std::vector<LineFault>
         ++number;
         try {
             const std::optional<ConfigLine> set = parse_config_line(line);
-            if (!set) continue;
+            if (!set || std::find(kFormerNames.begin(), kFormerNames.end(), set->name) != kFormerNames.end()) continue;
             if (is_known(set->name, values))
                 read.push_back({number, *set});
             else

@@ -137,7 +137,6 @@ void Screens::start_title(std::shared_ptr<const LoadedLevel> loaded) {
     name_window();
     last_walk_ = saves_.is_kept() ? saves_.slots().last_walk() : std::nullopt;
     pages_.open_title();
-    if (!options_.folders.config_file.empty() && !view_options_.preferences.has_set_light) pages_.open_light();
 }
 
 // Each game has its own light. Headless frames have the museum's.

@@ -159,6 +159,30 @@ const entered = instance => {
   return {exports: {...instance.exports, main: (...words) => { main(...words).then(() => Module.arguments.length && Page.end("The program has ended."), fail); }}};
 };
 
+// The front page, where the address asks for nothing else. Its button begins the walk, or goes on with it: that is the
+// first row of the title behind it.
+const front = document.getElementById("front");
+const leaveFront = () => {
+  if (!Page.screen || Page.screen.shown === 0) return setTimeout(leaveFront, 50);
+  front.hidden = true;
+  Page.isCovered = false;
+  document.body.classList.toggle("touched", Page.hasTouch);
+  Page.canvas.focus();
+  Page.tap(Device.Key, KEYS.Enter);
+};
+const showFront = () => {
+  const play = document.getElementById("play");
+  front.hidden = false;
+  Page.isCovered = true;
+  play.focus();
+  play.addEventListener("pointerdown", event => { Page.hasTouch = event.pointerType === "touch"; });
+  play.addEventListener("click", () => {
+    play.textContent = "Loading";
+    leaveFront();
+  }, {once: true});
+};
+if (location.search === "" && !WAITS) showFront();
+
 const data = streamOf("/*@program@*/.data").then(stream => new Response(stream).arrayBuffer());
 const OWN = [/*@game@*/];
 // From the address: oblong.html?--mode%20640x480

@@ -18,6 +18,9 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 PLAYED = r'(demo\.bsp|walk\.demo|game\.json|palette\.lmp|(models|music|sounds)/.*)'
 
 
+MUSEUM = 'A museum to walk through, drawn as in 1996. Turn its dials, and see what accuracy costs.'
+
+
 def read(*path):
     with open(os.path.join(*path), 'rb') as file:
         return file.read()
@@ -135,7 +138,10 @@ def under_own_name(page, game):
     if icon:
         kind = mimetypes.guess_type(icon)[0]
         page = page.replace('href="data:,"', 'href="data:%s;base64,%s"' % (kind, base64.b64encode(picture).decode()))
-    return page.replace('<title>Oblong<', '<title>%s<' % html.escape(title))
+    title = html.escape(title)
+    page = page.replace(MUSEUM, 'A game made with Oblong.').replace(' url("/*@card@*/") center / cover', '')
+    page = re.sub('<meta property="og:image.*\n', '', page)
+    return page.replace('>Oblong<', '>%s<' % title).replace('content="Oblong"', 'content="%s"' % title)
 
 
 def main(build, assets, site, game=None):
@@ -143,7 +149,8 @@ def main(build, assets, site, game=None):
     program = 'oblong'
     if game == '--examples':
         program, game = 'examples', None
-        page = page.replace('<title>Oblong<', '<title>Examples<')
+        page = re.sub('(?s)<meta property="og:.*?<link|<main.*?</main>\n', lambda found: found[0].endswith('<link') and '<link' or '', page)
+        page = page.replace('<title>Oblong<', '<title>Examples<').replace(MUSEUM, 'Programs on the engine of Oblong')
     if game:
         page = under_own_name(page, game)
     need('tools/build --web makes', build, program + '.wasm')
@@ -160,12 +167,17 @@ def main(build, assets, site, game=None):
     inlined = ''.join('<script type="text/plain" id="%s">%s</script>\n' % (name, as_letters(content))
                       for name, content in packed.items())
     os.makedirs(site, exist_ok=True)
-    write(page.replace('<!--@files@-->', inlined).encode(), site, program + '.html')
+    icon = read(HERE, '../../assets/package/icons/oblong-64.png')
+    page = page.replace('href="data:,"', 'href="data:image/png;base64,%s"' % base64.b64encode(icon).decode())
+    card = read(HERE, '../../assets/card.png')
+    page = page.replace('/*@address@*/', os.environ.get('OBLONG_ADDRESS', '.').rstrip('/'))
+    alone = page.replace('/*@card@*/', 'data:image/png;base64,' + base64.b64encode(card).decode())
+    write(alone.replace('<!--@files@-->', inlined).encode(), site, program + '.html')
     if program == 'oblong':
-        for name, content in files.items():
+        for name, content in {**files, 'card.png': card}.items():
             write(content, site, name)
-        write(page.encode(), site, 'index.html')
-    total = sum(map(len, packed.values())) + len(gzip.compress(page.encode(), 9))
+        write(page.replace('/*@card@*/', 'card.png').encode(), site, 'index.html')
+    total = sum(map(len, packed.values())) + len(gzip.compress(alone.encode(), 9))
     print('packed: program %d, data %d, all %d bytes' % (*map(len, packed.values()), total))
 
 

@@ -64,7 +64,6 @@ class ProgramOfTheDemo : public testing::Test {
     Options keeping() const {
         Options options;
         options.folders = {path("oblong.cfg"), path("data")};
-        options.preferences.has_set_light = true;  // the page for it is not over the title
         return options;
     }
     // Of the first walk that was saved.

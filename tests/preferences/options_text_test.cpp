@@ -48,7 +48,8 @@ TEST(OptionsText, NamesBrokenLinesAndKeepsAllOthers) {
         "volume = 40\n"
         "gamma = -1\n"
         "gamma = 1e1\n"
-        "fov 100\n");
+        "fov 100\n"
+        "light-set = on\n");  // of an earlier version
     EXPECT_EQ(read.preferences.light().brightness_100, 200);
     EXPECT_EQ(read.preferences.volume_100, 40);
     EXPECT_EQ(read.preferences.music_volume_100, 20);

@@ -31,6 +31,7 @@ const Page = globalThis.Page = {
   isLockRefused: !HTMLCanvasElement.prototype.requestPointerLock,  // then the mouse turns the view while it is in the canvas
   changesFullScreen: false,
   fillsScreen: false,
+  isCovered: false,  // something else in the page has the keys
   letters: null,  // the keyboard's layout, if the browser reports it
   hasTouch: !matchMedia("(any-pointer: fine)").matches,  // touch, not a mouse, was used last
 
@@ -108,7 +109,7 @@ const Page = globalThis.Page = {
   followKeys() {
     addEventListener("keydown", event => {
       const key = KEYS[event.code];
-      if (key === undefined || event.metaKey) return;
+      if (key === undefined || event.metaKey || this.isCovered) return;
       event.preventDefault();
       if (event.code === "Escape" && this.isSecondEscape()) return;
       if (event.altKey && event.code === "Enter") {
