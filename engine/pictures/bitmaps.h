@@ -48,7 +48,7 @@ PngImage decode_bmp(std::span<const std::uint8_t> file);
 /// Whether bytes may be a TGA, which no letters mark.
 bool may_be_tga(std::span<const std::uint8_t> file);
 
-/// A TGA of any kind (Truevision 1989), compressed or not, from any of its four corners.
+/// A TGA of any kind (Truevision 1989), compressed or not, from any of its four corners, with its rows in order.
 PngImage decode_tga(std::span<const std::uint8_t> file);
 
 }  // namespace oblong

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kTgaHeadBytes = 18;
 constexpr std::uint8_t kMapped = 1, kTrueColour = 2, kGrey = 3, kPacked = 8;  ///< kinds; the last is added to them
-constexpr std::uint8_t kFromRight = 0x10, kFromTop = 0x20;
+constexpr std::uint8_t kFromRight = 0x10, kFromTop = 0x20, kInterleaved = 0xc0;
 
 struct TgaHead {
     std::uint8_t id_bytes, map_type, kind;
@@ -106,6 +106,7 @@ PngImage decode_tga(std::span<const std::uint8_t> file) {
     LittleEndianReader in(file);
     const TgaHead head = read_tga_head(in);
     check_picture_size(head.width, head.height);
+    if ((head.flags & kInterleaved) != 0) refuse_picture("a TGA whose rows are interleaved, expected them in order");
     TgaPixels pixels(head, in);
     PngImage image{head.width, head.height, {}, {}};
     image.colours.resize(pixel_count(head.width, head.height));

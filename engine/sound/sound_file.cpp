@@ -16,7 +16,8 @@ namespace {
 // Names of chunks and the format's number (RFC 2361), as little-endian integers.
 constexpr std::uint32_t kRiff = 0x4646'4952, kWave = 0x4556'4157, kFormat = 0x2074'6d66, kData = 0x6174'6164;
 constexpr std::uint16_t kPcm = 1, kExtensible = 0xfffe;
-// A program that writes into a pipe does not know a length: it leaves 0, or writes one as great as can be.
+// A program that writes into a pipe does not know a length: it leaves 0, or writes one as great as can be. And the
+// file's is as if there were no samples, or also 0 or great.
 constexpr std::uint32_t kEndless = 0x7fff'0000;
 constexpr std::uint32_t kHighestRate_hz = 192'000;
 
@@ -55,12 +56,13 @@ std::vector<std::int16_t> read_samples(std::span<const std::uint8_t> bytes, std:
 
 SoundSamples decode_wav(std::span<const std::uint8_t> file) {
     LittleEndianReader in(file, 4);
-    const bool is_open = in.next<std::uint32_t>() == 0;
+    const auto rest_of_file = in.next<std::uint32_t>();
     expect_at(8, in.rest() >= 4 && in.next<std::uint32_t>() == kWave, "no sound, expected WAVE");
     std::optional<WavFormat> format;
     while (true) {
         const std::size_t at = in.offset();
         const auto name = in.next<std::uint32_t>(), length = in.next<std::uint32_t>();
+        const bool is_open = rest_of_file >= kEndless || rest_of_file + std::size_t{8} <= in.offset();
         const bool is_endless = name == kData && (length == 0 ? is_open : length >= kEndless && length > in.rest());
         const std::span<const std::uint8_t> bytes = in.take(is_endless ? in.rest() : length);
         if (name == kFormat) format = read_format(LittleEndianReader(file.first(in.offset()), at + 8));

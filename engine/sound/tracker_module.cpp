@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t kSamples = 31, kSampleHeadBytes = 30, kTitleBytes = 20, kMostOrders = 128, kNoteBytes = 4;
 constexpr int kMostSample = 31;
+constexpr std::uint8_t kOthersRestart = 127;  // of other trackers of 4 channels, in place of an order
 constexpr std::size_t kOrderCount = kTitleBytes + kSamples * kSampleHeadBytes, kOrders = kOrderCount + 2;
 constexpr std::size_t kSignature = kOrders + kMostOrders, kPatternsAt = kSignature + 4;
 
@@ -35,11 +36,14 @@ ModuleSample sample_head(std::span<const std::uint8_t> file, std::size_t at) {
     return sample;
 }
 
-// In this format a loop of one word means no loop.
-void bound_loop(ModuleSample& sample) {
+// In this format a loop of one word means no loop. ProTracker plays all of a sample before a loop from its beginning,
+// others play no more of it than the loop.
+void bound_loop(ModuleSample& sample, bool is_whole_first) {
     sample.loop_start = std::min(sample.loop_start, sample.samples.size());
     sample.loop_length = std::min(sample.loop_length, sample.samples.size() - sample.loop_start);
     if (sample.loop_length <= 2) sample.loop_start = sample.loop_length = 0;
+    const bool is_whole = sample.loop_length == 0 || (sample.loop_start == 0 && is_whole_first);
+    sample.played = is_whole ? sample.samples.size() : sample.loop_start + sample.loop_length;
 }
 
 struct ModuleMark {
@@ -147,6 +151,18 @@ ModuleLayout layout_of(std::span<const std::uint8_t> file, ModuleLayout marked, 
     return !is_marked && misses(played) < misses(marked) ? played : marked;
 }
 
+/// Whether all notes that are played are ones that ProTracker has.
+bool are_protrackers(const TrackerModule& module) {
+    const auto is_protrackers = [](const ModuleNote& note) {
+        return note.period == 0 || (note.period >= kLeastPeriod && note.period <= kMostPeriod);
+    };
+    return std::all_of(module.orders.begin(), module.orders.end(), [&](std::size_t pattern) {
+        const std::size_t notes = kPatternRows * module.channels;
+        const std::span<const ModuleNote> played = std::span(module.notes).subspan(pattern * notes, notes);
+        return std::all_of(played.begin(), played.end(), is_protrackers);
+    });
+}
+
 /// Startrekker's 8 channels are pairs of patterns of 4, and orders count those.
 void join_pairs(TrackerModule& module) {
     for (std::uint8_t& order : module.orders) order /= 2;
@@ -216,11 +232,12 @@ TrackerModule parse_module(std::span<const std::uint8_t> file) {
         note = note_at(file, at);
         at += kNoteBytes;
     }
+    module.is_protrackers = module.channels == 4 && are_protrackers(module);
     if (is_paired) join_pairs(module);
     double_small_pannings(module.notes);
     for (ModuleSample& sample : module.samples) {
         at += read_values(sample.samples, file.subspan(at));
-        bound_loop(sample);
+        bound_loop(sample, module.is_protrackers && file[kOrderCount + 1] != kOthersRestart);
     }
     return module;
 }

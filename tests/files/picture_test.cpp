@@ -303,6 +303,9 @@ TEST(Picture, FaultsAreNamed) {
     EXPECT_TRUE(complaint_of(tga_header(2, 65535, 65535, 24)).starts_with("image: ")) << "too large";
     EXPECT_TRUE(complaint_of(tga_header(2, 0, 16, 24)).starts_with("image: "));
     EXPECT_EQ(complaint_of(tga_header(10, 16, 16, 24)), "image: the file ends within the picture, expected all of it");
+    Bytes interleaved = plain_tga(2, 4);
+    interleaved[17] = 0x40;
+    EXPECT_EQ(complaint_of(interleaved), "image: a TGA whose rows are interleaved, expected them in order");
     Bytes jpeg = bytes_of(kTwoColoursJpeg);
     Bytes wide = jpeg;
     const std::array<std::uint8_t, 2> kFrameMarker{0xff, 0xc0}, kTableMarker{0xff, 0xc4};

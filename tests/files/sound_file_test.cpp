@@ -95,8 +95,8 @@ TEST(Wav, HeadsOfPipesAndOfLaterProgramsAreRead) {
     for (const std::string& file :
          {wav(extensible(1) + chunk("data", samples)),
           wav(extensible(1) + chunk("fact", "abcd") + chunk("data", samples)), piped(0xffff'ffff, 0xffff'ffff),
-          piped(0, 0), piped(0x7fff'f024, 0x7fff'f000), piped(0, 4), piped(0, 0) + "a",
-          wav(head + chunk("odd ", "a") + chunk("data", samples + "a") + chunk("LIST", "abc"))})
+          piped(0, 0), piped(0x7fff'f024, 0x7fff'f000), piped(0, 4), piped(0, 0) + "a", piped(36, 0),
+          piped(0xffff'ffff, 0), wav(head + chunk("odd ", "a") + chunk("data", samples + "a") + chunk("LIST", "abc"))})
         EXPECT_EQ(decoded(file).samples, (std::vector<std::int16_t>{1, -2}));
 }
 
@@ -113,6 +113,8 @@ TEST(Wav, FaultsAreNamedWithTheirOffset) {
              Case{wav(format(1, 1, 8000, 24) + data), "offset 34: 24 bits a sample, expected 8 or 16"},
              Case{wav(data), "offset 12: samples, expected the chunk \"fmt \" before them"},
              Case{wav(format(1, 1, 8000, 16) + chunk("data", "")), "offset 40: no samples, expected one or more"},
+             Case{wav(format(1, 1, 8000, 16) + chunk("data", "") + chunk("LIST", "abc")),
+                  "offset 40: no samples, expected one or more"},
              Case{wav(format(1, 1, 8000, 16)), "offset 36: 0 bytes are left, expected 4"},
              Case{wav(format(1, 1, 8000, 16) + data).substr(0, 46), "offset 44: 2 bytes are left, expected 4"},
              Case{wav(chunk("fmt ", "ab")), "offset 22: 0 bytes are left, expected 2"},

@@ -98,6 +98,18 @@ TEST_F(Program, TexturesComeFromWhatTheWorldspawnNames) {
          {"line 3: warning: \"wad\" names 'gone.wad', which is not at ", "\"wad\" names 'lost'",
           "line 5: warning: texture 'wall' is not in any of the WAD files"})
         EXPECT_EQ(count_of(said_, part), 1) << part << ", in " << said_;
+    // One odd picture leaves the others of its folder, and one odd source the others of the list.
+    fs::create_directories(path("none"));
+    write_file(path("sub/odd.png"), encode_indexed_png(std::vector<std::uint8_t>(480, 96), 30, 16, {}));
+    write_file(path("odd.wad"), std::string("WAD3"));
+    write_file(path("named.map"), source("odd.wad;none;sub"));
+    EXPECT_EQ(run(path("named.map") + out), 0) << said_;
+    for (const std::string& part : {"line 3: warning: " + path("odd.wad") + ": header: ",
+                                    "line 3: warning: " + path("none") + ": folder: has no pictures",
+                                    "line 3: warning: " + path("sub/odd.png") + ": image: 30x16, expected multiples"})
+        EXPECT_EQ(count_of(said_, part), 1) << part << ", in " << said_;
+    EXPECT_EQ(said_.find("texture 'wall'"), said_.npos) << said_;
+    EXPECT_EQ(run(path("named.map") + out + " --wad " + path("odd.wad")), 1);
     EXPECT_EQ(run(path("named.map") + out + " --wad " + path("gone.wad")), 1) << "what one asks for must be there";
     EXPECT_EQ(run(path("named.map") + out + " --wad " + path("t.wad")), 0) << said_;
 }

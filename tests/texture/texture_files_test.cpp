@@ -145,6 +145,23 @@ TEST_F(TextureFiles, OddTexturesOfAWadAreNamedAndTheRestIsUnpacked) {
     EXPECT_FALSE(std::filesystem::exists(path("none")));
 }
 
+TEST_F(TextureFiles, OddPicturesAreNamedAndTheRestIsPacked) {
+    std::filesystem::create_directories(path("all"));
+    write_png("all/wall.png", 16, 16);
+    const std::string odd = write_png("all/odd.png", 30, 16), broken = write("all/broken.bmp", {'B', 'M'}),
+                      name = write_png("all/sixteen_letters_.png", 16, 16);
+    EXPECT_EQ(pack_textures({path("all")}, {}, path("out.wad"), palette_),
+              (TextureWarnings{broken + ": image: the file ends within the picture, expected all of it",
+                               odd + ": image: 30x16, expected multiples of 16 up to 4096",
+                               name + ": name: 'sixteen_letters_' has 16 characters, expected 1 to 15 of a texture's "
+                                      "name"}));
+    const auto wad = read_file(path("out.wad"));
+    const auto textures = read_wad(wad);
+    ASSERT_EQ(textures.size(), 1u);
+    EXPECT_EQ(textures[0].name, "wall");
+    EXPECT_NE(complaint_of_packing({path("all"), path("absent.png")}).find("absent.png: open: "), std::string::npos);
+}
+
 TEST_F(TextureFiles, NoneIsUnpackedOverAnother) {
     const auto texture = [&](const std::string& name, int seed) {
         return make_mip_texture(name, 16, 16, test::scattered_texels(256, seed), palette_);

@@ -37,14 +37,14 @@ std::string palette_of(const TextureSources& sources, const std::string& folder,
 }
 
 Wad read_source(const TextureSources& sources, const std::string& path, const char* called_as,
-                std::vector<std::string>& files) {
+                std::vector<std::string>& files, TextureWarnings& warnings) {
     files.push_back(path);
     if (!fs::is_directory(path)) return naming_file(path, [&] { return Wad(read_text(path)); });
     const std::vector<std::string> pictures = pictures_in(path);
     files.insert(files.end(), pictures.begin(), pictures.end());
     if (pictures.empty()) throw FileError(path, "folder", "has no pictures, expected PNG, TGA, JPEG or BMP files");
     const Palette palette = read_parsed(palette_of(sources, path, called_as), read_palette);
-    const auto bytes = packed_textures(pictures, sources.glowing, palette, parse_dither(sources.dither));
+    const auto bytes = packed_textures(pictures, sources.glowing, palette, parse_dither(sources.dither), warnings);
     return Wad(std::string(bytes.begin(), bytes.end()));
 }
 
@@ -102,9 +102,16 @@ std::vector<Wad> read_texture_sources(const TextureSources& sources, const MapEn
     for (const std::string& path : sources.wads) named.push_back({path, path});
     if (named.empty()) named = named_sources(world, map_path, called_as, files, warnings);
     for (const NamedSource& each : named) {
-        wads.push_back(read_source(sources, each.path, called_as, files));
-        wads.back().source = each.name;
-        wads.back().line = each.line;
+        TextureWarnings odd;
+        try {
+            wads.push_back(read_source(sources, each.path, called_as, files, odd));
+            wads.back().source = each.name;
+            wads.back().line = each.line;
+        } catch (const FileError& fault) {
+            if (each.line == 0) throw;  // named on the command line
+            odd.emplace_back(fault.what());
+        }
+        for (const std::string& what : odd) warnings.add(each.line > 0 ? each.line : world.line, what);
     }
     for (const std::string& name : sources.glowing)
         if (std::none_of(wads.begin(), wads.end(),

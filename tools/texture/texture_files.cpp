@@ -32,16 +32,18 @@ namespace {
 constexpr std::int32_t kRampCellWidth_px = 8, kRampCellHeight_px = 4;
 
 /// "any/folder/#water.png" -> "*water": the file's name without folder and ending, a leading '#' stands for the '*' of
-/// liquids, which is unsafe in file names. Throws InputError unless 1 to 15 characters are left.
+/// liquids, which is unsafe in file names.
 std::string texture_name_of_file(const std::string& path) {
-    constexpr std::size_t kLongestName = 15;
     std::string name = std::filesystem::path(path).stem().string();
-    if (name.empty() || name.size() > kLongestName) {
+    if (name.starts_with('#')) name[0] = '*';
+    return name;
+}
+
+void check_texture_name(const std::string& name) {
+    constexpr std::size_t kLongestName = 15;
+    if (name.empty() || name.size() > kLongestName)
         throw InputError("name", "'" + name + "' has " + std::to_string(name.size()) +
                                      " characters, expected 1 to 15 of a texture's name");
-    }
-    if (name[0] == '#') name[0] = '*';
-    return name;
 }
 
 std::vector<std::uint8_t> texels_of(const PngImage& image, const std::string& name, const Palette& palette,
@@ -63,7 +65,7 @@ std::vector<std::uint8_t> texels_of(const PngImage& image, const std::string& na
 std::map<std::string, std::string> files_by_name(const std::vector<std::string>& picture_paths) {
     std::map<std::string, std::string> files;
     for (const std::string& path : picture_paths) {
-        const std::string name = naming_file(path, [&] { return texture_name_of_file(path); });
+        const std::string name = texture_name_of_file(path);
         const auto [other, is_new] = files.emplace(lower_case(name), path);
         if (!is_new)
             throw FileError(
@@ -94,21 +96,40 @@ std::vector<std::string> files_of_paths(const std::vector<std::string>& paths) {
     return files;
 }
 
+MipTexture picture_texture(const std::string& path, std::span<const std::uint8_t> bytes, const Palette& palette,
+                           PngColours colours) {
+    return naming_file(path, [&] {
+        const std::string name = texture_name_of_file(path);
+        check_texture_name(name);
+        const PngImage image = decode_picture(bytes);
+        check_texture_size(image.width_px, image.height_px, "image");
+        return make_mip_texture(name, image.width_px, image.height_px, texels_of(image, name, palette, colours),
+                                palette);
+    });
+}
+
+/// Warns of pictures that are no textures; throws if none is one.
 std::vector<MipTexture> read_pictures(const std::vector<std::string>& files, const std::vector<std::string>& glowing,
-                                      const Palette& palette, Dither dither) {
+                                      const Palette& palette, Dither dither, TextureWarnings& warnings) {
     const std::map<std::string, std::string> by_name = files_by_name(files);
     std::set<std::string> glowing_files;
     for (const std::string& name : glowing)
         if (const auto file = by_name.find(lower_case(name)); file != by_name.end()) glowing_files.insert(file->second);
     std::vector<MipTexture> textures;
-    for (const std::string& path : files)
-        textures.push_back(read_png_texture(path, palette, {glowing_files.contains(path), dither}));
+    for (const std::string& path : files) {
+        const std::vector<std::uint8_t> bytes = read_file(path);
+        try {
+            textures.push_back(picture_texture(path, bytes, palette, {glowing_files.contains(path), dither}));
+        } catch (const FileError& fault) {
+            if (path == files.back() && textures.empty()) throw;
+            warnings.emplace_back(fault.what());
+        }
+    }
     return textures;
 }
 
 /// What a level of these textures would not show as meant.
-TextureWarnings warnings_of(std::vector<MipTexture> textures) {
-    TextureWarnings warnings;
+void warn_of(std::vector<MipTexture> textures, TextureWarnings& warnings) {
     Level level;
     level.textures.assign(std::make_move_iterator(textures.begin()), std::make_move_iterator(textures.end()));
     TextureAnimations(level, warnings);
@@ -117,7 +138,6 @@ TextureWarnings warnings_of(std::vector<MipTexture> textures) {
             warnings.push_back("sky '" + texture.name + "': " + std::to_string(texture.width) + "x" +
                                std::to_string(texture.height) +
                                ", expected two squares side by side, such as 256x128; it is of one colour");
-    return warnings;
 }
 
 std::vector<MipTexture> textures_of_archive(std::span<const std::uint8_t> file, TextureWarnings& warnings) {
@@ -190,13 +210,7 @@ std::vector<std::uint8_t> shrink(const MipTexture& texture, const Palette& palet
 }  // namespace
 
 MipTexture read_png_texture(const std::string& path, const Palette& palette, PngColours colours) {
-    return read_parsed(path, [&](std::span<const std::uint8_t> bytes) {
-        const std::string name = texture_name_of_file(path);
-        const PngImage image = decode_picture(bytes);
-        check_texture_size(image.width_px, image.height_px, "image");
-        return make_mip_texture(name, image.width_px, image.height_px, texels_of(image, name, palette, colours),
-                                palette);
-    });
+    return picture_texture(path, read_file(path), palette, colours);
 }
 
 Dither parse_dither(const std::string& text) {
@@ -206,8 +220,8 @@ Dither parse_dither(const std::string& text) {
 
 std::vector<std::uint8_t> packed_textures(const std::vector<std::string>& picture_paths,
                                           const std::vector<std::string>& glowing, const Palette& palette,
-                                          Dither dither) {
-    return write_wad(read_pictures(picture_paths, glowing, palette, dither));
+                                          Dither dither, TextureWarnings& warnings) {
+    return write_wad(read_pictures(picture_paths, glowing, palette, dither, warnings));
 }
 
 TextureWarnings pack_textures(const std::vector<std::string>& paths, const std::vector<std::string>& glowing,
@@ -219,9 +233,11 @@ TextureWarnings pack_textures(const std::vector<std::string>& paths, const std::
             throw UsageError("--glow: '" + name + "', expected the name of one of the textures");
     check_writable(wad_path);
     check_replaces_only("-o", wad_path, "WAD", {"WAD2"});
-    std::vector<MipTexture> textures = read_pictures(pictures, glowing, palette, dither);
+    TextureWarnings warnings;
+    std::vector<MipTexture> textures = read_pictures(pictures, glowing, palette, dither, warnings);
     write_file(wad_path, write_wad(textures));
-    return warnings_of(std::move(textures));
+    warn_of(std::move(textures), warnings);
+    return warnings;
 }
 
 TextureWarnings unpack_textures(const std::string& archive_path, const std::string& folder, const Palette& palette) {

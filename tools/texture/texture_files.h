@@ -27,16 +27,17 @@ Dither parse_dither(const std::string& text);
 /// Transparent pixels become holes in a texture whose name begins with '{'; in any other they are an error.
 MipTexture read_png_texture(const std::string& path, const Palette& palette, PngColours colours = {});
 
-/// The bytes of a WAD of pictures: those named in `glowing` may use glowing colours. Two pictures with the same name,
-/// ignoring case, are an error.
-std::vector<std::uint8_t> packed_textures(const std::vector<std::string>& picture_paths,
-                                          const std::vector<std::string>& glowing, const Palette& palette,
-                                          Dither dither = Dither::None);
-
 using TextureWarnings = std::vector<std::string>;
 
+/// The bytes of a WAD of pictures: those named in `glowing` may use glowing colours. Warns of pictures that are no
+/// textures, as read_png_texture() reads them; if none is left, that is an error, as two of one name are, ignoring
+/// case.
+std::vector<std::uint8_t> packed_textures(const std::vector<std::string>& picture_paths,
+                                          const std::vector<std::string>& glowing, const Palette& palette,
+                                          Dither dither, TextureWarnings& warnings);
+
 /// `pack`: writes such a WAD; a folder stands for all pictures in it. Throws UsageError if a name in `glowing` is not
-/// among them. Warns of animations that stand still and of skies of one colour.
+/// among them. Warns of animations that stand still and of skies of one colour, too.
 TextureWarnings pack_textures(const std::vector<std::string>& paths, const std::vector<std::string>& glowing,
                               const std::string& wad_path, const Palette& palette, Dither dither = Dither::None);
 
