@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "engine/base/table.h"
+#include "engine/frame/passes.h"
 
 namespace oblong {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/base/table.h"
+#include "engine/frame/frame_record.h"
 #include "engine/frame/wireframe.h"
 #include "game/simulation/items.h"
 

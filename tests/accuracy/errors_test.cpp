@@ -7,6 +7,8 @@
 #include <set>
 
 #include "engine/frame/frame.h"
+#include "engine/frame/frame_counts.h"
+#include "engine/frame/frame_record.h"
 #include "engine/frame/workspace.h"
 #include "engine/io/files.h"
 #include "tests/accuracy/scenes_fixture.h"

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/frame/passes.h"
 #include "tests/frame/frame_fixture.h"
 
 namespace oblong::test {

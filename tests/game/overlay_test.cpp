@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/draw/drawing.h"
+#include "engine/frame/passes.h"
 #include "game/lab/aspects.h"
 #include "game/lab/lab.h"
 #include "game/menu/menu_layout.h"

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "engine/frame/frame_counts.h"
+#include "engine/frame/frame_record.h"
 #include "engine/frame/workspace.h"
 
 namespace oblong::test {

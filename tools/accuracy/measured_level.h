@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "engine/frame/frame.h"
+#include "engine/frame/frame_counts.h"
+#include "engine/frame/frame_record.h"
 #include "engine/frame/workspace.h"
 #include "engine/level/level.h"
 #include "engine/scene/placed_models.h"

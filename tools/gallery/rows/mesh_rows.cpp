@@ -7,6 +7,7 @@
 
 #include "engine/draw/drawing.h"
 #include "engine/fixed/trig.h"
+#include "engine/frame/frame_counts.h"
 #include "tools/gallery/mesh_scene.h"
 #include "tools/gallery/row.h"
 #include "tools/gallery/sketch.h"

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "engine/fixed/trig.h"
+#include "engine/frame/frame_counts.h"
 #include "engine/view/views.h"
 #include "tools/gallery/row.h"
 #include "tools/gallery/sketch.h"

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/draw/drawing.h"
+#include "engine/frame/frame_record.h"
 #include "engine/math/matrix.h"
 #include "engine/methods/transforms.h"
 #include "engine/view/views.h"
