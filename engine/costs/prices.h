@@ -79,7 +79,7 @@ inline constexpr std::array<EventPrice, kEventCount> kPrices{{
     {"texel-bounded blocks", {1785, 3542, 16736, 10475, 6626}},
     {"exact blocks", {719, 1114, 4524, 2319, 1704}},
     {"odd blocks", {195, 692, 2275, 1371, 906}},
-    {"divisions", {483, 853, 3954, 2585, 2029}},
+    {"block divisions", {483, 853, 3954, 2585, 2029}},
     {"table lookups", {598, 1114, 4517, 2796, 1882}},
     {"Newton steps", {91, 174, 1111, 1075, 497}},
     {"second Newton steps", {104, 468, 2405, 2062, 1144}},

@@ -73,7 +73,9 @@ void draw_face(const VisibleFace& claimed, const FrameContext& frame, ViewScratc
     const Level& level = frame.scene.level;
     const FaceIndex face = claimed.face;
     const bool is_liquid = frame.cache.faces[face].effects.has(Effect::Liquid);
-    const Stopwatch watch(frame.observers.times, is_liquid ? Effect::Translucency : Effect::Fence);
+    PassTimes* const times = frame.observers.times;
+    const Stopwatch watch(times, is_liquid ? Effect::Translucency : Effect::Fence);
+    const Stopwatch of_liquid(is_liquid ? times : nullptr, Effect::Liquid);
     SurfaceOptions drawing;
     drawing.is_plain = drawing.is_observed = false;  // counts and records are of what is behind these faces
     drawing.traits.warps = drawing.traits.blends = is_liquid;

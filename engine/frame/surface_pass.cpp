@@ -28,21 +28,22 @@ TextureIndex texture_now(const VisibleFace& face, const FrameContext& frame) {
                                           frame.scene.time_ms);
 }
 
-/// The effect for which a face's surface is built again; none if it never changes.
-std::optional<Effect> reason_to_build(const VisibleFace& face, const FrameContext& frame, const Claims& claims) {
+/// The effects for which a face's surface is built again; none if it never changes.
+EffectSet reasons_to_build(const VisibleFace& face, const FrameContext& frame, const Claims& claims) {
     LevelCache& cache = frame.cache;
     const EffectSet effects = cache.faces[face.face].effects & claims.effects;
-    if (claims.effects.has(Effect::Lights) && cache.surfaces.is_touched(face.face, frame.offset_of(face)))
-        return Effect::Lights;
-    if (effects.has(Effect::Styles)) return Effect::Styles;
-    if (effects.has(Effect::AnimatedTextures)) return Effect::AnimatedTextures;
-    return std::nullopt;
+    const bool is_lit =
+        claims.effects.has(Effect::Lights) && cache.surfaces.is_touched(face.face, frame.offset_of(face));
+    return is_lit ? effects.with(Effect::Lights) : effects;
 }
 
 FaceSurface surface_of(const VisibleFace& face, int mip, const FrameContext& frame, const ViewScratch& scratch) {
     PassTimes* const times = frame.observers.times;
-    const std::optional<Effect> reason = times ? reason_to_build(face, frame, scratch.claims) : std::nullopt;
-    const Stopwatch of_effect(reason ? times : nullptr, reason.value_or(Effect::Styles));
+    const EffectSet reasons = times ? reasons_to_build(face, frame, scratch.claims) : EffectSet{};
+    const auto watched = [&](Effect effect) { return reasons.has(effect) ? times : nullptr; };
+    const Stopwatch of_lights(watched(Effect::Lights), Effect::Lights),
+        of_styles(watched(Effect::Styles), Effect::Styles),
+        of_animation(watched(Effect::AnimatedTextures), Effect::AnimatedTextures);
     return frame.cache.surfaces.get(face.face, mip,
                                     {scratch.light.styles, texture_now(face, frame), frame.offset_of(face)});
 }

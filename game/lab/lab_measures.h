@@ -24,7 +24,7 @@ class ErrorMeter {
     /// The error of each pixel; empty if there is a problem.
     std::vector<TexelError> measure(const GameView& view, const Settings& settings, GameRenderer& renderer);
     /// The pixels of a wrong face; none if there is a problem, or the view is not the one of the last call: what it
-    /// should show takes too long to find while the player moves.
+    /// should show takes too long to find while the player, or a model in sight, moves.
     std::optional<std::int64_t> count_wrong_faces(const GameView& view, const Settings& settings,
                                                   GameRenderer& renderer);
     /// Why nothing can be measured in a view; empty if it can.
@@ -37,6 +37,7 @@ class ErrorMeter {
     // Of the last call of count_wrong_faces().
     ViewSpec view_;
     std::vector<PlacedModel> models_;
+    std::vector<bool> in_sight_;  // of these, since the view is this one
     bool corrects_aspect_ = false;
     std::vector<std::int32_t> faces_;  // that pixels should show; empty: not found yet
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "engine/base/table.h"
 #include "game/lab/aspects.h"
@@ -48,6 +49,21 @@ std::string zoom(bool is_narrower, ViewOptions& options) {
 std::string toggle(bool& is_on, const char* on = "", const char* off = "") {
     is_on = !is_on;
     return is_on ? on : off;
+}
+
+// What a key shows is seen: the four aspects, which cover the whole picture, end.
+void uncover(Action command, ViewOptions& options) {
+    constexpr std::array kCovered{Action::FrameCost, Action::Inspect,     Action::Log,      Action::Automap,
+                                  Action::Wireframe, Action::AspectGuide, Action::LabPanel, Action::ErrorMap,
+                                  Action::SplitView, Action::FlipSettings};
+    if (std::find(kCovered.begin(), kCovered.end(), command) != kCovered.end()) options.shows_four_aspects = false;
+}
+
+// The map's next view; the lab's panel, which covers the map, makes room for it.
+const char* turn_map(ViewOptions& options) {
+    const bool was_covered = std::exchange(options.lab.shows_panel, false);
+    if (!was_covered || options.map == MapView::Off) options.map = next_of(options.map, kMapViewCount);
+    return item(kMapMessages, options.map);
 }
 
 // The shape of a sphere in the middle of the picture, in the window.
@@ -144,6 +160,7 @@ PresentRect shown_rect(const PicturePreferences& preferences, WindowSize window)
 
 std::string apply(Action command, ViewOptions& options, WindowSize window) {
     Preferences& preferences = options.preferences;
+    uncover(command, options);
     switch (command) {
         case Action::FrameCost:
             ++options.cost_page;
@@ -178,8 +195,7 @@ std::string apply(Action command, ViewOptions& options, WindowSize window) {
             options.log = next_channels(options.log);
             return "{log} Log: " + names_of(options.log) + (options.log.is_empty() ? "" : ", also on standard error");
         case Action::Automap:
-            options.map = next_of(options.map, kMapViewCount);
-            return item(kMapMessages, options.map);
+            return turn_map(options);
         case Action::Wireframe:
             options.wireframe = next_of(options.wireframe, kWireframeCount);
             return item(kWireframeMessages, options.wireframe);

@@ -87,7 +87,7 @@ TEST(Costs, EventsAreApartByTheSettingsThatDoOtherWorkForThem) {
     other.light = LightSampling::Nearest;
     other.reciprocal = ReciprocalMethod::Table256Newton;
     for (const auto& [name, expected] : {std::pair<const char*, std::int64_t>{"lit texels", stages.lit_texels},
-                                         {"divisions", counts.divisions - stages.exact_divisions}}) {
+                                         {"block divisions", counts.divisions - stages.exact_divisions}}) {
         EXPECT_EQ(events_named(name, counts, {}), expected) << name;
         EXPECT_EQ(events_named(name, counts, other), 0) << name;
     }

@@ -108,6 +108,22 @@ TEST(PlanOfRealLevels, HardCaseP5_HoldsTheEffectsThatOwnPixelsAndNothingElseInEv
     RecordProperty("frames_with_an_empty_plan", empty);
 }
 
+TEST(PlanOfRealLevels, GivesTheSamePictureByItsEffectsAlone) {
+    OBLONG_NEEDS_SHARED_LEVELS();
+    for (const std::string name : kRealLevels) {
+        const Palette palette = read_palette(read_shared_file("gfx/palette.lmp"));
+        EffectStage stage(read_bsp(read_shared_file(name + ".bsp")), {}, make_colormap(palette));
+        for (const Camera& camera :
+             parse_cameras(read_shared_file("cameras/" + name + ".csv"), Degrees::from_int(90))) {
+            stage.camera = camera;
+            stage.settings.allowed_effects = EffectSet::all();
+            const Picture all = stage.draw(1'234);
+            stage.settings.allowed_effects = stage.work.plan.effects;
+            ASSERT_EQ(changed_pixels(stage.draw(1'234), all), 0) << name;
+        }
+    }
+}
+
 constexpr int kDirections = 72;
 
 /// What frames did for effects that own no pixel of them, in all.
@@ -196,6 +212,35 @@ TEST_F(DemoAllAround, ThePlansEffectsAloneGiveTheSamePicture) {
                 << "camera " << &camera - cameras_.data() << ", direction " << direction;
         }
     EXPECT_GT(mirrored, 10);
+}
+
+/// A clock by which whatever is timed takes time; steps grow, as what is sampled leaves out the time to read the clock.
+std::int64_t growing_ns() {
+    static std::int64_t now_ns = 0, step_ns = 0;
+    return now_ns += ++step_ns;
+}
+
+TEST_F(DemoAllAround, EachListedEffectHasPixelsAndTime) {
+    place_models(models_, 0, {}, meshes_);
+    EffectSet listed;
+    for (const Camera& camera : cameras_)
+        for (int direction = 0; direction < kDirections; direction += 8) {
+            work_.count();
+            PassTimes times{growing_ns};
+            work_.observers.times = &times;
+            draw(camera, direction);
+            listed = listed | work_.plan.effects;
+            for (std::size_t i = 0; i < kEffectCount; ++i) {
+                const auto effect = static_cast<Effect>(i);
+                if (!work_.plan.effects.has(effect)) continue;
+                SCOPED_TRACE(std::string(kEffectNames[i]) + ", camera " + std::to_string(&camera - cameras_.data()) +
+                             ", direction " + std::to_string(direction));
+                const std::size_t pass = pass_of(effect);
+                EXPECT_GT(work_.counts.of(effect), 0);
+                EXPECT_GT(times.effects_ns[i] + (pass < kPassCount ? times.passes_ns[pass] : 0), 0);
+            }
+        }
+    EXPECT_EQ(listed, EffectSet::all());
 }
 
 /// A view in which only one thing calls for an effect, and no wall.

@@ -7,6 +7,7 @@
 
 #include "engine/accuracy/accuracy.h"
 #include "game/level/load.h"
+#include "game/simulation/step.h"
 #include "tests/support/folders.h"
 
 namespace oblong {
@@ -89,6 +90,24 @@ TEST_F(LabMeasure, WrongFacesAreCountedWhereThePlayerStands) {
     EXPECT_LT(wrong, 3000);
     state_.player.yaw = state_.player.yaw + degrees_to_angle(Degrees::from_int(1));
     EXPECT_FALSE(counted(coarse));
+}
+
+// Scales in another room, behind the player, settle at that time.
+TEST_F(LabMeasure, WrongFacesAreCountedWhateverMovesOutOfSight) {
+    const Accuracy exact = accuracy_of(Preset::Exact);
+    const auto wait = [&](int ticks) {
+        const std::vector<PlacedModel> before = placed_models(level_, {state_, state_});
+        for (int tick = 0; tick < ticks; ++tick) step(level_, state_, {});
+        return placed_models(level_, {state_, state_}) != before;
+    };
+    state_.player.yaw = state_.player.yaw + degrees_to_angle(Degrees::from_int(180));
+    wait(516);
+    round(exact, exact);
+    for (int i = 0; i < 3; ++i) {
+        ASSERT_TRUE(wait(12)) << "nothing moves";
+        round(exact, exact);
+        EXPECT_EQ(measures_.figures().wrong_faces, 0) << i;
+    }
 }
 
 TEST_F(LabMeasure, TimesStayWithTheirSettings) {

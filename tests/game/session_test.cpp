@@ -129,6 +129,18 @@ TEST_F(SessionOfTheDemo, MapAndEdgesAreOnBothSidesOfASplitPicture) {
     EXPECT_NE(halves, whole);
 }
 
+TEST_F(SessionOfTheDemo, WhatAKeyShowsIsSeenWhateverWasOpen) {
+    const auto is_seen = [&](Action open, Action asked) {
+        const Picture before = play({{1, {open}}})[12], after = play({{1, {open}}, {10, {asked}}})[12];
+        constexpr std::ptrdiff_t kTop = 320 * 40, kEnd = 320 * 80;  // below messages, above the lab's panel
+        return !std::equal(before.begin() + kTop, before.begin() + kEnd, after.begin() + kTop);
+    };
+    EXPECT_TRUE(is_seen(kPanel, Action::Automap));
+    for (const Action asked : {Action::Automap, Action::Wireframe, Action::FrameCost, Action::Inspect, Action::Log,
+                               kGuide, kPanel, kMap, kSplit, kFlip})
+        EXPECT_TRUE(is_seen(kFour, asked)) << static_cast<int>(asked);
+}
+
 class UprightWindow final : public Platform {
   public:
     bool is_open() const override { return true; }
