@@ -3,6 +3,7 @@
 #include <cmath>
 #include <exception>
 
+#include "engine/frame/frame_record.h"
 #include "engine/io/files.h"
 #include "engine/view/views.h"
 

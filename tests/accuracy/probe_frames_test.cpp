@@ -8,6 +8,7 @@
 #include <sstream>
 #include <tuple>
 
+#include "engine/frame/frame_record.h"
 #include "tests/accuracy/scenes_fixture.h"
 #include "tests/support/random.h"
 #include "tests/support/reference_polygons.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "engine/frame/passes.h"
 #include "tests/support/palettes.h"
 #include "tools/map/compile.h"
 

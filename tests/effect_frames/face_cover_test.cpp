@@ -1,5 +1,6 @@
 // What faces leave open to things, against the owner and depth of each pixel of demo frames.
 
+#include "engine/frame/claim_faces.h"
 #include "engine/frame/face_cover.h"
 
 #include <gtest/gtest.h>

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "engine/frame/mirror_pass.h"
 #include "tests/effect_frames/effect_stage.h"
 
 namespace oblong::test {

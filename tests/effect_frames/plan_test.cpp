@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <set>
 
+#include "engine/frame/frame_record.h"
+#include "engine/frame/passes.h"
 #include "engine/level/bsp_read.h"
 #include "engine/models/level_models.h"
 #include "engine/surface/palette.h"

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "engine/accuracy/accuracy.h"
+#include "engine/frame/frame_record.h"
 #include "tests/frame/holes.h"
 #include "tests/support/views.h"
 

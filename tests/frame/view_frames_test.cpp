@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/frame/frame_record.h"
 #include "engine/view/views.h"
 #include "tests/frame/holes.h"
 #include "tests/support/random.h"

@@ -1,5 +1,6 @@
 // The edges over a frame of the demo level, held against doubles.
 
+#include "engine/frame/frame_record.h"
 #include "engine/frame/wireframe.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+#include "engine/frame/frame_record.h"
 #include "tools/measure/texel_error.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 // The methods of hidden-surface removal, held against each other on the same scenes: small random worlds, a door,
 // glass.
 
+#include "engine/frame/frame_record.h"
 #include "engine/methods/hidden_surfaces.h"
 
 #include <algorithm>

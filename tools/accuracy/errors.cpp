@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "engine/base/table.h"
+#include "engine/frame/frame_record.h"
 
 namespace oblong {
 

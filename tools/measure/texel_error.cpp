@@ -1,5 +1,7 @@
 #include "tools/measure/texel_error.h"
 
+#include "engine/frame/frame_record.h"
+
 #include <algorithm>
 #include <cmath>
 

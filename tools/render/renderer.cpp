@@ -10,6 +10,7 @@
 
 #include "engine/accuracy/accuracy.h"
 #include "engine/base/table.h"
+#include "engine/frame/frame_counts.h"
 #include "engine/io/doubles.h"
 #include "engine/view/screen.h"
 

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "engine/frame/frame.h"
+#include "engine/frame/frame_counts.h"
 #include "engine/frame/workspace.h"
 #include "engine/io/files.h"
 #include "engine/level/bsp_read.h"
