@@ -166,7 +166,6 @@ const leaveFront = () => {
   if (!Page.screen || Page.screen.shown === 0) return setTimeout(leaveFront, 50);
   front.hidden = true;
   Page.isCovered = false;
-  document.body.classList.toggle("touched", Page.hasTouch);
   Page.canvas.focus();
   Page.tap(Device.Key, KEYS.Enter);
 };
@@ -175,7 +174,10 @@ const showFront = () => {
   front.hidden = false;
   Page.isCovered = true;
   play.focus();
-  play.addEventListener("pointerdown", event => { Page.hasTouch = event.pointerType === "touch"; });
+  play.addEventListener("pointerdown", event => {
+    Page.hasTouch = event.pointerType === "touch";
+    document.body.classList.toggle("touched", Page.hasTouch);
+  });
   play.addEventListener("click", () => {
     play.textContent = "Loading";
     leaveFront();
