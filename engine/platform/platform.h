@@ -37,8 +37,8 @@ class Platform {
     /// Sets whether the mouse turns the view and cannot leave the window, or points at a menu. A change releases keys
     /// and buttons, so that presses in a menu do not reach the game.
     virtual void capture_mouse(bool /*is_captured*/) {}
-    /// The name of an input on the player's own keyboard or gamepad, in printable ASCII; if unknown, name_of(). Empty if
-    /// a touch screen is in use that has no button for it.
+    /// The name of an input on the player's own keyboard or gamepad, in printable ASCII; if unknown, name_of(). Empty
+    /// if a touch screen is in use that has no button for it.
     virtual std::string local_name_of(Input input) const { return name_of(input); }
     /// Takes effect at the next picture. May be called each frame: without changes it costs nothing.
     virtual void change_window(const WindowSettings&) {}

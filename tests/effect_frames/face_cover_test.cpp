@@ -1,12 +1,12 @@
 // What faces leave open to things, against the owner and depth of each pixel of demo frames.
 
-#include "engine/frame/claim_faces.h"
 #include "engine/frame/face_cover.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
+#include "engine/frame/claim_faces.h"
 #include "engine/frame/frame_context.h"
 #include "engine/frame/surface_pass.h"
 #include "engine/frame/workspace.h"

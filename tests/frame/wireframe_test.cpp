@@ -1,6 +1,5 @@
 // The edges over a frame of the demo level, held against doubles.
 
-#include "engine/frame/frame_record.h"
 #include "engine/frame/wireframe.h"
 
 #include <gtest/gtest.h>
@@ -10,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/frame/frame_record.h"
 #include "engine/view/views.h"
 #include "tests/frame/frame_fixture.h"
 #include "tests/support/views.h"

@@ -1,4 +1,3 @@
-#include "engine/frame/frame_record.h"
 #include "tools/measure/texel_error.h"
 
 #include <gtest/gtest.h>
@@ -6,6 +5,7 @@
 #include <cmath>
 
 #include "engine/fixed/trig.h"
+#include "engine/frame/frame_record.h"
 #include "tests/support/bsp_writer.h"
 
 namespace oblong {

@@ -1,13 +1,13 @@
 // The methods of hidden-surface removal, held against each other on the same scenes: small random worlds, a door,
 // glass.
 
-#include "engine/frame/frame_record.h"
 #include "engine/methods/hidden_surfaces.h"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 
+#include "engine/frame/frame_record.h"
 #include "engine/level/bsp_read.h"
 #include "engine/level/side.h"
 #include "engine/platform/worker_threads.h"

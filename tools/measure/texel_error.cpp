@@ -1,9 +1,9 @@
 #include "tools/measure/texel_error.h"
 
-#include "engine/frame/frame_record.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "engine/frame/frame_record.h"
 
 namespace oblong {
 
