@@ -11,14 +11,14 @@ namespace oblong {
 namespace {
 
 /// A side of the volume: one coordinate is -w, 0 or w.
-struct Side {
+struct SideEquation {
     Entry Vec4::*coordinate;
     int times_w;
 
     Entry at(const Vec4& point) const { return times_w == 0 ? Entry{} : times_w < 0 ? -point.w : point.w; }
 };
 /// In the order of VolumeSide.
-constexpr std::array<Side, kVolumeSideCount> kSides{
+constexpr std::array<SideEquation, kVolumeSideCount> kSides{
     {{&Vec4::x, -1}, {&Vec4::x, 1}, {&Vec4::y, -1}, {&Vec4::y, 1}, {&Vec4::z, 0}, {&Vec4::z, 1}}};
 
 /// The same point with smaller coordinates, so that sums of two, and differences of such sums, fit.

@@ -66,6 +66,8 @@ void declare(CommandArguments& line, Options& options, OptionTexts& texts) {
              "a level's source (.map): compiles a draft and shows it, again whenever it changes")
         .exclude(level)
         .exclude(map);
+    line.add("--room", options.room,
+             "begin in the museum's room of this name, with open doors: fog, any-plane and so on");
     line.add("--game", options.game,
              "folder with a game.json, or with maps/ and pak0.pak; default: this folder, and id1/ in it");
     line.add("--palette", options.palette, "768 bytes of red, green, blue; default: the level's, else the demo's");
@@ -116,7 +118,10 @@ void interpret(const OptionTexts& texts, Options& options) {
     const bool has_run = !(options.record + options.replay + options.timedemo).empty();
     if (options.shows_title && (!options.timedemo.empty() || options.shows_gallery))
         throw UsageError("--title: --timedemo and --gallery show none, expected it without them");
-    options.shows_title |= (options.level + options.map + options.watch).empty() && !has_run &&
+    if (!options.room.empty() &&
+        (has_run || options.shows_title || options.shows_gallery || options.headless_frames > 0))
+        throw UsageError("--room: a walk begins there, expected it without another run, --title and --gallery");
+    options.shows_title |= (options.level + options.map + options.watch + options.room).empty() && !has_run &&
                            !options.shows_gallery && options.headless_frames == 0;
     if (options.shows_error_box && (options.headless_frames > 0 || !options.timedemo.empty()))
         throw UsageError("--error-box: no window to show it in, expected it without --headless and --timedemo");

@@ -30,6 +30,7 @@ struct LevelOptions {
     std::string level, palette, models;
     std::string map, game;  ///< a level's name, and the folder of a game like Quake's
     std::string watch;      ///< the source of a level that is compiled when it changes
+    std::string room;       ///< where to begin, with what Visit opens
 };
 
 /// Other runs than a normal game; empty strings and 0: not given.

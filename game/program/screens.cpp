@@ -6,6 +6,7 @@
 #include "engine/io/files.h"
 #include "engine/programs/arguments.h"
 #include "game/program/program_files.h"
+#include "game/simulation/rooms.h"
 
 namespace oblong {
 namespace {
@@ -46,6 +47,14 @@ Screens::Screens(const Options& options, ProgramFiles files, PreferencesStore& s
     } else
         start(std::move(files.loaded), std::move(files.input),
               options_.replay.empty() ? SessionKind::Walk : SessionKind::Replay);
+    if (walk_ && !options_.room.empty()) begin_in_room();
+}
+
+void Screens::begin_in_room() {
+    GameState state = walk_->state();
+    enter_room(options_.room, walk_->loaded().level, state);
+    walk_->restore(state);
+    walk_->visit();
 }
 
 void Screens::follow() {

@@ -99,6 +99,7 @@ class Screens final : public MenuHost {
     void finish_walk(const LoadedLevel& next);
     void start(std::shared_ptr<const LoadedLevel> loaded, TickInputSource input, SessionKind kind);
     void start_walk(std::shared_ptr<const LoadedLevel> loaded);
+    void begin_in_room();
     void start_title(std::shared_ptr<const LoadedLevel> loaded);
     const LoadedLevel& level_below() const { return *screens_.front()->shared_level(); }
     std::shared_ptr<const LoadedLevel> load_level(const std::string& file) const;

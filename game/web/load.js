@@ -187,10 +187,11 @@ if (location.search === "" && !WAITS) showFront();
 
 const data = streamOf("/*@program@*/.data").then(stream => new Response(stream).arrayBuffer());
 const OWN = [/*@game@*/];
-// From the address: oblong.html?--mode%20640x480
+// From the address: oblong.html?--mode%20640x480, oblong.html?room=fog
 const addressed = () => {
   try {
-    return decodeURIComponent(location.search.slice(1)).split(" ").filter(word => word);
+    const text = decodeURIComponent(location.search.slice(1)), [, room] = text.match(/^room=(.+)/) || [];
+    return room ? ["--room", room] : text.split(" ").filter(word => word);
   } catch (error) {
     Page.warn("The address behind '?' is left out: " + error.message);
     return [];

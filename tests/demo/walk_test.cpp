@@ -1,14 +1,19 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "engine/io/files.h"
 #include "engine/level/bsp_read.h"
 #include "game/level/load.h"
+#include "game/simulation/collision.h"
+#include "game/simulation/rooms.h"
 #include "game/view/game_renderer.h"
 #include "tests/demo/visitor.h"
 #include "tests/support/folders.h"
 #include "tests/support/programs.h"
+#include "tests/support/views.h"
 
 namespace oblong::test::walk_test {
 namespace {
@@ -33,6 +38,42 @@ TEST_F(DemoWalk, TheTowerIsShutAtBothGatesWhileLensesAreMissing) {
     walk({{512, 1420}});
     walk(kCourtyardToTower);
     EXPECT_FALSE(visitor_.walk_to({512, 1800})) << "from the corridor";
+}
+
+// Each lens has a room whose name its own begins with. Who begins there stands on its floor, and looks at the lens.
+TEST_F(DemoWalk, BeginsInAnyRoom) {
+    const GameLevel level = make_game_level(level_);
+    const std::vector<Room> rooms = rooms_of(level);
+    int of_lenses = 0;
+    for (const Room& room : rooms) {
+        GameState state = start_of(level);
+        std::string name = room.name;
+        std::replace(name.begin(), name.end(), ' ', '-');
+        enter_room(name, level, state);
+        ASSERT_TRUE(is_free(level, state, state.player.position)) << name;
+        const Player entered = state.player;
+        for (int tick = 0; tick < kTicksPerSecond; ++tick) step(level, state, {});
+        EXPECT_NE(state.player.ground, Player::kNoGround) << name;
+        EXPECT_LT(std::abs(number_of(state.player.position.z) - number_of(entered.position.z)), 45) << name;
+        for (const Item& item : level.items) {
+            const std::string lens = lower_case(level_.entities[item.entity].value("netname"));
+            if (!lens.starts_with(room.name) && !lens.starts_with("the " + room.name)) continue;
+            ++of_lenses;
+            const double to_lens = std::atan2(number_of(item.position.y) - number_of(entered.position.y),
+                                              number_of(item.position.x) - number_of(entered.position.x));
+            EXPECT_NEAR(std::remainder(to_lens - radians_of(entered.yaw), 2 * std::numbers::pi), 0, 0.001) << name;
+        }
+    }
+    EXPECT_EQ(of_lenses, 12);
+    GameState state = start_of(level);
+    try {
+        enter_room("kitchen", level, state);
+        ADD_FAILURE() << "a kitchen";
+    } catch (const InputError& error) {
+        EXPECT_TRUE(
+            std::string(error.what()).starts_with("--room: 'kitchen' is no room of this level, expected aspect, "))
+            << error.what();
+    }
 }
 
 // By walking or jumping from the tower's top, any way, one falls into the lift's shaft alone.
