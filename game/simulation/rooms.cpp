@@ -12,30 +12,34 @@ namespace oblong {
 namespace {
 
 constexpr std::string_view kBehindName = " - ";
-constexpr std::int32_t kHighestStep = 40;  // units above the entrance's bottom, where its floor may be
 
 World middle_of(World a, World b) {
     return scaled(a + b, 1, 2);
 }
 
-/// The lowest free place above the middle of a box's bottom.
+/// A free place at a floor, in a box's middle or beside it, as over a lift's shaft.
 std::optional<Position> place_in(const Box& box, const GameLevel& level, const GameState& state) {
-    Position place{middle_of(box.mins.x, box.maxs.x), middle_of(box.mins.y, box.maxs.y), box.mins.z};
-    for (std::int32_t up = 24; up <= 24 + kHighestStep; ++up) {
-        const Position raised = place + world_vector(0, 0, up);
-        if (is_free(level, state, raised)) return raised;
-    }
+    constexpr std::int32_t kHighestStep = 40, kBeside = 96;
+    const Position middle{middle_of(box.mins.x, box.maxs.x), middle_of(box.mins.y, box.maxs.y), box.mins.z};
+    for (const auto& [east, north] : {std::pair{0, 0}, {kBeside, 0}, {-kBeside, 0}, {0, kBeside}, {0, -kBeside}})
+        for (std::int32_t up = 24; up <= 24 + kHighestStep; ++up) {
+            const Position place = middle + world_vector(east, north, up);
+            if (is_free(level, state, place) &&
+                move_box(level, state, place, place - world_vector(0, 0, kHighestStep)).has_hit)
+                return place;
+        }
     return std::nullopt;
 }
 
-Angle toward_nearest_item(const Position& from, const GameLevel& level) {
-    const auto way_to = [&](const Item& item) { return item.position - from; };
-    const auto nearest = std::min_element(level.items.begin(), level.items.end(), [&](const Item& a, const Item& b) {
-        return length(way_to(a)) < length(way_to(b));
-    });
-    if (nearest == level.items.end()) return {};
-    const Vec3<World> way = way_to(*nearest);
-    return arctangent2(way.y, way.x);
+/// The item that has the room's name, or else the nearest one; null: there is none.
+const Item* item_of(const Room& room, const Position& from, const GameLevel& level) {
+    const Item* nearest = nullptr;
+    for (const Item& item : level.items) {
+        const std::string name = lower_case(level.bsp->entities[item.entity].value("netname"));
+        if (name.starts_with(room.name) || name.starts_with("the " + room.name)) return &item;
+        if (!nearest || length(item.position - from) < length(nearest->position - from)) nearest = &item;
+    }
+    return nearest;
 }
 
 }  // namespace
@@ -61,7 +65,10 @@ void enter_room(std::string_view name, const GameLevel& level, GameState& state)
         const std::optional<Position> place = place_in(room.entrance, level, state);
         if (!place) throw InputError("--room", "no place to stand at the entrance of '" + room.name + "'");
         state.player.position = *place;
-        state.player.yaw = toward_nearest_item(*place, level);
+        if (const Item* const item = item_of(room, *place, level)) {
+            const Vec3<World> way = item->position - *place;
+            state.player.yaw = arctangent2(way.y, way.x);
+        }
         state.player.ground = Player::kNoGround;
         return;
     }

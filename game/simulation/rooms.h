@@ -16,8 +16,9 @@ struct Room {
 };
 std::vector<Room> rooms_of(const GameLevel& level);
 
-/// Puts the player of a state into the entrance of a room, facing the nearest item. Hyphens count as blanks, capitals
-/// as small letters. Throws InputError with the rooms there are, if there is none of this name.
+/// Puts the player of a state into the entrance of a room, facing the item of its name or else the nearest. Hyphens
+/// count as blanks, capitals as small letters. Throws InputError with the rooms there are, if there is none of this
+/// name.
 void enter_room(std::string_view name, const GameLevel& level, GameState& state);
 
 }  // namespace oblong

@@ -70,8 +70,7 @@ TEST_F(DemoWalk, BeginsInAnyRoom) {
         enter_room("kitchen", level, state);
         ADD_FAILURE() << "a kitchen";
     } catch (const InputError& error) {
-        EXPECT_TRUE(
-            std::string(error.what()).starts_with("--room: 'kitchen' is no room of this level, expected aspect, "))
+        EXPECT_TRUE(std::string(error.what()).starts_with("'kitchen' is no room of this level, expected aspect, "))
             << error.what();
     }
 }
