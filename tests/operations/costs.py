@@ -54,7 +54,7 @@ CYCLES = {
     "xchg": ((3, 3, 3), (2, 2, 0), (2, 2, 0)), "nop": ((3, 1, 1),) * 3, "cld std": ((2, 2, 2),) * 3}
 TIMES = {name: times for names, times in CYCLES.items() for name in names.split()}
 FORMER = 0.1  # the weight of a price that was, beside that of the frames
-LARGEST_UNKNOWN = 0.02  # of a frame's instructions: across a page's end, where the plugin sees no name; the C library's
+LARGEST_UNKNOWN = 0.03  # of a frame's instructions: one in a loop across a page's end, where the plugin sees no name; the C library's
 
 
 def times_of(mnemonic):
