@@ -28,8 +28,8 @@ TextureIndex texture_now(const VisibleFace& face, const FrameContext& frame) {
                                           frame.scene.time_ms);
 }
 
-/// The effects for which a face's surface is built again; none if it never changes.
-EffectSet reasons_to_build(const VisibleFace& face, const FrameContext& frame, const Claims& claims) {
+/// A face's effects that own pixels, moving lights among them: some are reasons to build its surface again.
+EffectSet effects_on(const VisibleFace& face, const FrameContext& frame, const Claims& claims) {
     LevelCache& cache = frame.cache;
     const EffectSet effects = cache.faces[face.face].effects & claims.effects;
     const bool is_lit =
@@ -39,8 +39,8 @@ EffectSet reasons_to_build(const VisibleFace& face, const FrameContext& frame, c
 
 FaceSurface surface_of(const VisibleFace& face, int mip, const FrameContext& frame, const ViewScratch& scratch) {
     PassTimes* const times = frame.observers.times;
-    const EffectSet reasons = times ? reasons_to_build(face, frame, scratch.claims) : EffectSet{};
-    const auto watched = [&](Effect effect) { return reasons.has(effect) ? times : nullptr; };
+    const EffectSet effects = times ? effects_on(face, frame, scratch.claims) : EffectSet{};
+    const auto watched = [&](Effect effect) { return effects.has(effect) ? times : nullptr; };
     const Stopwatch of_lights(watched(Effect::Lights), Effect::Lights),
         of_styles(watched(Effect::Styles), Effect::Styles),
         of_animation(watched(Effect::AnimatedTextures), Effect::AnimatedTextures);

@@ -125,7 +125,7 @@ const keepSaves = hasDatabase => {
   });
 };
 
-const said = document.getElementById("said");
+const said = document.getElementById("said"), front = document.getElementById("front");
 // Shows a text over the picture until the next input, below others that are there.
 Page.warn = text => {
   if (!said.textContent.includes(text)) said.textContent = `${said.textContent}\n${text}`.trim();
@@ -138,7 +138,7 @@ Page.end = text => {
   Page.closeSound();
   if (document.pointerLockElement) document.exitPointerLock();
   document.body.className = said.className = "";
-  Page.canvas.hidden = true;
+  Page.canvas.hidden = front.hidden = true;
   said.textContent = [text, ...Page.lines, "Reload the page to play again."].filter(line => line).join("\n");
 };
 
@@ -161,8 +161,8 @@ const entered = instance => {
 
 // The front page, where the address asks for nothing else. Its button begins the walk, or goes on with it: that is the
 // first row of the title behind it.
-const front = document.getElementById("front");
 const leaveFront = () => {
+  if (Page.hasEnded) return;
   if (!Page.screen || Page.screen.shown === 0) return setTimeout(leaveFront, 50);
   front.hidden = true;
   Page.isCovered = false;

@@ -16,8 +16,6 @@ import sys
 HERE = os.path.dirname(os.path.abspath(__file__))
 # The played part of the built game's data, without level sources and lists for tools.
 PLAYED = r'(demo\.bsp|walk\.demo|game\.json|palette\.lmp|(models|music|sounds)/.*)'
-
-
 MUSEUM = 'A museum to walk through, drawn as in 1996. Turn its dials, and see what accuracy costs.'
 
 
@@ -138,10 +136,14 @@ def under_own_name(page, game):
     if icon:
         kind = mimetypes.guess_type(icon)[0]
         page = page.replace('href="data:,"', 'href="data:%s;base64,%s"' % (kind, base64.b64encode(picture).decode()))
-    title = html.escape(title)
-    page = page.replace(MUSEUM, 'A game made with Oblong.').replace(' url("/*@card@*/") center / cover', '')
-    page = re.sub('<meta property="og:image.*\n', '', page)
-    return page.replace('>Oblong<', '>%s<' % title).replace('content="Oblong"', 'content="%s"' % title)
+    return as_page_of(html.escape(title), 'A game made with Oblong.', page)
+
+
+def as_page_of(title, about, page):
+    """The page under another title, without the museum's picture."""
+    page = re.sub('<meta property="og:image.*\n', '', page).replace(' url("/*@card@*/") center / cover', '')
+    page = page.replace('>Oblong<', '>%s<' % title).replace('content="Oblong"', 'content="%s"' % title)
+    return page.replace('/*@about@*/', about)
 
 
 def main(build, assets, site, game=None):
@@ -149,8 +151,7 @@ def main(build, assets, site, game=None):
     program = 'oblong'
     if game == '--examples':
         program, game = 'examples', None
-        page = re.sub('(?s)<meta property="og:.*?<link|<main.*?</main>\n', lambda found: found[0].endswith('<link') and '<link' or '', page)
-        page = page.replace('<title>Oblong<', '<title>Examples<').replace(MUSEUM, 'Programs on the engine of Oblong')
+        page = as_page_of('Examples', 'Programs on the engine of Oblong', page)
     if game:
         page = under_own_name(page, game)
     need('tools/build --web makes', build, program + '.wasm')
@@ -170,7 +171,7 @@ def main(build, assets, site, game=None):
     icon = read(HERE, '../../assets/package/icons/oblong-64.png')
     page = page.replace('href="data:,"', 'href="data:image/png;base64,%s"' % base64.b64encode(icon).decode())
     card = read(HERE, '../../assets/card.png')
-    page = page.replace('/*@address@*/', os.environ.get('OBLONG_ADDRESS', '.').rstrip('/'))
+    page = page.replace('/*@about@*/', MUSEUM).replace('/*@address@*/', os.environ.get('OBLONG_ADDRESS', '.').rstrip('/'))
     alone = page.replace('/*@card@*/', 'data:image/png;base64,' + base64.b64encode(card).decode())
     write(alone.replace('<!--@files@-->', inlined).encode(), site, program + '.html')
     if program == 'oblong':

@@ -83,27 +83,36 @@ bool shows_wall(const EffectStage& stage) {
     });
 }
 
-TEST(PlanOfRealLevels, HardCaseP5_HoldsTheEffectsThatOwnPixelsAndNothingElseInEveryFrame) {
-    OBLONG_NEEDS_SHARED_LEVELS();
-    int frames = 0, empty = 0;
+/// Calls check(stage, name) for every camera of the real levels.
+template <class Check>
+void for_each_camera(Check check) {
+    const Palette palette = read_palette(read_shared_file("gfx/palette.lmp"));
     for (const std::string name : kRealLevels) {
-        const Palette palette = read_palette(read_shared_file("gfx/palette.lmp"));
         EffectStage stage(read_bsp(read_shared_file(name + ".bsp")), {}, make_colormap(palette));
         for (const Camera& camera :
              parse_cameras(read_shared_file("cameras/" + name + ".csv"), Degrees::from_int(90))) {
             stage.camera = camera;
-            stage.draw(1'234);
-            const EffectSet shown = shown_effects(stage);
-            ASSERT_EQ(stage.work.plan.effects, shown) << name << " " << frames;
-            ASSERT_EQ(names_of(stage.work.plan), passes_of(shown, shows_wall(stage))) << name << " " << frames;
-            for (std::size_t i = 0; i < kEffectCount; ++i) {
-                const auto effect = static_cast<Effect>(i);
-                ASSERT_EQ(stage.pixels(effect) > 0, shown.has(effect)) << name << " " << frames << " " << i;
-            }
-            ++frames;
-            empty += shown == EffectSet{};
+            stage.settings.allowed_effects = EffectSet::all();
+            ASSERT_NO_FATAL_FAILURE(check(stage, name));
         }
     }
+}
+
+TEST(PlanOfRealLevels, HardCaseP5_HoldsTheEffectsThatOwnPixelsAndNothingElseInEveryFrame) {
+    OBLONG_NEEDS_SHARED_LEVELS();
+    int frames = 0, empty = 0;
+    for_each_camera([&](EffectStage& stage, const std::string& name) {
+        stage.draw(1'234);
+        const EffectSet shown = shown_effects(stage);
+        ASSERT_EQ(stage.work.plan.effects, shown) << name << " " << frames;
+        ASSERT_EQ(names_of(stage.work.plan), passes_of(shown, shows_wall(stage))) << name << " " << frames;
+        for (std::size_t i = 0; i < kEffectCount; ++i) {
+            const auto effect = static_cast<Effect>(i);
+            ASSERT_EQ(stage.pixels(effect) > 0, shown.has(effect)) << name << " " << frames << " " << i;
+        }
+        ++frames;
+        empty += shown == EffectSet{};
+    });
     EXPECT_GT(frames, 2'000);
     EXPECT_GT(empty, 100);
     RecordProperty("frames", frames);
@@ -112,18 +121,11 @@ TEST(PlanOfRealLevels, HardCaseP5_HoldsTheEffectsThatOwnPixelsAndNothingElseInEv
 
 TEST(PlanOfRealLevels, GivesTheSamePictureByItsEffectsAlone) {
     OBLONG_NEEDS_SHARED_LEVELS();
-    for (const std::string name : kRealLevels) {
-        const Palette palette = read_palette(read_shared_file("gfx/palette.lmp"));
-        EffectStage stage(read_bsp(read_shared_file(name + ".bsp")), {}, make_colormap(palette));
-        for (const Camera& camera :
-             parse_cameras(read_shared_file("cameras/" + name + ".csv"), Degrees::from_int(90))) {
-            stage.camera = camera;
-            stage.settings.allowed_effects = EffectSet::all();
-            const Picture all = stage.draw(1'234);
-            stage.settings.allowed_effects = stage.work.plan.effects;
-            ASSERT_EQ(changed_pixels(stage.draw(1'234), all), 0) << name;
-        }
-    }
+    for_each_camera([](EffectStage& stage, const std::string& name) {
+        const Picture all = stage.draw(1'234);
+        stage.settings.allowed_effects = stage.work.plan.effects;
+        ASSERT_EQ(changed_pixels(stage.draw(1'234), all), 0) << name;
+    });
 }
 
 constexpr int kDirections = 72;
