@@ -221,6 +221,18 @@ const play = async (open, address) => {
   return tab;
 };
 
+// A link to a room begins there; one to none says which there are.
+const rooms = async (open, address) => {
+  const tab = await open(address + "?room=Vanishing%20Point");
+  await tab.shows();
+  await tab.until("Page.isCaptured && document.getElementById('front').hidden", "a walk in a room");
+  await tab.shot(file("room"));
+  await tab.page.goto(address + "?room=kitchen");
+  await tab.until("Page.hasEnded && document.body.innerText.includes(\"'kitchen' is no room of this level, expected aspect, \")", "which rooms there are");
+  tab.said.splice(0);
+  return tab;
+};
+
 // A tab behind another one: nothing moves nor sounds, and an hour later the walk is where it was.
 const rest = async (open, address) => {
   const tab = await open(address + "?/assets/demo.bsp");
@@ -350,7 +362,7 @@ const refusals = async (open, address) => {
 
 run(async open => {
   const address = await serve(site);
-  for (const test of [touch, replay, rest, refusals, full, twice, play]) {
+  for (const test of [touch, replay, rest, refusals, full, twice, play, rooms]) {
     console.log(test.name);
     const tab = await test(open, address);
     assert.deepStrictEqual(tab.said, [], "on the console");
