@@ -90,8 +90,8 @@ std::int32_t ModuleChannel::raised_8(std::int32_t semitones, bool is_protrackers
 }
 
 std::int32_t ModuleChannel::stepped_8() const {
-    constexpr std::int32_t kLowest = 2 * 1'712, kSemitones = 12;
-    std::int32_t octave_8 = tuned_8(kLowest);
+    constexpr std::int32_t kLowestPeriod = 2 * 1'712, kSemitones = 12;
+    std::int32_t octave_8 = tuned_8(kLowestPeriod);
     while (octave_8 / 2 > period_8) octave_8 /= 2;
     for (std::int32_t i = 0; i < kSemitones; ++i)
         if (at_rate(octave_8, item(kSemitones_16, i)) <= period_8) return at_rate(octave_8, item(kSemitones_16, i));

@@ -6,6 +6,7 @@
 
 #include "engine/base/little_endian.h"
 #include "engine/frame/frame.h"
+#include "engine/frame/frame_counts.h"
 #include "engine/frame/workspace.h"
 #include "engine/io/files.h"
 #include "engine/level/bsp_read.h"
