@@ -69,11 +69,24 @@ int process_number() {
     return getpid();
 }
 
-std::optional<int> start_program(std::vector<std::string> words, const std::string& error_file) {
-    std::signal(SIGCHLD, SIG_DFL);  // a shell may have left it ignored: then no exit code would be kept
+namespace {
+
+std::vector<char*> arguments_of(std::vector<std::string>& words) {
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
+    return arguments;
+}
+
+}  // namespace
+
+void replace_program(std::vector<std::string> words) {
+    execv(words.front().c_str(), arguments_of(words).data());
+}
+
+std::optional<int> start_program(std::vector<std::string> words, const std::string& error_file) {
+    std::signal(SIGCHLD, SIG_DFL);  // a shell may have left it ignored: then no exit code would be kept
+    const std::vector<char*> arguments = arguments_of(words);
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
     posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);

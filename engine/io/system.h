@@ -41,6 +41,8 @@ int process_number();
 /// Starts a program without waiting for it. words[0] is its file; its standard error is written to a file, its standard
 /// output is dropped. A number for it, or nothing.
 std::optional<int> start_program(std::vector<std::string> words, const std::string& error_file);
+/// Runs another program in place of this one; returns if it cannot. words[0] is its file.
+void replace_program(std::vector<std::string> words);
 enum class ProgramState { Runs, Succeeded, Failed, Unknown };
 /// Once it has ended, its number is forgotten.
 ProgramState state_of_program(int program);

@@ -23,6 +23,7 @@
 #include "game/options/preference_table.h"
 #include "game/program/program.h"
 #include "game/simulation/step.h"
+#include "tools/gallery/program/gallery_screen.h"
 
 namespace oblong {
 namespace {
@@ -165,7 +166,7 @@ void play(const Options& options, dos::Pc& pc) {
     PreferencesStore store;
     store.begin_with(options.preferences);
     ProgramFiles files = load_program_files(options, kAssets);
-    Program program(options, std::move(files), store, pc, nullptr, std::move(open_sound));
+    Program program(options, std::move(files), store, pc, {.open_sound = open_sound, .open_gallery = open_gallery});
     try {
         program.run();
     } catch (const std::bad_alloc&) {  // the unfinished picture has freed what saving needs

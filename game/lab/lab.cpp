@@ -81,15 +81,16 @@ std::string flip_text(const LabOptions& options, const Accuracy& accuracy, std::
 }  // namespace
 
 Lab::Lab(const GameData& data, const GameLevel& level, const ScreenMode& mode, ColourScheme scheme,
-         std::int32_t text_scale)
+         std::int32_t text_scale, OpenErrorMeter open_meter)
     : data_(data),
       level_(level),
       colours_(panel_colours_of(data.palette, text_scale)),
       renderer_(data, level, mode),
+      open_meter_(open_meter),
       error_map_(data.palette, scheme) {}
 
 ErrorMeter& Lab::meter() {
-    if (!meter_) meter_.emplace(data_.level_file, level_);
+    if (!meter_) meter_ = open_meter_of(open_meter_, data_.level_file, level_);
     return *meter_;
 }
 

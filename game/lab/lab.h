@@ -1,16 +1,17 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <span>
 
 #include "engine/draw/drawing.h"
+#include "engine/measure/error_summary.h"
 #include "engine/surface/palette.h"
 #include "engine/view/screen.h"
 #include "game/lab/lab_measures.h"
 #include "game/lab/lab_options.h"
 #include "game/view/sign_colours.h"
-#include "tools/measure/texel_error.h"
 
 namespace oblong {
 
@@ -62,7 +63,7 @@ class Lab {
   public:
     /// `data` and `level` outlive it.
     Lab(const GameData& data, const GameLevel& level, const ScreenMode& mode, ColourScheme scheme,
-        std::int32_t text_scale);
+        std::int32_t text_scale, OpenErrorMeter open_meter);
 
     /// Draws the map of errors and the exact side, where they are on, over the canvas, which shows `view` with
     /// shown_setting(). `settings`: the current ones.
@@ -85,7 +86,8 @@ class Lab {
     const GameLevel& level_;
     PanelColours colours_;
     GameRenderer renderer_;
-    std::optional<ErrorMeter> meter_;  // made at the first use
+    const OpenErrorMeter open_meter_;
+    std::unique_ptr<ErrorMeter> meter_;  // made at the first use
     ErrorMap error_map_;
     LabMeasures measures_;
 };

@@ -15,61 +15,7 @@ namespace {
 constexpr std::size_t kFirstPreset = 2, kCount = kFirstPreset + kPresets.size(), kErrors = kCount + 1,
                       kFaces = kErrors + 1, kColours = kFaces + 1, kTurns = kColours + 1;
 
-// Adds the models that own pixels.
-void note_in_sight(const FrameRecord& record, std::size_t models, std::vector<bool>& in_sight) {
-    in_sight.resize(models);
-    for (const PixelRecord& pixel : record.pixels)
-        if (!pixel.model.is_none()) in_sight[as_size(pixel.model.number())] = true;
-}
-
-// Whether those in sight are where they were.
-bool stand_still(std::span<const PlacedModel> before, std::span<const PlacedModel> now,
-                 const std::vector<bool>& in_sight) {
-    if (before.size() != now.size()) return false;
-    for (std::size_t i = 0; i < now.size(); ++i)
-        if (in_sight[i] && before[i] != now[i]) return false;
-    return true;
-}
-
 }  // namespace
-
-ErrorMeter::ErrorMeter(const std::string& level_file, const GameLevel& level) : level_(level) {
-    try {
-        reference_ = reference::read_level(read_file(level_file));
-    } catch (const std::exception& error) {
-        problem_ = error.what();
-    }
-}
-
-std::string ErrorMeter::problem_of(const GameView& view) const {
-    return problem_.empty() && view.other ? "only the player's own view is measured" : problem_;
-}
-
-std::vector<TexelError> ErrorMeter::measure(const GameView& view, const Settings& settings, GameRenderer& renderer) {
-    if (!problem_of(view).empty()) return {};
-    const std::vector<PlacedModel> models = placed_models(level_, view.state);
-    TexelErrorMeter meter(reference_, models, view.camera, renderer.mode(), settings.correct_aspect);
-    return meter.measure(renderer.draw_and_record(view, settings));
-}
-
-std::optional<std::int64_t> ErrorMeter::count_wrong_faces(const GameView& view, const Settings& settings,
-                                                          GameRenderer& renderer) {
-    if (!problem_of(view).empty()) return std::nullopt;
-    std::vector<PlacedModel> models = placed_models(level_, view.state);
-    const ViewSpec shown = first_person_view(view.camera, SineMethod::NearestStep);
-    const FrameRecord record = renderer.draw_and_record(view, settings);
-    note_in_sight(record, models.size(), in_sight_);
-    if (view_ != shown || !stand_still(models_, models, in_sight_) || corrects_aspect_ != settings.correct_aspect) {
-        view_ = shown;
-        models_ = std::move(models);
-        in_sight_.clear();
-        corrects_aspect_ = settings.correct_aspect;
-        faces_.clear();
-        return std::nullopt;
-    }
-    if (faces_.empty()) faces_ = true_faces(reference_, models, view.camera, renderer.mode(), corrects_aspect_);
-    return wrong_faces(record, faces_);
-}
 
 Accuracy with_exact_colours(Accuracy accuracy) {
     const Accuracy exact = accuracy_of(Preset::Exact);

@@ -8,39 +8,12 @@
 
 #include "engine/accuracy/accuracy.h"
 #include "engine/costs/costs.h"
+#include "engine/measure/error_summary.h"
 #include "engine/view/views.h"
+#include "game/lab/error_meter.h"
 #include "game/view/game_renderer.h"
-#include "tools/measure/texel_error.h"
-#include "tools/reference/level.h"
 
 namespace oblong {
-
-/// Measures how far the texels of a frame are from their exact places, by the reference's arithmetic.
-class ErrorMeter {
-  public:
-    /// Reads the level's file a second time, as the reference does. `level` outlives the meter.
-    ErrorMeter(const std::string& level_file, const GameLevel& level);
-
-    /// The error of each pixel; empty if there is a problem.
-    std::vector<TexelError> measure(const GameView& view, const Settings& settings, GameRenderer& renderer);
-    /// The pixels of a wrong face; none if there is a problem, or the view is not the one of the last call: what it
-    /// should show takes too long to find while the player, or a model in sight, moves.
-    std::optional<std::int64_t> count_wrong_faces(const GameView& view, const Settings& settings,
-                                                  GameRenderer& renderer);
-    /// Why nothing can be measured in a view; empty if it can.
-    std::string problem_of(const GameView& view) const;
-
-  private:
-    const GameLevel& level_;
-    reference::Level reference_;
-    std::string problem_;  // with the file
-    // Of the last call of count_wrong_faces().
-    ViewSpec view_;
-    std::vector<PlacedModel> models_;
-    std::vector<bool> in_sight_;  // of these, since the view is this one
-    bool corrects_aspect_ = false;
-    std::vector<std::int32_t> faces_;  // that pixels should show; empty: not found yet
-};
 
 /// A setting and the times of frames with it.
 struct TimedSetting {

@@ -1,5 +1,5 @@
 namespace oblong {
-// Declared in program.h, too, whose headers take seconds to compile.
+// Declared in program.h, whose headers take seconds to compile.
 int start_game(int argument_count, const char* const* arguments);
 }  // namespace oblong
 

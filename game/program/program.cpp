@@ -83,11 +83,11 @@ PlatformInput page_through(std::int64_t poll) {
 }  // namespace
 
 Program::Program(const Options& options, ProgramFiles files, PreferencesStore& store, Platform& platform,
-                 Workers* workers, OpenSound open_sound)
+                 ProgramParts parts)
     : replayed_(options.replay),
       store_(store),
       platform_(platform),
-      screens_(options, std::move(files), store, platform, workers, std::move(open_sound)),
+      screens_(options, std::move(files), store, platform, std::move(parts)),
       input_(preferences().bindings) {
     if (!options.folders.fault.empty()) screens_.pages().open_message("Saves", options.folders.fault);
 }

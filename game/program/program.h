@@ -13,10 +13,9 @@ namespace oblong {
 /// The game from start to end: the main loop of input, the current screen and the window.
 class Program {
   public:
-    /// `store`, which keeps the player's changes, `platform` and `workers`, which may be null, outlive the program.
-    /// `open_sound` may be empty: no sound.
-    Program(const Options& options, ProgramFiles files, PreferencesStore& store, Platform& platform, Workers* workers,
-            OpenSound open_sound = {});
+    /// `store`, which keeps the player's changes, `platform` and the workers outlive the program.
+    Program(const Options& options, ProgramFiles files, PreferencesStore& store, Platform& platform,
+            ProgramParts parts);
 
     /// Runs until the platform closes or the player leaves. Then writes the recorded demo, if any. Throws FileError.
     void run();
@@ -66,7 +65,7 @@ void show_error(const std::string& text, Platform& platform);
 void show_error_window(const std::string& text);
 
 /// Runs the game as the command line says; returns the exit code. With --error-box, an error is also shown in a window,
-/// after it was printed.
-int start_game(int argument_count, const char* const* arguments);
+/// after it was printed. `open_gallery`: null where another program shows the gallery.
+int start_game(int argument_count, const char* const* arguments, OpenGallery open_gallery);
 
 }  // namespace oblong

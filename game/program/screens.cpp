@@ -26,20 +26,20 @@ ViewOptions view_options_of(const Options& options) {
 }  // namespace
 
 Screens::Screens(const Options& options, ProgramFiles files, PreferencesStore& store, Platform& platform,
-                 Workers* workers, OpenSound open_sound)
+                 ProgramParts parts)
     : options_(options),
       game_(options_, files.assets_folder, *files.loaded),
       view_options_(view_options_of(options)),
       store_(store),
       platform_(platform),
-      workers_(workers),
+      parts_(std::move(parts)),
       watch_(std::move(files.watch)),
-      sound_(std::move(open_sound), files.assets_folder, own_sounds_of(game_.definition())),
+      sound_(parts_.open_sound, files.assets_folder, own_sounds_of(game_.definition())),
       saves_(saves_folder_of(options)),
       pages_(menu_, *this) {
     show_icon(game_.definition(), platform_);
     if (options_.shows_gallery)
-        show_only(std::make_unique<Gallery>(std::move(files.loaded), view_options_, platform_));
+        show_only(parts_.open_gallery(std::move(files.loaded), view_options_, platform_));
     else if (options_.shows_title) {
         if (!(options_.replay + options_.record + options_.level + options_.map).empty())
             first_walk_ = std::make_unique<FirstWalk>(FirstWalk{files.loaded, std::move(files.input)});
@@ -126,7 +126,7 @@ void Screens::finish_walk(const LoadedLevel& next) {
 
 void Screens::start(std::shared_ptr<const LoadedLevel> loaded, TickInputSource input, SessionKind kind) {
     finish_walk(*loaded);
-    const SessionSettings settings{workers_, &sound_, kind};
+    const SessionSettings settings{parts_.workers, &sound_, kind, parts_.open_meter};
     auto walk = std::make_unique<Session>(std::move(loaded), settings, view_options_, std::move(input), platform_);
     Session* const session = walk.get();
     show_only(std::move(walk));
@@ -139,7 +139,7 @@ void Screens::start(std::shared_ptr<const LoadedLevel> loaded, TickInputSource i
 
 // A damaged demo is found before the current walk ends.
 void Screens::start_title(std::shared_ptr<const LoadedLevel> loaded) {
-    auto title = std::make_unique<Title>(loaded, game_.definition().demo, workers_, view_options_, platform_);
+    auto title = std::make_unique<Title>(loaded, game_.definition().demo, parts_.workers, view_options_, platform_);
     finish_walk(*loaded);
     show_only(std::move(title));
     sound_.play_music(game_.definition().music);
@@ -230,7 +230,8 @@ void Screens::restart() {
 
 void Screens::show_gallery() {
     try_with_files("Gallery", [&] {
-        auto gallery = std::make_unique<Gallery>(game_.museum(up().shared_level()), view_options_, platform_);
+        if (!parts_.open_gallery) return parts_.start_gallery();
+        auto gallery = parts_.open_gallery(game_.museum(up().shared_level()), view_options_, platform_);
         menu_.close_all();
         screens_.push_back(std::move(gallery));
     });

@@ -9,9 +9,9 @@
 
 #include "game/menu/menu_pages.h"
 #include "game/options/preferences_store.h"
-#include "game/program/gallery.h"
 #include "game/program/played_game.h"
 #include "game/program/program_files.h"
+#include "game/program/program_parts.h"
 #include "game/program/session.h"
 #include "game/program/title.h"
 #include "game/program/walk_saves.h"
@@ -23,9 +23,9 @@ namespace oblong {
 /// interface to the program.
 class Screens final : public MenuHost {
   public:
-    /// `store`, which keeps the player's changes, `platform` and `workers`, which may be null, outlive it.
-    Screens(const Options& options, ProgramFiles files, PreferencesStore& store, Platform& platform, Workers* workers,
-            OpenSound open_sound);
+    /// `store`, which keeps the player's changes, `platform` and the workers outlive it.
+    Screens(const Options& options, ProgramFiles files, PreferencesStore& store, Platform& platform,
+            ProgramParts parts);
 
     GameScreen& up() { return *screens_.back(); }
     const GameScreen& up() const { return *screens_.back(); }
@@ -123,7 +123,7 @@ class Screens final : public MenuHost {
     ViewOptions view_options_;
     PreferencesStore& store_;
     Platform& platform_;
-    Workers* workers_;
+    const ProgramParts parts_;
     const std::shared_ptr<MapWatch> watch_;
     GameSound sound_;
     WalkSaves saves_;

@@ -60,7 +60,8 @@ Session::Session(std::shared_ptr<const LoadedLevel> loaded, const SessionSetting
       settings_(settings),
       ticks_(loaded_->level, std::move(input)),
       palette_(loaded_->data),
-      overlays_(*loaded_, view_options, settings.kind == SessionKind::Title ? no_overlays_ : view_options, platform),
+      overlays_(*loaded_, view_options, settings.kind == SessionKind::Title ? no_overlays_ : view_options, platform,
+                settings.open_meter),
       menu_look_(loaded_->data.palette),
       last_us_(platform.now_us()) {
     show("{help}: keys");
@@ -238,8 +239,8 @@ std::string Session::figures() const {
     const GameView view = shown_view();
     const Settings settings = settings_of(view_options_.preferences);
     const Events events = events_of(renderer_->draw_and_count(view, settings), settings.accuracy);
-    ErrorMeter meter(loaded_->data.level_file, loaded_->level);
-    const ErrorSummary errors = summarize_pixels(meter.measure(view, settings, *renderer_));
+    const auto meter = open_meter_of(settings_.open_meter, loaded_->data.level_file, loaded_->level);
+    const ErrorSummary errors = summarize_pixels(meter->measure(view, settings, *renderer_));
     return "Picture (" + setting_name(settings.accuracy) +
            "): " + describe_rate(Processor::I486, cycles_on(Processor::I486, events)) +
            (errors.count > 0 ? "\nIts worst texel: " + three_digits(errors.max) + " pixels off" : "");

@@ -61,6 +61,7 @@ struct SessionSettings {
     Workers* workers = nullptr;  ///< that share the drawing; null: one thread
     GameSound* sound = nullptr;  ///< null: neither sound nor captions
     SessionKind kind = SessionKind::Walk;
+    OpenErrorMeter open_meter = nullptr;
 };
 
 /// One game in one level: its ticks, overlays and picture.

@@ -23,12 +23,13 @@ void keep(std::unique_ptr<Object>& object, bool is_wanted, Make make) {
 }  // namespace
 
 ShownOverlays::ShownOverlays(const LoadedLevel& loaded, const ViewOptions& view_options, Overlays& on,
-                             const Platform& platform)
+                             const Platform& platform, OpenErrorMeter open_meter)
     : data_(loaded.data),
       level_(loaded.level),
       view_options_(view_options),
       on_(on),
       platform_(platform),
+      open_meter_(open_meter),
       text_colours_(text_colours_of(loaded.data.palette)) {}
 
 // By the mode and the player's preference.
@@ -61,8 +62,9 @@ void ShownOverlays::follow(std::uint64_t now_us) {
     const MadeFor wanted{mode(), preferences().colours, text_colours_.scale};
     if (made_for_ != wanted) free_all();
     made_for_ = wanted;
-    keep(lab_, needs_lab(on_.lab),
-         [&] { return std::make_unique<Lab>(data_, level_, wanted.mode, wanted.colours, wanted.text_scale); });
+    keep(lab_, needs_lab(on_.lab), [&] {
+        return std::make_unique<Lab>(data_, level_, wanted.mode, wanted.colours, wanted.text_scale, open_meter_);
+    });
     keep(four_aspects_, on_.shows_four_aspects, [&] { return std::make_unique<FourAspects>(data_, level_); });
     if (log_ && log_->channels() != on_.log) log_.reset();
     keep(log_, !on_.log.is_empty(), [&] {

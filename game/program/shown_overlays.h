@@ -28,7 +28,8 @@ struct PanelText {
 class ShownOverlays {
   public:
     /// All outlive it. `on`: the state of the overlays; a title has its own, with none on.
-    ShownOverlays(const LoadedLevel& loaded, const ViewOptions& view_options, Overlays& on, const Platform& platform);
+    ShownOverlays(const LoadedLevel& loaded, const ViewOptions& view_options, Overlays& on, const Platform& platform,
+                  OpenErrorMeter open_meter);
 
     const Overlays& on() const { return on_; }
     /// Moves the line of a split picture with the mouse.
@@ -78,6 +79,7 @@ class ShownOverlays {
     const ViewOptions& view_options_;
     Overlays& on_;
     const Platform& platform_;
+    const OpenErrorMeter open_meter_;
     TextColours text_colours_;
     MadeFor made_for_;
     std::unique_ptr<Lab> lab_;

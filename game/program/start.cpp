@@ -1,6 +1,11 @@
+#include <cerrno>
+#include <cstring>
+#include <functional>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "engine/io/files.h"
 #include "engine/io/system.h"
@@ -8,6 +13,7 @@
 #include "engine/platform/worker_threads.h"
 #include "engine/programs/arguments.h"
 #include "game/input/route.h"
+#include "game/lab/error_meter.h"
 #include "game/lab/timedemo.h"
 #include "game/options/options.h"
 #include "game/program/program.h"
@@ -51,7 +57,35 @@ std::shared_ptr<MapWatch> watch_of(const Options& options, const char* called_as
     return watch;
 }
 
-void run_game(Options options, PreferencesStore& store, const char* called_as) {
+std::string gallery_program(const char* called_as) {
+    return program_folder(called_as) + "/oblong-gallery";
+}
+
+[[noreturn]] void fail_to_start(const std::string& program) {
+    throw FileError(program, "file",
+                    std::string(std::strerror(errno)) + ", expected the gallery's program beside oblong");
+}
+
+// In a window of its own, one at a time.
+std::function<void()> gallery_starter(const std::string& program, const PlayerFolders& folders) {
+    std::vector<std::string> words{program, "--gallery", "--error-box"};
+    if (!folders.config_file.empty()) words.insert(words.end(), {"--config", folders.config_file});
+    return [program, words, started = std::optional<int>()]() mutable {
+        if (started && state_of_program(*started) == ProgramState::Runs) return;
+        started = start_program(words, "/dev/null");
+        if (!started) fail_to_start(program);
+    };
+}
+
+void become_gallery(int argument_count, const char* const* arguments) {
+    const std::string program = gallery_program(arguments[0]);
+    std::vector<std::string> words(arguments, arguments + argument_count);
+    words[0] = program;
+    replace_program(words);
+    fail_to_start(program);
+}
+
+void run_game(Options options, PreferencesStore& store, const char* called_as, OpenGallery open_gallery) {
     const std::string assets = assets_folder(called_as);
     const std::shared_ptr<MapWatch> watch = watch_of(options, called_as);
     if (watch) options.level = watch->level_file();
@@ -66,16 +100,19 @@ void run_game(Options options, PreferencesStore& store, const char* called_as) {
     if (options.headless_frames > 0) options.preferences.machine.reset();  // a picture a tick
     const auto platform = open_platform(options);
     const OpenSound open_sound = options.headless_frames == 0 ? OpenSound(open_mixer) : OpenSound();
-    Program(options, std::move(files), store, *platform, &workers, open_sound).run();
+    ProgramParts parts{&workers, open_sound, open_reference_meter, open_gallery};
+    if (!open_gallery) parts.start_gallery = gallery_starter(gallery_program(called_as), options.folders);
+    Program(options, std::move(files), store, *platform, std::move(parts)).run();
 }
 
 }  // namespace
 
-int start_game(int argument_count, const char* const* arguments) {
+int start_game(int argument_count, const char* const* arguments, OpenGallery open_gallery) {
     std::string error_text;
     const int code = run_with_options(argument_count, arguments, [&](const Options& options, PreferencesStore& store) {
         try {
-            run_game(options, store, arguments[0]);
+            if (options.shows_gallery && !open_gallery) become_gallery(argument_count, arguments);
+            run_game(options, store, arguments[0], open_gallery);
         } catch (const std::exception& error) {
             if (options.shows_error_box) error_text = "oblong: " + message_of(error);
             throw;
@@ -83,6 +120,10 @@ int start_game(int argument_count, const char* const* arguments) {
     });
     if (!error_text.empty()) show_error_window(error_text);
     return code;
+}
+
+int start_game(int argument_count, const char* const* arguments) {
+    return start_game(argument_count, arguments, nullptr);
 }
 
 }  // namespace oblong

@@ -4,8 +4,10 @@
 
 #include "engine/platform/web/web.h"
 #include "engine/programs/arguments.h"
+#include "game/lab/error_meter.h"
 #include "game/options/options.h"
 #include "game/program/program.h"
+#include "tools/gallery/program/gallery_screen.h"
 
 namespace oblong {
 namespace {
@@ -28,7 +30,8 @@ struct PageGame {
     Options options;
     PreferencesStore store;
     std::unique_ptr<Platform> platform = open_page();
-    Program program{options, load_program_files(options, kAssets), store, *platform, nullptr, open_page_sound};
+    Program program{options, load_program_files(options, kAssets), store, *platform,
+                    ProgramParts{nullptr, open_page_sound, open_reference_meter, open_gallery}};
 };
 
 void step(void* page) {
@@ -55,7 +58,7 @@ void run_game(const Options& options, PreferencesStore& store) {
         return;
     }
     const auto platform = open_headless(options);
-    Program(options, load_program_files(options, kAssets), store, *platform, nullptr).run();
+    Program(options, load_program_files(options, kAssets), store, *platform, {.open_gallery = open_gallery}).run();
     page_end("");
 }
 

@@ -11,9 +11,9 @@
 #include "engine/frame/frame_record.h"
 #include "engine/frame/workspace.h"
 #include "engine/io/files.h"
+#include "engine/measure/texel_error.h"
 #include "tests/accuracy/scenes_fixture.h"
 #include "tests/support/folders.h"
-#include "tools/measure/texel_error.h"
 #include "tools/render/camera_list.h"
 
 namespace oblong::test {

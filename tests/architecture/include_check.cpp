@@ -100,7 +100,7 @@ std::string check_project_include(const std::vector<Room>& rooms, const Room& fr
 
 std::vector<Room> project_rooms(const std::string& root) {
     std::vector<Room> rooms;
-    std::map<std::string, std::string> folders{{"tool_measure", "tools/measure"}, {"gallery", "tools/gallery"}};
+    std::map<std::string, std::string> folders;
     for (const std::string top : {"engine/", "game/"}) {
         std::ifstream cmake(root + "/" + top + "CMakeLists.txt");
         for (std::string line; std::getline(cmake, line);) {
@@ -118,14 +118,12 @@ std::vector<Room> project_rooms(const std::string& root) {
             folders[name] = room.folder;
         }
     }
-    rooms.insert(rooms.end(), {{"game/dos", {"game/program"}},
-                               {"game/web", {"game/program"}},
-                               {"tools/reference", {}},
-                               {"tools/measure",
-                                {"engine/costs", "engine/methods", "engine/platform", "engine/pictures",
-                                 "engine/programs", "tools/reference"}},
-                               {"tools/gallery", {"tools/measure"}},
-                               {"tools", {"tools/measure", "tools/gallery", "engine/models"}}});
+    rooms.insert(rooms.end(),
+                 {{"game/dos", {"tools/gallery/program"}},
+                  {"game/web", {"tools/gallery/program"}},
+                  {"tools/gallery", {"engine/measure", "engine/methods", "engine/pictures", "engine/programs"}},
+                  {"tools/gallery/program", {"tools/gallery", "game/program"}},
+                  {"tools", {"tools/gallery", "engine/costs", "engine/models", "engine/platform"}}});
     return rooms;
 }
 

@@ -1,1 +1,1 @@
-set(LINKS oblong_gallery)
+set(LINKS oblong_gallery_program)

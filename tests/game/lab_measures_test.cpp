@@ -38,7 +38,7 @@ class LabMeasure : public testing::Test {
         level_ = make_game_level(data_.level);
         state_ = start_of(level_);
         renderer_.emplace(data_, level_, ScreenMode{});
-        meter_.emplace(data_.level_file, level_);
+        meter_ = open_reference_meter(data_.level_file, level_);
     }
     GameView view() const {
         const InterpolatedState state{state_, state_};
@@ -60,7 +60,7 @@ class LabMeasure : public testing::Test {
     GameLevel level_;
     GameState state_;
     std::optional<GameRenderer> renderer_;
-    std::optional<ErrorMeter> meter_;
+    std::unique_ptr<ErrorMeter> meter_;
     LabMeasures measures_{standing};
     std::optional<ViewSpec> other_;
 };
@@ -222,7 +222,7 @@ TEST(ColourErrors, AreRgbDistancesWherePicturesDiffer) {
 }
 
 TEST_F(LabMeasure, SaysWhyThereAreNoErrors) {
-    meter_.emplace("/no/such.bsp", level_);
+    meter_ = open_reference_meter("/no/such.bsp", level_);
     round({}, {});
     EXPECT_FALSE(measures_.figures().errors);
     EXPECT_NE(measures_.figures().problem.find("/no/such.bsp"), std::string::npos) << measures_.figures().problem;

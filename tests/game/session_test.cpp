@@ -179,8 +179,8 @@ TEST_F(SessionOfTheDemo, EndsWithAnIntermissionWhoseSecondHalfHasThePaceOfA386) 
     HeadlessPlatform platform(
         wait + 4, 35, [](std::int64_t) { return PlatformInput{}; }, [](Framebuffer, const Palette&) {});
     ViewOptions view_options;
-    Session session(loaded_, {}, view_options, TickInputSource(start_of(loaded_->level), std::nullopt, false),
-                    platform);
+    Session session(loaded_, {.open_meter = open_reference_meter}, view_options,
+                    TickInputSource(start_of(loaded_->level), std::nullopt, false), platform);
     GameState at_lens = start_of(loaded_->level);
     at_lens.player.position = world_vector(424, 1804, 500);
     session.restore(at_lens);

@@ -108,7 +108,7 @@ TEST_F(ExampleGame, IsPlayedFromTheTitleToTheEnd) {
         return test::scripted_input(controls);
     });
     PreferencesStore store;
-    Program(played, load_program_files(played, assets_), store, platform, nullptr).run();
+    Program(played, load_program_files(played, assets_), store, platform, {}).run();
     EXPECT_EQ(platform.icon_size, (WindowSize{32, 32}));
     ASSERT_EQ(platform.icon.size(), 32u * 32 * 4);
     EXPECT_EQ(platform.icon[3], 0) << "the corner is transparent";
@@ -276,7 +276,7 @@ TEST_F(ExampleGame, AnIconThatIsTooLargeIsRefused) {
     NamedWindow platform(1, [](std::int64_t) { return PlatformInput{}; });
     PreferencesStore store;
     const std::string said = test::refusal<FileError>(
-        [&] { Program(options(), load_program_files(options(), assets_), store, platform, nullptr); });
+        [&] { Program(options(), load_program_files(options(), assets_), store, platform, {}); });
     EXPECT_TRUE(said.starts_with(folder_ + "/large.png: size: ")) << said;
     EXPECT_TRUE(said.ends_with("expected up to 256x256 of an icon")) << said;
 }
@@ -292,7 +292,7 @@ TEST_F(ExampleGame, WhatIsNotKeptIsSaidInTheWindow) {
                 hash = fnv1a_of({picture.pixels, as_size(picture.width_px) * as_size(picture.height_px)});
             });
         PreferencesStore store;
-        Program(wanted, load_program_files(wanted, assets_), store, platform, nullptr).run();
+        Program(wanted, load_program_files(wanted, assets_), store, platform, {}).run();
         return hash;
     };
     EXPECT_NE(shown("Nothing is saved"), shown(""));

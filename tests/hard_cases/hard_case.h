@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "engine/methods/transforms.h"
+#include "engine/reference/view.h"
 #include "engine/view/screen_polygon.h"
 #include "tests/support/random.h"
 #include "tests/support/views.h"
 #include "tools/probe/probe.h"
-#include "tools/reference/view.h"
 
 /// Each hard case is a test suite HardCaseLETTERNUMBER: README.md lists them. Many ask through the probe, as checks
 /// from outside do.

@@ -1,1 +1,1 @@
-set(LINKS oblong_tool_probe oblong_tool_reference)
+set(LINKS oblong_tool_probe oblong_reference)

@@ -8,8 +8,8 @@
 #include "engine/methods/lines.h"
 #include "engine/methods/polygons.h"
 #include "engine/raster/scan.h"
+#include "engine/reference/view.h"
 #include "tests/hard_cases/hard_case.h"
-#include "tools/reference/view.h"
 
 namespace oblong::test {
 namespace {

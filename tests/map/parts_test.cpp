@@ -215,7 +215,7 @@ class WatchedWalk : public MapWatchTest {
         PreferencesStore store;
         ProgramFiles files = load_program_files(options, build_folder() + "/assets");
         files.watch = shared_watch_;
-        oblong::Program(options, std::move(files), store, platform, nullptr).run();
+        oblong::Program(options, std::move(files), store, platform, {}).run();
         return SaveSlots(path("data")).load({SaveKind::Walk, 1});
     }
 

@@ -7,10 +7,10 @@
 #include <random>
 
 #include "engine/costs/costs.h"
+#include "engine/measure/texel_error.h"
 #include "engine/visibility/eye.h"
 #include "tests/frame/holes.h"
 #include "tests/support/folders.h"
-#include "tools/measure/texel_error.h"
 
 namespace oblong::test {
 namespace {

@@ -1,1 +1,1 @@
-set(LINKS oblong_tool_measure)
+set(LINKS oblong_measure)

@@ -1,4 +1,4 @@
-#include "tools/measure/texel_error.h"
+#include "engine/measure/texel_error.h"
 
 #include <gtest/gtest.h>
 

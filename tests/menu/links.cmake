@@ -1,1 +1,1 @@
-set(LINKS oblong_game)
+set(LINKS oblong_gallery_program)

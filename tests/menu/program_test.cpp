@@ -11,6 +11,7 @@
 #include "tests/support/folders.h"
 #include "tests/support/scripted_input.h"
 #include "tests/walk/walked_level.h"
+#include "tools/gallery/program/gallery_screen.h"
 
 namespace oblong {
 namespace {
@@ -41,7 +42,7 @@ class ProgramOfTheDemo : public testing::Test {
     void play_on(Platform& platform, const Options& options) {
         PreferencesStore store(options.folders.config_file);
         store.begin_with(options.preferences);
-        Program(options, load_program_files(options, assets_), store, platform, nullptr).run();
+        Program(options, load_program_files(options, assets_), store, platform, {.open_gallery = open_gallery}).run();
     }
     // The number of pictures shown.
     std::int64_t play(std::int64_t frames, const Options& options, const ByPoll& script) {

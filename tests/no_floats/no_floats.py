@@ -16,7 +16,7 @@ import subprocess
 import sys
 import tempfile
 
-EXCEPTED = ("engine/io/", "engine/pictures/", "engine/models/", "engine/programs/", "engine/platform/sdl/")
+EXCEPTED = ("engine/io/", "engine/reference/", "engine/measure/", "engine/pictures/", "engine/models/", "engine/programs/", "engine/platform/sdl/")
 KERNELS = "engine/raster/kernels/"
 
 # __muldf3, __floatsidf, __fixsfdi, __extendsftf2 ...: GCC internals manual, "Routines for floating point emulation".

@@ -1,4 +1,4 @@
-#include "tools/reference/frame.h"
+#include "engine/reference/frame.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "tools/reference/level.h"
+#include "engine/reference/level.h"
 
 #include <gtest/gtest.h>
 
+#include "engine/reference/edge_mender.h"
 #include "tests/support/bsp_writer.h"
 #include "tests/support/refusal.h"
-#include "tools/reference/edge_mender.h"
 
 namespace oblong::reference::level_test {
 namespace {

@@ -1,1 +1,1 @@
-set(LINKS oblong_tool_reference oblong_tool_cameras oblong_frame)
+set(LINKS oblong_reference oblong_tool_cameras oblong_frame)

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "tools/reference/level.h"
-#include "tools/reference/view.h"
+#include "engine/reference/level.h"
+#include "engine/reference/view.h"
 
 /// Levels made for a test, and the view that most tests look at them through.
 namespace oblong::test {

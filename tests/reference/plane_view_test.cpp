@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "engine/reference/view.h"
 #include "tests/reference/made_level.h"
-#include "tools/reference/view.h"
 
 // Where the plane shows a texel, by its closed forms: tests/measure/texel_error_test.cpp.
 namespace oblong::reference::plane_view_test {

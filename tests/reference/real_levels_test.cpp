@@ -6,11 +6,11 @@
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
 #include "engine/level/bsp_read.h"
+#include "engine/reference/frame.h"
 #include "engine/scene/placed_models.h"
 #include "engine/visibility/eye.h"
 #include "tests/support/folders.h"
 #include "tests/support/palettes.h"
-#include "tools/reference/frame.h"
 #include "tools/render/camera_list.h"
 
 namespace oblong {

@@ -62,7 +62,7 @@ class ProgramSaves : public WalkedLevel {
             return scripted_input(controls);
         });
         PreferencesStore store;
-        Program(options, load_program_files(options, assets_), store, platform, nullptr).run();
+        Program(options, load_program_files(options, assets_), store, platform, {}).run();
     }
     static Controls chosen(std::size_t row) {
         Controls controls;
@@ -201,7 +201,7 @@ class ProgramSavesOfALevel : public ProgramSaves {
         options.folders.data = folder_.path("saves");
         Shown platform(polls, [](std::int64_t poll) { return poll == kAccept ? accept() : PlatformInput{}; });
         PreferencesStore store;
-        Program(options, load_program_files(options, assets_), store, platform, nullptr).run();
+        Program(options, load_program_files(options, assets_), store, platform, {}).run();
         return {platform.last.colours.begin() + 1, platform.last.colours.begin() + 200};
     }
     std::vector<Rgb8> colours_from_the_title() const {

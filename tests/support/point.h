@@ -5,7 +5,7 @@
 
 #include "engine/io/doubles.h"
 #include "engine/math/vec.h"
-#include "tools/measure/exact.h"
+#include "engine/measure/exact.h"
 
 /// The engine's numbers, points and directions in doubles, for the tests' own arithmetic. A World coordinate is exact
 /// there.

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "tools/reference/view.h"
+#include "engine/reference/view.h"
 
-/// Polygons and triangles in doubles or in exact integers: what only tests need besides tools/reference.
+/// Polygons and triangles in doubles or in exact integers: what only tests need besides engine/reference.
 namespace oblong::reference {
 
 /// The part of a convex polygon in viewspace between two depths and the four sides of the view.

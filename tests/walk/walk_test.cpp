@@ -151,7 +151,7 @@ TEST_F(TitleToEnd, TheTitleShowsTheWalkUntilTheLastLensAndNoFlash) {
 
     WatchedPlatform platform(state.tick / kTicksPerPoll);
     PreferencesStore store;
-    Program(options, load_program_files(options, assets_), store, platform, nullptr).run();
+    Program(options, load_program_files(options, assets_), store, platform, {}).run();
     ASSERT_EQ(platform.pictures.size(), static_cast<std::size_t>(state.tick / kTicksPerPoll));
     const auto again = std::find(platform.pictures.begin() + 100, platform.pictures.end(), platform.pictures[20]);
     ASSERT_NE(again, platform.pictures.end()) << "it does not begin again";

@@ -54,7 +54,7 @@ class WalkedLevel : public testing::Test {
         options.shows_title = true;
         options.record = folder_.path("recorded.demo");
         PreferencesStore store;
-        Program(options, load_program_files(options, assets_), store, platform, nullptr).run();
+        Program(options, load_program_files(options, assets_), store, platform, {}).run();
         return decode_demo(read_file(options.record));
     }
 

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "engine/frame/frame_record.h"
+#include "engine/measure/texel_error.h"
+#include "engine/reference/colour.h"
 #include "engine/surface/palette.h"
 #include "tools/accuracy/configurations.h"
 #include "tools/accuracy/measured_level.h"
-#include "tools/measure/texel_error.h"
-#include "tools/reference/colour.h"
 
 namespace oblong {
 

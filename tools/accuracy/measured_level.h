@@ -11,10 +11,10 @@
 #include "engine/frame/frame_record.h"
 #include "engine/frame/workspace.h"
 #include "engine/level/level.h"
+#include "engine/reference/level.h"
 #include "engine/scene/placed_models.h"
 #include "engine/surface/palette.h"
 #include "engine/view/projection.h"
-#include "tools/reference/level.h"
 
 namespace oblong {
 

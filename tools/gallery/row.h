@@ -13,9 +13,9 @@
 #include "engine/frame/frame.h"
 #include "engine/level/level.h"
 #include "engine/math/matrix.h"
+#include "engine/measure/exact.h"
 #include "engine/surface/colormap.h"
 #include "engine/view/screen.h"
-#include "tools/measure/exact.h"
 
 namespace oblong {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "engine/base/table.h"
-#include "tools/reference/vec.h"
+#include "engine/reference/vec.h"
 
 namespace oblong::map {
 

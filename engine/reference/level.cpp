@@ -1,4 +1,4 @@
-#include "tools/reference/level.h"
+#include "engine/reference/level.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "tools/reference/edge_mender.h"
+#include "engine/reference/edge_mender.h"
 
 namespace oblong::reference {
 

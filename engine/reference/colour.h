@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "tools/reference/frame.h"
+#include "engine/reference/frame.h"
 
 namespace oblong::reference {
 

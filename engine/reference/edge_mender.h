@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "tools/reference/vec.h"
+#include "engine/reference/vec.h"
 
 namespace oblong::reference {
 

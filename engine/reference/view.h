@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "tools/reference/level.h"
-#include "tools/reference/vec.h"
+#include "engine/reference/level.h"
+#include "engine/reference/vec.h"
 
 namespace oblong::reference {
 

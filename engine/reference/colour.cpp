@@ -1,4 +1,4 @@
-#include "tools/reference/colour.h"
+#include "engine/reference/colour.h"
 
 #include <algorithm>
 #include <cmath>

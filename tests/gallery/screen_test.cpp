@@ -1,6 +1,6 @@
-#include "game/program/gallery.h"
-
 #include <gtest/gtest.h>
+
+#include "tools/gallery/program/gallery_screen.h"
 
 namespace oblong {
 namespace {

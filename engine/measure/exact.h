@@ -3,7 +3,7 @@
 #include "engine/fixed/arithmetic.h"
 #include "engine/io/doubles.h"
 #include "engine/math/vec.h"
-#include "tools/reference/vec.h"
+#include "engine/reference/vec.h"
 
 /// The engine's numbers as doubles, for comparisons.
 namespace oblong {

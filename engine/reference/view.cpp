@@ -1,4 +1,4 @@
-#include "tools/reference/view.h"
+#include "engine/reference/view.h"
 
 #include <algorithm>
 #include <cmath>

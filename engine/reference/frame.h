@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "tools/reference/view.h"
+#include "engine/reference/view.h"
 
 namespace oblong::reference {
 

@@ -1,4 +1,4 @@
-#include "game/program/gallery.h"
+#include "tools/gallery/program/gallery_screen.h"
 
 #include <algorithm>
 #include <array>
@@ -155,6 +155,11 @@ void Gallery::draw_over() {
                               text_scale_in(mode.width_px, mode.height_px, drawn_with_.text_scale)};
     const Framebuffer below_header = part_of(canvas, {0, kHeader_px, canvas.width_px, canvas.height_px - kHeader_px});
     draw_hud({}, messages_, now_us_, below_header.height_px, colours, menu_look_.veil, below_header);
+}
+
+std::unique_ptr<GameScreen> open_gallery(std::shared_ptr<const LoadedLevel> museum, ViewOptions& view_options,
+                                         Platform& platform) {
+    return std::make_unique<Gallery>(std::move(museum), view_options, platform);
 }
 
 }  // namespace oblong

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/reference/vec.h"
+#include "engine/reference/vec.h"
 
 namespace oblong::reference {
 

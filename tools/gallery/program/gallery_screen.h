@@ -69,4 +69,8 @@ class Gallery final : public GameScreen {
     bool is_drawn_ = false;  ///< `picture_` is up to date
 };
 
+/// An OpenGallery (game/program/program_parts.h).
+std::unique_ptr<GameScreen> open_gallery(std::shared_ptr<const LoadedLevel> museum, ViewOptions& view_options,
+                                         Platform& platform);
+
 }  // namespace oblong

@@ -1,4 +1,4 @@
-#include "tools/reference/edge_mender.h"
+#include "engine/reference/edge_mender.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "tools/measure/texel_error.h"
+#include "engine/measure/texel_error.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,24 +62,6 @@ std::vector<TexelError> TexelErrorMeter::measure(const FrameRecord& record) {
             errors[row * width + column] = error_of(pixel, *plane, centre);
         }
     return errors;
-}
-
-ErrorSummary summarize_pixels(std::span<const TexelError> errors) {
-    std::vector<float> measured;
-    measured.reserve(errors.size());
-    for (const TexelError& error : errors)
-        if (error.is_measured()) measured.push_back(error.pixels);
-    return summarize_errors(std::move(measured));
-}
-
-ErrorSummary summarize_errors(std::vector<float> errors) {
-    if (errors.empty()) return {};
-    double squares = 0;
-    for (const float error : errors) squares += static_cast<double>(error) * error;
-    const auto at_p99 = errors.begin() + static_cast<std::ptrdiff_t>((errors.size() * 99 + 99) / 100 - 1);
-    std::nth_element(errors.begin(), at_p99, errors.end());
-    return {static_cast<std::int64_t>(errors.size()), std::sqrt(squares / static_cast<double>(errors.size())), *at_p99,
-            *std::max_element(at_p99, errors.end())};
 }
 
 std::vector<std::int32_t> true_faces(const reference::Level& level, std::span<const PlacedModel> models,

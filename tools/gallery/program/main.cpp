@@ -6,21 +6,23 @@
 #include "engine/pictures/picture.h"
 #include "engine/programs/arguments.h"
 #include "engine/programs/command_line.h"
+#include "game/program/program.h"
 #include "tools/gallery/page.h"
+#include "tools/gallery/program/gallery_screen.h"
 #include "tools/gallery/row.h"
 
 namespace {
 
 using namespace oblong;
 
-struct Options {
+struct PageOptions {
     std::string out = "gallery", assets, mode = "320x200", display = "4:3", preset = "bounded";
     std::vector<std::string> dials, ids;
 };
 
 /// Smaller pictures have no room for a scene between the header and the footer; on displays of other shapes scenes are
 /// cut off.
-void check_room(const ScreenMode& mode, const Options& options) {
+void check_room(const ScreenMode& mode, const PageOptions& options) {
     if (mode.width_px < 160 || mode.height_px < 100)
         throw UsageError("--mode: '" + options.mode + "' has no room for the rows, expected at least 160x100");
     const double shape = number_of(mode.display);
@@ -28,7 +30,7 @@ void check_room(const ScreenMode& mode, const Options& options) {
         throw UsageError("--display: '" + options.display + "' has no room for the rows, expected from 1:2 to 12:5");
 }
 
-void declare(CommandArguments& line, Options& options) {
+void declare(CommandArguments& line, PageOptions& options) {
     line.add("--out", options.out, "folder for index.html and its pictures");
     line.add("--row", options.ids, "only this row, by its id; may be given several times");
     line.add("--assets", options.assets, "folder of demo.bsp and palette.lmp (default: the project's)");
@@ -65,7 +67,8 @@ std::vector<std::vector<std::int64_t>> values_of_pictures(const Row& row) {
 
 class PictureWriter {
   public:
-    PictureWriter(const Options& options, const GalleryAssets& assets, const Settings& settings, const ScreenMode& mode)
+    PictureWriter(const PageOptions& options, const GalleryAssets& assets, const Settings& settings,
+                  const ScreenMode& mode)
         : options_(options), assets_(assets), settings_(settings), mode_(mode) {}
 
     PageRow draw(const Row& row) {
@@ -87,7 +90,7 @@ class PictureWriter {
         return {pixels_.data(), mode_.width_px, mode_.height_px, mode_.width_px};
     }
 
-    const Options& options_;
+    const PageOptions& options_;
     const GalleryAssets& assets_;
     const Settings& settings_;
     ScreenMode mode_;
@@ -107,7 +110,7 @@ std::size_t report_wrong(const PageRow& shown) {
     return wrong;
 }
 
-void make_gallery(const Options& options) {
+void make_gallery(const PageOptions& options) {
     ScreenMode mode;
     parse_mode_size(options.mode, mode);
     mode.display = parse_display(options.display);
@@ -138,8 +141,12 @@ void make_gallery(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    Options options;
-    CommandLine line("oblong-gallery", "Draws all that the seeds name, a picture each, with an index page.");
+    if (std::any_of(argv, argv + argc, [](const char* word) { return std::string_view(word) == "--gallery"; }))
+        return start_game(argc, argv, open_gallery);
+    PageOptions options;
+    CommandLine line("oblong-gallery",
+                     "Draws all that the seeds name, a picture each, with an index page. With --gallery: in a window, "
+                     "and the options are the game's (oblong --help).");
     declare(line, options);
     return line.run(argc, argv, [&] {
         if (options.assets.empty()) options.assets = assets_folder(argv[0]);
