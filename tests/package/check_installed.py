@@ -71,6 +71,9 @@ def check_programs(prefix, home, version):
     played = run(prefix, home, 'oblong', '--headless', '2', '--out', 'pictures')
     assert (played.returncode, played.stderr) == (0, ''), played
     assert files_in(home) == {'pictures/00000.png', 'pictures/00001.png'}, files_in(home)
+    shown = run(prefix, home, 'oblong', '--gallery', '--headless', '2', '--out', 'gallery')
+    assert (shown.returncode, shown.stderr) == (0, '') and 'gallery/00001.png' in files_in(home), shown
+    shutil.rmtree(home + '/gallery')
     with open(home + '/cameras.csv', 'w') as file:
         file.write('x,y,z,yaw,pitch\n0,40,70,92,-6\n')
     drawn = run(prefix, home, 'oblong-render', prefix + '/share/oblong/demo.bsp', '--cameras', 'cameras.csv', '--json', '-')
