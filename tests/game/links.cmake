@@ -1,1 +1,2 @@
 set(LINKS oblong_game)
+set(PARTS 3)

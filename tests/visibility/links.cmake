@@ -1,1 +1,2 @@
 set(LINKS oblong_visibility)
+set(PARTS 2)
