@@ -1,7 +1,8 @@
-// The examples' page: runs the program that the first argument names, or lists all. Arguments NAME=VALUE before it set
-// the environment, as in a shell.
-#include <emscripten.h>
-
+// The examples' page: runs the program that the first argument names. Arguments NAME=VALUE before it set the
+// environment, as in a shell.
+#include <cstdio>
+#include <cstdlib>
+#include <iterator>
 #include <string>
 
 #include "engine/platform/sdl/sdl.h"
@@ -18,16 +19,6 @@ struct Example {
 constexpr Example kExamples[] = {
 #include "game/web/example_table.h"
 };
-
-EM_JS(void, page_offer, (const char* name), {
-    const link = document.createElement("a");
-    link.textContent = UTF8ToString(name);
-    link.href = "?" + link.textContent + " /assets";
-    const list = document.getElementById("said");
-    list.append(link, "\n");
-    document.body.classList.remove("loads");
-    Page.canvas.hidden = true;
-});
 
 }  // namespace
 
@@ -48,9 +39,10 @@ std::unique_ptr<SoundOutput> open_mixer() {
 
 int main(int argc, char** argv) {
     for (; argc > 1 && std::string(argv[1]).find('=') != std::string::npos; --argc, ++argv) putenv(argv[1]);
-    for (const Example& example : kExamples) {
-        if (argc > 1 && std::string(argv[1]) == example.name) return example.run(argc - 1, argv + 1);
-        if (argc == 1) page_offer(example.name);
-    }
+    if (std::size(kExamples) == 1) return kExamples[0].run(argc, argv);
+    const std::string name = argc > 1 ? argv[1] : "";
+    for (const Example& example : kExamples)
+        if (name == example.name) return example.run(argc - 1, argv + 1);
+    if (!name.empty()) std::fprintf(stderr, "'%s' is no example, expected one that the page without '?' lists\n", name.c_str());
     return 0;
 }

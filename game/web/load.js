@@ -156,13 +156,16 @@ const suspended = imports => {
 };
 const entered = instance => {
   const main = WebAssembly.promising(instance.exports.main);
-  return {exports: {...instance.exports, main: (...words) => { main(...words).then(() => Module.arguments.length && Page.end("The program has ended."), fail); }}};
+  return {exports: {...instance.exports, main: (...words) => { main(...words).then(() => isList || Page.end("The program has ended."), fail); }}};
 };
 
 // The front page, where the address asks for nothing else. Its button begins the walk, or goes on with it: that is the
 // first row of the title behind it.
+// Back, the browser's, leads to it again, and forward into the walk.
+const PLAYED = "#play";
 const leaveFront = () => {
-  if (Page.hasEnded) return;
+  if (Page.hasEnded || front.hidden) return;
+  if (location.hash !== PLAYED) location.hash = PLAYED;
   if (!Page.screen || Page.screen.shown === 0) return setTimeout(leaveFront, 50);
   front.hidden = true;
   Page.isCovered = false;
@@ -183,7 +186,19 @@ const showFront = () => {
     leaveFront();
   }, {once: true});
 };
-if (location.search === "" && !WAITS) showFront();
+// The page of the examples lists them.
+const list = document.getElementById("list");
+const isList = list !== null && location.search === "";
+if (list) list.hidden = !isList;
+Page.isCovered = isList;
+if (isList) document.body.className = "";
+if (location.search === "" && !WAITS) {
+  showFront();
+  addEventListener("popstate", () => location.hash === PLAYED ? leaveFront() : location.reload());
+}
+const whole = document.getElementById("whole");
+whole.hidden = !document.fullscreenEnabled;
+whole.addEventListener("click", () => document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen());
 
 const data = streamOf("/*@program@*/.data").then(stream => new Response(stream).arrayBuffer());
 const OWN = [/*@game@*/];

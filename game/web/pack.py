@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Makes the page of what was built.      pack.py BUILD ASSETS SITE [GAME]
+"""Makes the page of what was built.      pack.py BUILD ASSETS SITE [GAME | --examples | --program NAME]
 SITE gets index.html with oblong.wasm and oblong.data, for a server, and oblong.html: all of it in one file.
 With a game's folder, that of a game.json, it is the page of that game, under its title and icon; with --examples, in
-its place, examples.html alone, of engine/examples."""
+its place, examples.html alone, of engine/examples; with --program, NAME.html of that program, with all of ASSETS."""
 import base64
 import gzip
 import html
@@ -16,6 +16,7 @@ import sys
 HERE = os.path.dirname(os.path.abspath(__file__))
 # The played part of the built game's data, without level sources and lists for tools.
 PLAYED = r'(demo\.bsp|walk\.demo|game\.json|palette\.lmp|(models|music|sounds)/.*)'
+EXAMPLES = 'Programs of a screen each on the engine of Oblong, with their source.'
 MUSEUM = 'A museum to walk through, drawn as in 1996. Turn its dials, and see what accuracy costs.'
 
 
@@ -96,6 +97,10 @@ def packed_data(assets, game):
     files = [(name, read(assets, name)) for name in files_below(assets) if re.fullmatch(PLAYED, name)]
     if game:
         files += [('game/' + name, content) for name, content in used_files(game, [name for name, _ in files])]
+    return packed_files(files)
+
+
+def packed_files(files):
     names = json.dumps([{'name': name, 'size': len(content)} for name, content in files]).encode()
     return struct.pack('<I', len(names)) + names + b''.join(content for _, content in files)
 
@@ -146,17 +151,34 @@ def as_page_of(title, about, page):
     return page.replace('/*@about@*/', about)
 
 
-def main(build, assets, site, game=None):
+def example_list():
+    """Of all examples: picture, name, line and source, from their page."""
+    examples = os.path.join(HERE, '../../engine/examples')
+    items = ''
+    for picture, name, text in re.findall(r'^\| <img src="(\w+\.png)".* \| \[(\w+)\]\(\w+\.cpp\) \| (.*) \|$',
+                                          read(examples, 'README.md').decode(), re.M):
+        items += ('<li><a href="?%s%%20/assets"><img src="data:image/png;base64,%s" alt=""><h2>%s</h2></a><p>%s</p>'
+                  '<details><summary>Source</summary><pre tabindex="0">%s</pre></details></li>\n'
+                  % (name, base64.b64encode(read(examples, picture)).decode(), name, html.escape(text),
+                     html.escape(read(examples, name + '.cpp').decode())))
+    return '<main id="list" hidden>\n<h1>Examples</h1>\n<p>%s</p>\n<ul>\n%s</ul>\n</main>\n' % (EXAMPLES, items)
+
+
+def main(build, assets, site, game=None, named=None):
     page = read(HERE, 'index.html').decode()
     program = 'oblong'
-    if game == '--examples':
-        program, game = 'examples', None
-        page = as_page_of('Examples', 'Programs on the engine of Oblong', page)
+    if game in ('--examples', '--program'):
+        program, game = named or 'examples', None
+        page = as_page_of(named or 'Examples', 'A program on the engine of Oblong.' if named else EXAMPLES, page)
+        if not named:
+            page = page.replace('<div id="said"', example_list() + '<div id="said"')
     if game:
         page = under_own_name(page, game)
     need('tools/build --web makes', build, program + '.wasm')
-    need('tools/build --web makes', assets, 'demo.bsp')
-    files = {program + '.wasm': read(build, program + '.wasm'), program + '.data': packed_data(assets, game)}
+    if not named:
+        need('tools/build --web makes', assets, 'demo.bsp')
+    data = packed_files([(name, read(assets, name)) for name in files_below(assets)]) if named else packed_data(assets, game)
+    files = {program + '.wasm': read(build, program + '.wasm'), program + '.data': data}
     sizes = ', '.join('"%s": %d' % (name, len(content)) for name, content in files.items())
     for name in ('page.js', 'screen.js', 'pads.js', 'touch.js', 'sound.js'):
         page = page.replace('//@%s@' % name, read(HERE, '../../engine/platform/web', name).decode())
@@ -182,6 +204,6 @@ def main(build, assets, site, game=None):
     print('packed: program %d, data %d, all %d bytes' % (*map(len, packed.values()), total))
 
 
-if not 4 <= len(sys.argv) <= 5:
+if not 4 <= len(sys.argv) <= (6 if '--program' in sys.argv else 5):
     sys.exit(__doc__)
 main(*sys.argv[1:])

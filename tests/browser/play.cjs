@@ -221,6 +221,20 @@ const play = async (open, address) => {
   return tab;
 };
 
+// The browser's own buttons: back to the front page, and forward into the walk.
+const back = async (open, address) => {
+  const tab = await open(address), isWalk = () => tab.until("document.getElementById('front').hidden && Page.isCaptured", "a walk");
+  await tab.until("!document.getElementById('front').hidden", "the front page");
+  await tab.page.click("#play");
+  await isWalk();
+  await tab.page.goBack();
+  await tab.until("location.hash === '' && !document.getElementById('front').hidden", "the front page again");
+  await tab.shot(file("front"));
+  await tab.page.goForward();
+  await isWalk();
+  return tab;
+};
+
 // A link to a room begins there; one to none says which there are.
 const rooms = async (open, address) => {
   const tab = await open(address + "?room=Vanishing%20Point");
@@ -362,7 +376,7 @@ const refusals = async (open, address) => {
 
 run(async open => {
   const address = await serve(site);
-  for (const test of [touch, replay, rest, refusals, full, twice, play, rooms]) {
+  for (const test of [touch, replay, rest, refusals, full, twice, play, back, rooms]) {
     console.log(test.name);
     const tab = await test(open, address);
     assert.deepStrictEqual(tab.said, [], "on the console");

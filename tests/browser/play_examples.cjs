@@ -8,8 +8,8 @@ const page = "file://" + path.resolve(site, "examples.html");
 // {"plasma", "plasma", 40}: the example, its picture, and which of its pictures that is.
 const shots = [...fs.readFileSync(path.join(root, "tests/examples/examples_test.cpp"), "latin1").matchAll(/\{"(\w+)", "(\w+)", (\d+)\}/g)];
 
-const check = async (open, [, example, name, count]) => {
-  const tab = await open(`${page}?OBLONG_HEADLESS=${count}:/shot.png ${example} /assets`);
+const check = async (open, [, example, name, count], address = page, words = example + " /assets") => {
+  const tab = await open(`${address}?OBLONG_HEADLESS=${count}:/shot.png ${words}`);
   await tab.until("Page.hasEnded", example + " ends");
   assert.deepStrictEqual(tab.said.filter(line => !line.includes("OBLONG_HEADLESS: no sound")), [], example + ", on the console");
   const drawn = readPng(Buffer.from(await tab.evaluate("btoa(String.fromCharCode(...FS.readFile('/shot.png')))"), "base64"));
@@ -22,13 +22,17 @@ const check = async (open, [, example, name, count]) => {
 
 run(async open => {
   const list = await open(page);
-  await list.until("document.querySelectorAll('#said a').length > 0", "a list of examples");
-  const names = await list.evaluate("[...document.querySelectorAll('#said a')].map(link => link.textContent)");
+  await list.until("document.querySelectorAll('#list a').length > 0", "a list of examples");
+  const names = await list.evaluate("[...document.querySelectorAll('#list h2')].map(name => name.textContent)");
+  for (const [at, name] of names.entries())
+    assert.strictEqual(await list.evaluate(at => document.querySelectorAll("#list pre")[at].textContent, at), fs.readFileSync(path.join(root, "engine/examples", name + ".cpp"), "utf8"), "the source of " + name);
   assert.deepStrictEqual(names, [...new Set(shots.map(([, example]) => example))].sort());
   assert.deepStrictEqual(list.said, [], "on the console");
   await list.shot(path.join(scratch, "examples.png"));
   await list.page.close();
   for (const name of names) await check(open, shots.find(([, example]) => example === name));
+  // A program that has a page of its own, as tools/build --web makes it.
+  await check(open, shots.find(([, example]) => example === "plasma"), "file://" + path.resolve(site, "plasma.html"), "");
 
   const refused = await open(page + "?fire", undefined, () => { delete WebAssembly.Suspending; });
   await refused.until("Page.hasEnded && document.body.innerText.includes('JSPI')", "a browser where a program can't wait says so");
