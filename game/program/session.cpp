@@ -44,7 +44,7 @@ void WalkTicks::advance(std::uint64_t elapsed_us, std::int32_t speed_100, const 
     for (int due = clock_.advance(elapsed_us, speed_100); due > 0; --due) {
         before_ = after_;
         const TickReport report = input_.play_tick(level_, after_);
-        after_tick(before_, after_, report);
+        after_tick(before_, after_, report, due == 1);
     }
 }
 
@@ -79,8 +79,8 @@ void Session::advance(const Controls& controls, std::uint64_t now_us) {
     ticks_.input().gather(held);
     ticks_.input().note_view(view_dials_of(view_options_), work_);
     ticks_.advance(elapsed_us, view_options_.preferences.game_speed_100,
-                   [this](const GameState& before, const GameState& after, const TickReport& report) {
-                       note_tick(before, after, report);
+                   [this](const GameState& before, const GameState& after, const TickReport& report, bool is_last) {
+                       note_tick(before, after, report, is_last);
                        follow_demo();
                    });
 }
@@ -128,11 +128,11 @@ Action Session::action_here() const {
     return item(kActions, asked_dial(loaded_->level, state()).value_or(ViewDialKind::Accuracy));
 }
 
-void Session::note_tick(const GameState& before, const GameState& after, const TickReport& report) {
+void Session::note_tick(const GameState& before, const GameState& after, const TickReport& report, bool is_last) {
     warn_of(report);
     palette_.note_tick(before, after);
     if (after.has_ended && !before.has_ended) ended_tick_ = after.tick;
-    if (settings_.sound) settings_.sound->note_tick(before, after, report);
+    if (settings_.sound) settings_.sound->note_tick(before, after, report, is_last);
     const std::string message = message_of(loaded_->level, before, after);
     if (!message.empty()) show(message);
 }
