@@ -11,6 +11,9 @@ namespace {
 
 void draw_plain(Framebuffer canvas, std::int32_t x, std::int32_t y, std::string_view line, std::uint8_t colour,
                 std::int32_t scale) {
+    if (scale == 1)  // a third of the work
+        return for_each_dot(
+            line, [&](std::int32_t column, std::int32_t row) { set_pixel(canvas, x + column, y + row, colour); });
     for_each_dot(line, [&](std::int32_t column, std::int32_t row) {
         fill_area(canvas, {x + column * scale, y + row * scale, scale, scale}, colour);
     });

@@ -81,6 +81,8 @@ void take(const std::string& name, const std::string& value, Arguments& argument
         arguments.options.replay = value;
         return;
     }
+    for (const char* const chosen : {"accuracy", "view-size", "double-columns"})
+        if (name == chosen) arguments.options.chooses_view = false;
     for (const Preference& preference : all_preferences())
         if (preference.name == name) return preference.parse(preferences, value);
     throw UsageError("'" + name + "', expected NAME=VALUE of an option that oblong --help lists, as accuracy=1994");
@@ -90,6 +92,7 @@ void take(const std::string& name, const std::string& value, Arguments& argument
 Arguments read_arguments(int count, char** words) {
     Arguments arguments;
     take("accuracy", "pixel", arguments);  // what a 486 affords (tools/accuracy/README.md)
+    arguments.options.chooses_view = true;
     for (int i = 1; i < count; ++i) {
         const std::string word = lower_case(words[i]);
         const std::size_t equals = std::min(word.find('='), word.size());
@@ -131,7 +134,7 @@ void print_hashes(const Options& options, std::size_t ticks, dos::Pc& pc) {
     const LoadedLevel loaded(level_files_of(options, kAssets));
     const Demo demo = read_parsed(std::string(kAssets) + "/walk.demo", decode_demo);
     std::fprintf(stderr, "read at %u ms\n", now_ms());
-    GameRenderer renderer(loaded.data, loaded.level, options.preferences.mode, nullptr);
+    GameRenderer renderer(loaded.data, loaded.level, options.preferences.mode, nullptr, options.preferences);
     const Settings settings = settings_of(options.preferences);
     GameState state = start_of(loaded.level);
     std::uint64_t drawing_us = 0;

@@ -53,6 +53,8 @@ enum class Action : std::uint8_t {
     ZoomIn,  ///< a narrower field of view, seen from farther away
     ZoomOut,
     CrtLook,
+    SmallerView,
+    LargerView,
     Darker,
     Brighter,
     Log,

@@ -53,6 +53,7 @@ struct Options : LevelOptions, RunOptions {
     PlayerFolders folders;     ///< of the player's files; empty names: neither read nor written
     bool shows_title = false;  ///< also if no level or other run is given
     bool shows_gallery = false, shows_error_box = false;
+    bool chooses_view = false;  ///< view-size, double-columns and accuracy by the times of the first pictures
 };
 
 /// Runs `body` with the options and the store of preferences. Returns the program's exit code: 0, also after --help and

@@ -54,6 +54,12 @@ void add_picture(Rows& rows) {
     rows.push_back(field_of_view_preference());
     rows.push_back(mode_preference());
     rows.push_back(display_preference());
+    rows.push_back(whole_number({"view-size", "View size", "of the picture, in per cent; the rest is a border", kPage,
+                                 "{smaller-view}, {larger-view}"},
+                                &Preferences::size_100, 30, 100, {30, 40, 50, 60, 70, 80, 90, 100}, " %"));
+    rows.push_back(
+        on_or_off({"double-columns", "Double columns", "draws half of the view's columns, each two pixels wide", kPage},
+                  &Preferences::doubles_columns));
     rows.push_back(one_of(
         {"aspect-projection", "Drawn for", "pixels that the projection assumes: the display's, or square ones", kPage,
          "{projection-aspect}"},

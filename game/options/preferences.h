@@ -46,8 +46,15 @@ inline Light light_of_new(const std::string& game) {
     return {100, 100, game != kMuseum};
 }
 
+/// How much of a picture shows the view, as in games of 1993 for slow machines.
+struct ViewSize {
+    std::int32_t size_100 = 100;   ///< of its width and height, 30 to 100; the rest is a border
+    bool doubles_columns = false;  ///< half as many columns are drawn, each is shown twice
+    bool operator==(const ViewSize&) const = default;
+};
+
 /// The picture, and how a window shows it.
-struct PicturePreferences {
+struct PicturePreferences : ViewSize {
     ScreenMode mode;  ///< of the picture, and the display that it is for
     Degrees field_of_view = Degrees::from_int(90);
     bool corrects_projection = true;  ///< the projection is for the display's shape

@@ -20,6 +20,7 @@ ViewOptions view_options_of(const Options& options) {
     view_options.map = options.automap;
     view_options.wireframe = options.wireframe;
     view_options.line_method = options.line_method;
+    if (options.chooses_view) view_options.choice.begin(view_options.preferences);
     return view_options;
 }
 

@@ -44,7 +44,7 @@ void WalkTicks::advance(std::uint64_t elapsed_us, std::int32_t speed_100, const 
     for (int due = clock_.advance(elapsed_us, speed_100); due > 0; --due) {
         before_ = after_;
         const TickReport report = input_.play_tick(level_, after_);
-        after_tick(before_, after_, report);
+        after_tick(before_, after_, report, due == 1);
     }
 }
 
@@ -80,8 +80,8 @@ void Session::advance(const Controls& controls, std::uint64_t now_us) {
     ticks_.input().gather(held);
     ticks_.input().note_view(view_dials_of(view_options_), work_);
     ticks_.advance(elapsed_us, view_options_.preferences.game_speed_100,
-                   [this](const GameState& before, const GameState& after, const TickReport& report) {
-                       note_tick(before, after, report);
+                   [this](const GameState& before, const GameState& after, const TickReport& report, bool is_last) {
+                       note_tick(before, after, report, is_last);
                        follow_demo();
                    });
 }
@@ -129,11 +129,11 @@ Action Session::action_here() const {
     return item(kActions, asked_dial(loaded_->level, state()).value_or(ViewDialKind::Accuracy));
 }
 
-void Session::note_tick(const GameState& before, const GameState& after, const TickReport& report) {
+void Session::note_tick(const GameState& before, const GameState& after, const TickReport& report, bool is_last) {
     warn_of(report);
     palette_.note_tick(before, after);
     if (after.has_ended && !before.has_ended) ended_tick_ = after.tick;
-    if (settings_.sound) settings_.sound->note_tick(before, after, report);
+    if (settings_.sound) settings_.sound->note_tick(before, after, report, is_last);
     const std::string message = message_of(loaded_->level, before, after);
     if (!message.empty()) show(message);
 }
@@ -146,11 +146,13 @@ void Session::warn_of(const TickReport& report) {
                            {"more happens at once than a tick may do: " + std::string(left)});
 }
 
-// A renderer is for one mode.
+// A renderer is for one mode and size. The lab compares whole pictures.
 void Session::follow_mode() {
-    const ScreenMode mode = picture_in(platform_.window_size(), view_options_.preferences).mode;
-    if (renderer_ && renderer_->mode() == mode) return;
-    renderer_ = std::make_unique<GameRenderer>(loaded_->data, loaded_->level, mode, settings_.workers);
+    const PicturePreferences picture = picture_in(platform_.window_size(), view_options_.preferences);
+    const ViewSize size = needs_lab(overlays_.on().lab) ? ViewSize{} : drawable_size(picture);
+    if (renderer_ && renderer_->picture_mode() == picture.mode && renderer_->size() == size) return;
+    renderer_.reset();  // before the next one needs its memory
+    renderer_ = std::make_unique<GameRenderer>(loaded_->data, loaded_->level, picture.mode, settings_.workers, size);
 }
 
 GameView Session::shown_view() const {
@@ -163,7 +165,7 @@ GameView Session::shown_view() const {
         show_intermission(*loaded_->level.intermission, ticks_since_end(), camera);
     const Overlays& on = overlays_.on();
     return {state, camera, on.has_torch,
-            other_view(on.is_isometric, on.zoom_degrees, camera, picture.mode, loaded_->data.level)};
+            other_view(on.is_isometric, on.zoom_degrees, camera, renderer_->mode(), loaded_->data.level)};
 }
 
 Palette Session::palette_of(const InterpolatedState& state, const PaletteEffects& effects) const {
@@ -201,7 +203,7 @@ ShownPicture Session::draw_all(bool is_behind_menu) {
     if (!is_behind_menu) panels = overlays_.draw_panels(view, settings, last_us_, canvas);
     if (const auto shown = machine()) panels.notes.push_back(describe_rate(*shown, cycles_));
     const Palette& palette = shown_colours_ = palette_of(view.state, effects);
-    if (std::exchange(wants_screenshot_, false)) show(save_screenshots(canvas, palette, renderer_->mode()));
+    if (std::exchange(wants_screenshot_, false)) show(save_screenshots(canvas, palette, renderer_->picture_mode()));
     if (!is_behind_menu)
         overlays_.draw_text(std::move(panels),
                             settings_.sound ? settings_.sound->captions() : std::vector<std::string>(), messages_,
@@ -224,7 +226,13 @@ void Session::draw_picture(const GameView& view, const Settings& drawn) {
     const std::optional<Processor> paced_as = machine();
     const bool counts_work = asks_for_work(loaded_->level, state());
     work_ = 0;
-    if (!paced_as && !counts_work) return renderer_->draw(view, drawn);
+    if (!paced_as && !counts_work) {
+        const std::uint64_t began_us = platform_.now_us();
+        renderer_->draw(view, drawn);
+        if (view_options_.choice.is_on())
+            view_options_.choice.note(platform_.now_us() - began_us, view_options_.preferences);
+        return;
+    }
     const Events events = events_of(renderer_->draw_and_count(view, drawn), drawn.accuracy);
     if (counts_work)
         work_ =
@@ -251,7 +259,7 @@ std::string Session::save_picture(const std::string& text) {
     Messages none;
     overlays_.draw_text({{text}, picture.canvas.height_px - kTextMargin_px}, {}, none, played_us_, menu_look_.veil,
                         picture.canvas);
-    return save_screenshots(picture.canvas, picture.palette, renderer_->mode());
+    return save_screenshots(picture.canvas, picture.palette, renderer_->picture_mode());
 }
 
 Thumbnail Session::thumbnail() {
@@ -262,7 +270,7 @@ Thumbnail Session::thumbnail() {
     has_drawn_ = true;
     const PaletteEffects effects =
         palette_.effects_at(view, preferences.flashes, preferences.light(), preferences.has_dac6);
-    return make_thumbnail(thumbnail_part(renderer_->canvas(), renderer_->mode()), palette_of(view.state, effects));
+    return make_thumbnail(thumbnail_part(renderer_->shown(), renderer_->mode()), palette_of(view.state, effects));
 }
 
 void Session::restore(const GameState& state) {

@@ -27,8 +27,9 @@ class WalkTicks {
     /// The level outlives it. The first state is that of its start.
     WalkTicks(const GameLevel& level, TickInputSource input);
 
-    /// Called after each tick.
-    using AfterTick = std::function<void(const GameState& before, const GameState& after, const TickReport& report)>;
+    /// Called after each tick. `is_last`: no other follows at once.
+    using AfterTick =
+        std::function<void(const GameState& before, const GameState& after, const TickReport& report, bool is_last)>;
 
     /// Plays the ticks that are due after `elapsed_us`. `speed_100`: TickClock::advance()'s.
     void advance(std::uint64_t elapsed_us, std::int32_t speed_100, const AfterTick& after_tick);
@@ -124,7 +125,7 @@ class Session final : public GameScreen {
     std::optional<Processor> machine() const;
     GameView shown_view() const;
     Palette palette_of(const InterpolatedState& state, const PaletteEffects& effects) const;
-    void note_tick(const GameState& before, const GameState& after, const TickReport& report);
+    void note_tick(const GameState& before, const GameState& after, const TickReport& report, bool is_last);
     void warn_of(const TickReport& report);
     void handle_commands(const Controls& controls);
     void follow_mode();

@@ -100,7 +100,7 @@ void ShownOverlays::draw_lab_pictures(const GameView& view, const Settings& sett
 
 void ShownOverlays::draw_lines(const GameView& view, const Settings& drawn, GameRenderer& renderer) {
     if (edge_colour_) {
-        const Framebuffer canvas = renderer.canvas();
+        const Framebuffer canvas = renderer.drawn();
         if (on_.wireframe == Wireframe::Alone)
             fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, text_colours_.dark);
         renderer.draw_edges(view, drawn, edge_colour_->style(on_.line_method));

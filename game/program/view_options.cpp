@@ -182,6 +182,9 @@ std::string apply(Action command, ViewOptions& options, WindowSize window) {
         case Action::ScalingMode:
             preferences.scaling = next_of(preferences.scaling, kScalingCount);
             return describe_scaling(preferences, window);
+        case Action::SmallerView:
+        case Action::LargerView:
+            return change("view-size", command == Action::LargerView ? 1 : -1, preferences);
         case Action::Darker:
         case Action::Brighter:
             return change("brightness", command == Action::Brighter ? 1 : -1, preferences);

@@ -9,6 +9,7 @@
 #include "game/input/controls.h"
 #include "game/lab/lab_options.h"
 #include "game/options/preferences.h"
+#include "game/program/view_choice.h"
 #include "game/view/sign_colours.h"
 
 namespace oblong {
@@ -31,7 +32,8 @@ struct Overlays {
 /// Options that keys change during a game: only how it is drawn and shown.
 struct ViewOptions : Overlays {
     Preferences preferences;  ///< saved in the options file
-    bool uses_pad = false;    ///< the player's last input was a gamepad's: messages name its buttons
+    ViewChoice choice;
+    bool uses_pad = false;  ///< the player's last input was a gamepad's: messages name its buttons
 
     KeyNames key_names(const Platform& platform) const { return {preferences.bindings, platform, uses_pad}; }
 };

@@ -8,10 +8,7 @@ namespace {
 struct Hash {
     Fnv1a fnv;
 
-    void add(std::int64_t number) {
-        for (int byte = 0; byte < 8; ++byte)
-            fnv.add(static_cast<std::uint8_t>(static_cast<std::uint64_t>(number) >> (8 * byte)));
-    }
+    void add(std::int64_t number) { fnv.add_number(static_cast<std::uint64_t>(number)); }
     template <class Field>
     void operator()(const Field& field) {
         add(static_cast<std::int64_t>(field));

@@ -184,9 +184,9 @@ bool stops_line(const Level& bsp, ModelIndex model, const Position& from, const 
 
 }  // namespace
 
-void HeardFrom::start_tick() {
-    ++tick_;
-    std::erase_if(known_, [this](const Known& known) { return tick_ - known.tick >= kTicks; });
+void HeardFrom::start() {
+    ++time_;
+    std::erase_if(known_, [this](const Known& known) { return time_ - known.time >= kTimes; });
 }
 
 std::optional<std::size_t> HeardFrom::place_of(const SoundSource& source) const {
@@ -197,7 +197,7 @@ std::optional<std::size_t> HeardFrom::place_of(const SoundSource& source) const 
 }
 
 void HeardFrom::note(const SoundSource& source, std::size_t place) {
-    known_.push_back({source.sound, source.box, place, tick_});
+    known_.push_back({source.sound, source.box, place, time_});
 }
 
 Listener listener_of(const Player& player) {

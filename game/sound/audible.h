@@ -48,14 +48,14 @@ VoiceLevels levels_at(const SoundSource& source, const Listener& listener);
 bool is_clear(const GameLevel& level, const GameState& state, const Position& from, const Position& to,
               ModelIndex except);
 
-/// Remembers from which of its places each loop was heard, so that lines are traced for it only every fourth tick:
+/// Remembers from which of its places each loop was heard, so that lines are traced for it only every fourth time:
 /// tracing is most of the work of hearing.
 class HeardFrom {
   public:
-    static constexpr std::uint32_t kTicks = 4;
+    static constexpr std::uint32_t kTimes = 4;
 
-    /// Forgets what is kTicks old.
-    void start_tick();
+    /// Forgets what is kTimes old.
+    void start();
     std::optional<std::size_t> place_of(const SoundSource& source) const;
     void note(const SoundSource& source, std::size_t place);
 
@@ -64,10 +64,10 @@ class HeardFrom {
         Sound sound;
         Box box;
         std::size_t place;
-        std::uint32_t tick;
+        std::uint32_t time;
     };
     std::vector<Known> known_;
-    std::uint32_t tick_ = 0;
+    std::uint32_t time_ = 0;
 };
 
 /// The sounds of some sources that a listener hears. Loops of one sound are merged: each ear hears the loudest of them.

@@ -162,11 +162,11 @@ void GameSound::enter(const GameLevel* level, const LevelSounds* own) {
     keep_what_is_on();
 }
 
-void GameSound::note_tick(const GameState& before, const GameState& after, const TickReport& report) {
+void GameSound::note_tick(const GameState& before, const GameState& after, const TickReport& report, bool is_last) {
     if (!scene_) return;
-    scene_->note_tick(before, after, report);
+    scene_->note_tick(before, after, report, is_last);
     const std::span<const AudibleSound> sounds = scene_->audible().sounds;
-    if (has_sounds()) player_->play(sounds, sounds_256());
+    if (has_sounds() && is_last) player_->play(sounds, sounds_256());
     if (captions_) captions_->note_tick(sounds);
 }
 

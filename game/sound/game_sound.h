@@ -77,7 +77,8 @@ class GameSound {
 
     /// Sets the level that is heard; null: none. The level and `own` must outlive this object, or the next call.
     void enter(const GameLevel* level, const LevelSounds* own = nullptr);
-    void note_tick(const GameState& before, const GameState& after, const TickReport& report);
+    /// `is_last`: SoundScene::note_tick()'s.
+    void note_tick(const GameState& before, const GameState& after, const TickReport& report, bool is_last = true);
     /// A pause or a menu over the game: sounds are paused, music is softer.
     void hold(bool is_held);
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 #include <tuple>
+#include <utility>
 
 #include "engine/effects/things.h"
 #include "engine/level/entities.h"
@@ -146,13 +147,18 @@ std::int32_t SoundScene::length_ticks(const SoundSource& source) const {
     return static_cast<std::int32_t>(std::min<std::int64_t>(ticks, std::numeric_limits<std::int32_t>::max()));
 }
 
-void SoundScene::note_tick(const GameState& before, const GameState& after, const TickReport& report) {
-    const Listener listener = listener_of(after.player);
+void SoundScene::note_tick(const GameState& before, const GameState& after, const TickReport& report, bool is_last) {
     std::vector<SoundSource> sources;
     starts_.note_tick(before, after, report, sources);
     for (const SoundSource& source : sources)
         if (source.serial != 0) one_shots_.push_back({source, length_ticks(source)});
     std::erase_if(sources, [](const SoundSource& source) { return source.serial != 0; });
+    if (is_last) hear(after, std::move(sources));
+    std::erase_if(one_shots_, [](OneShot& one_shot) { return --one_shot.ticks_left <= 0; });
+}
+
+void SoundScene::hear(const GameState& state, std::vector<SoundSource> sources) {
+    const Listener listener = listener_of(state.player);
     for (const OneShot& one_shot : one_shots_) sources.push_back(one_shot.source);
     ambience_.collect(listener.ear, sources);
     if (listener.is_under_water) {
@@ -160,16 +166,15 @@ void SoundScene::note_tick(const GameState& before, const GameState& after, cons
         source.sound = Sound::UnderWater;
         sources.push_back(source);
     }
-    heard_from_.start_tick();
-    audible_ = audible_sounds(level_, after, listener, sources, heard_from_);
+    heard_from_.start();
+    audible_ = audible_sounds(level_, state, listener, sources, heard_from_);
     keep_heard();
 }
 
 // A one-shot that is not in range at its start, or leaves it, is not resumed.
 void SoundScene::keep_heard() {
     std::erase_if(one_shots_, [&](OneShot& one_shot) {
-        return --one_shot.ticks_left <= 0 ||
-               std::none_of(audible_.sounds.begin(), audible_.sounds.end(),
+        return std::none_of(audible_.sounds.begin(), audible_.sounds.end(),
                             [&](const AudibleSound& sound) { return sound.serial == one_shot.source.serial; });
     });
 }

@@ -81,11 +81,13 @@ class SoundScene {
     /// The level outlives it, and so do its own sounds.
     explicit SoundScene(const GameLevel& level, const LevelSounds* own = nullptr);
 
-    /// Finds what the player of `after` hears after a tick.
-    void note_tick(const GameState& before, const GameState& after, const TickReport& report);
+    /// Finds what the player of `after` hears after a tick. Not of one that others follow at once (`is_last`), as where
+    /// a picture takes longer than a tick: hearing is more work than the tick.
+    void note_tick(const GameState& before, const GameState& after, const TickReport& report, bool is_last = true);
     const Audible& audible() const { return audible_; }
 
   private:
+    void hear(const GameState& state, std::vector<SoundSource> sources);
     void keep_heard();
     std::int32_t length_ticks(const SoundSource& source) const;
 
@@ -98,7 +100,7 @@ class SoundScene {
     Ambience ambience_;
     SoundStarts starts_;
     HeardFrom heard_from_;
-    std::vector<OneShot> one_shots_;  // not ended, and heard in each tick so far
+    std::vector<OneShot> one_shots_;  // not ended, and heard whenever the player listened
     Audible audible_;
 };
 

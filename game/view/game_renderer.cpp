@@ -28,9 +28,17 @@ std::optional<std::size_t> model_of(std::size_t entity, const LevelModels& model
 
 }  // namespace
 
-GameRenderer::GameRenderer(const GameData& data, const GameLevel& level, const ScreenMode& mode, Workers* workers)
-    : data_(data), level_(level), mode_(mode), work_(data.level, mode, workers) {
-    pixels_.resize(pixel_count(mode.width_px, mode.height_px));
+GameRenderer::GameRenderer(const GameData& data, const GameLevel& level, const ScreenMode& picture, Workers* workers,
+                           const ViewSize& size)
+    : data_(data),
+      level_(level),
+      picture_(picture),
+      size_(size),
+      placed_(place_view(picture, size)),
+      border_(data.palette),
+      work_(data.level, mode(), workers) {
+    pixels_.resize(pixel_count(picture.width_px, picture.height_px));
+    if (size.doubles_columns) columns_.resize(pixel_count(mode().width_px, mode().height_px));
     for (const Item& item : level.items) item_models_.push_back(model_of(item.entity, data.models));
     for (std::uint32_t i = 0; i < level.movers.size(); ++i)
         if (const auto model =
@@ -66,24 +74,27 @@ void GameRenderer::use_scene(const GameView& view, Use use) {
 
 void GameRenderer::draw(const GameView& view, const Settings& settings) {
     use_scene(view, [&](const Scene& scene) {
-        draw_frame(scene, spec_of(view, settings), mode_, settings, work_, canvas());
+        draw_frame(scene, spec_of(view, settings), mode(), settings, work_, drawn());
     });
+    finish();
 }
 
 void GameRenderer::note(const GameView& view, const Settings& settings, std::uint64_t now_us, FrameLog& log) {
     use_scene(view, [&](const Scene& scene) {
         const ViewSpec spec = spec_of(view, settings);
-        log.note_each_second({scene, spec, mode_, settings, work_}, now_us);
+        log.note_each_second({scene, spec, mode(), settings, work_}, now_us);
     });
 }
 
 void GameRenderer::draw_edges(const GameView& view, const Settings& settings, const LineStyle& style) {
-    draw_wireframe(data_.level, spec_of(view, settings), mode_, settings, work_, style, canvas());
+    draw_wireframe(data_.level, spec_of(view, settings), mode(), settings, work_, style, drawn());
+    finish();
 }
 
 void GameRenderer::draw_path(std::span<const Vec3<World>> points, const GameView& view, const Settings& settings,
                              const LineStyle& style) {
-    oblong::draw_path(points, spec_of(view, settings), mode_, settings, style, canvas());
+    oblong::draw_path(points, spec_of(view, settings), mode(), settings, style, drawn());
+    finish();
 }
 
 FrameCounts GameRenderer::draw_and_count(const GameView& view, const Settings& settings) {
@@ -105,12 +116,24 @@ FrameRecord GameRenderer::draw_and_record(const GameView& view, const Settings& 
 void GameRenderer::draw_and_time(const GameView& view, const Settings& settings, RenderingTimes& times) {
     use_scene(view, [&](const Scene& scene) {
         const ViewSpec spec = spec_of(view, settings);
-        times.time(work_, [&] { draw_frame(scene, spec, mode_, settings, work_, canvas()); });
+        times.time(work_, [&] { draw_frame(scene, spec, mode(), settings, work_, drawn()); });
     });
+    finish();
 }
 
 Framebuffer GameRenderer::canvas() {
-    return {pixels_.data(), mode_.width_px, mode_.height_px, mode_.width_px};
+    return {pixels_.data(), picture_.width_px, picture_.height_px, picture_.width_px};
+}
+
+Framebuffer GameRenderer::drawn() {
+    return columns_.empty() ? shown()
+                            : Framebuffer{columns_.data(), mode().width_px, mode().height_px, mode().width_px};
+}
+
+// Each time, since text may be over the border.
+void GameRenderer::finish() {
+    if (!columns_.empty()) double_columns(drawn(), shown());
+    if (size_ != ViewSize{}) draw_around(placed_.area, border_, canvas());
 }
 
 void ViewTimes::time(const GameView& view, const Settings& settings, GameRenderer& renderer) {

@@ -11,6 +11,7 @@
 #include "engine/raster/lines.h"
 #include "game/level/load.h"
 #include "game/view/shown_view.h"
+#include "game/view/view_size.h"
 
 namespace oblong {
 
@@ -18,7 +19,8 @@ namespace oblong {
 class GameRenderer {
   public:
     /// `data`, `level` and `workers` outlive the renderer. If there are workers, draw() shares its work with them.
-    GameRenderer(const GameData& data, const GameLevel& level, const ScreenMode& mode, Workers* workers = nullptr);
+    GameRenderer(const GameData& data, const GameLevel& level, const ScreenMode& picture, Workers* workers = nullptr,
+                 const ViewSize& size = {});
 
     void draw(const GameView& view, const Settings& settings);
     /// Like draw(), but also count or record, and slower. The canvas is the same.
@@ -35,8 +37,15 @@ class GameRenderer {
     void note(const GameView& view, const Settings& settings, std::uint64_t now_us, FrameLog& log);
     /// The plan of the picture drawn last.
     const FramePlan& plan() const { return work_.plan; }
+    /// The picture, with what is around the view.
     Framebuffer canvas();
-    const ScreenMode& mode() const { return mode_; }
+    const ScreenMode& picture_mode() const { return picture_; }
+    const ViewSize& size() const { return size_; }
+    /// The picture's part that shows the view.
+    Framebuffer shown() { return part_of(canvas(), placed_.area); }
+    /// The view as it is drawn, before columns are doubled.
+    Framebuffer drawn();
+    const ScreenMode& mode() const { return placed_.mode; }
     /// FaceTable::torn_edges of the level.
     std::size_t torn_edges() const { return work_.cache.faces.torn_edges; }
 
@@ -46,15 +55,20 @@ class GameRenderer {
         std::uint32_t mover;
         std::size_t model;
     };
+    void finish();
     void note_models(const InterpolatedState& state);
     template <class Use>
     void use_scene(const GameView& view, Use use);
 
     const GameData& data_;
     const GameLevel& level_;
-    ScreenMode mode_;
+    ScreenMode picture_;
+    ViewSize size_;
+    PlacedView placed_;
+    BorderColours border_;
     FrameWorkspace work_;
     std::vector<std::uint8_t> pixels_;
+    std::vector<std::uint8_t> columns_;  ///< of drawn(); empty unless they are doubled
     std::vector<PlacedMesh> meshes_;
     std::vector<std::optional<std::size_t>> item_models_;  ///< of GameLevel::items, into GameData::models
     std::vector<TurningModel> turning_;

@@ -16,6 +16,7 @@ namespace {
 const std::map<std::string, std::pair<std::string, std::string>> kEnds{{"fov", {"30", "140"}},
                                                                        {"mode", {"160x100", "1600x1200"}},
                                                                        {"display", {"5:4", "7:3"}},
+                                                                       {"view-size", {"30", "100"}},
                                                                        {"brightness", {"0.25", "8"}},
                                                                        {"gamma", {"0.5", "2"}},
                                                                        {"frame-cap", {"0", "240"}},
@@ -33,7 +34,7 @@ const std::map<std::string, std::size_t> kCounts{
     {"aspect-projection", 2}, {"aspect-display", 3}, {"scaling", 4},      {"crt", 2},
     {"tube-light", 2},        {"dac6", 2},           {"whole-screen", 2}, {"vsync", 2},
     {"accuracy", 6},          {"machine", 4},        {"flashes", 3},      {"colours", 3},
-    {"captions", 2},          {"invert-look", 2},    {"always-run", 2}};
+    {"captions", 2},          {"invert-look", 2},    {"always-run", 2},   {"double-columns", 2}};
 
 bool is_dial(const Preference& row) {
     return row.name.starts_with("dial-");

@@ -116,7 +116,7 @@ TEST(Audible, AnAreaBehindAWallIsMuffled) {
     EXPECT_EQ(audible.traces, static_cast<int>(kMostLinesOfASource));
 }
 
-/// What is heard of an area and of a place as one passes a column: by lines of at most four ticks ago.
+/// What is heard of an area and of a place as one passes a column: by lines of at most four times ago.
 TEST(Audible, OfLoopsThatAreKnownNoLinesAreTracedForFourTicks) {
     const ToyGame game(with_column());
     SoundSource area = source_at(Sound::Rain, 80, -100, 20);
@@ -127,7 +127,7 @@ TEST(Audible, OfLoopsThatAreKnownNoLinesAreTracedForFourTicks) {
     bool is_muffled = false, has_changed = false;
     for (int tick = 0; tick < 80; ++tick) {
         const Listener ear{world_vector(20, 2 * tick - 80, 46), Angle{}, false};
-        heard_from.start_tick();
+        heard_from.start();
         const Audible audible = audible_sounds(game.level, game.state, ear, sources, heard_from);
         const Audible now = audible_now(game.level, game.state, ear, sources);
         ASSERT_EQ(audible.sounds.size(), now.sounds.size());
@@ -151,7 +151,7 @@ TEST(Audible, SoundsThatBeginAreTracedAtEachTick) {
     const std::vector<SoundSource> one{source_at(Sound::GateStart, -300, 0, 46, 1)};
     HeardFrom heard_from;
     for (int tick = 0; tick < 8; ++tick) {
-        heard_from.start_tick();
+        heard_from.start();
         EXPECT_EQ(audible_sounds(game.level, game.state, kListener, one, heard_from).traces, 1) << tick;
     }
 }

@@ -30,7 +30,7 @@ struct HeardGame {
         for (int i = 0; i < ticks; ++i) {
             const GameState before = game.state;
             const TickReport report = step(game.level, game.state, input);
-            scene.note_tick(before, game.state, report);
+            scene.note_tick(before, game.state, report, game.state.tick % listens_each == 0);
             captions.note_tick(scene.audible().sounds);
             for (const std::string& line : captions.lines()) lines.insert(line);
             for (const AudibleSound& sound : scene.audible().sounds) note(sound);
@@ -46,6 +46,7 @@ struct HeardGame {
 
     LevelSounds own;
     int own_begun = 0;
+    std::int64_t listens_each = 1;  ///< as many ticks as a picture takes
     ToyGame game;
     SoundScene scene;
     Captions captions;
@@ -127,6 +128,18 @@ TEST(Landing, IsHeardAfterAFallAndNotAfterAStep) {
     HeardGame low(plain(), 10);
     low.play(70, kStand);
     EXPECT_EQ(low.count(Sound::Land), 0);
+}
+
+// What begins while nobody listens goes on.
+TEST(Hearing, MissesNothingWherePicturesTakeTicks) {
+    for (const std::int64_t ticks : {1, 5}) {
+        HeardGame heard(plain(), 200);
+        heard.listens_each = ticks;
+        heard.play(70, kStand);
+        EXPECT_EQ(heard.count(Sound::Land), 1);
+        heard.play(105, kAhead);
+        EXPECT_NEAR(heard.count(Sound::StepStone), heard.game.x() / 104, 1);
+    }
 }
 
 TEST(Movers, StartMoveAndStop) {

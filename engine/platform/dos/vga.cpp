@@ -76,10 +76,12 @@ void copy(Framebuffer picture) {
 }
 
 void copy_nearest(Framebuffer picture) {
+    std::array<std::int32_t, kMode13h.width_px> columns;
+    for (std::int32_t x = 0; x < kMode13h.width_px; ++x) columns[as_size(x)] = x * picture.width_px / kMode13h.width_px;
     std::uint8_t* to = screen();
     for (std::int32_t y = 0; y < kMode13h.height_px; ++y) {
         const std::uint8_t* row = picture.row(y * picture.height_px / kMode13h.height_px);
-        for (std::int32_t x = 0; x < kMode13h.width_px; ++x) *to++ = row[x * picture.width_px / kMode13h.width_px];
+        for (const std::int32_t column : columns) *to++ = row[column];
     }
 }
 
