@@ -45,6 +45,7 @@ void LevelFrames::draw(const Camera& camera, const Accuracy& accuracy, EffectSet
     Settings settings;
     settings.accuracy = accuracy;
     settings.allowed_effects = effects;
+    settings.correct_aspect = corrects_aspect_;
     const Framebuffer out{pixels_.data(), kMeasuredMode.width_px, kMeasuredMode.height_px, kMeasuredMode.width_px};
     draw_frame({level_.level, colormap_, level_.models}, camera, kMeasuredMode, settings, workspace_for(accuracy), out);
 }

@@ -47,6 +47,8 @@ class LevelFrames {
     std::span<const std::uint8_t> pixels() const { return pixels_; }  ///< of the last frame
 
     void draw(const Camera& camera, const Accuracy& accuracy, EffectSet effects = kStillEffects);
+    /// Whether tall pixels are drawn for, as they are at first (Settings::correct_aspect).
+    void correct_aspect(bool corrects) { corrects_aspect_ = corrects; }
     /// Makes the next frame of these settings build all its surfaces.
     void forget_surfaces(const Accuracy& accuracy);
     /// Draws; returns the contents of each pixel, valid until the next call.
@@ -65,6 +67,7 @@ class LevelFrames {
     const MeasuredLevel& level_;
     const Colormap& colormap_;
     std::vector<Lighting> lightings_;
+    bool corrects_aspect_ = true;
     FrameRecord record_;
     std::vector<std::uint8_t> pixels_;
 };
