@@ -13,7 +13,7 @@ const paragraph = (words, css = "") => `<p class="${css}">${escaped(words)}</p>\
 // rows: {cells, isDefault}; the first cell of a row names it.
 function table(headings, rows) {
   const cells = (tag, all) => all.map(cell => `<${tag}>${escaped(cell)}</${tag}>`).join("");
-  return `<div class="scroll"><table><thead><tr>${cells("th", headings)}</tr></thead><tbody>\n` +
+  return `<div class="scroll" tabindex="0"><table><thead><tr>${cells("th", headings)}</tr></thead><tbody>\n` +
     rows.map(row => `<tr${row.isDefault ? ' class="default"' : ""}>${cells("td", row.cells)}</tr>\n`).join("") +
     "</tbody></table></div>\n";
 }

@@ -1,5 +1,5 @@
-// A figure: pictures of one view, the controls that change it, and what it costs. Everything that takes time is a job of
-// `Jobs`, so that a moving slider gets a picture each frame, and maps and exact pictures as soon as there is time.
+// A figure: pictures of one view, the controls that change it, and what it costs. What takes time is left to
+// its work(), so that a moving slider gets a picture each frame, and maps and exact pictures as soon as there is time.
 const element = (tag, attributes = {}, ...content) => {
   const made = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes))
@@ -15,6 +15,9 @@ const ASKED = {  // of the eye: place in view.eye, least, greatest, caption
   roll: [5, -45, 45, "leaning, degrees"], field: [6, 20, 150, "field of view, degrees"],
 };
 
+const took_ms = {errors: 12, reference: 16};  // of late, of any figure
+const LATE_ms = 120;  // how long these wait while a slider moves
+
 class Figure {
   constructor(engine, definition, place, clock) {
     Object.assign(this, {engine, definition, place, clock, isInView: false, due: {}, heldUntil: 0, isTurning: false, rested: 0});
@@ -22,7 +25,7 @@ class Figure {
     this.measure = engine.measure(definition.measure || "displacement");
     this.controls = [];  // what shows a control's state again
     this.parts = {};
-    place.replaceChildren(this.pictures(), this.readout = element("p", {class: "readout"}), this.form());
+    place.replaceChildren(this.pictures(), this.key(), this.readout = element("p", {class: "readout"}), this.form());
     this.change();
   }
 
@@ -38,20 +41,25 @@ class Figure {
     return box;
   }
 
+  // For narrow screens, where pictures have no captions.
+  key() {
+    const places = [["left: drawn"], ["right: exact", "reference"], ["below it: errors, bright is more", "errors"]];
+    return element("p", {class: "key soft"}, places.filter(([, name]) => !name || this.parts[name]).map(([words]) => words).join(", "));
+  }
+
   // ---- controls
 
   form() {
-    const form = element("div", {class: "dials"});
-    const asks = this.definition.asks || [];
+    const form = element("div", {class: this.definition.sway ? "dials" : ""});
+    const {asks = [], dials = []} = this.definition, {engine} = this;
     if (asks.includes("preset")) form.append(this.presetChoice());
-    const dials = this.definition.dials === "all" ? this.engine.dials.map(dial => dial.name) : this.definition.dials;
-    for (const name of dials) form.append(this.dialSlider(this.engine.dial(name)));
+    for (const name of dials === "all" ? engine.dials.map(dial => dial.name) : dials) form.append(this.dialSlider(engine.dial(name)));
     for (const name of asks) if (ASKED[name]) form.append(this.eyeSlider(name));
     if (asks.includes("drawnTall")) form.append(this.box("drawn for tall pixels", () => this.view.drawnTall, value => { this.view.drawnTall = value; }));
     if (asks.includes("shownTall")) form.append(this.box("shown with tall pixels", () => !this.place.classList.contains("square"),
                                                          value => this.place.classList.toggle("square", !value)));
     if (asks.includes("measure")) form.append(this.measureChoice());
-    form.append(this.turnButton());
+    if (this.definition.sway) form.append(this.turnButton());
     return form;
   }
 
@@ -126,7 +134,7 @@ class Figure {
   // ---- drawing
 
   change() {
-    for (const part of Object.keys(this.parts)) this.due[part] = true;
+    for (const part of Object.keys(this.parts)) this.due[part] = this.due[part] || performance.now();
     this.rested = 0;
     for (const show of this.controls) show();
   }
@@ -140,12 +148,16 @@ class Figure {
     this.change();
   }
 
-  // The next thing that it has to do; false: nothing.
-  work(now) {
-    if (this.due.picture) return this.draw(now);
-    if (this.due.errors && this.isReady()) return this.drawErrors();
-    if (this.due.reference) return this.drawReference();
-    return false;
+  // A map or an exact picture, if one is due and fits into so many milliseconds, or has been due for long. False: nothing was done.
+  work(left_ms) {
+    const isLate = name => left_ms > 0 && performance.now() - this.due[name] > LATE_ms;
+    const name = ["errors", "reference"].find(one => this.due[one] && (took_ms[one] < left_ms || isLate(one)) && (one !== "errors" || this.isReady()));
+    if (!name) return false;
+    const before = performance.now();
+    if (name === "errors") this.drawErrors();
+    else this.paint(name, this.engine.reference(this.view).picture);
+    took_ms[name] += (performance.now() - before - took_ms[name]) / 4;
+    return true;
   }
 
   // Other maps than displacement's need what is exact first: too long for a moving view.
@@ -154,9 +166,8 @@ class Figure {
   }
 
   paint(name, picture) {
-    this.due[name] = false;
+    this.due[name] = 0;
     this.parts[name].pen.putImageData(new ImageData(picture, this.engine.width), 0, 0);
-    return true;
   }
 
   draw(now) {
@@ -164,20 +175,15 @@ class Figure {
     this.cost = frame;
     this.heldUntil = now + (this.clock.processor === null ? 0 : this.engine.milliseconds(this.clock.processor, frame.cycles));
     this.say();
-    return this.paint("picture", frame.picture);
+    this.paint("picture", frame.picture);
   }
 
   drawErrors() {
-    const errors = this.engine.errors(this.view, this.measure), {unit, least, greatest} = this.engine.measures[this.measure];
+    const errors = this.engine.errors(this.view, this.measure), {least, greatest} = this.engine.measures[this.measure];
     this.error = {...errors, measure: this.measure};
     this.parts.errors.caption.textContent = `${PARTS.errors}: dark ${least}, bright ${greatest}, grey not measured`;
     this.paint("errors", errors.picture);
-    this.say(unit);
-    return true;
-  }
-
-  drawReference() {
-    return this.paint("reference", this.engine.reference(this.view).picture);
+    this.say();
   }
 
   errorText() {

@@ -36,10 +36,12 @@ const stripTable = (steps, engine) => {
   const whole = (name, step) => row(name, columns.map(column => step[column] === 0 ? "0" : number(step[column])), "default");
   const rows = steps.slice(1).map((step, i) => row(step.name, step.isExact ? ["exact", "", ""] :
     columns.map((column, c) => signed(step[column] - steps[i][column]) + bar(step[column] - steps[i][column], c)), step.isExact ? "soft" : ""));
-  return `<div class="scroll"><table class="strip"><thead><tr><th scope="col">stage</th><th scope="col">texels out of place, pixels (rms)</th>` +
+  return `<div class="scroll" tabindex="0"><table class="strip"><thead><tr><th scope="col">stage</th><th scope="col">texels out of place, pixels (rms)</th>` +
     `<th scope="col">wrong pixels, ‰</th><th scope="col">${engine.processors[1].name}, ms</th></tr></thead><tbody>` +
     whole("all exact", first) + rows.join("") + whole("this setting", last) + "</tbody></table></div>";
 };
+
+const wordsOf = mark => `${mark.name}: ${number(mark.error)} pixels, ${number(mark.cost)} ms`;
 
 // Error and cost of presets, and of each dial of texels' places turned alone from the usual setting.
 function* marksOfSettings(engine, view) {
@@ -57,37 +59,73 @@ function* marksOfSettings(engine, view) {
   return marks.sort((a, b) => a.cost - b.cost);
 }
 
-// An SVG whose dots are chosen by `preview(mark or null)` under the pointer or focus, and by `keep(mark)`. One stop of the Tab
-// key: arrows go from dot to dot.
-function drawChart(place, marks, processor, preview, keep) {
-  const width = place.clientWidth < 500 ? 380 : 760, height = 360, frame = {left: 46, right: width - 12, top: 24, bottom: height - 44};
-  const across = logAxis(marks[0].cost / 1.1, marks.at(-1).cost * 1.1, frame.left, frame.right);
-  const errors = marks.map(mark => mark.error), down = logAxis(Math.min(...errors) / 2, Math.max(...errors) * 2, frame.bottom, frame.top);
-  let drawn = across.ticks.map(tick => svgLine([[across.place(tick), frame.top], [across.place(tick), frame.bottom]], "grid") +
-      svgText(across.place(tick), frame.bottom + 16, "middle", "tick", shortNumber(tick))).join("") +
-    down.ticks.map(tick => svgLine([[frame.left, down.place(tick)], [frame.right, down.place(tick)]], "grid") +
-      svgText(frame.left - 6, down.place(tick) + 4, "end", "tick", shortNumber(tick))).join("") +
-    svgText(frame.left, 14, "start", "axis", "↑ texels out of place, pixels (rms)") + svgText(frame.right, height - 10, "end", "axis", `ms a frame, ${processor} →`);
-  const labels = labeller(frame), places = marks.map(mark => [across.place(mark.cost), down.place(mark.error)]);
-  marks.forEach((mark, i) => labels.reserve(...places[i], mark.isPreset ? 6 : 4));
-  const dots = marks.map((mark, i) => `<circle class="${mark.isPreset ? "preset" : "setting"}" cx="${at(places[i][0])}" cy="${at(places[i][1])}" r="${mark.isPreset ? 6 : 4}" ` +
-    `role="button" tabindex="${i ? -1 : 0}" data-mark="${i}" aria-label="${escaped(`${mark.name}: ${number(mark.error)} pixels, ${number(mark.cost)} ms`)}"></circle>`);
-  drawn += dots.join("") + marks.map((mark, i) => mark.isPreset ? labels.add(...places[i], mark.name, "name", true) : "").join("");
-  place.innerHTML = `<svg viewBox="0 0 ${width} ${height}" role="group" aria-label="Error against cost; arrow keys go from setting to setting">${drawn}</svg>`;
-  const circles = [...place.querySelectorAll("circle")], markOf = event => event.target.dataset && marks[event.target.dataset.mark];
-  place.firstChild.onpointerover = event => preview(markOf(event) || null);
-  place.firstChild.onpointerleave = () => preview(null);
-  place.firstChild.onclick = event => { if (markOf(event)) keep(markOf(event)); };
-  place.firstChild.addEventListener("focusin", event => preview(markOf(event) || null));
-  place.firstChild.addEventListener("focusout", () => preview(null));
-  place.firstChild.onkeydown = event => {
-    const now = circles.indexOf(event.target), step = {ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1}[event.key];
+const KEYS = {ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1};
+const NEAR_px = 16;  // from a dot's middle, on the screen
+
+// An SVG whose dots are shown by `preview(mark)` under the pointer or focus, and taken by `keep(mark)`. One stop of the Tab key:
+// arrows go from dot to dot.
+class Chart {
+  constructor(place, marks, processor, preview, keep) {
+    Object.assign(this, {marks, preview, keep, width: place.clientWidth < 450 ? 380 : 700, height: 380});
+    place.innerHTML = `<svg viewBox="0 0 ${this.width} ${this.height}" role="group" aria-label="Error against cost; arrow keys go from ` +
+      `setting to setting">${this.drawn(processor)}</svg>`;
+    this.svg = place.firstChild;
+    this.dots = [...place.querySelectorAll("circle")];
+    this.svg.onpointermove = event => this.choose(this.dotAt(event));
+    this.svg.onclick = event => {
+      const dot = this.dotAt(event);
+      this.choose(dot);
+      if (dot) keep(this.markOf(dot));
+    };
+    this.svg.onkeydown = event => this.press(event);
+    this.svg.addEventListener("focusin", event => this.choose(event.target));
+  }
+
+  drawn(processor) {
+    const {marks} = this, frame = {left: 46, right: this.width - 12, top: 24, bottom: this.height - 44}, errors = marks.map(mark => mark.error);
+    const across = logAxis(marks[0].cost / 1.1, marks.at(-1).cost * 1.1, frame.left, frame.right);
+    const down = logAxis(Math.min(...errors) / 2, Math.max(...errors) * 2, frame.bottom, frame.top);
+    const labels = labeller(frame), places = marks.map(mark => [across.place(mark.cost), down.place(mark.error)]);
+    marks.forEach((mark, i) => labels.reserve(...places[i], mark.isPreset ? 6 : 4));
+    return across.ticks.map(tick => svgLine([[across.place(tick), frame.top], [across.place(tick), frame.bottom]], "grid") +
+        svgText(across.place(tick), frame.bottom + 16, "middle", "tick", shortNumber(tick))).join("") +
+      down.ticks.map(tick => svgLine([[frame.left, down.place(tick)], [frame.right, down.place(tick)]], "grid") +
+        svgText(frame.left - 6, down.place(tick) + 4, "end", "tick", shortNumber(tick))).join("") +
+      svgText(2, 14, "start", "axis", "↑ texels out of place, pixels (rms)") +
+      svgText(frame.right, this.height - 10, "end", "axis", `ms a frame, ${processor} →`) +
+      marks.map((mark, i) => mark.isPreset ? labels.add(...places[i], mark.name, "name", true) : "").join("") +
+      marks.map((mark, i) => `<circle class="${mark.isPreset ? "preset" : "setting"}" cx="${at(places[i][0])}" cy="${at(places[i][1])}" ` +
+        `r="${mark.isPreset ? 6 : 4}" role="button" tabindex="${i ? -1 : 0}" aria-label="${escaped(wordsOf(mark))}"></circle>`).join("");
+  }
+
+  markOf(dot) {
+    return this.marks[this.dots.indexOf(dot)];
+  }
+
+  // The nearest one; none if that is not near.
+  dotAt({clientX, clientY}) {
+    const away = dot => {
+      const box = dot.getBoundingClientRect();
+      return Math.hypot(clientX - box.left - box.width / 2, clientY - box.top - box.height / 2);
+    };
+    const dot = this.dots.reduce((best, one) => away(one) < away(best) ? one : best);
+    return away(dot) < NEAR_px ? dot : null;
+  }
+
+  choose(dot) {
+    if (!this.markOf(dot) || dot.classList.contains("chosen")) return;
+    for (const one of this.dots) {
+      one.classList.toggle("chosen", one === dot);
+      one.tabIndex = one === dot ? 0 : -1;
+    }
+    this.preview(this.markOf(dot));
+  }
+
+  press(event) {
+    const step = KEYS[event.key], now = this.dots.indexOf(event.target);
     if (now < 0 || !(step || event.key === "Enter" || event.key === " ")) return;
     event.preventDefault();
-    if (!step) return keep(marks[now]);
-    const next = circles[(now + step + circles.length) % circles.length];
-    event.target.tabIndex = -1;
-    next.tabIndex = 0;
-    next.focus();
-  };
+    if (step) this.dots[(now + step + this.dots.length) % this.dots.length].focus();
+    else this.keep(this.marks[now]);
+  }
 }
