@@ -86,6 +86,8 @@ const open = async () => {
   requestAnimationFrame(frame);
   globalThis.Article = {engine, figures, measurements};  // for tests
   document.documentElement.classList.add("opened");
+  const named = location.hash && document.getElementById(location.hash.slice(1));
+  if (named) named.scrollIntoView();  // figures are taller than the pictures that they replace
 };
 
 open().catch(error => {
