@@ -51,7 +51,7 @@ class Measurements {
   }
 }
 
-const open = async () => {
+const openPage = async () => {
   if (!globalThis.WebAssembly) throw new Error("this browser has no WebAssembly");
   const module = await openArticle({wasmBinary: await unpacked("article.wasm")});
   const engine = new Engine(module, await unpacked("article.bsp"), await unpacked("palette.lmp"));
@@ -90,6 +90,6 @@ const open = async () => {
   if (named) named.scrollIntoView();  // figures are taller than the pictures that they replace
 };
 
-open().catch(error => {
+openPage().catch(error => {
   document.getElementById("fault").textContent = `The figures stay still: ${error.message}.`;
 });
