@@ -134,7 +134,10 @@ class Figure {
   // ---- drawing
 
   change() {
-    for (const part of Object.keys(this.parts)) this.due[part] = this.due[part] || performance.now();
+    const seen = this.view.eye.join() + this.view.drawnTall;  // all that the exact picture depends on
+    for (const part of Object.keys(this.parts))
+      if (part !== "reference" || seen !== this.seen) this.due[part] = this.due[part] || performance.now();
+    this.seen = seen;
     this.rested = 0;
     for (const show of this.controls) show();
   }
