@@ -93,7 +93,8 @@ const strip = async browser => {
   const tab = await open(browser, {width: 1440, height: 900});
   await tab.evaluate("document.getElementById('measured').scrollIntoView()");
   await tab.until("document.querySelector('#strip-table table') && document.querySelector('#chart-dots svg')", "the strip and the chart");
-  const rows = await tab.evaluate("[...document.querySelectorAll('#strip-table tbody tr')].map(row => [...row.querySelectorAll('td')].map(cell => cell.textContent))");
+  const rows = await tab.evaluate(
+    "[...document.querySelectorAll('#strip-table tbody tr')].map(row => [...row.querySelectorAll('td')].map(cell => cell.textContent))");
   const [first, ...steps] = rows.map(numbersOf), last = steps.pop();
   last.forEach((whole, i) => {
     const sum = first[i] + steps.reduce((all, step) => all + step[i], 0);

@@ -50,13 +50,8 @@ Json choices_of(const Dial& dial) {
     Json settings;
     for (const DialSetting& setting : dial.settings)
         settings.push_back({{"name", setting.name}, {"value", setting.value}});
-    return {{"name", dial.name},
-            {"caption", dial.caption},
-            {"about", dial.about},
-            {"unit", dial.unit},
-            {"settings", settings},
-            {"measure", static_cast<int>(measure_of(dial))},
-            {"worksLess", dial.changes_work}};
+    return {{"name", dial.name}, {"caption", dial.caption}, {"about", dial.about},
+            {"unit", dial.unit}, {"settings", settings},    {"measure", static_cast<int>(measure_of(dial))}};
 }
 
 }  // namespace
@@ -156,7 +151,6 @@ std::string Article::choices() {
         const MeasureRow& row = row_of(static_cast<Measure>(i));
         measures.push_back({{"name", row.name},
                             {"unit", row.unit},
-                            {"about", row.about},
                             {"share", row.is_share},
                             {"least", row.heat.least_text},
                             {"greatest", row.heat.greatest_text}});

@@ -55,7 +55,8 @@ class Figure {
     if (asks.includes("preset")) form.append(this.presetChoice());
     for (const name of dials === "all" ? engine.dials.map(dial => dial.name) : dials) form.append(this.dialSlider(engine.dial(name)));
     for (const name of asks) if (ASKED[name]) form.append(this.eyeSlider(name));
-    if (asks.includes("drawnTall")) form.append(this.box("drawn for tall pixels", () => this.view.drawnTall, value => { this.view.drawnTall = value; }));
+    if (asks.includes("drawnTall"))
+      form.append(this.box("drawn for tall pixels", () => this.view.drawnTall, value => { this.view.drawnTall = value; }));
     if (asks.includes("shownTall")) form.append(this.box("shown with tall pixels", () => !this.place.classList.contains("square"),
                                                          value => this.place.classList.toggle("square", !value)));
     if (asks.includes("measure")) form.append(this.measureChoice());
@@ -111,7 +112,8 @@ class Figure {
   presetChoice() {
     const {presets} = this.engine, own = "your own";
     const get = () => (presets.find(one => one.values.join() === this.view.values.join()) || {name: own}).name;
-    return this.choice("preset", [...presets.map(one => one.name), own], get, name => { if (name !== own) this.view.values = this.engine.values(name); });
+    const put = name => { if (name !== own) this.view.values = this.engine.values(name); };
+    return this.choice("preset", [...presets.map(one => one.name), own], get, put);
   }
 
   measureChoice() {
@@ -154,7 +156,8 @@ class Figure {
   // A map or an exact picture, if one is due and fits into so many milliseconds, or has been due for long. False: nothing was done.
   work(left_ms) {
     const isLate = name => left_ms > 0 && performance.now() - this.due[name] > LATE_ms;
-    const name = ["errors", "reference"].find(one => this.due[one] && (took_ms[one] < left_ms || isLate(one)) && (one !== "errors" || this.isReady()));
+    const isNext = one => this.due[one] && (took_ms[one] < left_ms || isLate(one)) && (one !== "errors" || this.isReady());
+    const name = ["errors", "reference"].find(isNext);
     if (!name) return false;
     const before = performance.now();
     if (name === "errors") this.drawErrors();

@@ -43,7 +43,8 @@ const image = (engine, figure) => {
 
 const presets = engine => table(["preset", "texels out of place, pixels: rms", "largest", ...engine.processors.map(p => p.name + ", ms")],
   engine.presets.map(({name, values}) => {
-    const view = {...engine.startOf(FIGURES.find(figure => figure.id === "all")), values}, {cycles} = engine.draw(view), {rms, max} = engine.errors(view, 0);
+    const view = {...engine.startOf(FIGURES.find(figure => figure.id === "all")), values};
+    const {cycles} = engine.draw(view), {rms, max} = engine.errors(view, 0);
     return {isDefault: name === "bounded", cells: [name, number(rms), number(max), ...cycles.map((_, p) => number(engine.milliseconds(p, cycles)))]};
   }));
 
@@ -57,14 +58,15 @@ require(path.resolve(build, "article.js"))({wasmBinary: read(build, "article.was
   for (const figure of FIGURES) put(`<!--@figure ${figure.id}@-->`, `<div class="live" id="figure-${figure.id}">${image(engine, figure)}</div>`);
   put("<!--@presets@-->", presets(engine));
   put("/*@style@*/", text(accuracy, "style.css") + text(__dirname, "page.css"));
-  put("<!--@icon@-->", `<link rel="icon" href="data:image/png;base64,${read(__dirname, "../../assets/package/icons/oblong-32.png").toString("base64")}">`);
+  const icon = read(__dirname, "../../assets/package/icons/oblong-32.png").toString("base64");
+  put("<!--@icon@-->", `<link rel="icon" href="data:image/png;base64,${icon}">`);
   put("//@figures@", `const FIGURES = ${JSON.stringify(FIGURES)};`);
   put("//@scripts@", [[accuracy, "charts.js"], ...["engine", "figure", "strip", "page"].map(name => [__dirname, name + ".js"])]
     .map(name => text(...name)).join(""));
   put("//@module@", text(build, "article.js"));
-  const files = [["article.wasm", read(build, "article.wasm")], ["article.bsp", read(assets, "article.bsp")], ["palette.lmp", read(assets, "palette.lmp")]];
-  put("<!--@files@-->", files.map(([name, bytes]) =>
-    `<script type="text/plain" id="${name}">${zlib.gzipSync(bytes, {level: 9}).toString("base64")}</script>\n`).join(""));
+  const files = [[build, "article.wasm"], [assets, "article.bsp"], [assets, "palette.lmp"]];
+  put("<!--@files@-->", files.map(([folder, name]) =>
+    `<script type="text/plain" id="${name}">${zlib.gzipSync(read(folder, name), {level: 9}).toString("base64")}</script>\n`).join(""));
   fs.mkdirSync(site, {recursive: true});
   fs.writeFileSync(path.join(site, "accuracy.html"), page);
   console.log(`accuracy.html: ${page.length} bytes`);

@@ -1,7 +1,7 @@
 // Where the error enters, and what each dial costs: the strip and the chart of one view. Both are generators, which rest
 // after each setting that they have measured, so that sliders stay quick.
-const STAGES = {sine: "sine", "matrix-bits": "rotation", "view-bits": "view", "t-junctions": "T-junctions", "subpixel-bits": "projection", edges: "edges",
-                "inverse-z-bits": "1/z", "over-z-bits": "u/z, v/z", perspective: "between divisions", "pixel-bound": "its bound",
+const STAGES = {sine: "sine", "matrix-bits": "rotation", "view-bits": "view", "t-junctions": "T-junctions", "subpixel-bits": "projection",
+                edges: "edges", "inverse-z-bits": "1/z", "over-z-bits": "u/z, v/z", perspective: "between divisions", "pixel-bound": "its bound",
                 "texel-bound": "its bound, texels", reciprocal: "reciprocal"};
 
 // The exact setting, then the stages' dials turned one after the other, in the order of the frame, to those of `values`: the
@@ -31,13 +31,16 @@ const signed = value => (Math.abs(value) < 5e-4 ? "0" : (value < 0 ? "−" : "+"
 const stripTable = (steps, engine) => {
   const columns = ["texels", "faces", "milliseconds"], first = steps[0], last = steps.at(-1);
   const most = columns.map(column => Math.max(1e-9, ...steps.slice(1).map((step, i) => Math.abs(step[column] - steps[i][column]))));
-  const bar = (change, c) => `<span class="bar ${change < 0 ? "less" : "more"}" style="width:${(4 * Math.abs(change) / most[c]).toFixed(2)}em"></span>`;
-  const row = (name, cells, css = "") => `<tr class="${css}"><th scope="row">${escaped(name)}</th>${cells.map(cell => `<td>${cell}</td>`).join("")}</tr>`;
+  const bar = (change, c) =>
+    `<span class="bar ${change < 0 ? "less" : "more"}" style="width:${(4 * Math.abs(change) / most[c]).toFixed(2)}em"></span>`;
+  const row = (name, cells, css = "") =>
+    `<tr class="${css}"><th scope="row">${escaped(name)}</th>${cells.map(cell => `<td>${cell}</td>`).join("")}</tr>`;
   const whole = (name, step) => row(name, columns.map(column => step[column] === 0 ? "0" : number(step[column])), "default");
   const rows = steps.slice(1).map((step, i) => row(step.name, step.isExact ? ["exact", "", ""] :
     columns.map((column, c) => signed(step[column] - steps[i][column]) + bar(step[column] - steps[i][column], c)), step.isExact ? "soft" : ""));
-  return `<div class="scroll" tabindex="0"><table class="strip"><thead><tr><th scope="col">stage</th><th scope="col">texels out of place, pixels (rms)</th>` +
-    `<th scope="col">wrong pixels, ‰</th><th scope="col">${engine.processors[1].name}, ms</th></tr></thead><tbody>` +
+  const heads = ["stage", "texels out of place, pixels (rms)", "wrong pixels, ‰", engine.processors[1].name + ", ms"];
+  return `<div class="scroll" tabindex="0"><table class="strip"><thead><tr>` +
+    heads.map(head => `<th scope="col">${head}</th>`).join("") + "</tr></thead><tbody>" +
     whole("all exact", first) + rows.join("") + whole("this setting", last) + "</tbody></table></div>";
 };
 
