@@ -64,7 +64,7 @@ function paretoFront(marks) {
 // Labels beside points where they cover nothing: right, left, above or below; if none is free, none, or over points
 // if required.
 function labeller(frame) {
-  const FONT = 12, CHARACTER = 7.4, taken = [];
+  const FONT = 12, CHARACTER = 8.2, taken = [];
   const isFree = (x, y, width, areas = taken) =>
     x >= frame.left && x + width <= frame.right && y >= frame.top && y + FONT <= frame.bottom &&
     !areas.some(b => x < b.right && b.left < x + width && y < b.bottom && b.top < y + FONT);
