@@ -17,6 +17,8 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 # The played part of the built game's data, without level sources and lists for tools.
 PLAYED = r'(demo\.bsp|walk\.demo|game\.json|palette\.lmp|(models|music|sounds)/.*)'
 EXAMPLES = 'Programs of a screen each on the engine of Oblong, with their source.'
+# Of the site, whose pages stand beside each other.
+LINKS = '<nav><a href="accuracy.html">What accuracy costs</a> &middot; <a href="examples.html">Examples</a></nav>'
 MUSEUM = 'A museum to walk through, drawn as in 1996. Turn its dials, and see what accuracy costs.'
 
 
@@ -195,10 +197,12 @@ def main(build, assets, site, game=None, named=None):
     card = read(HERE, '../../assets/card.png')
     page = page.replace('/*@about@*/', MUSEUM).replace('/*@address@*/', os.environ.get('OBLONG_ADDRESS', '.').rstrip('/'))
     alone = page.replace('/*@card@*/', 'data:image/png;base64,' + base64.b64encode(card).decode())
+    alone = alone.replace('<!--@links@-->\n', '')
     write(alone.replace('<!--@files@-->', inlined).encode(), site, program + '.html')
     if program == 'oblong':
         for name, content in {**files, 'card.png': card}.items():
             write(content, site, name)
+        page = page if game else page.replace('<!--@links@-->', LINKS)
         write(page.replace('/*@card@*/', 'card.png').encode(), site, 'index.html')
     total = sum(map(len, packed.values())) + len(gzip.compress(alone.encode(), 9))
     print('packed: program %d, data %d, all %d bytes' % (*map(len, packed.values()), total))
