@@ -43,6 +43,7 @@ int main(int argc, char** argv) {
     const std::string name = argc > 1 ? argv[1] : "";
     for (const Example& example : kExamples)
         if (name == example.name) return example.run(argc - 1, argv + 1);
-    if (!name.empty()) std::fprintf(stderr, "'%s' is no example, expected one that the page without '?' lists\n", name.c_str());
+    if (!name.empty())
+        std::fprintf(stderr, "'%s' is no example, expected one that the page without '?' lists\n", name.c_str());
     return 0;
 }
