@@ -63,6 +63,8 @@ inline constexpr std::array kZoomValues{
     KeyValue{"off", ""}, KeyValue{"10", ""},  KeyValue{"20", ""}, KeyValue{"30", ""}, KeyValue{"40", ""},
     KeyValue{"50", ""},  KeyValue{"60", ""},  KeyValue{"70", ""}, KeyValue{"80", ""}, KeyValue{"90", ""},
     KeyValue{"100", ""}, KeyValue{"110", ""}, KeyValue{"120", ""}};
+inline constexpr std::array kMachineValues{KeyValue{"386", ""}, KeyValue{"486", ""}, KeyValue{"pentium", ""},
+                                           KeyValue{"today", ""}};
 inline constexpr std::array kNoYes{KeyValue{"0", "no"}, KeyValue{"1", "yes"}};
 
 inline constexpr std::array kSkillFlags{
@@ -210,6 +212,7 @@ inline constexpr std::array kButton{
     number("wait", "1", "seconds until it is released; -1: never"),
     number("lip", "4", "units that stay visible when it is pressed"),
     number("health", "0", "as in `func_door`"),
+    EntityKey{"machine", Choice, "", "a lever: shows pictures at that machine's pace", kMachineValues},
 };
 inline constexpr std::array kLift{
     number("speed", "150", "units a second"),

@@ -136,6 +136,9 @@ void Session::note_tick(const GameState& before, const GameState& after, const T
     if (settings_.sound) settings_.sound->note_tick(before, after, report, is_last);
     const std::string message = message_of(loaded_->level, before, after);
     if (!message.empty()) show(message);
+    if (input().replayed_view()) return;  // who watches a demo keeps the machine of his own
+    const std::string machine = pulled_machine(loaded_->level, before, after);
+    if (!machine.empty()) show(choose_machine(machine, view_options_.preferences));
 }
 
 // Warns once of each kind.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/base/table.h"
+#include "engine/programs/arguments.h"
 #include "game/lab/aspects.h"
 #include "game/options/preference_table.h"
 
@@ -93,6 +94,10 @@ std::string describe_scaling(const PicturePreferences& preferences, WindowSize w
            " (" + describe(shown_rect(preferences, window), picture_in(window, preferences).mode) + ")";
 }
 
+std::string describe_machine(const Preferences& preferences) {
+    return "{machine} Machine: " + std::string(preferences.machine ? name_of(*preferences.machine) : "today's");
+}
+
 // Changes an option by `steps`, as the options menu does; returns the message to the player.
 std::string change(const std::string& name, int steps, Preferences& preferences) {
     const Preference& row = preference_named(name);
@@ -128,6 +133,15 @@ void follow_view(const ViewDials& before, const ViewDials& after, ViewOptions& o
     if_turned(ViewDialKind::Isometric, [&](int value) { options.is_isometric = value != 0; });
     if_turned(ViewDialKind::Wireframe, [&](int value) { options.wireframe = static_cast<Wireframe>(value); });
     if_turned(ViewDialKind::Zoom, [&](int value) { options.zoom_degrees = value * kZoomStep; });
+}
+
+std::string choose_machine(const std::string& name, Preferences& preferences) {
+    try {
+        preference_named("machine").parse(preferences, name);
+    } catch (const UsageError&) {
+        return "";  // the map's compiler has warned of it
+    }
+    return describe_machine(preferences);
 }
 
 Settings settings_of(const Preferences& preferences) {
@@ -178,7 +192,7 @@ std::string apply(Action command, ViewOptions& options, WindowSize window) {
             return "{accuracy} Accuracy: " + std::string(name_of(preferences.preset));
         case Action::Machine:
             change("machine", 1, preferences);
-            return "{machine} Machine: " + std::string(preferences.machine ? name_of(*preferences.machine) : "today's");
+            return describe_machine(preferences);
         case Action::ScalingMode:
             preferences.scaling = next_of(preferences.scaling, kScalingCount);
             return describe_scaling(preferences, window);

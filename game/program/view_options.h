@@ -43,6 +43,10 @@ ViewDials view_dials_of(const ViewOptions& options);
 /// Turns those dials that the player of a demo turned between two ticks.
 void follow_view(const ViewDials& before, const ViewDials& after, ViewOptions& options);
 
+/// Sets the preference `machine`; returns the message to the player for KeyNames::in(). No change and "" for a name
+/// that is none of its values.
+std::string choose_machine(const std::string& name, Preferences& preferences);
+
 Settings settings_of(const Preferences& preferences);
 WindowSettings window_settings_of(const WindowPreferences& preferences);
 /// The picture that a window shows. In an upright window that of the usual mode is upright, too: 200x320 for a display

@@ -65,6 +65,15 @@ bool asks_for_work(const GameLevel& level, const GameState& state) {
     });
 }
 
+std::string pulled_machine(const GameLevel& level, const GameState& before, const GameState& after) {
+    using enum MoverState::Phase;
+    std::string machine;
+    for (const std::uint32_t i : before.active_movers)
+        if (before.movers[i].phase != AtEnd && after.movers[i].phase == AtEnd && machine.empty())
+            machine = item(level.bsp->entities, level.movers[i].entity).value("machine");
+    return machine;
+}
+
 std::string_view next_map(const GameLevel& level, const GameState& state) {
     if (state.exit < 0) return {};
     return item(level.triggers, state.exit).next_map;

@@ -219,6 +219,9 @@ std::optional<ViewDialKind> asked_dial(const GameLevel& level, const GameState& 
 /// Whether TickInput::work matters where the player is.
 bool asks_for_work(const GameLevel& level, const GameState& state);
 
+/// "machine" of a button that reached its end in the tick between two states: a lever; may be empty.
+std::string pulled_machine(const GameLevel& level, const GameState& before, const GameState& after);
+
 /// The map that follows the ended level, as "e1m2"; empty if its exit names none or the level has not ended.
 std::string_view next_map(const GameLevel& level, const GameState& state);
 

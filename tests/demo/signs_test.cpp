@@ -24,13 +24,14 @@ struct FirstSight {
 
 constexpr std::array kFirstSights{
     FirstSight{"title", {0, -368, 46}, 3},         FirstSight{"sign_museum", {0, -368, 46}},
-    FirstSight{"sign_aspect", {0, 10, 46}},        FirstSight{"sign_vanish", {0, 10, 46}},
-    FirstSight{"sign_axono", {300, 416, 46}},      FirstSight{"sign_light", {736, 470, 46}},
-    FirstSight{"sign_dust", {736, 270, 46}},       FirstSight{"sign_sparks", {736, 270, 46}},
-    FirstSight{"sign_planes", {1360, 416, 46}},    FirstSight{"sign_fov", {1488, 680, 46}},
-    FirstSight{"sign_forced", {512, 1320, 78}},    FirstSight{"sign_rain", {512, 1390, 46}},
-    FirstSight{"sign_fog", {1224, 1640, 46}},      FirstSight{"sign_accuracy", {-792, 2100, 94}},
-    FirstSight{"sign_distance", {-784, 2200, 94}}, FirstSight{"+0exit", {512, 2330, 94}},
+    FirstSight{"sign_machines", {0, -330, 46}},    FirstSight{"sign_aspect", {0, 10, 46}},
+    FirstSight{"sign_vanish", {0, 10, 46}},        FirstSight{"sign_axono", {300, 416, 46}},
+    FirstSight{"sign_light", {736, 470, 46}},      FirstSight{"sign_dust", {736, 270, 46}},
+    FirstSight{"sign_sparks", {736, 270, 46}},     FirstSight{"sign_planes", {1360, 416, 46}},
+    FirstSight{"sign_fov", {1488, 680, 46}},       FirstSight{"sign_forced", {512, 1320, 78}},
+    FirstSight{"sign_rain", {512, 1390, 46}},      FirstSight{"sign_fog", {1224, 1640, 46}},
+    FirstSight{"sign_accuracy", {-792, 2100, 94}}, FirstSight{"sign_distance", {-784, 2200, 94}},
+    FirstSight{"+0exit", {512, 2330, 94}},
 };
 
 class DemoSigns : public testing::TestWithParam<FirstSight> {

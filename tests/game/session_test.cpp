@@ -173,6 +173,32 @@ TEST_F(SessionOfTheDemo, ArrowsWalkUnlessTheLabIsOpen) {
     EXPECT_NE(demo_, walked);
 }
 
+// Backwards to the levers behind the start and along them. Who watches the demo keeps the machine that he has.
+TEST_F(SessionOfTheDemo, ALeverSetsTheMachineOfWhoPullsIt) {
+    ViewOptions view_options;
+    const auto watch = [&](std::optional<Demo> demo, Action along) {
+        HeadlessPlatform platform(
+            60, 35, [](std::int64_t) { return PlatformInput{}; }, [](Framebuffer, const Palette&) {});
+        Controls controls;
+        controls.moves = {Action::Back, along};
+        Session session(loaded_, {}, view_options, TickInputSource(start_of(loaded_->level), std::move(demo), true),
+                        platform);
+        for (; platform.is_open(); platform.present({}, {}, {})) {
+            platform.poll();
+            session.advance(controls, platform.now_us());
+        }
+        demo_ = session.input().recorded();
+        return session.messages().front();
+    };
+    EXPECT_EQ(watch({}, Action::Right), "M Machine: 486 at 66 MHz");
+    EXPECT_EQ(view_options.preferences.machine, Processor::I486);
+    const Demo pulled = demo_;
+    EXPECT_EQ(watch({}, Action::Left), "M Machine: today's") << "the last of the row";
+    EXPECT_EQ(view_options.preferences.machine, std::nullopt);
+    EXPECT_NE(watch(pulled, Action::Left), "M Machine: 486 at 66 MHz");
+    EXPECT_EQ(view_options.preferences.machine, std::nullopt);
+}
+
 // From within the great lens.
 TEST_F(SessionOfTheDemo, EndsWithAnIntermissionWhoseSecondHalfHasThePaceOfA386) {
     const std::int64_t wait = loaded_->level.intermission->wait_ticks;
