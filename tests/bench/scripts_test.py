@@ -1,6 +1,6 @@
 """The measuring scripts on the demo level: their tables account for all that was counted, and they say what is missing.
 
-usage: scripts_test.py ROOT BUILD OBLONG_RENDER stages|peer|scale|compilers|light
+usage: scripts_test.py ROOT BUILD OBLONG_RENDER stages|peer|compilers|light
 Exit code 77: skipped.
 """
 import importlib
@@ -100,20 +100,6 @@ def check_compare_peer(folder):
     check(slower["slower"] == 1 and slower["ratio_mean"] == 60 / 50, "a slower frame: %s" % slower)
 
 
-def check_scale_chart(folder):
-    ran = run("measure-frames", "scale", "--quick", "--render", RENDER, "--out", folder, *demo(folder))
-    check(ran.returncode == 0, "scale: " + ran.stderr)
-    with open(os.path.join(folder, "scale.json")) as file:
-        found = json.load(file)
-    check([row["pixels"] for row in found["modes"]] == [320 * 200, 3840 * 2400], "modes: %s" % found["modes"])
-    first, last = found["faces"]
-    check(last["faces"] == last["copies"] * first["faces"] and last["copies"] == 2, "faces: %s" % found["faces"])
-    for kind in ("meshes", "brush_models"):
-        check([row["models"] for row in found[kind]] == [1, 1000], "%s: %s" % (kind, found[kind]))
-    with open(os.path.join(folder, "scale.svg")) as file:
-        check(file.read().count("<circle") == 2 * 4, "a point is not on the chart")
-
-
 def make_tools(folder, oblong):
     """A qbsp that is oblong-map, a vis that does nothing, and a light that makes one sample 51 brighter."""
     texts = {"qbsp": 'exec %s "$3" -o "$4" --fast --prt "${4%%.bsp}.prt"' % oblong, "vis": "exit 0",
@@ -164,7 +150,7 @@ def check_light_picture(folder):
 
 def main():
     with tempfile.TemporaryDirectory() as folder:
-        {"stages": check_stage_costs, "peer": check_compare_peer, "scale": check_scale_chart, "compilers": check_compare_ericw,
+        {"stages": check_stage_costs, "peer": check_compare_peer, "compilers": check_compare_ericw,
          "light": check_light_picture}[sys.argv[4]](folder)
 
 
