@@ -52,6 +52,14 @@ const touch = async open => {
                          ["Menu", "Jump", "Dial", "OK", ""], "what texts call the buttons");
   await thumb.end();
   await tab.until("Page.axes[1] === 0", "the left thumb at rest");
+  await tab.evaluate("globalThis.before = seen");
+  await tab.page.tap("#dials");
+  await tab.until("different(seen, before) > 0.2", "the drawer of dials");
+  await tab.page.tap("#below");
+  await tab.until("Page.events.length === 0", "a button of the drawer is read");
+  await tab.shot(file("drawer"));
+  await tab.page.tap("#dials");
+  await tab.expect("getComputedStyle(document.getElementById('below')).display === 'none'", "the drawer is shut");
   await tab.page.touchscreen.tap(900 - 48, 48);
   await tab.until("!Page.isCaptured", "the menu by its button");
 

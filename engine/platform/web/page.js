@@ -21,7 +21,8 @@ for (let i = 1; i < 10; ++i) KEYS["Numpad" + i] = 88 + i;
 for (let i = 1; i < 13; ++i) KEYS["F" + i] = 57 + i;
 
 // The buttons on a touch screen, and the keys that they press.
-const TOUCH_BUTTONS = [["menu", KEYS.Escape], ["jump", KEYS.Space], ["exhibit", KEYS.KeyV], ["accept", KEYS.Enter]];
+const TOUCH_BUTTONS = [["menu", KEYS.Escape], ["jump", KEYS.Space], ["exhibit", KEYS.KeyV], ["accept", KEYS.Enter], ["dials", KEYS.F7],
+                       ["above", KEYS.ArrowUp], ["below", KEYS.ArrowDown], ["less", KEYS.ArrowLeft], ["more", KEYS.ArrowRight]];
 
 const Page = globalThis.Page = {
   canvas: document.getElementById("screen"),
@@ -217,6 +218,8 @@ const Page = globalThis.Page = {
       if (document.pointerLockElement) this.isLockRefused = false;
       else if (this.isCaptured && !this.hasTouch && !this.isSecondEscape()) this.tap(Device.Key, KEYS.Escape);
     });
+    // The lab's dials as a drawer: the buttons that turn them.
+    document.getElementById("dials").addEventListener("pointerdown", () => document.body.classList.toggle("drawer"));
     for (const [id, key] of TOUCH_BUTTONS) {
       const button = document.getElementById(id);
       button.addEventListener("pointerdown", event => { event.preventDefault(); this.note(Kind.Press, Device.Key, key); });
