@@ -58,11 +58,8 @@ void for_each_dot(std::string_view line, Draw draw) {
     for (std::int32_t left = 0; !line.empty(); left += kGlyphAdvance_px) {
         const Glyph glyph = glyph_of(take_letter(line));
         for (int row = -kAccentRows_px; row < kGlyphHeight_px; ++row)
-            for (unsigned dots = item(glyph, kAccentRows_px + row), column = 0; dots != 0; ++column) {
-                constexpr unsigned kLeftmost = 1 << (kGlyphWidth_px - 1);
-                if ((dots & kLeftmost) != 0) draw(left + static_cast<std::int32_t>(column), row);
-                dots = dots << 1 & (2 * kLeftmost - 1);
-            }
+            for (int column = 0; column < kGlyphWidth_px; ++column)
+                if (is_drawn(glyph, row, column)) draw(left + column, row);
     }
 }
 

@@ -89,7 +89,10 @@ class Figure {
 
   eyeSlider(name) {
     const [place, least, greatest, caption, isRelative] = ASKED[name], base = isRelative ? this.definition.eye[place] : 0;
-    const put = value => { this.view.eye[place] = base + value; this.middle = this.view.eye[3]; };
+    const put = value => {
+      this.view.eye[place] = base + value;
+      if (name === "yaw") this.middle = this.view.eye[place];
+    };
     const show = input => {
       input.value = this.view.eye[place] - base;
       input.setAttribute("aria-valuetext", number(Number(input.value)));
@@ -125,8 +128,8 @@ class Figure {
     const button = element("button", {type: "button", "aria-pressed": "false", click: () => {
       this.isTurning = !this.isTurning;
       this.turned = 0;
-      this.middle = this.view.eye[3];
-      if (!this.isTurning) this.view.eye[3] = this.middle;
+      if (this.isTurning) this.middle = this.view.eye[3];
+      else this.view.eye[3] = this.middle;
       button.setAttribute("aria-pressed", this.isTurning);
       this.change();
     }}, "turn the view");
