@@ -246,7 +246,8 @@ inline constexpr std::array kTriggerMultiple{
 };
 inline constexpr EntityKey kViewWait = number("wait", "-1", "seconds until it can fire again; -1: never");
 inline constexpr std::array kView{
-    number("cone", "10", "degrees that the look may be off `angle` or `angles`"),
+    EntityKey{"look_at", Place, "", "looked at, in place of the direction of `angle` or `angles`"},
+    number("cone", "10", "degrees that the look may be off that way"),
     EntityKey{"accuracy", Choice, "", "a preset", kPresetValues},
     EntityKey{"projection", Choice, "", "pixels that the picture is drawn for", kProjectionValues},
     EntityKey{"display", Choice, "", "shape in the window", kDisplayValues},

@@ -118,15 +118,25 @@ void Session::handle_commands(const Controls& controls) {
     for (const Action command : controls.commands) {
         wants_screenshot_ |= command == Action::Screenshot;
         const std::string message =
-            apply(command == Action::Exhibit ? action_here() : command, view_options_, platform_.window_size());
-        if (!message.empty()) show(message);
+            command == Action::Exhibit ? turn_exhibit() : apply(command, view_options_, platform_.window_size());
+        if (!message.empty()) show(command == Action::Automap ? message + map_key() : message);
     }
 }
 
-Action Session::action_here() const {
+// A place that asks for no dial gives back the usual picture.
+std::string Session::turn_exhibit() {
     constexpr std::array kActions{Action::AccuracyTier, Action::ProjectionAspect, Action::DisplayAspect,
                                   Action::Isometric,    Action::Wireframe,        Action::ZoomOut};
-    return item(kActions, asked_dial(loaded_->level, state()).value_or(ViewDialKind::Accuracy));
+    std::optional<ViewDialKind> dial = asked_dial(loaded_->level, state());
+    if (!dial && asks_for_work(loaded_->level, state())) dial = ViewDialKind::Accuracy;
+    if (dial) return apply(item(kActions, *dial), view_options_, platform_.window_size());
+    follow_view(view_dials_of(view_options_), kUsualView, view_options_);
+    return "{exhibit}: the usual picture. At an exhibit it turns a dial";
+}
+
+std::string Session::map_key() const {
+    const bool has_diamonds = view_options_.map != MapView::Off && !last_lenses(loaded_->level, state()).empty();
+    return has_diamonds ? ". Diamonds: " + loaded_->level.lens_names.several : "";
 }
 
 void Session::note_tick(const GameState& before, const GameState& after, const TickReport& report, bool is_last) {

@@ -118,7 +118,8 @@ class Session final : public GameScreen {
     ShownPicture draw_all(bool is_behind_menu);
     void draw_picture(const GameView& view, const Settings& drawn);
     void follow_demo();
-    Action action_here() const;
+    std::string turn_exhibit();
+    std::string map_key() const;
     std::int64_t intermission_ticks() const {
         return loaded_->level.intermission ? loaded_->level.intermission->wait_ticks : 0;
     }

@@ -103,8 +103,9 @@ enum class TriggerKind : std::uint8_t {
 
 /// What a trigger_view or trigger_budget asks of the player's picture.
 struct ViewCondition {
-    std::optional<Vec3<Unit>> direction;  ///< to look in
-    Unit least_cosine;                    ///< of the angle between it and the look
+    std::optional<Position> point;        ///< to look at
+    std::optional<Vec3<Unit>> direction;  ///< to look in, without a point
+    Unit least_cosine;                    ///< of the angle between the look and the way to either
     std::array<std::optional<std::uint8_t>, kViewDials> dials;
     std::uint16_t least_work = 0, most_work = kNoLimit;  ///< TickInput::work
 

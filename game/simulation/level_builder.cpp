@@ -96,6 +96,7 @@ void LevelBuilder::add_wall(const Entity& entity, ClassRole role) {
 void LevelBuilder::add_trigger(const Entity& entity) {
     auto trigger = trigger_of(entity, *level_.bsp);
     if (!trigger || (trigger->kind == TriggerKind::Teleport && !find_exit(entity, *trigger))) return;
+    if (trigger->view) trigger->view->point = place_named(entity.value("look_at"));
     level_.secrets += trigger->is_secret;
     trigger->entity = index_of(entity);
     level_.triggers.push_back(std::move(*trigger));
@@ -103,10 +104,15 @@ void LevelBuilder::add_trigger(const Entity& entity) {
     name(entity, Kind::Trigger, level_.triggers.size());
 }
 
+std::optional<Position> LevelBuilder::place_named(const std::string& name) const {
+    const auto entity = by_name_.find(name);
+    return entity == by_name_.end() ? std::nullopt : origin_of(*entity->second);
+}
+
 bool LevelBuilder::find_exit(const Entity& entity, Trigger& trigger) const {
-    const auto exit = by_name_.find(entity.value("target"));
-    const auto origin = exit == by_name_.end() ? std::nullopt : origin_of(*exit->second);
+    const auto origin = place_named(entity.value("target"));
     if (!origin) return false;
+    const auto exit = by_name_.find(entity.value("target"));
     trigger.place = {*origin, yaw_of(*exit->second)};
     if (role_of(*exit->second) == ClassRole::TeleportExit) trigger.place.position.z += World::from_int(kExitHeight);
     trigger.place.position = free_place_near(level_, trigger.place.position);

@@ -26,6 +26,7 @@ class LevelBuilder {
     bool add_mover(const Entity& entity);
     void add_wall(const Entity& entity, ClassRole role);
     void add_trigger(const Entity& entity);
+    std::optional<Position> place_named(const std::string& name) const;
     bool find_exit(const Entity& entity, Trigger& trigger) const;
     void add_item(const Entity& entity);
     void add_intermission(const Entity& entity);

@@ -61,8 +61,10 @@ bool meets(const ViewCondition& wanted, const Player& player, const TickInput& i
         if (wanted.dials[i].value_or(input.view[i]) != input.view[i]) return false;
     if (wanted.asks_for_work() && (input.work == 0 || input.work < wanted.least_work || input.work > wanted.most_work))
         return false;
-    const Vec3<Unit> look = direction_of(player.yaw, Angle::from_bam(player.pitch));
-    return !wanted.direction || convert<Unit>(dot(*wanted.direction, look)) >= wanted.least_cosine;
+    if (!wanted.point && !wanted.direction) return true;
+    const Vec3<Unit> look = direction_of(player.yaw, Angle::from_bam(player.pitch)),
+                     way = wanted.point ? normalised(*wanted.point - eye_of(player)) : *wanted.direction;
+    return convert<Unit>(dot(way, look)) >= wanted.least_cosine;
 }
 
 bool may_fire(const Trigger& trigger, const Player& player, const TickInput& input) {

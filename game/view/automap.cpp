@@ -6,6 +6,7 @@
 #include "engine/level/side.h"
 #include "engine/view/clip.h"
 #include "engine/view/views.h"
+#include "game/simulation/entity_specs.h"
 #include "game/simulation/items.h"
 #include "game/view/sign_colours.h"
 
@@ -50,6 +51,15 @@ std::optional<MapLineKind> kind_of(const Level& level, const Face& face, const M
     if (!is_solid(level, middle + out - Vec3<World>{{}, {}, kBeside})) return {};
     const Vec3<World> above = Vec3<World>{{}, {}, kStepHeight + kBeside};
     return is_solid(level, middle - out + above) ? MapLineKind::Wall : MapLineKind::Step;
+}
+
+// A door that no longer shuts a way. One that starts open ends where it does.
+bool stays_open(const GameLevel& level, const GameState& state, std::size_t i) {
+    constexpr int kStartsOpen = 1;
+    const Mover& mover = level.movers[i];
+    return mover.kind == MoverKind::Door && mover.wait_ticks == kForever &&
+           state.movers[i].phase == MoverState::Phase::AtEnd &&
+           !has_flag(level.bsp->entities[mover.entity], kStartsOpen);
 }
 
 }  // namespace
@@ -147,6 +157,9 @@ void Automap::draw_models(const Plotter& plotter, const GameView& view) const {
     for (std::size_t i = 0; i < level_.movers.size(); ++i)  // doors that turn, while they are shut
         if (level_.movers[i].turns != 0 && view.state.after.movers[i].phase == MoverState::Phase::AtStart)
             models.push_back({level_.movers[i].model, {}});
+    for (std::size_t i = 0; i < level_.movers.size(); ++i)
+        if (stays_open(level_, view.state.after, i))
+            std::erase_if(models, [&](const PlacedModel& each) { return each.model == level_.movers[i].model; });
     for (const PlacedModel& placed : models) {
         const Box box = box_of(bsp_.models[placed.model].box).moved(placed.offset);
         plotter.draw(box.mins, {box.maxs.x, box.maxs.y, box.mins.z}, door_);

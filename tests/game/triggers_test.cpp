@@ -66,6 +66,17 @@ constexpr test::Scenario kTriggers[] = {
         look 99 20; stand 120 0: counted = 1
         look 90 29; wait 10; stand 120 0: counted = 2
     )"},
+    {"ViewFiresForWhoLooksAtItsPointFromAnywhereInside", R"(
+        + trigger_view 100 -50 0 150 50 64 look_at=sign angles="0 90 0" cone=10 wait=0.2 target=count
+        + info_notnull origin="220 100 46" targetname=sign
+        + trigger_counter targetname=count count=100
+        look 34 0; stand 120 0: counted = 0        # 45 degrees to the left, at the height of the eye
+        look 45 11; stand 120 0: counted = 0
+        look 90 0; stand 120 0: counted = 0
+        look 36 0; stand 120 0: counted = 1
+        wait 10; look 41 0; stand 140 0: counted = 1        # 51.3
+        look 42 0; stand 140 0: counted = 2
+    )"},
     {"ViewFiresOnceForThePictureOfItsDials", R"(
         + trigger_view 100 -50 0 150 50 64 accuracy=1991 isometric=on target=count
         + trigger_counter targetname=count count=100

@@ -46,7 +46,8 @@ class Checker {
         for (const MapEntity& entity : entities) {
             name(entity, entity.value("targetname"));
             for (const MapPair& pair : entity.pairs)
-                if (pair.key == "target" || pair.key == "killtarget") targets_.insert(pair.value);
+                if (pair.key == "target" || pair.key == "killtarget" || pair.key == "look_at")
+                    targets_.insert(pair.value);
         }
     }
 
