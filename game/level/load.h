@@ -58,6 +58,9 @@ struct LoadedLevel {
     const LevelFiles files;
     const GameData data;
     const GameLevel level;
+    /// From an entity to the void, where the level leaks: of the .pts file that its compiler has left beside it. Shown
+    /// through walls, too.
+    const std::vector<Position> leak_path;
 };
 
 }  // namespace oblong

@@ -1,14 +1,38 @@
 // Apart from load.cpp, for which the game under DOS has a substitute.
+#include <filesystem>
+#include <sstream>
+
+#include "engine/base/text.h"
 #include "engine/io/files.h"
 #include "game/level/load.h"
 
 namespace oblong {
+namespace {
+
+// Three numbers a line.
+std::vector<Position> leak_path_beside(const std::string& level_file) {
+    std::vector<Position> points;
+    const std::string file = std::filesystem::path(level_file).replace_extension(".pts").string();
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(file, ignored)) return points;
+    std::istringstream lines(read_text(file));
+    for (std::string line; std::getline(lines, line);)
+        if (const auto point = parse_world_vector(line)) points.push_back(*point);
+    return points;
+}
+
+}  // namespace
 
 LoadedLevel::LoadedLevel(const LevelFiles& named)
-    : files(named), data(load_game(files)), level(naming_file(data.level_file, [&] {
-          GameLevel made = make_game_level(data.level);
-          if (files.game) made.lens_names = {own_words(*files.game, kOneLens), own_words(*files.game, kLenses)};
-          return made;
-      })) {}
+    : files(named),
+      data(load_game(files)),
+      level(naming_file(data.level_file,
+                        [&] {
+                            GameLevel made = make_game_level(data.level);
+                            if (files.game)
+                                made.lens_names = {own_words(*files.game, kOneLens), own_words(*files.game, kLenses)};
+                            return made;
+                        })),
+      leak_path(leak_path_beside(data.level_file)) {}
 
 }  // namespace oblong

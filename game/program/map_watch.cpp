@@ -67,20 +67,6 @@ MapParts parts_of(const std::string& text) {
     return parts;
 }
 
-std::vector<Vec3<World>> read_points(const std::string& file) {
-    std::vector<Vec3<World>> points;
-    std::error_code ignored;
-    if (!fs::is_regular_file(file, ignored)) return points;
-    std::istringstream lines(read_text(file));
-    for (std::string line; std::getline(lines, line);) {
-        const auto numbers = parse_decimals(line, World::kFractionBits);
-        if (!numbers || numbers->size() != 3) continue;
-        const auto unit = [&](std::size_t i) { return World::from_raw(static_cast<std::int32_t>((*numbers)[i])); };
-        points.push_back({unit(0), unit(1), unit(2)});
-    }
-    return points;
-}
-
 const char* option_of(MapChange change) {
     return change == MapChange::Entities ? "entities" : "light";
 }
@@ -99,7 +85,6 @@ MapWatch::MapWatch(std::string map_file, std::string compiler, std::string game)
     const std::string base = fs::path(map_file_).replace_extension().string() + kDraftEnding;
     level_file_ = base + ".bsp";
     log_file_ = base + ".log";
-    points_file_ = base + ".pts";
     reads_file_ = base + ".reads";
 }
 
@@ -195,8 +180,6 @@ void MapWatch::begin(MapChange change) {
     std::vector<std::string> words{compiler_, map_file_, "-o", level_file_, "--fast", "--reads", reads_file_};
     if (change != MapChange::All) words.insert(words.end(), {"--only", option_of(change)});
     if (!game_.empty()) words.insert(words.end(), {"--game", game_});
-    std::error_code ignored;
-    fs::remove(points_file_, ignored);
     write_file(log_file_, std::string());  // names the folder if it is read-only: below, the compiler would be blamed
     running_ = start_program(std::move(words), log_file_);
     if (!running_) throw FileError(compiler_, "start", "the compiler does not start, expected oblong-map there");
@@ -236,7 +219,6 @@ MapWatch::Result MapWatch::finish(bool has_level) {
     const std::string named = "oblong-map: " + map_file_ + ": ";
     if (result.fault.starts_with(named)) result.fault.erase(0, named.size());
     if (result.fault.empty()) result.fault = "oblong-map ended without a message";
-    result.leak_path = read_points(points_file_);
     return result;
 }
 

@@ -32,9 +32,8 @@ class MapWatch {
 
     /// The result of a compilation.
     struct Result {
-        bool has_level = false;              ///< level_file() is new
-        std::string fault;                   ///< the compiler's message, if it failed
-        std::vector<Vec3<World>> leak_path;  ///< from an entity to the void, if the level leaks
+        bool has_level = false;  ///< level_file() is new
+        std::string fault;       ///< the compiler's message, if it failed
     };
 
     /// Starts a due compilation, or returns the result of one that has ended, without delay. Reads files at most five
@@ -62,7 +61,7 @@ class MapWatch {
     void begin(MapChange change);
     Result finish(bool has_level);
 
-    std::string map_file_, compiler_, game_, level_file_, log_file_, points_file_, reads_file_;
+    std::string map_file_, compiler_, game_, level_file_, log_file_, reads_file_;
     std::string text_;        // of the current level
     std::string tried_text_;  // of the compilation
     Stamp seen_;

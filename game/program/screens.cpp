@@ -85,7 +85,6 @@ void Screens::follow_map() {
             if (!result->has_level)
                 print_fault("oblong", FileError(options_.watch, "oblong-map", result->fault).what());
             if (result->has_level) show_changed_level();
-            walk_->show_path(result->leak_path);
         }
     } catch (const FileError& error) {  // an editor may remove a file while it is read
         watch_->remind_of(error.what());
@@ -96,6 +95,7 @@ void Screens::follow_map() {
 // The player stays in place, and the walk keeps its number; all else is at the level's start.
 void Screens::show_changed_level() {
     auto loaded = load_level(watch_->level_file());
+    const bool is_tight = loaded->leak_path.empty();
     const Player player = walk_->state().player;
     saves_.finish_autosave();
     std::optional<HeldWalk> held = saves_.release();
@@ -105,7 +105,7 @@ void Screens::show_changed_level() {
     state.player.ground = Player::kNoGround;
     walk_->restore(state);
     saves_.begin(walk_, std::move(held));
-    walk_->show("The level as it is now");
+    if (is_tight) walk_->show("The level as it is now");
 }
 
 // Frees the other screens and all that belongs to them.

@@ -64,7 +64,7 @@ Session::Session(std::shared_ptr<const LoadedLevel> loaded, const SessionSetting
                 settings.open_meter),
       menu_look_(loaded_->data.palette),
       last_us_(platform.now_us()) {
-    show("{help}: keys");
+    show(loaded_->leak_path.empty() ? "{help}: keys" : "The level leaks: the line leads out of it");
 }
 
 void Session::advance(const Controls& controls, std::uint64_t now_us) {
@@ -294,12 +294,6 @@ void Session::restore(const GameState& state) {
 
 void Session::show(const std::string& message) {
     messages_.show(view_options_.key_names(platform_).in(message));
-}
-
-// The path needs a new picture.
-void Session::show_path(std::vector<Vec3<World>> points) {
-    overlays_.show_path(std::move(points));
-    has_drawn_ = false;
 }
 
 }  // namespace oblong

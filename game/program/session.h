@@ -100,8 +100,6 @@ class Session final : public GameScreen {
     void show(const std::string& message);
     /// Saves the view without overlays, with a text under it; what to tell the player, for KeyNames::in().
     std::string save_picture(const std::string& text);
-    /// Shows a path in the level, through walls too; empty: none.
-    void show_path(std::vector<Vec3<World>> points);
     /// All messages to the player, the newest first.
     const std::vector<std::string>& messages() const { return messages_.all(); }
     /// The game's current picture, without text.

@@ -26,6 +26,7 @@ ShownOverlays::ShownOverlays(const LoadedLevel& loaded, const ViewOptions& view_
                              const Platform& platform, OpenErrorMeter open_meter)
     : data_(loaded.data),
       level_(loaded.level),
+      leak_path_(loaded.leak_path),
       view_options_(view_options),
       on_(on),
       platform_(platform),
@@ -77,7 +78,7 @@ void ShownOverlays::follow(std::uint64_t now_us) {
     keep(map_, on_.map != MapView::Off, [&] { return std::make_unique<Automap>(data_, level_, wanted.colours); });
     keep(edge_colour_, on_.wireframe != Wireframe::Off,
          [&] { return std::make_unique<LineColour>(data_.palette, sign_colours_of(wanted.colours).edges); });
-    keep(path_colour_, !path_.empty(), [&] { return std::make_unique<LineColour>(data_.palette, kPathColour); });
+    keep(path_colour_, !leak_path_.empty(), [&] { return std::make_unique<LineColour>(data_.palette, kPathColour); });
     keep(cost_, on_.cost_page != 0, [&] { return std::make_unique<FrameCost>(data_.palette, now_us); });
 }
 
@@ -105,7 +106,7 @@ void ShownOverlays::draw_lines(const GameView& view, const Settings& drawn, Game
             fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, text_colours_.dark);
         renderer.draw_edges(view, drawn, edge_colour_->style(on_.line_method));
     }
-    if (path_colour_) renderer.draw_path(path_, view, drawn, path_colour_->style(on_.line_method));
+    if (path_colour_) renderer.draw_path(leak_path_, view, drawn, path_colour_->style(on_.line_method));
 }
 
 PanelText ShownOverlays::draw_panels(const GameView& view, const Settings& settings, std::uint64_t now_us,

@@ -57,9 +57,6 @@ class ShownOverlays {
     /// Closes the lab and the four aspects, and frees their memory. False if neither is open.
     bool close_largest();
 
-    /// Shows a path in the level, through walls too; empty: none.
-    void show_path(std::vector<Vec3<World>> points) { path_ = std::move(points); }
-
   private:
     /// The settings that overlays were created for.
     struct MadeFor {
@@ -76,6 +73,7 @@ class ShownOverlays {
 
     const GameData& data_;
     const GameLevel& level_;
+    const std::vector<Vec3<World>>& leak_path_;
     const ViewOptions& view_options_;
     Overlays& on_;
     const Platform& platform_;
@@ -89,7 +87,6 @@ class ShownOverlays {
     std::unique_ptr<Automap> map_;
     std::unique_ptr<FrameCost> cost_;
     std::unique_ptr<LineColour> edge_colour_, path_colour_;
-    std::vector<Vec3<World>> path_;
 };
 
 }  // namespace oblong

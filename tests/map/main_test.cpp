@@ -298,6 +298,20 @@ TEST_F(Program, ALeakWritesTheWayOut) {
     EXPECT_NE(said_.find(path("leak.pts") + " has the path to the void"), std::string::npos) << said_;
     EXPECT_EQ(read_text(path("leak.pts")).substr(0, 7), "0 0 99\n");
     EXPECT_EQ(files_beginning_with("leak.bsp"), 0);
+    fs::remove(path("leak.pts"));
+    EXPECT_EQ(run(path("leak.map") + " -o " + path("leak.bsp") + " --wad " + path("t.wad") + " --fast --strict"), 1);
+    EXPECT_EQ(files_beginning_with("leak."), 1) << "the source alone";
+}
+
+// From the light, which lies over the only brush, all of its six sides may be seen.
+TEST_F(Program, ADraftThatLeaksIsALevelWithItsOutside) {
+    EXPECT_EQ(run(path("leak.map") + " -o " + path("leak.bsp") + " --wad " + path("t.wad") + " --fast"), 0);
+    EXPECT_NE(said_.find("warning: the level leaks: light at 0 0 99"), std::string::npos) << said_;
+    EXPECT_EQ(read_text(path("leak.pts")).substr(0, 7), "0 0 99\n");
+    EXPECT_EQ(read_bsp(read_file(path("leak.bsp"))).faces.size(), 6u);
+    EXPECT_EQ(run(path("leak.map") + " -o " + path("leak.bsp") + " --wad " + path("t.wad") + " --fast --only light"),
+              0);
+    EXPECT_EQ(files_beginning_with("leak.pts"), 1);
 }
 
 TEST_F(Program, LeavesNoPartOfAFileThatCannotBeWritten) {

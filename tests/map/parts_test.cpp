@@ -9,6 +9,7 @@
 
 #include "engine/io/files.h"
 #include "engine/platform/headless.h"
+#include "game/level/load.h"
 #include "game/program/map_watch.h"
 #include "game/program/program.h"
 #include "tests/map/map_source.h"
@@ -263,13 +264,10 @@ TEST_F(MapWatchTest, FollowsTheSource) {
     const auto broken = result_after("my.map", source(kOtherLamp) + "{");
     EXPECT_FALSE(broken.has_level);
     EXPECT_TRUE(broken.fault.starts_with("line ")) << broken.fault;
-    EXPECT_TRUE(broken.leak_path.empty());
     EXPECT_TRUE(result_after("my.map", source(kOtherLamp)).has_level) << "as it was: the fault is gone";
     const std::string leaking = level(box({0, 0, 0}, {64, 64, 64}), entity_at("light", {0, 0, 99}));
-    const auto open = result_after("my.map", with_wad(leaking));
-    EXPECT_FALSE(open.has_level);
-    EXPECT_NE(open.fault.find("leaks"), std::string::npos) << open.fault;
-    EXPECT_GE(open.leak_path.size(), 2u);
+    EXPECT_TRUE(result_after("my.map", with_wad(leaking)).has_level);
+    EXPECT_GE(LoadedLevel({path("my-draft.bsp"), "", build_folder() + "/assets", ""}).leak_path.size(), 2u);
     EXPECT_TRUE(result_after("my.map", source(kLamp)).has_level);
     EXPECT_TRUE(level_bytes() == first);
 }

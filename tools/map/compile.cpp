@@ -153,26 +153,33 @@ Inhabitants inhabitants_of(const std::vector<MapEntity>& entities) {
     return found;
 }
 
-void check_world(const ModelResult& world, const Inhabitants& inhabitants, const MapEntity& worldspawn) {
-    if (world.leak)
-        throw LeakError(*inhabitants.at_start[world.leak->start], world.leak->path,
-                        is_start_inside(*world.leak, inhabitants.at_start));
+// A draft keeps what is outside.
+void check_world(const ModelResult& world, const Inhabitants& inhabitants, const MapEntity& worldspawn,
+                 const CompileOptions& options) {
+    if (world.leak) {
+        const MapEntity& entity = *inhabitants.at_start[world.leak->start];
+        const LeakError leak(entity, world.leak->path, is_start_inside(*world.leak, inhabitants.at_start));
+        if (!options.is_fast || options.leak_path == nullptr) throw leak;
+        *options.leak_path = leak.path;
+        if (options.warnings != nullptr)
+            options.warnings->add(entity.line, std::string(leak.what()) + "; the draft shows its outside, too");
+    }
     if (!has_inside(world.model.tree))
         throw InputError(at_line(worldspawn.line), "the level encloses no space, expected a room around the entities");
 }
 
 // The world is first.
-std::vector<CompiledModel> compile_models(LevelBrushes& level, const std::vector<MapEntity>& entities, bool is_draft,
-                                          const WorkSharing& sharing) {
+std::vector<CompiledModel> compile_models(LevelBrushes& level, const std::vector<MapEntity>& entities,
+                                          const CompileOptions& options, const WorkSharing& sharing) {
     const Inhabitants inhabitants = inhabitants_of(entities);
     std::deque<ModelCompiler> compilers;
     for (const std::vector<Brush>& brushes : level.models)
         compilers.emplace_back(brushes, level.planes, level.textures.texinfos(),
-                               compilers.empty() ? SealStarts(inhabitants.starts) : std::nullopt, is_draft);
+                               compilers.empty() ? SealStarts(inhabitants.starts) : std::nullopt, options.is_fast);
     const std::size_t parts = compilers.front().part_count();
     sharing.begin("tree", parts * compilers.size());
     sharing.for_each(parts * compilers.size(), [&](std::size_t i) { compilers[i / parts].do_part(i % parts); });
-    check_world(compilers.front().result(), inhabitants, entities.front());
+    check_world(compilers.front().result(), inhabitants, entities.front(), options);
     std::vector<CompiledModel> models;
     for (ModelCompiler& compiler : compilers) models.push_back(std::move(compiler.result().model));
     return models;
@@ -180,7 +187,7 @@ std::vector<CompiledModel> compile_models(LevelBrushes& level, const std::vector
 
 LightOptions light_options(const CompileOptions& options, const TextureList& textures) {
     LightOptions light{options.is_fast, options.has_dirt, options.has_bounce, options.warnings, options.palette, {}};
-    for (const TexInfo& texinfo : textures.texinfos()) light.smooth_degrees.push_back(texinfo.smooth_degrees);
+    for (const TexInfo& texinfo : textures.texinfos()) light.surfaces.push_back(texinfo.light);
     return light;
 }
 
@@ -267,7 +274,7 @@ std::string points_text(const std::vector<Point>& path) {
 BspFile compile_map(std::vector<MapEntity> entities, const std::vector<Wad>& wads, const CompileOptions& options) {
     const WorkSharing sharing(options.workers, options.progress);
     assign_switchable_styles(entities);
-    set_smoothing(entities);
+    set_surface_light(entities);
     bring_world_forward(entities);
     split_off_fences(entities);
     LevelBrushes level = make_brushes(entities, options.warnings, sharing);
@@ -275,7 +282,7 @@ BspFile compile_map(std::vector<MapEntity> entities, const std::vector<Wad>& wad
         return changed_level(entities, level, options, sharing);
     BspFile bsp;
     bsp.textures = collect_textures(level.textures.names(), wads, options.warnings);
-    const std::vector<CompiledModel> models = compile_models(level, entities, options.is_fast, sharing);
+    const std::vector<CompiledModel> models = compile_models(level, entities, options, sharing);
     const CompiledModel& world = models.front();
     Emitter emitter(bsp, level.planes);
     emitter.add_texinfos(level.textures.texinfos());
@@ -295,8 +302,9 @@ BspFile compile_map(std::vector<MapEntity> entities, const std::vector<Wad>& wad
         find_level_warnings(bsp, entities, level.textures.names(), *options.warnings);
     }
     if (options.before_long_passes) options.before_long_passes();
-    add_visibility(bsp, world, leaf_indices, level.planes, options.is_fast, sharing, options.portals);
-    if (options.warnings != nullptr) check_budget(bsp, entities.front().line, *options.warnings);
+    const bool is_open = options.leak_path != nullptr && !options.leak_path->empty();  // all of it is in sight
+    if (!is_open) add_visibility(bsp, world, leaf_indices, level.planes, options.is_fast, sharing, options.portals);
+    if (options.warnings != nullptr && !is_open) check_budget(bsp, entities.front().line, *options.warnings);
     if (options.part == CompilePart::Visibility)
         take_light(bsp, options.former);
     else

@@ -29,6 +29,9 @@ struct CompileOptions {
     Workers* workers = nullptr;                     ///< share the work, without effect on the level
     Progress* progress = nullptr;
     PortalFile* portals = nullptr;  ///< receives the portals
+    /// Not null: a draft that leaks is a level without visibility, whose path to the void this receives, with a
+    /// warning.
+    std::vector<Point>* leak_path = nullptr;
     CompilePart part = CompilePart::All;
     BspFile former = {};  ///< for a part: an earlier result of compile_map() with the same brushes
 };

@@ -64,7 +64,7 @@ void declare(CommandArguments& line, Arguments& arguments) {
              "number of threads; default: one per processor. The level is the same for any number")
         .limit(1, 64);
     line.add_flag("--fast", arguments.is_fast,
-                  "a draft: less exact visibility and light; large bodies collide as players do");
+                  "a draft: less exact visibility and light; large bodies collide as players do; a leak is a warning");
     line.add_flag("--bounce", arguments.has_bounce, "surfaces reflect light once, as with worldspawn's _bounce 1");
     line.add_flag("--dirt", arguments.has_dirt, "corners get less light, as with worldspawn's _dirt 1");
     line.add_flag("--strict", arguments.is_strict, "warnings are errors");
@@ -192,6 +192,17 @@ map::BspFile read_former(const std::string& file) {
     return naming_file(file, [&] { return map::from_bytes(read_text(file)); });
 }
 
+// The file is of the level beside it: one of an earlier leak goes, unless this part of the level does not tell.
+void keep_points(const Arguments& arguments, const std::vector<map::Point>& leak_path) {
+    const std::string points = points_path(arguments);
+    if (!leak_path.empty()) {
+        write_file(points, map::points_text(leak_path) + "\n");
+        std::cerr << "oblong-map: " << points << " has the path to the void\n";
+    } else if (arguments.only.empty() && points != arguments.output && std::filesystem::is_regular_file(points)) {
+        std::filesystem::remove(points);
+    }
+}
+
 // `files`: receives the names of the other files before they are read.
 void compile(const Arguments& arguments, const std::string& text, const char* called_as,
              std::vector<std::string>& files) {
@@ -232,17 +243,19 @@ void compile(const Arguments& arguments, const std::string& text, const char* ca
     options.portals = &portals;
     options.part = parse_part(arguments.only);
     if (options.part != map::CompilePart::All) options.former = read_former(arguments.output);
+    std::vector<map::Point> leak_path;
+    options.leak_path = &leak_path;
     try {
         const map::BspFile level = map::compile_map(std::move(entities), wads, options);
         reporter.print();
         if (!arguments.portals.empty()) write_file(arguments.portals, portals.text);
         write_file(arguments.output, map::to_bytes(level));
+        keep_points(arguments, leak_path);
         reporter.print_summary(level, portals);
     } catch (const map::LeakError& leak) {
         reporter.progress.clear();
-        write_file(points_path(arguments), map::points_text(leak.path) + "\n");
-        throw InputError(leak.where,
-                         std::string(leak.what()) + "; " + points_path(arguments) + " has the path to the void");
+        keep_points(arguments, leak.path);
+        throw InputError(leak.where, std::string(leak.what()) + "; a draft is made in spite of it (--fast)");
     }
 }
 
@@ -277,8 +290,6 @@ void compile_to_file(const Arguments& arguments, const char* called_as) {
         throw;
     }
     tell_files();
-    const std::string points = points_path(arguments);  // the path of an earlier leak
-    if (points != arguments.output && std::filesystem::is_regular_file(points)) std::filesystem::remove(points);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include "tools/map/light/direct_light.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "tools/map/vis/visibility.h"
 
@@ -26,17 +28,29 @@ double light_from(const LightSource& source, double range, const Point& point, c
     const double distance = length(towards);
     if (distance == 0 || distance >= range) return 0;
     const double cosine = -dot(towards, normal) / distance;
-    if (cosine <= 0 || !source.shines_on(towards * (1 / distance))) return 0;
-    const double light = source.at_distance(distance) * incidence(cosine);
+    const double share = source.share_towards(towards * (1 / distance));
+    if (cosine <= 0 || share <= 0) return 0;
+    const double light = source.at_distance(distance) * share * incidence(cosine);
     const Point edge_of_lamp = source.origin + towards * std::min(source.radius / distance, 1.0);
     if (light <= 0 || !tracer.is_lit(point, edge_of_lamp)) return 0;
     return source.is_subtracted ? -light : light;
 }
 
-double light_from_sun(const Sun& sun, const Point& point, const Point& normal, const Tracer& tracer) {
-    const double cosine = -dot(sun.direction, normal);
+// The direction to a point of the sun's disc: of each `count`, evenly spread in a sunflower's spiral (Vogel).
+Point towards_sun(const Sun& sun, std::size_t i, std::size_t count) {
+    if (sun.penumbra_radius <= 0 || count < 2) return sun.direction * -1;
+    const auto [right, up] = tangents(sun.direction);
+    const double radius = sun.penumbra_radius * std::sqrt((static_cast<double>(i) + 0.5) / static_cast<double>(count)),
+                 angle = static_cast<double>(i) * std::numbers::pi * (3 - std::sqrt(5.0));
+    const Point towards = right * (radius * std::cos(angle)) + up * (radius * std::sin(angle)) - sun.direction;
+    return towards * (1 / length(towards));
+}
+
+// From the i-th point of a disc of `count`.
+double light_from_sun(const Sun& sun, std::size_t i, std::size_t count, const LitPoint& lit, const Tracer& tracer) {
+    const double cosine = -dot(sun.direction, lit.normal);
     if (cosine <= 0) return 0;
-    const int met = tracer.first_opaque(point, point - sun.direction * kSkyDistance);
+    const int met = tracer.first_opaque(lit.point, lit.point + towards_sun(sun, i, count) * kSkyDistance);
     return met == contents::kSky ? sun.brightness * incidence(cosine) : 0;
 }
 
@@ -54,16 +68,15 @@ class PointsOfSamples {
                     for (const double dv : offsets) points_.push_back(sampler.place_at(u + du, v + dv));
     }
 
-    // `light_at`: the light at a point with a normal.
+    std::size_t per_sample() const { return per_sample_; }
+
+    // `light_at`: the light at a point, which is the k-th of its sample.
     template <class LightAt>
     void add_light(Samples& sums, LightAt light_at) const {
         sums.resize(points_.size() / per_sample_, 0);
         for (std::size_t i = 0; i < sums.size(); ++i) {
             double sum = 0;
-            for (std::size_t k = 0; k < per_sample_; ++k) {
-                const auto& [point, normal] = points_[i * per_sample_ + k];
-                sum += light_at(point, normal);
-            }
+            for (std::size_t k = 0; k < per_sample_; ++k) sum += light_at(points_[i * per_sample_ + k], k);
             sums[i] += sum / static_cast<double>(per_sample_);
         }
     }
@@ -118,16 +131,16 @@ StyleSamples direct_light(const FaceSampler& sampler, const std::vector<const Li
     for (const LightSource* source : sources) {
         double brightest = 0;
         const double range = source->range();
-        samples.add_light(styles[source->style], [&](const Point& point, const Point& normal) {
-            const double light = light_from(*source, range, point, normal, tracer);
+        samples.add_light(styles[source->style], [&](const LitPoint& lit, std::size_t) {
+            const double light = light_from(*source, range, lit.point, lit.normal, tracer);
             brightest = std::max(brightest, std::abs(light));
             return light;
         });
         if (brightest >= kLeastShade) is_seen(*source);
     }
     if (sun.brightness > 0)
-        samples.add_light(styles[0], [&](const Point& point, const Point& normal) {
-            return light_from_sun(sun, point, normal, tracer);
+        samples.add_light(styles[0], [&](const LitPoint& lit, std::size_t k) {
+            return light_from_sun(sun, k, samples.per_sample(), lit, tracer);
         });
     return styles;
 }

@@ -81,9 +81,9 @@ class FaceSampler {
 };
 
 /// The normals at each face's corners for light (the faces stay flat). If a face's texinfo has an angle above 0 in
-/// `degrees`, a corner's normal is the mean of the normals of all such faces at this corner, weighted by their angles
-/// there, except those that differ from this face's by more than the smaller of both faces' limits.
-std::vector<SmoothFace> smooth_faces(const BspFile& bsp, const std::vector<double>& degrees);
+/// `surfaces`, a corner's normal is the mean of the normals of all such faces of its group at this corner, weighted by
+/// their angles there, except those that differ from this face's by more than the smaller of both faces' limits.
+std::vector<SmoothFace> smooth_faces(const BspFile& bsp, const std::vector<SurfaceLight>& surfaces);
 
 /// The name of a face's texture, in lower case.
 std::string texture_name(const BspFile& bsp, const FileFace& face);

@@ -66,14 +66,6 @@ void move_out_of_walls(std::vector<LightSource>& sources, const Tracer& tracer, 
     }
 }
 
-// A model's faces are consecutive.
-std::vector<double> least_light_of_faces(const BspFile& bsp, const std::vector<double>& of_models) {
-    std::vector<double> least;
-    for (std::size_t model = 0; model < bsp.models.size(); ++model)
-        least.insert(least.end(), as_size(bsp.models[model].face_count), of_models[model]);
-    return least;
-}
-
 // The share of light that each texture reflects: the mean luminance of its texels.
 std::vector<double> reflectances(const BspFile& bsp, const Palette* palette) {
     std::vector<double> shares;
@@ -93,10 +85,15 @@ class LightPass {
   public:
     LightPass(BspFile& bsp, const std::vector<MapEntity>& entities, const LightOptions& options,
               const WorkSharing& sharing)
-        : bsp_(bsp), options_(options), sharing_(sharing), lights_(lights_of(entities)), tracer_(bsp) {
+        : bsp_(bsp),
+          options_(options),
+          sharing_(sharing),
+          lights_(lights_of(entities)),
+          tracer_(bsp, lights_.shadow_models) {
         if (options.has_dirt) lights_.hemisphere.has_dirt = true;
         if (options.has_bounce) lights_.hemisphere.bounces = std::max(lights_.hemisphere.bounces, 1);
         spread_surface_lights(lights_.sources, bsp, options.warnings);
+        spread_deviant_lights(lights_.sources);
         move_out_of_walls(lights_.sources, tracer_, options.warnings);
         samplers_.resize(bsp.faces.size());
         styles_.resize(bsp.faces.size());
@@ -109,8 +106,13 @@ class LightPass {
     }
 
   private:
+    SurfaceLight surface_of(std::size_t face) const {
+        const std::size_t texinfo = as_size(bsp_.faces[face].texinfo);
+        return texinfo < options_.surfaces.size() ? options_.surfaces[texinfo] : SurfaceLight{};
+    }
+
     void add_direct_light() {
-        std::vector<SmoothFace> smooth = smooth_faces(bsp_, options_.smooth_degrees);
+        std::vector<SmoothFace> smooth = smooth_faces(bsp_, options_.surfaces);
         sharing_.for_each(samplers_.size(), [&](std::size_t i) {
             if (item(bsp_.texinfos, bsp_.faces[i].texinfo).flags == 0)
                 samplers_[i].emplace(bsp_, bsp_.faces[i], std::move(smooth[i]), samplers_, tracer_);
@@ -119,7 +121,7 @@ class LightPass {
         std::vector<std::atomic<bool>> seen(lights_.sources.size());
         sharing_.begin("light", samplers_.size());
         sharing_.for_each(samplers_.size(), [&](std::size_t i) {
-            if (!samplers_[i]) return;
+            if (!samplers_[i] || surface_of(i).ignores_light) return;
             const FaceSampler& sampler = *samplers_[i];
             const auto sources = sources_near(lights_.sources, reach, i, sampler);
             styles_[i] =
@@ -154,7 +156,7 @@ class LightPass {
             std::vector<StyleSamples> next(samplers_.size());
             sharing_.begin("bounced light", samplers_.size());
             sharing_.for_each(samplers_.size(), [&](std::size_t i) {
-                if (!samplers_[i]) return;
+                if (!samplers_[i] || surface_of(i).ignores_light) return;
                 const std::vector<Hemisphere> seen =
                     seen_from(*samplers_[i], settings.bounces > 0 ? add_reflected : AddLight());
                 if (bounce == 0) add_sky_and_dirt(i, seen);
@@ -186,7 +188,7 @@ class LightPass {
 
     void darken(std::size_t face, std::size_t sample, const Hemisphere& seen) {
         const HemisphereSettings& settings = lights_.hemisphere;
-        if (!settings.has_dirt) return;
+        if (!settings.has_dirt || surface_of(face).has_no_dirt) return;
         const double dirt = std::clamp(std::pow(seen.shut, settings.dirt_gain) * settings.dirt_scale, 0.0, 1.0);
         for (auto& [style, samples] : styles_[face]) samples[sample] *= 1 - dirt;
     }
@@ -246,13 +248,13 @@ class LightPass {
     }
 
     void store() {
-        const std::vector<double> least = least_light_of_faces(bsp_, lights_.least);
         for (std::size_t i = 0; i < styles_.size(); ++i) {
             if (!samplers_[i]) continue;
-            if (least[i] > 0) {
+            const double least = surface_of(i).least;
+            if (least > 0) {
                 Samples& steady = styles_[i][0];
                 steady.resize(as_size(samplers_[i]->grid().count[0] * samplers_[i]->grid().count[1]), 0);
-                for (double& sample : steady) sample = std::max(sample, least[i]);
+                for (double& sample : steady) sample = std::max(sample, least);
             }
             std::erase_if(styles_[i], [](const auto& style) {
                 return std::all_of(style.second.begin(), style.second.end(), [](double sample) { return sample < 1; });

@@ -19,7 +19,7 @@ struct LightOptions {
     bool has_bounce = false;       ///< as its _bounce 1, unless it says more
     Warnings* warnings = nullptr;  ///< of lamps in walls, which light nothing; may be null
     const Palette* palette = nullptr;    ///< for the brightness of textures in bounces; null: all half
-    std::vector<double> smooth_degrees;  ///< by texinfo: see smooth_faces()
+    std::vector<SurfaceLight> surfaces;  ///< by texinfo
 };
 
 /// Gives every lit face a lightmap of direct light: for each source visible from a sample, its light at that distance

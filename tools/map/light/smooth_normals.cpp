@@ -12,6 +12,7 @@ namespace {
 struct FaceCorner {
     Point normal;
     double limit_degrees = 0, angle = 0;
+    int group = 0;
 };
 
 double angle_between(const Point& a, const Point& b) {
@@ -22,7 +23,7 @@ Point mean_normal(const FaceCorner& own, const std::vector<FaceCorner>& at_corne
     Point sum;
     for (const FaceCorner& other : at_corner) {
         const double limit = std::min(own.limit_degrees, other.limit_degrees) + 0.01;
-        if (angle_between(own.normal, other.normal) * 180 / std::numbers::pi <= limit)
+        if (own.group == other.group && angle_between(own.normal, other.normal) * 180 / std::numbers::pi <= limit)
             sum = sum + other.normal * other.angle;
     }
     const double size = length(sum);
@@ -72,19 +73,21 @@ void find_faces_across(const BspFile& bsp, std::vector<SmoothFace>& faces) {
 
 }  // namespace
 
-std::vector<SmoothFace> smooth_faces(const BspFile& bsp, const std::vector<double>& degrees) {
+std::vector<SmoothFace> smooth_faces(const BspFile& bsp, const std::vector<SurfaceLight>& surfaces) {
     std::map<Floats, std::vector<FaceCorner>> by_place;
     const auto each_corner = [&](auto use) {
         for (std::size_t i = 0; i < bsp.faces.size(); ++i) {
             const FileFace& face = bsp.faces[i];
-            if (static_cast<std::size_t>(face.texinfo) >= degrees.size() || item(degrees, face.texinfo) <= 0) continue;
+            if (static_cast<std::size_t>(face.texinfo) >= surfaces.size()) continue;
+            const SurfaceLight& surface = item(surfaces, face.texinfo);
+            if (surface.smooth_degrees <= 0) continue;
             const Winding corners = face_corners(bsp, face);
             for (std::size_t k = 0; k < corners.size(); ++k) {
                 const Point &here = corners[k], &next = corners[(k + 1) % corners.size()],
                             &last = corners[(k + corners.size() - 1) % corners.size()];
                 use(i, to_floats(here),
-                    FaceCorner{face_normal(bsp, face), item(degrees, face.texinfo),
-                               angle_between(next - here, last - here)});
+                    FaceCorner{face_normal(bsp, face), surface.smooth_degrees, angle_between(next - here, last - here),
+                               surface.smooth_group});
             }
         }
     };

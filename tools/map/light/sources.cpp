@@ -84,6 +84,12 @@ double luminance_of_colour(const std::vector<double>& colour) {
     return std::max(0.0, *std::max_element(colour.begin(), colour.end()) > 1 ? luminance / 255 : luminance);
 }
 
+// The luminance of a colour, 1 without one.
+double colour_of(const MapEntity& entity, std::string_view key) {
+    const auto colour = numbers_of(entity, key, 3);
+    return colour.empty() ? 1 : luminance_of_colour(colour);
+}
+
 struct Brightness {
     double brightness = 0, luminance = 1;  // LightSource
 };
@@ -122,8 +128,14 @@ LightSource source_of(const MapEntity& entity, const Point& origin, const std::v
     source.surface_offset = value_of(entity, "_surface_offset");
     source.is_surface_spotlight = value_of(entity, "_surface_spotlight") > 0;
     const double cone = value_of(entity, "angle");
-    if (source.direction || source.is_surface_spotlight)
-        source.cone_cosine = std::cos(radians((cone > 0 ? cone : usual("angle")) / 2));
+    if (source.direction || source.is_surface_spotlight) {
+        source.cone_cosine = source.full_cosine = std::cos(radians((cone > 0 ? cone : usual("angle")) / 2));
+        const double soft = value_of(entity, "_softangle");
+        if (soft > 0) source.full_cosine = std::max(source.cone_cosine, std::cos(radians(soft / 2)));
+    }
+    constexpr double kMostSamples = 64;
+    source.deviance = std::max(value_of(entity, "_deviance"), 0.0);
+    source.samples = static_cast<int>(std::clamp(value_of(entity, "_samples"), 1.0, kMostSamples));
     return source;
 }
 
@@ -148,8 +160,8 @@ HemisphereSettings hemisphere_of(const MapEntity& world) {
     // In ericw-tools these are suns all over the sky, which share the brightness and are weighted by (1 + cosine) / 2
     // like lamps: the mean over an open hemisphere is 3/4.
     constexpr double kDome = 0.75;
-    settings.sunlight2 = kDome * std::max(value("_sunlight2"), 0.0);
-    settings.sunlight3 = kDome * std::max(value("_sunlight3"), 0.0);
+    settings.sunlight2 = kDome * std::max(value("_sunlight2"), 0.0) * colour_of(world, "_sunlight2_color");
+    settings.sunlight3 = kDome * std::max(value("_sunlight3"), 0.0) * colour_of(world, "_sunlight3_color");
     settings.has_dirt = value("_dirt") > 0;
     settings.dirt_depth = std::max(value("_dirtdepth"), 1.0);
     settings.dirt_scale = std::max(value("_dirtscale"), 0.0);
@@ -194,8 +206,27 @@ double LightSource::range() const {
     }
 }
 
-bool LightSource::shines_on(const Point& towards) const {
-    return !direction || dot(*direction, towards) >= cone_cosine;
+double LightSource::share_towards(const Point& towards) const {
+    const double cosine = direction ? dot(*direction, towards) : 1;
+    if (cosine < cone_cosine) return 0;
+    return cosine >= full_cosine ? 1 : (cosine - cone_cosine) / (full_cosine - cone_cosine);
+}
+
+void spread_deviant_lights(std::vector<LightSource>& sources) {
+    std::vector<LightSource> spread;
+    for (const LightSource& source : sources) {
+        const int count = source.deviance > 0 ? source.samples : 1;
+        for (int i = 0; i < count; ++i) {
+            LightSource& part = spread.emplace_back(source);
+            part.luminance /= count;
+            if (count == 1) continue;
+            const double height = 1 - (2 * i + 1.0) / count, ring = std::sqrt(1 - height * height),
+                         angle = i * std::numbers::pi * (3 - std::sqrt(5.0));
+            part.origin =
+                source.origin + Point{ring * std::cos(angle), ring * std::sin(angle), height} * source.deviance;
+        }
+    }
+    sources = std::move(spread);
 }
 
 Lights lights_of(const std::vector<MapEntity>& entities) {
@@ -207,16 +238,38 @@ Lights lights_of(const std::vector<MapEntity>& entities) {
         if (source.brightness > 0 && source.luminance > 0) lights.sources.push_back(source);
     }
     const MapEntity& world = entities.front();
-    const auto [brightness, luminance] = brightness_of(world, 0);
-    lights.least = {number_of(world, "_minlight", brightness * luminance)};
+    int model = 0;
     for (const MapEntity& entity : entities) {
-        if (!entity.brushes.empty() && !belongs_to_world(entity))
-            lights.least.push_back(std::max(lights.least.front(), number_of(entity, "_minlight", 0)));
+        if (entity.brushes.empty() || belongs_to_world(entity)) continue;
+        ++model;
+        if (number_of(entity, "_shadow", 0) > 0) lights.shadow_models.push_back(model);
     }
     lights.hemisphere = hemisphere_of(world);
-    lights.sun.brightness = number_of(world, "_sunlight", 0);
+    lights.sun.brightness = number_of(world, "_sunlight", 0) * colour_of(world, "_sunlight_color");
     lights.sun.direction = direction_of_mangle(world, "_sun_mangle").value_or(lights.sun.direction);
+    constexpr double kMostPenumbra = 90;
+    const double penumbra = std::clamp(number_of(world, "_sunlight_penumbra", 0), 0.0, kMostPenumbra);
+    lights.sun.penumbra_radius = std::tan(radians(penumbra) / 2);
     return lights;
+}
+
+void set_surface_light(std::vector<MapEntity>& entities) {
+    const double usual_angle = std::stod(std::string(usual_text("func_group", "_phong_angle")));
+    const auto [brightness, luminance] = brightness_of(entities.front(), 0);
+    const double least = number_of(entities.front(), "_minlight", brightness * luminance) *
+                         colour_of(entities.front(), "_minlight_color");
+    for (MapEntity& entity : entities) {
+        if (entity.brushes.empty()) continue;
+        SurfaceLight light;
+        const double angle = number_of(entity, "_phong_angle", 0);
+        if (angle > 0 || number_of(entity, "_phong", 0) > 0) light.smooth_degrees = angle > 0 ? angle : usual_angle;
+        light.smooth_group = static_cast<int>(number_of(entity, "_phong_group", 0));
+        light.least = std::max(least, number_of(entity, "_minlight", 0) * colour_of(entity, "_minlight_color"));
+        light.ignores_light = number_of(entity, "_lightignore", 0) > 0;
+        light.has_no_dirt = number_of(entity, "_dirt", 0) < 0;
+        for (MapBrush& brush : entity.brushes)
+            for (MapSide& side : brush.sides) side.texture.light = light;
+    }
 }
 
 void assign_switchable_styles(std::vector<MapEntity>& entities) {

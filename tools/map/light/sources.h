@@ -32,6 +32,9 @@ struct LightSource {
     const MapEntity* entity = nullptr;
     std::optional<Point> direction;  ///< of a spotlight
     double cone_cosine = -1;         ///< of half of the spotlight's opening
+    double full_cosine = -1;         ///< of that within which it is at its full, at least the former
+    double deviance = 0;             ///< radius in units: shines from points all over a ball
+    int samples = 1;                 ///< of the ball
     double radius = 0;               ///< surfaces within it cast no shadow: the lamp's own body
     std::string surface;             ///< a texture whose faces shine instead of it
     double surface_offset = 2;       ///< units above them
@@ -41,14 +44,16 @@ struct LightSource {
     double at_distance(double distance) const;
     /// The distance beyond which its light is invisible.
     double range() const;
-    bool shines_on(const Point& towards) const;
+    /// Of a spotlight's cone: 0 outside, 1 where it is at its full, linear by the cosine in between.
+    double share_towards(const Point& direction) const;
 };
 
 /// Parallel light from the sky: worldspawn's _sunlight and _sun_mangle ("yaw pitch roll", pitch -90 shines straight
 /// down).
 struct Sun {
     double brightness = 0;
-    Point direction{0, 0, -1};  ///< in which the light travels
+    Point direction{0, 0, -1};   ///< in which the light travels
+    double penumbra_radius = 0;  ///< of its disc at distance 1
 };
 
 /// Light from the hemisphere over a surface: worldspawn's keys that begin with "_".
@@ -67,11 +72,17 @@ struct Lights {
     std::vector<LightSource> sources;
     Sun sun;
     HemisphereSettings hemisphere;
-    std::vector<double> least;  ///< by model: worldspawn's _minlight (or light), the brush entity's if that is more
+    std::vector<int> shadow_models;  ///< numbers of brush models that shade as the world does: "_shadow"
 };
 
 /// The entities must outlive the result.
 Lights lights_of(const std::vector<MapEntity>& entities);
+
+/// Replaces each light with a deviance by lights on a spiral over its ball (Vogel), which share its luminance.
+void spread_deviant_lights(std::vector<LightSource>& sources);
+
+/// Sets the light of brush sides from the keys of their entities ("_phong", "_minlight" ...) and of the worldspawn.
+void set_surface_light(std::vector<MapEntity>& entities);
 
 /// Sets the key "style" of each switchable light (with a targetname but no style) to the style of its name, from 32 on.
 void assign_switchable_styles(std::vector<MapEntity>& entities);

@@ -14,16 +14,16 @@ std::array<double, 3> between(const std::array<double, 3>& from, const std::arra
 
 constexpr double kFar = 8192;
 
-// Two directions perpendicular to a normal and to each other.
+}  // namespace
+
 std::array<Point, 2> tangents(const Point& normal) {
     const Point aside = cross(normal, axis_vector(std::abs(normal.z) < 0.7 ? 2 : 0));
     const Point first = aside * (1 / length(aside));
     return {first, cross(normal, first)};
 }
 
-}  // namespace
-
-Tracer::Tracer(const BspFile& bsp) : root_(bsp.models.front().head_nodes[0]) {
+Tracer::Tracer(const BspFile& bsp, const std::vector<int>& shadow_models) : root_(bsp.models.front().head_nodes[0]) {
+    for (const int model : shadow_models) shadow_roots_.push_back(item(bsp.models, model).head_nodes[0]);
     for (const FileNode& node : bsp.nodes) {
         const FilePlane& plane = item(bsp.planes, node.plane);
         const Point normal = to_point(plane.normal);

@@ -15,22 +15,22 @@ struct RayHit {
     int node = -1;     ///< of the plane on which it ends; -1: it begins in solid
 };
 
+/// Two directions perpendicular to a normal and to each other.
+std::array<Point, 2> tangents(const Point& normal);
+
 /// Follows rays through the world of a level.
 class Tracer {
   public:
-    explicit Tracer(const BspFile& bsp);
+    /// `shadow_models`: brush models that are obstacles too, for light from lamps and the sun.
+    explicit Tracer(const BspFile& bsp, const std::vector<int>& shadow_models = {});
 
     /// The first obstacle from `from` to `to`: solid or sky; 0: none.
-    int first_opaque(const Point& from, const Point& to) const {
-        return follow(root_, place_of(from), place_of(to), true);
-    }
+    int first_opaque(const Point& from, const Point& to) const { return first_in_models(from, to, true); }
 
     bool is_clear(const Point& from, const Point& to) const { return first_opaque(from, to) == 0; }
 
     /// Whether no solid is in between. As in Quake's own compiler, the light of lamps passes through a sky.
-    bool is_lit(const Point& from, const Point& to) const {
-        return follow(root_, place_of(from), place_of(to), false) == 0;
-    }
+    bool is_lit(const Point& from, const Point& to) const { return first_in_models(from, to, false) == 0; }
 
     /// As first_opaque(), with its position.
     RayHit hit(const Point& from, const Point& to) const;
@@ -55,12 +55,22 @@ class Tracer {
         }
     };
 
+    int first_in_models(const Point& from, const Point& to, bool stops_at_sky) const {
+        const int met = follow(root_, place_of(from), place_of(to), stops_at_sky);
+        if (shadow_roots_.empty() || met == contents::kSolid) return met;
+        const Point end = met == 0 ? to : from + (to - from) * hit(from, to).share;
+        const bool is_shaded = std::any_of(shadow_roots_.begin(), shadow_roots_.end(), [&](int root) {
+            return follow(root, place_of(from), place_of(end), false) != 0;
+        });
+        return is_shaded ? contents::kSolid : met;
+    }
     int follow(int child, const Place& from, const Place& to, bool stops_at_sky) const;
     bool find_hit(int child, const Place& from, const Place& to, double from_share, double to_share, RayHit& hit) const;
 
     std::vector<TraceNode> nodes_;
     std::vector<int> opaque_;  // contents of each leaf, or 0
     int root_ = 0;
+    std::vector<int> shadow_roots_;
 };
 
 /// Light by its style.

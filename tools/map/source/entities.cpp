@@ -109,17 +109,6 @@ std::vector<TextureUse> shown_textures(const std::vector<MapEntity>& entities) {
     return uses;
 }
 
-void set_smoothing(std::vector<MapEntity>& entities) {
-    for (MapEntity& entity : entities) {
-        const bool has_angle = number_of(entity, "_phong_angle", 0) > 0;
-        if (entity.brushes.empty() || (!has_angle && number_of(entity, "_phong", 0) <= 0)) continue;
-        const double usual = std::stod(std::string(usual_text("func_group", "_phong_angle")));
-        for (MapBrush& brush : entity.brushes)
-            for (MapSide& side : brush.sides)
-                side.texture.smooth_degrees = has_angle ? number_of(entity, "_phong_angle", usual) : usual;
-    }
-}
-
 void bring_world_forward(std::vector<MapEntity>& entities) {
     const auto rank = [](const MapEntity& entity) { return !belongs_to_world(entity) ? 2 : is_detail_entity(entity); };
     std::stable_sort(entities.begin() + 1, entities.end(),

@@ -27,9 +27,6 @@ std::vector<double> numbers_of(const MapEntity& entity, std::string_view key, st
 /// The number that is the value of a key, or `otherwise` if it is missing or malformed.
 double number_of(const MapEntity& entity, std::string_view key, double otherwise);
 
-/// Sets the smoothing angles of brush sides from the keys "_phong" and "_phong_angle" of their entities.
-void set_smoothing(std::vector<MapEntity>& entities);
-
 /// Moves the world's entities before all others, details last, so that the level does not depend on the order in which
 /// an editor writes groups and layers. The first entity, the worldspawn, stays; the order is otherwise unchanged.
 void bring_world_forward(std::vector<MapEntity>& entities);

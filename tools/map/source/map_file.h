@@ -9,14 +9,24 @@
 
 namespace oblong::map {
 
-/// The alignment of a texture on a side in the map source.
+/// How a side is lit, by its entity's keys: set_surface_light().
+struct SurfaceLight {
+    double smooth_degrees = 0;   ///< above 0: lit as if round between faces at smaller angles
+    int smooth_group = 0;        ///< but not between those of two groups
+    double least = 0;            ///< 0 to 255
+    bool ignores_light = false;  ///< there is only the least
+    bool has_no_dirt = false;
+    bool operator==(const SurfaceLight&) const = default;
+};
+
+/// The alignment of a texture on a side in the map source, and its light.
 struct TextureFields {
     std::string name;
     bool has_axes = false;      ///< Valve 220: `axes` are given; Standard: they follow from the side's normal
     std::array<Point, 2> axes;  ///< of u and v
     std::array<double, 2> offset{}, scale{1, 1};
     double rotation_degrees = 0;  ///< already in `axes` if those are given
-    double smooth_degrees = 0;    ///< of the entity: set_smoothing()
+    SurfaceLight light;
 };
 
 /// A plane through three points, which are clockwise seen from its front.

@@ -121,7 +121,7 @@ int TextureList::find_or_add(const MapSide& side, const Point& normal) {
     check_density(wanted.axes, side);
     wanted.offset = fields.offset;
     wanted.texture = find_or_add_name({fields.name, side.line});
-    wanted.smooth_degrees = fields.smooth_degrees;
+    wanted.light = fields.light;
     wanted.is_special = contents_of_texture(fields.name) != contents::kSolid;
     for (std::size_t i = 0; i < texinfos_.size(); ++i) {
         if (texinfos_[i] == wanted) return static_cast<int>(i);

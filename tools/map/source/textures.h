@@ -14,9 +14,9 @@ namespace oblong::map {
 struct TexInfo {
     std::array<Point, 2> axes;
     std::array<double, 2> offset{};
-    int texture = 0;            ///< index into TextureList::names()
-    bool is_special = false;    ///< sky or liquid: no lightmap, no limit of extent
-    double smooth_degrees = 0;  ///< above 0: lit as if round between faces at smaller angles
+    int texture = 0;          ///< index into TextureList::names()
+    bool is_special = false;  ///< sky or liquid: no lightmap, no limit of extent
+    SurfaceLight light;
 
     bool operator==(const TexInfo&) const = default;
 

@@ -250,7 +250,7 @@ void ModelCompiler::make_drawn(const Box& outer) {
     std::erase_if(seen, [](const Brush& brush) { return brush.is_clip; });
     Partition rough = partition_brushes(seen, planes_, outer);
     if (starts_) result_.leak = fill_outside(rough.tree, planes_, rough.portals, *starts_);
-    if (result_.leak) return;
+    if (result_.leak && !is_draft_) return;
     Partition fine = refined(rough, planes_, outer);
     model.surfaces = subdivided(make_surfaces(fine.tree, planes_, fine.portals, seen), texinfos_);
     make_mesh(model);

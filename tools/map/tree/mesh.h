@@ -60,7 +60,7 @@ using SealStarts = std::optional<std::vector<Point>>;
 
 struct ModelResult {
     CompiledModel model;
-    std::optional<Leak> leak;  ///< then the model is not complete
+    std::optional<Leak> leak;  ///< then the model is not complete, or with its outside in a draft
 };
 
 /// Compiles brushes into a model: with `starts`, fills the outside of the level. Its arguments must outlive it.

@@ -1,0 +1,188 @@
+// Keys of light that mappers of other engines use, each against a closed form or a sum in doubles.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/map/bsp_checks.h"
+#include "tests/map/map_source.h"
+
+namespace oblong::light_keys_test {
+using namespace test;
+namespace {
+
+using Keys = std::vector<std::array<std::string, 2>>;
+
+int floor_light(const map::BspFile& bsp, int x, int y) {
+    const int light = light_at(bsp, kFloor, {x + 0.0, y + 0.0, 0});
+    return std::max(light, 0);  // without a lightmap
+}
+
+std::string hall(std::string_view ceiling = "wall") {
+    return room({0, 0, 0}, {224, 224, 128}) + box({0, 0, 112}, {224, 224, 128}, ceiling);
+}
+
+constexpr Whole kLamp{64, 64, 97};  // 96 over the points of the floor, which are lifted by 1
+constexpr double kHeight = 96;
+
+double linear_light(double brightness, double distance) {
+    return (brightness - distance) * (1 + kHeight / distance) / 4;
+}
+
+// A sky all over, a slab over the half beyond x = 104 at heights of 64 to 72, and a sun of `degrees` right above.
+map::BspFile under_slab(const char* degrees) {
+    const Keys sun{{"_sunlight", "200"}, {"_sun_mangle", "0 -90 0"}, {"_sunlight_penumbra", degrees}};
+    return compile(entity("worldspawn", sun, hall("sky") + box({104, 0, 64}, {224, 224, 72})), {});
+}
+
+// The share of the sun's disc, as a sum over 200 x 200 points, that is in sight from the mean point of a square of 12
+// units around x.
+double share_in_sight(double x, double degrees) {
+    const double radius = std::tan(degrees * std::numbers::pi / 360);
+    int seen = 0, all = 0;
+    for (int k = 0; k < 4; ++k)
+        for (int i = 0; i < 200; ++i)
+            for (int j = 0; j < 200; ++j) {
+                const double aside = ((i + 0.5) / 100 - 1) * radius, along = ((j + 0.5) / 100 - 1) * radius;
+                if (std::hypot(aside, along) > radius) continue;
+                ++all;
+                const double at = x - 6 + 4 * k;
+                seen += at + aside * (aside > 0 ? 71 : 63) < 104;
+            }
+    return static_cast<double>(seen) / all;
+}
+
+TEST(LightKeys, ASunWithAPenumbraSoftensEdgesByItsDisc) {
+    const auto bsp = under_slab("40");
+    for (int x = 48; x <= 160; x += 16)
+        EXPECT_NEAR(floor_light(bsp, x, 112), 100 * share_in_sight(x, 40), 5) << x << ": sixteen points of the disc";
+    EXPECT_EQ(floor_light(bsp, 48, 112), 100) << "104 - 71 tan 20 - 6 = 72";
+    EXPECT_EQ(floor_light(bsp, 144, 112), 0) << "104 + 63 tan 20 + 6 = 133";
+    EXPECT_EQ(floor_light(under_slab("0"), 112, 112), 0);
+    EXPECT_EQ(floor_light(under_slab("0"), 80, 112), 100);
+}
+
+TEST(LightKeys, ColoursOfSunAndLeastLightCountByTheirLuminance) {
+    const auto light_of = [](const Keys& keys) {
+        return floor_light(compile(entity("worldspawn", keys, hall("sky")), {true}), 64, 64);
+    };
+    EXPECT_EQ(light_of({{"_sunlight", "200"}, {"_sun_mangle", "0 -90 0"}, {"_sunlight_color", "255 0 0"}}), 29)
+        << "half of 200 * 0.299";
+    EXPECT_EQ(light_of({{"_sunlight2", "100"}, {"_sunlight2_color", "0 1 0"}}), light_of({{"_sunlight2", "58.7"}}));
+    EXPECT_EQ(light_of({{"_minlight", "100"}, {"_minlight_color", "0 0 1"}}), 5) << "half of 100 * 0.114";
+}
+
+TEST(LightKeys, AGroupHasALeastLightOfItsOwn) {
+    const auto bsp = compile(entity("worldspawn", {{"_minlight", "20"}}, hall()) +
+                                 entity("func_group", {{"_minlight", "60"}}, box({96, 96, 0}, {128, 128, 32})) +
+                                 entity("func_detail", {{"_minlight", "10"}}, box({32, 32, 0}, {64, 64, 32})),
+                             {true});
+    EXPECT_EQ(floor_light(bsp, 192, 192), 10);
+    const test::FacingPlane top{{0, 0, 1}, 32};
+    EXPECT_EQ(light_at(bsp, top, {112, 112, 32}), 30);
+    EXPECT_EQ(light_at(bsp, top, {48, 48, 32}), 10) << "no less than the world's";
+}
+
+TEST(LightKeys, WhatIgnoresLightHasTheLeastAlone) {
+    const auto bsp = compile(
+        entity("worldspawn", {{"_minlight", "20"}, {"_bounce", "1"}, {"_sunlight2", "50"}}, hall("sky")) +
+            entity("func_group", {{"_lightignore", "1"}}, box({96, 96, 0}, {128, 128, 32})) + entity_at("light", kLamp),
+        {true});
+    EXPECT_EQ(light_at(bsp, {{0, 0, 1}, 32}, {112, 112, 32}), 10);
+    EXPECT_GT(floor_light(bsp, 64, 64), 60);
+}
+
+// The lamp's shadow of a plate at a height of 49 to 53; and a plate above the sky, in a room of its own.
+TEST(LightKeys, ABrushEntityThrowsAShadowIfItIsAskedTo) {
+    const auto bsp_with = [](const char* shadow) {
+        const std::string above = room({0, 0, 160}, {224, 224, 224});
+        const Keys sun{{"_sunlight", "100"}, {"_sun_mangle", "0 -90 0"}};
+        return compile(entity("worldspawn", sun, hall("sky") + above) +
+                           entity("func_wall", {{"_shadow", shadow}}, box({104, 104, 49}, {136, 136, 53})) +
+                           entity("func_wall", {{"_shadow", shadow}}, box({16, 16, 180}, {208, 208, 190})) +
+                           entity_at("light", kLamp) + entity_at("info_null", {112, 112, 200}),
+                       {true});
+    };
+    const auto without = bsp_with("0"), with = bsp_with("1");
+    const double at_192 = linear_light(300, std::hypot(128, 128, kHeight));
+    EXPECT_NEAR(floor_light(without, 192, 192), 50 + at_192, 1);
+    EXPECT_NEAR(floor_light(with, 192, 192), 50, 1) << "the ray from the lamp is at 128 at its half";
+    EXPECT_NEAR(floor_light(without, 112, 112), 50 + linear_light(300, std::hypot(48, 48, kHeight)), 1);
+    EXPECT_NEAR(floor_light(with, 112, 112), linear_light(300, std::hypot(48, 48, kHeight)), 1) << "no sun there";
+    EXPECT_NEAR(floor_light(with, 32, 192), floor_light(without, 32, 192), 0)
+        << "what is behind the sky shades nothing";
+    EXPECT_NEAR(light_at(with, {{0, 0, 1}, 53}, {112, 112, 53}), light_at(without, {{0, 0, 1}, 53}, {112, 112, 53}), 0)
+        << "nor itself";
+}
+
+TEST(LightKeys, DirtSparesWhatItIsToldTo) {
+    const auto corner_with = [](const Keys& of_world, const Keys& of_group) {
+        const auto bsp =
+            compile(entity("worldspawn", of_world, room({0, 0, 0}, {224, 224, 128})) +
+                        entity("func_group", of_group, box({96, 96, 0}, {128, 128, 32})) + entity_at("light", kLamp),
+                    {true});
+        return std::pair(light_at(bsp, {{0, 0, 1}, 32}, {112, 112, 32}), floor_light(bsp, 208, 208));
+    };
+    const auto plain = corner_with({}, {}), dirty = corner_with({{"_dirt", "1"}}, {}),
+               spared = corner_with({{"_dirt", "1"}}, {{"_dirt", "-1"}});
+    EXPECT_LT(dirty.first, plain.first);
+    EXPECT_EQ(spared.first, plain.first);
+    EXPECT_EQ(spared.second, dirty.second);
+}
+
+// At 26.6 degrees off the axis, between half cones of 20 and 30.
+TEST(LightKeys, ASpotlightFadesFromItsSoftAngleOn) {
+    const auto light_with = [](const Keys& keys) {
+        Keys all{{"mangle", "0 -90 0"}, {"angle", "60"}};
+        all.insert(all.end(), keys.begin(), keys.end());
+        return floor_light(compile(level(hall(), entity_at("light", kLamp, all)), {true}), 112, 64);
+    };
+    const auto cosine = [](double degrees) { return std::cos(degrees * std::numbers::pi / 180); };
+    const double at = kHeight / std::hypot(48, kHeight), full = linear_light(300, std::hypot(48, kHeight));
+    EXPECT_NEAR(light_with({}), full, 1);
+    EXPECT_NEAR(light_with({{"_softangle", "40"}}), full * (at - cosine(30)) / (cosine(20) - cosine(30)), 1);
+    EXPECT_NEAR(light_with({{"_softangle", "90"}}), full, 1) << "wider than its cone";
+}
+
+// As a sum over the ball's surface in rings.
+TEST(LightKeys, ADeviantLampShinesFromABall) {
+    const auto bsp = compile(level(hall() + box({104, 24, 64}, {120, 224, 112}),
+                                   entity_at("light", {64, 64, 65}, {{"_deviance", "24"}, {"_samples", "64"}})),
+                             {true});
+    for (int x = 48; x <= 208; x += 32) {
+        double sum = 0;
+        for (int i = 0; i < 100; ++i)
+            for (int k = 0; k < 100; ++k) {
+                const double height = (i + 0.5) / 50 - 1, ring = std::sqrt(1 - height * height);
+                const double angle = k * std::numbers::pi / 50;
+                const double lamp_x = 64 + 24 * ring * std::cos(angle), lamp_y = 64 + 24 * ring * std::sin(angle),
+                             lamp_z = 65 + 24 * height, up = lamp_z - 1;
+                const double distance = std::hypot(std::hypot(x - lamp_x, 128 - lamp_y), up);
+                // Shut where the ray is in the beam, 64 and more above the floor.
+                const double low = x > 104 ? lamp_x + (104 - lamp_x) * 1.0 : 0;
+                const double share = x > 104 ? (low - lamp_x) / (x - lamp_x) : 0;
+                if (x > 104 && lamp_z - up * share > 64) continue;
+                sum += (300 - distance) * (1 + up / distance) / 4;
+            }
+        EXPECT_NEAR(floor_light(bsp, x, 128), sum / 10'000, 4) << x;
+    }
+}
+
+// A step's top meets the side of the next one: one round surface only within a group.
+TEST(LightKeys, SmoothingStaysWithinItsGroup) {
+    const auto top_light = [](const Keys& first, const Keys& second) {
+        const auto bsp = compile(level(hall(), entity("func_detail", first, box({64, 64, 0}, {128, 128, 32})) +
+                                                   entity("func_detail", second, box({128, 64, 0}, {160, 128, 64})) +
+                                                   entity_at("light", kLamp)),
+                                 {true});
+        return light_at(bsp, {{0, 0, 1}, 32}, {112, 96, 32});
+    };
+    const auto in_group = [](const char* group) { return Keys{{"_phong_angle", "120"}, {"_phong_group", group}}; };
+    const int alone = top_light(in_group("1"), {});
+    EXPECT_NE(top_light(in_group("1"), in_group("1")), alone);
+    EXPECT_EQ(top_light(in_group("1"), in_group("2")), alone);
+}
+
+}  // namespace
+}  // namespace oblong::light_keys_test
