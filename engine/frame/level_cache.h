@@ -31,6 +31,12 @@ struct MeshPlace {
     std::optional<MeshTransform> transform;   ///< once asked for; none: none yet, or it has no inverse
 };
 
+/// How translucent faces of one opacity mix with what is behind them.
+struct FaceBlend {
+    std::int32_t alpha_256 = 0;
+    std::unique_ptr<BlendTable> table;  ///< null until a frame needs it
+};
+
 /// Data kept from frame to frame for a level and a colormap, made once or on first use. It never changes a picture.
 struct LevelCache {
     /// `level` must outlive it.
@@ -42,12 +48,12 @@ struct LevelCache {
     Things things;         ///< particles, sprites and lanterns
     FaceSurfaces surfaces;
     BrushModels brush_models;
-    std::vector<MeshPlace> mesh_places;                 ///< of the scene's meshes; updated when they move
-    ContinuedFaces continued_faces;                     ///< of torn walls
-    std::unique_ptr<LevelFogTables> fog_tables;         ///< null until a frame shows fog
-    std::array<std::unique_ptr<BlendTable>, 4> blends;  ///< by LiquidKind; null until a frame needs one
-    WarpTables warp{};                                  ///< of liquids
-    std::int64_t warp_time_ms = -1;                     ///< the time of `warp`
+    std::vector<MeshPlace> mesh_places;          ///< of the scene's meshes; updated when they move
+    ContinuedFaces continued_faces;              ///< of torn walls
+    std::unique_ptr<LevelFogTables> fog_tables;  ///< null until a frame shows fog
+    std::vector<FaceBlend> blends;               ///< one of each opacity, 255 at most
+    WarpTables warp{};                           ///< of liquids
+    std::int64_t warp_time_ms = -1;              ///< the time of `warp`
     SkyLayers sky_layers;
 };
 

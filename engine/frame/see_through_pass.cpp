@@ -31,13 +31,12 @@ void draw_waiting(const VisibleFace* face, std::vector<VisibleThing>& waiting, c
     });
 }
 
-/// The blend table of a liquid, made on first use.
-const BlendTable& blend_of(LiquidKind kind, const FrameContext& frame) {
-    std::unique_ptr<BlendTable>& table = item(frame.cache.blends, kind);
-    const std::int32_t share_256 = item(frame.cache.effects.liquid_alpha_256, kind);
+/// A blend table, made on first use.
+const BlendTable& table_of(FaceBlend& blend, const FrameContext& frame) {
     // In its place: on the stack, DOS has no room for 64 KB more.
-    if (!table) table.reset(new BlendTable(make_blend_table(frame.scene.colormap.palette, share_256)));
-    return *table;
+    if (!blend.table)
+        blend.table.reset(new BlendTable(make_blend_table(frame.scene.colormap.palette, blend.alpha_256)));
+    return *blend.table;
 }
 
 /// Draws a face's spans where no thing is nearer; in fog, level by level with its colours.
@@ -70,17 +69,18 @@ void draw_in_fog(const VisibleFace& claimed, SurfaceOptions drawing, const Frame
 }
 
 void draw_face(const VisibleFace& claimed, const FrameContext& frame, ViewScratch& scratch) {
-    const Level& level = frame.scene.level;
-    const FaceIndex face = claimed.face;
-    const bool is_liquid = frame.cache.faces[face].effects.has(Effect::Liquid);
+    const PreparedFace& face = frame.cache.faces[claimed.face];
+    const bool is_liquid = face.effects.has(Effect::Liquid);
+    const bool blends = face.blend > 0 && frame.allows(Effect::Translucency);
     PassTimes* const times = frame.observers.times;
-    const Stopwatch watch(times, is_liquid ? Effect::Translucency : Effect::Fence);
+    const Stopwatch watch(times, blends ? Effect::Translucency : Effect::Fence);
     const Stopwatch of_liquid(is_liquid ? times : nullptr, Effect::Liquid);
     SurfaceOptions drawing;
     drawing.is_plain = drawing.is_observed = false;  // counts and records are of what is behind these faces
-    drawing.traits.warps = drawing.traits.blends = is_liquid;
-    drawing.traits.has_holes = !is_liquid;
-    if (is_liquid) drawing.blend = &blend_of(liquid_kind_of_texture(level.texture_of(level.faces[face]).name), frame);
+    drawing.traits.warps = is_liquid;
+    drawing.traits.blends = blends;
+    drawing.traits.has_holes = face.effects.has(Effect::Fence);
+    if (blends) drawing.blend = &table_of(item(frame.cache.blends, face.blend - 1), frame);
     draw_in_fog(claimed, drawing, frame, scratch);
 }
 

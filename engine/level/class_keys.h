@@ -106,6 +106,7 @@ inline constexpr std::array kTurned{
 };
 inline constexpr std::array kFires{
     EntityKey{"target", Target, "", "the `targetname` of what it activates"},
+    EntityKey{"target2", Target, "", "of more that it activates"},
     EntityKey{"killtarget", Target, "", "the `targetname` of what it removes"},
     number("delay", "0", "seconds until it activates its targets"),
     EntityKey{"message", Text, "", "text shown to the player, in UTF-8; {jump} stands for the key of that action"},
@@ -132,6 +133,7 @@ inline constexpr std::array kMadeOfBrushes{
     kLitBrushes[5],
     kLitBrushes[6],
     number("_shadow", "0", "1: it casts shadows, from where it begins"),
+    number("alpha", "1", "opacity, above 0 to 1"),
     number("dmg", "", kNoEffect),
     EntityKey{"sounds", Whole, "", kNoEffect},
 };

@@ -24,6 +24,7 @@ struct PreparedFace {
     Material material = Material::Lit;
     bool is_above_fog = false;     ///< certainly, while its model has not moved
     bool is_near_lantern = false;  ///< false: no lantern's light touches it, while its model has not moved
+    std::uint8_t blend = 0;        ///< a translucent face's, into LevelCache::blends, from 1
 };
 
 /// Data of a level's faces, precomputed for all frames.

@@ -7,6 +7,7 @@
 #include "engine/base/table.h"
 #include "engine/base/text.h"
 #include "engine/level/entity_classes.h"
+#include "engine/scene/placed_models.h"
 
 namespace oblong {
 
@@ -148,6 +149,21 @@ void read_world(const Level& level, LevelEffects& effects) {
         if (seen.insert(key).second) read_world_key(key, value, effects);
 }
 
+// As in other engines, 0 counts as absent. Of two entities with one model, the last counts.
+void read_model_alphas(const Level& level, LevelEffects& effects) {
+    for (const Entity& entity : level.entities) {
+        const auto model = brush_model_of(entity, level);
+        const std::string value = entity.value("alpha");
+        if (!model || value.empty()) continue;
+        const std::optional<std::int64_t> alpha_256 = parse_level_number(value, 8);
+        if (!alpha_256 || !is_within(*alpha_256, 0, 256))
+            warn(effects.warnings, "model " + entity.value("model") + ": alpha is " + in_quotes(value) +
+                                       ", expected an opacity from 0 to 1");
+        else if (*alpha_256 > 0 && *alpha_256 < 256)
+            effects.model_alphas.push_back({*model, static_cast<std::int32_t>(*alpha_256)});
+    }
+}
+
 /// What is wrong with a light's own pattern; empty if nothing.
 std::string fault_of_pattern(const std::string& pattern, const std::string& style, const std::string& same_style) {
     if (style.empty()) return "its style is not a number from 32 to 63, expected a style that the game may set";
@@ -195,6 +211,7 @@ LevelEffects read_level_effects(const Level& level) {
     effects.animations = TextureAnimations(level, effects.warnings);
     effects.light_patterns = make_light_patterns(level, own_patterns(level, effects.warnings));
     read_world(level, effects);
+    read_model_alphas(level, effects);
     limit_warnings(effects.warnings);
     return effects;
 }

@@ -81,6 +81,12 @@ struct PaletteCycle {
     bool operator==(const PaletteCycle&) const = default;
 };
 
+/// The opacity of a brush model, from its entity's key `alpha`: 1 to 255 of 256.
+struct ModelAlpha {
+    ModelIndex model;
+    std::int32_t alpha_256 = 256;
+};
+
 /// The effects set by a level's entities and texture names, read once.
 struct LevelEffects {
     static constexpr std::size_t kMostPaletteCycles = 16;
@@ -88,6 +94,7 @@ struct LevelEffects {
     std::optional<LevelFog> fog;
     std::int32_t sky_fog_256 = 128;  ///< share of fog over the sky (FitzQuake's key `skyfog`, 0 to 1)
     std::array<std::uint16_t, 4> liquid_alpha_256{256, 256, 256, 256};  ///< by LiquidKind; 256: opaque
+    std::vector<ModelAlpha> model_alphas;                               ///< those below 256
     std::vector<PaletteCycle> palette_cycles;
     LightPatterns light_patterns;
     TextureAnimations animations;

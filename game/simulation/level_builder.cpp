@@ -290,10 +290,29 @@ TargetIndex LevelBuilder::target_of(const Entity& entity, const char* key) const
     return found == target_of_.end() ? kNoTarget : found->second;
 }
 
+// What has two targets activates a third one, of the first's entities and then of the second's, which is made once.
+// Beyond a million entities in all of these, second targets are left out.
+TargetIndex LevelBuilder::both_targets_of(const Entity& entity) {
+    const TargetIndex first = target_of(entity, "target"), second = target_of(entity, "target2");
+    if (first == kNoTarget || second == kNoTarget) return std::max(first, second);
+    const auto [found, is_new] =
+        both_of_.emplace(std::pair(first, second), static_cast<TargetIndex>(level_.targets.size()));
+    if (!is_new) return found->second;
+    Target both = item(level_.targets, first);
+    const Target& other = item(level_.targets, second);
+    constexpr std::size_t kMost = std::size_t{1} << 20;
+    targets_of_both_ += both.entities.size() + other.entities.size();
+    if (targets_of_both_ > kMost) return found->second = first;
+    both.entities.insert(both.entities.end(), other.entities.begin(), other.entities.end());
+    both.light_styles ^= other.light_styles;
+    level_.targets.push_back(std::move(both));
+    return found->second;
+}
+
 // Needs all names, so it is called after all entities are added.
 Firing LevelBuilder::firing_of(const Entity& entity, std::string_view usual_message) {
     Firing firing;
-    firing.target = target_of(entity, "target");
+    firing.target = both_targets_of(entity);
     firing.removed = target_of(entity, "killtarget");
     firing.delay_ticks = std::max(0, ticks_of(entity, "delay"));
     std::string text = level_text(entity.value("message"));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -44,6 +45,7 @@ class LevelBuilder {
     Target& target_named(const std::string& name);
     void name(const Entity& entity, EntityRef::Kind kind, std::size_t count);
     TargetIndex target_of(const Entity& entity, const char* key) const;
+    TargetIndex both_targets_of(const Entity& entity);
     Firing firing_of(const Entity& entity, std::string_view usual_message = {});
     MessageIndex message(std::string text);
     std::vector<bool> activated_movers() const;
@@ -54,6 +56,8 @@ class LevelBuilder {
     std::vector<const Entity*> mover_entities_, trigger_entities_;  // in the order of the movers and the triggers
     EntitiesByName by_name_;
     std::unordered_map<std::string, TargetIndex> target_of_;  // by targetname
+    std::map<std::pair<TargetIndex, TargetIndex>, TargetIndex> both_of_;
+    std::size_t targets_of_both_ = 0;
     std::unordered_map<std::string, MessageIndex> message_of_;
 };
 

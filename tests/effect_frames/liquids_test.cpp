@@ -1,5 +1,7 @@
 // Liquids: they move and return, cover what is under them by a share, and wave the picture of who is in them.
 
+#include <algorithm>
+#include <array>
 #include <set>
 
 #include "engine/effects/colour_tables.h"
@@ -115,6 +117,34 @@ TEST(Translucency, OfOneIsOpaqueAndOfZeroNothing) {
     EXPECT_FALSE(of_one.has(Effect::Translucency));
     EXPECT_EQ(of_one.work.plan.passes, opaque.work.plan.passes);
     EXPECT_EQ(of_zero.draw(777), EffectStage(pool(""), above()).draw());
+}
+
+/// A pane, a liquid in a box and bars, each of its own opacity, beside each other before a wall.
+MapText panes(const std::array<const char*, 3>& alphas) {
+    MapText text = room_with("", "", "floor");
+    const std::array<const char*, 3> textures{"other", "*slime", "{bars"};
+    for (int i = 0; i < 3; ++i)
+        text.entities += entity("func_wall", {{"alpha", alphas[i]}},
+                                box({-40, 40 - 60 * i, 40}, {-36, 90 - 60 * i, 140}, textures[i]));
+    return text;
+}
+
+TEST(Translucency, OfABrushEntityIsItsOwn) {
+    const Camera eye = camera_at(point_at(-200, 3, 90), 0, 0);
+    EffectStage opaque(panes({"1", "0", ""}), eye), half(panes({"0.25", "0.5", "0.75"}), eye);
+    const Picture solid = opaque.draw(), mixed = half.draw();
+    EXPECT_FALSE(opaque.has(Effect::Translucency)) << "0 is as in other engines the same as none";
+    const Picture behind = half.draw_without(Effect::BrushModels);
+    std::array<int, 3> seen{};
+    for (std::size_t i = 0; i < mixed.size(); ++i) {
+        const std::array colours{kOther, kSlime, kBars};
+        const auto pane = static_cast<std::size_t>(std::ranges::find(colours, solid[i]) - colours.begin());
+        const int share_256 = pane < 3 ? 64 * (static_cast<int>(pane) + 1) : 0;
+        ASSERT_EQ(mixed[i], (solid[i] * share_256 + behind[i] * (256 - share_256) + 128) / 256) << i;
+        if (pane < 3) ++seen[pane];
+    }
+    for (const int count : seen) EXPECT_GT(count, 1'000);
+    EXPECT_EQ(half.draw_without(Effect::Translucency), solid);
 }
 
 TEST(Translucency, NotAllowedIsOpaque) {

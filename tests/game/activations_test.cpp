@@ -15,6 +15,15 @@ constexpr test::Scenario kActivations[] = {
         play 35: phase0 = start, message = ""
         stand 120 0: phase0 = leaving, message = "It moves", said_at = 36
     )"},
+    {"TwoTargetsAreActivatedInTheirOrder", R"(
+        + trigger_once 100 -50 0 150 50 64 target=second target2=door
+        + trigger_once 300 -50 0 350 50 64 target2=second
+        + func_door 1000 0 0 1010 100 100 angle=-1 targetname=door wait=-1
+        + func_door 1100 0 0 1110 100 100 angle=-1 targetname=door wait=-1
+        + trigger_relay targetname=second message="Both"
+        stand 120 0: phase0 = leaving, phase1 = leaving, message = "Both"
+        stand 320 0: phase0 = leaving, message = "Both", said_at = 2
+    )"},
     {"ADelayIsInSecondsAndHoldsTheMessageToo", R"(
         + trigger_once 100 -50 0 150 50 64 target=door message="It moves" delay=2
         + func_door 1000 0 0 1010 100 100 angle=-1 targetname=door wait=-1

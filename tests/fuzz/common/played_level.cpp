@@ -59,11 +59,10 @@ void draw_twice(const Scene& scene, const Camera& camera, FrameWorkspace& work) 
     expect(counted == plain, "the same picture when it is drawn again");
 }
 
-// The blends of liquids take longer to make than all that is drawn by them, and depend on the share alone: those of one
-// input are handed to the next.
+// Blends take longer to make than all that is drawn by them, and depend on the share alone: those of one input are
+// handed to the next.
 void exchange_blends(std::map<std::int32_t, std::unique_ptr<BlendTable>>& of_share, LevelCache& cache) {
-    for (std::size_t kind = 0; kind < cache.blends.size(); ++kind)
-        std::swap(of_share[cache.effects.liquid_alpha_256[kind]], cache.blends[kind]);
+    for (FaceBlend& blend : cache.blends) std::swap(of_share[blend.alpha_256], blend.table);
 }
 
 }  // namespace

@@ -66,6 +66,14 @@ void move_out_of_walls(std::vector<LightSource>& sources, const Tracer& tracer, 
     }
 }
 
+// A model's faces are consecutive.
+std::vector<double> least_light_of_faces(const BspFile& bsp, const std::vector<double>& of_models) {
+    std::vector<double> least;
+    for (std::size_t model = 0; model < bsp.models.size(); ++model)
+        least.insert(least.end(), as_size(bsp.models[model].face_count), of_models[model]);
+    return least;
+}
+
 // The share of light that each texture reflects: the mean luminance of its texels.
 std::vector<double> reflectances(const BspFile& bsp, const Palette* palette) {
     std::vector<double> shares;
@@ -194,13 +202,18 @@ class LightPass {
     }
 
     // Light is nearly the same at neighbouring samples, so that each traces a ninth of the rays, and the mean of nine
-    // neighbours covers all.
+    // neighbours covers all. In a draft, one of each square of nine traces for all of them.
     std::vector<Hemisphere> seen_from(const FaceSampler& sampler, const AddLight& add_reflected) const {
         const HemisphereRays rays(options_.is_fast ? 4 : 8, 9);
         const auto [width, height] = sampler.grid().count;
         std::vector<Hemisphere> alone;
         for (int v = 0; v < height; ++v) {
             for (int u = 0; u < width; ++u) {
+                const int first_u = u - u % 3, first_v = v - v % 3;
+                if (options_.is_fast && (u != first_u || v != first_v)) {
+                    alone.push_back(alone[as_size(first_v * width + first_u)]);
+                    continue;
+                }
                 const auto [point, normal] = sampler.place_at(u, v);
                 alone.push_back(rays.gather(point, normal, u % 3 + 3 * (v % 3), lights_.hemisphere.dirt_depth, tracer_,
                                             add_reflected));
@@ -248,9 +261,10 @@ class LightPass {
     }
 
     void store() {
+        const std::vector<double> least_of_models = least_light_of_faces(bsp_, lights_.least);
         for (std::size_t i = 0; i < styles_.size(); ++i) {
             if (!samplers_[i]) continue;
-            const double least = surface_of(i).least;
+            const double least = std::max(least_of_models[i], surface_of(i).least);
             if (least > 0) {
                 Samples& steady = styles_[i][0];
                 steady.resize(as_size(samplers_[i]->grid().count[0] * samplers_[i]->grid().count[1]), 0);

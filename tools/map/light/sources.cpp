@@ -90,6 +90,10 @@ double colour_of(const MapEntity& entity, std::string_view key) {
     return colour.empty() ? 1 : luminance_of_colour(colour);
 }
 
+double own_least_of(const MapEntity& entity) {
+    return number_of(entity, "_minlight", 0) * colour_of(entity, "_minlight_color");
+}
+
 struct Brightness {
     double brightness = 0, luminance = 1;  // LightSource
 };
@@ -238,11 +242,12 @@ Lights lights_of(const std::vector<MapEntity>& entities) {
         if (source.brightness > 0 && source.luminance > 0) lights.sources.push_back(source);
     }
     const MapEntity& world = entities.front();
-    int model = 0;
+    const auto [brightness, luminance] = brightness_of(world, 0);
+    lights.least = {number_of(world, "_minlight", brightness * luminance) * colour_of(world, "_minlight_color")};
     for (const MapEntity& entity : entities) {
         if (entity.brushes.empty() || belongs_to_world(entity)) continue;
-        ++model;
-        if (number_of(entity, "_shadow", 0) > 0) lights.shadow_models.push_back(model);
+        if (number_of(entity, "_shadow", 0) > 0) lights.shadow_models.push_back(static_cast<int>(lights.least.size()));
+        lights.least.push_back(std::max(lights.least.front(), own_least_of(entity)));
     }
     lights.hemisphere = hemisphere_of(world);
     lights.sun.brightness = number_of(world, "_sunlight", 0) * colour_of(world, "_sunlight_color");
@@ -255,16 +260,13 @@ Lights lights_of(const std::vector<MapEntity>& entities) {
 
 void set_surface_light(std::vector<MapEntity>& entities) {
     const double usual_angle = std::stod(std::string(usual_text("func_group", "_phong_angle")));
-    const auto [brightness, luminance] = brightness_of(entities.front(), 0);
-    const double least = number_of(entities.front(), "_minlight", brightness * luminance) *
-                         colour_of(entities.front(), "_minlight_color");
     for (MapEntity& entity : entities) {
         if (entity.brushes.empty()) continue;
         SurfaceLight light;
         const double angle = number_of(entity, "_phong_angle", 0);
         if (angle > 0 || number_of(entity, "_phong", 0) > 0) light.smooth_degrees = angle > 0 ? angle : usual_angle;
         light.smooth_group = static_cast<int>(number_of(entity, "_phong_group", 0));
-        light.least = std::max(least, number_of(entity, "_minlight", 0) * colour_of(entity, "_minlight_color"));
+        if (role_of(entity) != ClassRole::Worldspawn && belongs_to_world(entity)) light.least = own_least_of(entity);
         light.ignores_light = number_of(entity, "_lightignore", 0) > 0;
         light.has_no_dirt = number_of(entity, "_dirt", 0) < 0;
         for (MapBrush& brush : entity.brushes)

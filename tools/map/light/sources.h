@@ -72,6 +72,7 @@ struct Lights {
     std::vector<LightSource> sources;
     Sun sun;
     HemisphereSettings hemisphere;
+    std::vector<double> least;  ///< by model: worldspawn's _minlight (or light), the brush entity's if that is more
     std::vector<int> shadow_models;  ///< numbers of brush models that shade as the world does: "_shadow"
 };
 

@@ -1,6 +1,7 @@
 #include "tools/map/source/checks.h"
 
 #include <algorithm>
+#include <array>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -40,13 +41,15 @@ std::string nearest_key(const EntityClass& its_class, std::string_view wanted) {
     return nearest.text();
 }
 
+constexpr std::array<std::string_view, 4> kTargetKeys{"target", "target2", "killtarget", "look_at"};
+
 class Checker {
   public:
     Checker(const std::vector<MapEntity>& entities, Warnings& warnings) : entities_(entities), warnings_(warnings) {
         for (const MapEntity& entity : entities) {
             name(entity, entity.value("targetname"));
             for (const MapPair& pair : entity.pairs)
-                if (pair.key == "target" || pair.key == "killtarget" || pair.key == "look_at")
+                if (std::find(kTargetKeys.begin(), kTargetKeys.end(), pair.key) != kTargetKeys.end())
                     targets_.insert(pair.value);
         }
     }
