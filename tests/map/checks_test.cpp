@@ -60,6 +60,12 @@ TEST(Checks, NameUnknownClassesAndKeysByTheirLines) {
     EXPECT_EQ(warnings_of(entity_at("monster_knigth", {1, 2, 3})),
               Said{"line 4: the class 'monster_knigth' is unknown, perhaps 'monster_knight' is meant: the entity is "
                    "kept unchanged"});
+    EXPECT_EQ(warnings_of(entity_at("light", {1, 2, 3}, {{"_project_texture", "x"}})),
+              Said{"line 6: nothing reads the key '_project_texture' of a light: lamps shine evenly: no pictures are "
+                   "projected"});
+    EXPECT_EQ(warnings_of(entity("func_breakable", {{"angle", "90"}}, kBrush)),
+              Said{"line 4: the class 'func_breakable' is left out (there are no weapons; `killtarget` removes a "
+                   "`func_wall`): the entity is kept unchanged"});
     EXPECT_EQ(warnings_of("{\n\"origin\" \"1 2 3\"\n}\n"), Said{"line 4: an entity without a classname, expected one"});
 }
 

@@ -6,6 +6,7 @@
 
 #include "engine/io/files.h"
 #include "engine/level/entity_classes.h"
+#include "engine/level/left_out.h"
 #include "game/sound/sound_table.h"
 #include "tests/map/editor_formats.h"
 #include "tests/support/folders.h"
@@ -43,6 +44,15 @@ TEST(EntityClasses, HaveSoundsAndModelsThatAreThere) {
     EXPECT_EQ(models, 3);
 }
 
+TEST(EntityClasses, AreNotLeftOutToo) {
+    for (const LeftOut& row : kLeftOut) {
+        const EntityClass* const its_class = find_entity_class(row.name);
+        EXPECT_TRUE(its_class == nullptr || its_class->is_family()) << row.name;
+        for (const EntityClass& each : entity_classes())
+            EXPECT_EQ(find_entity_key(each, row.name), nullptr) << each.name << ' ' << row.name;
+    }
+}
+
 /// The sources of the rooms that read entities, without the table itself.
 std::vector<std::string> sources_of_readers() {
     std::vector<std::string> texts;
@@ -50,7 +60,8 @@ std::vector<std::string> sources_of_readers() {
                              "game/simulation", "game/sound", "game/level", "game/view", "tools/map"})
         for (const auto& file : fs::recursive_directory_iterator(source_folder() + "/" + room)) {
             const std::string name = file.path().filename().string();
-            const bool is_table = name.starts_with("entity_classes.") || name.starts_with("class_keys.");
+            const bool is_table =
+                name.starts_with("entity_classes.") || name.starts_with("class_keys.") || name == "left_out.h";
             if (!is_table && (name.ends_with(".cpp") || name.ends_with(".h")))
                 texts.push_back(read_text(file.path().string()));
         }

@@ -8,6 +8,7 @@
 
 #include "engine/accuracy/accuracy.h"
 #include "engine/level/entity_classes.h"
+#include "engine/level/left_out.h"
 #include "engine/programs/game_definition.h"
 #include "game/input/bindings.h"
 #include "game/options/preference_table.h"
@@ -168,6 +169,12 @@ std::string entity_key_table() {
             text += (i == 0 ? " (" : ", ") + row.owners[i] + (i + 1 == row.owners.size() ? ")" : "");
         text += " |\n";
     }
+    return text;
+}
+
+std::string left_out_table() {
+    std::string text = "| left out | as |\n|---|---|\n";
+    for (const LeftOut& row : kLeftOut) text += "| " + code(row.name) + " | " + std::string(row.reason) + " |\n";
     return text;
 }
 

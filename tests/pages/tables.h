@@ -15,6 +15,7 @@ std::string option_table();
 std::string dial_table();
 std::string class_table();
 std::string entity_key_table();
+std::string left_out_table();
 /// What oblong.h declares, and what the examples show.
 std::string library_table();
 /// The members of game.json.

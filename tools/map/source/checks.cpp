@@ -9,6 +9,7 @@
 
 #include "engine/base/text.h"
 #include "engine/level/entity_classes.h"
+#include "engine/level/left_out.h"
 #include "engine/scene/level_effects.h"
 #include "tools/map/source/brush.h"
 #include "tools/map/source/entities.h"
@@ -80,7 +81,10 @@ class Checker {
         if (its_class == nullptr || its_class->is_family()) {
             for (const MapPair& pair : entity.pairs)  // what is read of any class
                 if (const EntityKey* const row = find_entity_key({}, pair.key)) check_numbers(pair, *row);
-            return warnings_.add(entity.line, "the class " + as_quoted(name) + " is unknown" + nearest_class(name) +
+            const std::string_view reason = reason_left_out(name);
+            return warnings_.add(entity.line, "the class " + as_quoted(name) +
+                                                  (reason.empty() ? " is unknown" + nearest_class(name)
+                                                                  : " is left out (" + std::string(reason) + ")") +
                                                   ": the entity is kept unchanged");
         }
         check_shape(entity, *its_class, with_article(name));
@@ -136,8 +140,10 @@ class Checker {
         const EntityKey* const row = find_entity_key(its_class, pair.key);
         if (row == nullptr) {
             if (pair.key.starts_with("_tb_") || pair.key == "angle") return;  // editors give them to everything
-            warnings_.add(pair.line, "nothing reads the key " + as_quoted(pair.key) + " of " +
-                                         with_article(class_name) + nearest_key(its_class, pair.key));
+            const std::string_view reason = reason_left_out(pair.key);
+            warnings_.add(pair.line,
+                          "nothing reads the key " + as_quoted(pair.key) + " of " + with_article(class_name) +
+                              (reason.empty() ? nearest_key(its_class, pair.key) : ": " + std::string(reason)));
         } else if (!row->does.empty() && check_numbers(pair, *row) && !pair.value.empty()) {
             check_value(pair, *row);
             const bool is_of_world = its_class.role == ClassRole::Worldspawn;
