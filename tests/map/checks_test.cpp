@@ -53,6 +53,9 @@ TEST(Checks, NameUnknownClassesAndKeysByTheirLines) {
               (Said{"line 4: the class 'fnuc_door' is unknown, perhaps 'func_door' is meant: the entity is kept "
                     "unchanged",
                     "line 10: nothing reads the key 'wiat' of a func_door, perhaps 'wait' is meant"}));
+    EXPECT_EQ(warnings_of(entity("func_explobox", {}) + entity("func_door", {{"wait", "x"}}, kBrush)).at(1),
+              "line 4: the class 'func_explobox' is unknown: the entity is kept unchanged")
+        << "after what is wrong with what is read";
     EXPECT_EQ(warnings_of(entity_at("light", {1, 2, 3}, {{"targetnmae", "x"}})),
               Said{"line 6: nothing reads the key 'targetnmae' of a light, perhaps 'targetname' is meant"});
     EXPECT_EQ(warnings_of(entity("func_explobox", {{"angle", "90"}})),

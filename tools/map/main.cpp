@@ -99,6 +99,7 @@ class Reporter {
             std::cerr << "oblong-map: " << arguments_.input << ": line " << warning.line
                       << ": warning: " << warning.what << '\n';
             ++count_;
+            unread_ += warning.is_unread;
         }
     }
 
@@ -116,10 +117,13 @@ class Reporter {
     map::ProgressLine progress{"oblong-map"};
 
   private:
-    std::string counted() const { return std::to_string(count_) + (count_ == 1 ? " warning" : " warnings"); }
+    std::string counted() const {
+        const std::string all = std::to_string(count_) + (count_ == 1 ? " warning" : " warnings");
+        return unread_ == 0 ? all : all + " (" + std::to_string(unread_) + " of what nothing reads)";
+    }
 
     const Arguments& arguments_;
-    int count_ = 0;
+    int count_ = 0, unread_ = 0;
 };
 
 // Of game.json, or where the game looks for one beside its levels; empty: none.

@@ -82,10 +82,12 @@ class Checker {
             for (const MapPair& pair : entity.pairs)  // what is read of any class
                 if (const EntityKey* const row = find_entity_key({}, pair.key)) check_numbers(pair, *row);
             const std::string_view reason = reason_left_out(name);
-            return warnings_.add(entity.line, "the class " + as_quoted(name) +
-                                                  (reason.empty() ? " is unknown" + nearest_class(name)
-                                                                  : " is left out (" + std::string(reason) + ")") +
-                                                  ": the entity is kept unchanged");
+            return warnings_.add(entity.line,
+                                 "the class " + as_quoted(name) +
+                                     (reason.empty() ? " is unknown" + nearest_class(name)
+                                                     : " is left out (" + std::string(reason) + ")") +
+                                     ": the entity is kept unchanged",
+                                 true);
         }
         check_shape(entity, *its_class, with_article(name));
         for (const auto& keys : its_class->keys)
@@ -143,7 +145,8 @@ class Checker {
             const std::string_view reason = reason_left_out(pair.key);
             warnings_.add(pair.line,
                           "nothing reads the key " + as_quoted(pair.key) + " of " + with_article(class_name) +
-                              (reason.empty() ? nearest_key(its_class, pair.key) : ": " + std::string(reason)));
+                              (reason.empty() ? nearest_key(its_class, pair.key) : ": " + std::string(reason)),
+                          true);
         } else if (!row->does.empty() && check_numbers(pair, *row) && !pair.value.empty()) {
             check_value(pair, *row);
             const bool is_of_world = its_class.role == ClassRole::Worldspawn;
@@ -227,8 +230,8 @@ std::string NearestName::text() const {
     return name_.empty() ? "" : ", perhaps '" + std::string(name_) + "' is meant";
 }
 
-void Warnings::add(int line, const std::string& what) {
-    if (known_[what]++ == 0) warnings_.push_back({line, what});
+void Warnings::add(int line, const std::string& what, bool is_unread) {
+    if (known_[what]++ == 0) warnings_.push_back({line, what, is_unread});
 }
 
 std::vector<Warning> Warnings::take() {
@@ -238,8 +241,9 @@ std::vector<Warning> Warnings::take() {
     }
     constexpr std::size_t kMost = 200;
     known_.clear();
-    std::stable_sort(warnings_.begin(), warnings_.end(),
-                     [](const Warning& a, const Warning& b) { return a.line < b.line; });
+    std::stable_sort(warnings_.begin(), warnings_.end(), [](const Warning& a, const Warning& b) {
+        return std::pair(a.is_unread, a.line) < std::pair(b.is_unread, b.line);
+    });
     if (warnings_.size() > kMost) {
         const std::size_t more = warnings_.size() - kMost;
         warnings_.resize(kMost + 1);

@@ -28,14 +28,15 @@ class NearestName {
 struct Warning {
     int line = 0;
     std::string what;
+    bool is_unread = false;  ///< of a key or class that nothing reads
 };
 
 /// Collects warnings and counts repeated ones.
 class Warnings {
   public:
-    void add(int line, const std::string& what);
-    /// Returns and removes the warnings, at most 200, sorted by line, each with the number of further ones of the same
-    /// text.
+    void add(int line, const std::string& what, bool is_unread = false);
+    /// Returns and removes the warnings, at most 200, sorted by line, those of what nothing reads last, each with the
+    /// number of further ones of the same text.
     std::vector<Warning> take();
 
   private:
