@@ -318,8 +318,9 @@ const ClassModel* find_class_model(const EntityClass& its_class, std::int64_t fl
 const EntityKey* find_entity_key(const EntityClass& its_class, std::string_view key) {
     for (const std::span<const EntityKey> keys : its_class.keys)
         if (const EntityKey* found = find_key(keys, key)) return found;
-    if (key == "_light" || (key.starts_with('_') && key.ends_with("alpha")))
+    if (key == "_light" || key == "_skyfog" || (key.starts_with('_') && key.ends_with("alpha")))
         return find_entity_key(its_class, key.substr(1));
+    if (key == "_sun_angle" || key == "_sunlight_mangle") return find_entity_key(its_class, "_sun_mangle");
     return find_key(keys_of_all(), key);
 }
 

@@ -167,7 +167,8 @@ ClassRole role_of(const Entity& entity) {
 /// everything else that moves by itself).
 const ClassModel* find_class_model(const EntityClass& its_class, std::int64_t flags, std::int64_t world_type);
 
-/// The row of a key of a class; null if it is unknown. "_light" is "light", "_wateralpha" is "wateralpha" ...
+/// The row of a key of a class; null if it is unknown. "_light" is "light", "_wateralpha" is "wateralpha" ...; other
+/// names of "_sun_mangle" are "_sun_angle" and "_sunlight_mangle".
 const EntityKey* find_entity_key(const EntityClass& its_class, std::string_view key);
 
 /// What a value of a key should be, such as "a whole number"; empty if it is. Values that name other entities, files or

@@ -131,7 +131,7 @@ void read_world_key(const std::string& key, const std::string& value, LevelEffec
     constexpr std::string_view kCycle = "palette_cycle";
     const bool is_cycle = key.starts_with(kCycle) && key.find_first_not_of("0123456789", kCycle.size()) == key.npos;
     if (key == "fog") return read_fog(value, effects);
-    if (key == "skyfog") return read_sky_fog(value, effects);
+    if (key == "skyfog" || key == "_skyfog") return read_sky_fog(value, effects);
     if (is_cycle) return read_palette_cycle(key, value, effects);
     if (const auto kind = kind_of_alpha_key(key)) return read_alpha(*kind, key, value, effects);
     if (key == "sky" || key == "skyname")

@@ -69,6 +69,7 @@ TEST(LightKeys, ColoursOfSunAndLeastLightCountByTheirLuminance) {
     };
     EXPECT_EQ(light_of({{"_sunlight", "200"}, {"_sun_mangle", "0 -90 0"}, {"_sunlight_color", "255 0 0"}}), 29)
         << "half of 200 * 0.299";
+    EXPECT_EQ(light_of({{"_sunlight", "200"}, {"_sun_angle", "0 -90 0"}}), 100) << "another name";
     EXPECT_EQ(light_of({{"_sunlight2", "100"}, {"_sunlight2_color", "0 1 0"}}), light_of({{"_sunlight2", "58.7"}}));
     EXPECT_EQ(light_of({{"_minlight", "100"}, {"_minlight_color", "0 0 1"}}), 5) << "half of 100 * 0.114";
 }

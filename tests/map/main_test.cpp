@@ -314,6 +314,13 @@ TEST_F(Program, ADraftThatLeaksIsALevelWithItsOutside) {
     EXPECT_EQ(files_beginning_with("leak.pts"), 1);
 }
 
+TEST_F(Program, ADraftOfBrushesThatEncloseNothingShowsThem) {
+    write_file(path("piece.map"), level(box({0, 0, 0}, {64, 64, 64})));
+    EXPECT_EQ(run(path("piece.map") + " -o " + path("piece.bsp") + " --wad " + path("t.wad")), 1);
+    EXPECT_EQ(run(path("piece.map") + " -o " + path("piece.bsp") + " --wad " + path("t.wad") + " --fast"), 0) << said_;
+    EXPECT_EQ(read_bsp(read_file(path("piece.bsp"))).faces.size(), 6u);
+}
+
 TEST_F(Program, LeavesNoPartOfAFileThatCannotBeWritten) {
     fs::create_directory(path("taken.bsp"));
     EXPECT_EQ(run(path("good.map") + " -o " + path("taken.bsp") + " --wad " + path("t.wad")), 1);

@@ -227,7 +227,7 @@ std::string replaced(std::string text, const std::string& part, const std::strin
 }
 
 std::string complaint_of(const std::string& source) {
-    const std::string said = refusal([&] { compile(source, {true}); });
+    const std::string said = refusal([&] { compile(source, {}); });
     return said.empty() ? "none" : said;
 }
 

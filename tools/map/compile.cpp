@@ -71,11 +71,6 @@ LevelBrushes make_brushes(const std::vector<MapEntity>& entities, Warnings* warn
     return level;
 }
 
-bool has_inside(const Tree& tree) {
-    return std::any_of(tree.leaves.begin(), tree.leaves.end(),
-                       [](const TreeLeaf& leaf) { return !is_opaque(leaf.contents); });
-}
-
 bool is_start(const MapEntity& entity) {
     return role_of(entity) == ClassRole::Start;
 }

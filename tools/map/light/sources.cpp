@@ -251,7 +251,8 @@ Lights lights_of(const std::vector<MapEntity>& entities) {
     }
     lights.hemisphere = hemisphere_of(world);
     lights.sun.brightness = number_of(world, "_sunlight", 0) * colour_of(world, "_sunlight_color");
-    lights.sun.direction = direction_of_mangle(world, "_sun_mangle").value_or(lights.sun.direction);
+    for (const char* const key : {"_sun_mangle", "_sunlight_mangle", "_sun_angle"})
+        lights.sun.direction = direction_of_mangle(world, key).value_or(lights.sun.direction);
     constexpr double kMostPenumbra = 90;
     const double penumbra = std::clamp(number_of(world, "_sunlight_penumbra", 0), 0.0, kMostPenumbra);
     lights.sun.penumbra_radius = std::tan(radians(penumbra) / 2);

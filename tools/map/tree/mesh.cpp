@@ -249,7 +249,11 @@ void ModelCompiler::make_drawn(const Box& outer) {
     std::vector<Brush> seen = brushes_;
     std::erase_if(seen, [](const Brush& brush) { return brush.is_clip; });
     Partition rough = partition_brushes(seen, planes_, outer);
-    if (starts_) result_.leak = fill_outside(rough.tree, planes_, rough.portals, *starts_);
+    if (starts_) {
+        const Tree whole = is_draft_ ? rough.tree : Tree{};
+        result_.leak = fill_outside(rough.tree, planes_, rough.portals, *starts_);
+        if (is_draft_ && !has_inside(rough.tree)) rough.tree = whole;  // brushes that enclose nothing are shown
+    }
     if (result_.leak && !is_draft_) return;
     Partition fine = refined(rough, planes_, outer);
     model.surfaces = subdivided(make_surfaces(fine.tree, planes_, fine.portals, seen), texinfos_);

@@ -187,6 +187,11 @@ void fill_leaves(Tree& tree, const Portals& portals, const std::function<int(con
     }
 }
 
+bool has_inside(const Tree& tree) {
+    return std::any_of(tree.leaves.begin(), tree.leaves.end(),
+                       [](const TreeLeaf& leaf) { return !is_opaque(leaf.contents); });
+}
+
 std::optional<Leak> fill_outside(Tree& tree, const PlaneList& planes, const Portals& portals,
                                  const std::vector<Point>& starts) {
     const Flood flood = flood_from_void(tree, portals);

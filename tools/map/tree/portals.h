@@ -50,4 +50,7 @@ inline constexpr double kLeastGap = 1.0 / 64;
 std::optional<Leak> fill_outside(Tree& tree, const PlaneList& planes, const Portals& portals,
                                  const std::vector<Point>& starts);
 
+/// Whether a leaf is left that is neither solid nor sky.
+bool has_inside(const Tree& tree);
+
 }  // namespace oblong::map
