@@ -204,8 +204,8 @@ const std::array<DefinitionReader::Member, 9> DefinitionReader::kMembers{{
     {{"demo", "the title's: a walk that `--record` wrote"}, &DefinitionReader::read_demo},
     {{"icon", "the window's: a picture (PNG, TGA, JPEG, BMP) of up to 256x256 pixels"}, &DefinitionReader::read_icon},
     {{"captions",
-      "other words for sounds, by the names of the museum's files or the path of a `noise`, and for `a lens` and "
-      "`lenses`"},
+      "other words: for sounds, by the names of the museum's files or the path of a `noise`; for `a lens`, `lenses`, "
+      "`You need the silver key`, `You have the gold key` and their like, and `You have reached the end.`"},
      &DefinitionReader::read_captions},
     {{"classes",
       "of entities, by their names: `is`, a class of the engine, and `keys`, their values where an entity "

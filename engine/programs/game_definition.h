@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -26,15 +27,22 @@ struct GameDefinition {
     std::string palette, music, demo, icon;       ///< paths of files, empty: none. Music and demo are the title's; a
                                                   ///< demo need not be there. The icon is the window's
     std::string credits;                          ///< the first text of the credits page
-    std::map<std::string, std::string> captions;  ///< by the names of sound files, and by kOneLens and kLenses
+    std::map<std::string, std::string> captions;  ///< by the names of sound files, and the museum's own words
     std::map<std::string, OwnClass> classes;      ///< by name
     std::uint64_t rules_hash = 0;                 ///< of the classes; 0: there are none
 };
 
-/// Terms that game.json may replace, by a caption.
-inline constexpr const char *kOneLens = "a lens", *kLenses = "lenses";
-/// The game's caption for one of those; else the museum's term.
-std::string own_words(const GameDefinition& game, const char* words);
+/// The museum's words that a caption of game.json may replace.
+inline constexpr const char *kOneLens = "a lens", *kLenses = "lenses", *kReachedEnd = "You have reached the end.";
+inline constexpr std::array kReplaceableWords{kOneLens,
+                                              kLenses,
+                                              kReachedEnd,
+                                              "You need the silver key",
+                                              "You need the gold key",
+                                              "You have the silver key",
+                                              "You have the gold key"};
+/// The game's caption for one of those; else the words themselves.
+std::string own_words(const GameDefinition& game, const std::string& words);
 
 /// A member that game.json may have.
 struct GameMember {

@@ -8,7 +8,7 @@ namespace oblong {
 
 namespace fs = std::filesystem;
 
-std::string own_words(const GameDefinition& game, const char* words) {
+std::string own_words(const GameDefinition& game, const std::string& words) {
     const auto own = game.captions.find(words);
     return own == game.captions.end() ? words : own->second;
 }

@@ -1,4 +1,5 @@
 // Apart from load.cpp, for which the game under DOS has a substitute.
+#include <algorithm>
 #include <filesystem>
 #include <sstream>
 
@@ -21,6 +22,14 @@ std::vector<Position> leak_path_beside(const std::string& level_file) {
     return points;
 }
 
+// The game's own words for the museum's.
+void put_words(const GameDefinition& game, GameLevel& level) {
+    level.lens_names = {own_words(game, kOneLens), own_words(game, kLenses)};
+    for (std::string& text : level.messages)
+        if (std::find(kReplaceableWords.begin(), kReplaceableWords.end(), text) != kReplaceableWords.end())
+            text = own_words(game, text);
+}
+
 }  // namespace
 
 LoadedLevel::LoadedLevel(const LevelFiles& named)
@@ -29,8 +38,7 @@ LoadedLevel::LoadedLevel(const LevelFiles& named)
       level(naming_file(data.level_file,
                         [&] {
                             GameLevel made = make_game_level(data.level);
-                            if (files.game)
-                                made.lens_names = {own_words(*files.game, kOneLens), own_words(*files.game, kLenses)};
+                            if (files.game) put_words(*files.game, made);
                             return made;
                         })),
       leak_path(leak_path_beside(data.level_file)) {}

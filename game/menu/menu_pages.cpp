@@ -16,8 +16,7 @@ std::string lines_of_end(const EndFigures& figures) {
 }
 
 std::string text_of_end(const EndFigures& figures) {
-    std::string text =
-        (figures.message.empty() ? "You have reached the end." : figures.message) + "\n\n" + lines_of_end(figures);
+    std::string text = figures.message + "\n\n" + lines_of_end(figures);
     if (!figures.missed.empty()) text += "\n" + figures.missed;
     if (!figures.fault.empty()) text += "\n\nThe next level cannot be played: " + figures.fault;
     return text;

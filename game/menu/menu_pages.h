@@ -33,7 +33,7 @@ struct LevelEntry {
 
 /// The figures of a walk that ended.
 struct EndFigures {
-    std::string message;     ///< the level's message; may be empty
+    std::string message;     ///< the level's, or the game's
     std::string time;        ///< "3:12"
     std::string lenses;      ///< "Lenses found: 5 of 12"; empty if the level has none
     std::string secrets;     ///< "Secrets found: 1 of 4"; empty if the level has none

@@ -95,10 +95,14 @@ def used_files(game, museum):
     return sorted(used.items())
 
 
+def museum_files(assets):
+    return [name for name in files_below(assets) if re.fullmatch(PLAYED, name)]
+
+
 def packed_data(assets, game):
-    files = [(name, read(assets, name)) for name in files_below(assets) if re.fullmatch(PLAYED, name)]
+    files = [(name, read(assets, name)) for name in museum_files(assets)]
     if game:
-        files += [('game/' + name, content) for name, content in used_files(game, [name for name, _ in files])]
+        files += [('game/' + name, content) for name, content in used_files(game, museum_files(assets))]
     return packed_files(files)
 
 
@@ -179,6 +183,9 @@ def main(build, assets, site, game=None, named=None):
     need('tools/build --web makes', build, program + '.wasm')
     if not named:
         need('tools/build --web makes', assets, 'demo.bsp')
+    if game:
+        left = sorted(set(files_below(game)) - {name for name, _ in used_files(game, museum_files(assets))})
+        print('left out, as nothing names them: ' + ', '.join(left) if left else 'nothing is left out')
     data = packed_files([(name, read(assets, name)) for name in files_below(assets)]) if named else packed_data(assets, game)
     files = {program + '.wasm': read(build, program + '.wasm'), program + '.data': data}
     sizes = ', '.join('"%s": %d' % (name, len(content)) for name, content in files.items())

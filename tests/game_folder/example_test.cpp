@@ -334,6 +334,19 @@ TEST_F(ExampleGame, ACaptionOfNoSoundIsNamed) {
     EXPECT_TRUE(said_.starts_with("oblong: " + folder_ + "/game.json: /captions/lense?: is no sound")) << said_;
 }
 
+TEST_F(ExampleGame, HasItsOwnWordsForLockedDoorsAndForItsEnd) {
+    replace_in_definition(
+        "\"lenses\": \"coins\"",
+        "\"You need the gold key\": \"The gate wants brass\", \"You have reached the end.\": \"Home.\"");
+    replace_in_definition("\"speed\"", "\"spawnflags\": \"8\", \"speed\"");
+    const LoadedLevel second = loaded("second");
+    const std::vector<std::string>& messages = second.level.messages;
+    EXPECT_EQ(std::count(messages.begin(), messages.end(), "The gate wants brass"), 1);
+    EXPECT_EQ(std::count(messages.begin(), messages.end(), "You need the gold key"), 0);
+    const Options own = options();
+    EXPECT_EQ(PlayedGame(own, assets_, second).end_figures(second, start_of(second.level)).message, "Home.");
+}
+
 TEST(GameName, IsOfPlainLettersAndDiffersWhereFoldersDo) {
     EXPECT_EQ(game_name(""), kQuake);
     EXPECT_EQ(game_name("/games/three-rooms.2/"), "three-rooms.2");
