@@ -105,7 +105,10 @@ void LevelScene::hide_entity(std::int32_t entity, bool is_hidden) {
 Bounds LevelScene::entity_bounds(std::int32_t entity) const {
     const State& state = *state_;
     const std::optional<ModelIndex> model = brush_model_of(state.entity(entity), state.level);
-    if (!model) return bounds_of_body(origin_of(state.entity(entity)));
+    if (!model) {
+        const Vec3<World> origin = origin_of(state.entity(entity));
+        return bounds_of_body({within_walks(origin.x), within_walks(origin.y), within_walks(origin.z)});
+    }
     Bounds bounds;
     const LevelBox& box = state.level.models[*model].box;
     bounds = {pose_at(box.mins[0], box.mins[1], box.mins[2]), pose_at(box.maxs[0], box.maxs[1], box.maxs[2])};
