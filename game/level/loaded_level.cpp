@@ -1,5 +1,4 @@
 // Apart from load.cpp, for which the game under DOS has a substitute.
-#include <algorithm>
 #include <filesystem>
 #include <sstream>
 
@@ -26,8 +25,7 @@ std::vector<Position> leak_path_beside(const std::string& level_file) {
 void put_words(const GameDefinition& game, GameLevel& level) {
     level.lens_names = {own_words(game, kOneLens), own_words(game, kLenses)};
     for (std::string& text : level.messages)
-        if (std::find(kReplaceableWords.begin(), kReplaceableWords.end(), text) != kReplaceableWords.end())
-            text = own_words(game, text);
+        if (is_replaceable(text)) text = own_words(game, text);
 }
 
 }  // namespace

@@ -83,6 +83,7 @@ class MenuHost {
     virtual void load(std::size_t entry) = 0;                ///< shows the reason if it cannot be loaded
     virtual std::string remove_save(std::size_t entry) = 0;  ///< the error, or ""
     virtual void show_title() = 0;
+    virtual bool has_gallery() const { return true; }
     virtual void show_gallery() = 0;
     virtual void leave() = 0;
 };

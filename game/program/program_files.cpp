@@ -106,7 +106,7 @@ ProgramFiles load_program_files(const Options& options, const std::string& asset
 OwnSounds own_sounds_of(const GameDefinition& game) {
     OwnSounds own{game.folder, {}, {}};
     for (const auto& [name, text] : game.captions) {
-        if (std::find(kReplaceableWords.begin(), kReplaceableWords.end(), name) != kReplaceableWords.end()) continue;
+        if (is_replaceable(name)) continue;
         if (const std::optional<Sound> sound = find_sound(name))
             own.captions[*sound] = text;
         else if (!find_below({game.folder}, name).empty())
