@@ -147,11 +147,13 @@ def under_own_name(page, game):
     if icon:
         kind = mimetypes.guess_type(icon)[0]
         page = page.replace('href="data:,"', 'href="data:%s;base64,%s"' % (kind, base64.b64encode(picture).decode()))
-    return as_page_of(html.escape(title), 'A game made with Oblong.', page)
+    return as_page_of(html.escape(title), 'A game made with Oblong.', page, 'lab' in definition.get('shows', []))
 
 
-def as_page_of(title, about, page):
-    """The page under another title, without the museum's picture."""
+def as_page_of(title, about, page, has_lab=False):
+    """The page under another title, without the museum's picture, and without the lab's button if there is no lab."""
+    if not has_lab:
+        page = page.replace('<button id="dials"', '<button id="dials" style="visibility: hidden"')
     page = re.sub('<meta property="og:image.*\n', '', page).replace(' url("/*@card@*/") center / cover', '')
     page = page.replace('>Oblong<', '>%s<' % title).replace('content="Oblong"', 'content="%s"' % title)
     return page.replace('/*@about@*/', about)

@@ -53,6 +53,8 @@ with tempfile.TemporaryDirectory() as folder:
     with open(folder + '/site/oblong.data', 'rb') as file:
         packed = json.loads(file.read(struct.unpack('<I', file.read(4))[0]))
     packed = {each['name'][5:] for each in packed if each['name'].startswith('game/')}
+    with open(folder + '/site/oblong.html') as file:
+        assert '<button id="dials" style="visibility: hidden"' in file.read(), 'the button of a lab that the game has not'
     assert packed == set(used), (packed - set(used), set(used) - packed)
 
     shutil.rmtree(folder + '/site')
