@@ -30,7 +30,7 @@ Bounds bounds_of_body(const Vec3<World>& origin) {
 }  // namespace
 
 Pose LevelScene::walked(const Pose& eye, const Pose& wanted) const {
-    const Vec3<World> below_eye{{}, {}, kEyeHeight};
+    const Vec3<World> below_eye{{}, {}, kEyeAboveOrigin};
     const auto part = [](std::int64_t from, std::int64_t to) { return within_walks(world_from_256(to - from)); };
     const Vec3<World> way{part(eye.x_256, wanted.x_256), part(eye.y_256, wanted.y_256), part(eye.z_256, wanted.z_256)};
     const Vec3<World> at = walk_body(state_->surroundings(), walker_of(eye) - below_eye, way) + below_eye;
@@ -42,7 +42,7 @@ Pose LevelScene::walked(const Pose& eye, const Pose& wanted) const {
 }
 
 bool LevelScene::stands(const Pose& eye) const {
-    return stands_on_floor(state_->surroundings(), walker_of(eye) - Vec3<World>{{}, {}, kEyeHeight});
+    return stands_on_floor(state_->surroundings(), walker_of(eye) - Vec3<World>{{}, {}, kEyeAboveOrigin});
 }
 
 std::int32_t LevelScene::find_entity(const std::string& key, const std::string& value, std::int32_t after) const {
@@ -85,6 +85,7 @@ void LevelScene::turn_entity(std::int32_t entity, std::int32_t degrees_256) {
 
 void LevelScene::hide_entity(std::int32_t entity, bool is_hidden) {
     State& state = *state_;
+    state.entity(entity);  // which is there
     bool is_found = false;
     for (std::size_t i = 0; i < state.models.models.size(); ++i)
         if (state.models.models[i].entity == as_size(entity)) {
@@ -96,7 +97,6 @@ void LevelScene::hide_entity(std::int32_t entity, bool is_hidden) {
             each.is_hidden = is_hidden;
             is_found = true;
         }
-    state.entity(entity);
     if (!is_found)
         throw FileError(state.file, "entity " + std::to_string(entity), "is not seen, expected brushes or a model");
     state.list_brushes();
@@ -106,7 +106,7 @@ Bounds LevelScene::entity_bounds(std::int32_t entity) const {
     const State& state = *state_;
     const std::optional<ModelIndex> model = brush_model_of(state.entity(entity), state.level);
     if (!model) {
-        const Vec3<World> origin = origin_of(state.entity(entity));
+        const Vec3<World> origin = entity_origin(state.entity(entity));
         return bounds_of_body({within_walks(origin.x), within_walks(origin.y), within_walks(origin.z)});
     }
     Bounds bounds;
@@ -124,18 +124,19 @@ Bounds LevelScene::entity_bounds(std::int32_t entity) const {
 
 Pose LevelScene::entity_pose(std::int32_t entity) const {
     const Entity& its = state_->entity(entity);
-    Pose pose = pose_of(origin_of(its));
+    Pose pose = pose_of(entity_origin(its));
     if (brush_model_of(its, state_->level)) {
         const auto [least, greatest] = entity_bounds(entity);
         pose = {(least.x_256 + greatest.x_256) / 2, (least.y_256 + greatest.y_256) / 2,
                 (least.z_256 + greatest.z_256) / 2};
     }
-    pose.yaw_256 = yaw_256_of(its);
+    pose.yaw_256 = entity_yaw_256(its);
     return pose;
 }
 
 bool LevelScene::touches(const Pose& eye, std::int32_t entity) const {
-    const Bounds body = bounds_of_body(walker_of(eye) - Vec3<World>{{}, {}, kEyeHeight}), its = entity_bounds(entity);
+    const Bounds body = bounds_of_body(walker_of(eye) - Vec3<World>{{}, {}, kEyeAboveOrigin}),
+                 its = entity_bounds(entity);
     const auto meet = [&](std::int32_t Pose::*axis) {
         return body.least.*axis <= its.greatest.*axis && its.least.*axis <= body.greatest.*axis;
     };

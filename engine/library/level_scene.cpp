@@ -21,11 +21,11 @@ const Entity* find_first(const Level& level, ClassRole role) {
 
 }  // namespace
 
-Vec3<World> origin_of(const Entity& entity) {
+Vec3<World> entity_origin(const Entity& entity) {
     return parse_world_vector(entity.value("origin")).value_or(Vec3<World>{});
 }
 
-std::int32_t yaw_256_of(const Entity& entity) {
+std::int32_t entity_yaw_256(const Entity& entity) {
     const auto angles = parse_world_vector(entity.value("angles"));
     return to_256(angles ? angles->y : parse_world_number(entity.value("angle")).value_or(World{}));
 }
@@ -76,9 +76,9 @@ Pose LevelScene::start() const {
     const Entity* start = find_first(state_->level, ClassRole::Start);
     if (!start) start = find_first(state_->level, ClassRole::DeathmatchStart);
     if (!start) return {};
-    const Vec3<World> origin = origin_of(*start);
+    const Vec3<World> origin = entity_origin(*start);
     constexpr World kLift = World::from_int(1);  // as in the game
-    return {to_256(origin.x), to_256(origin.y), to_256(origin.z + kLift + kEyeHeight), yaw_256_of(*start)};
+    return {to_256(origin.x), to_256(origin.y), to_256(origin.z + kLift + kEyeAboveOrigin), entity_yaw_256(*start)};
 }
 
 void LevelScene::draw(const Pose& eye, std::int64_t time_ms, Framebuffer canvas, std::int32_t field_of_view) {

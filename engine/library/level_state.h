@@ -16,12 +16,12 @@
 namespace oblong {
 
 /// Of a body's eye above its origin (Quake's).
-inline constexpr World kEyeHeight = World::from_int(22);
+inline constexpr World kEyeAboveOrigin = World::from_int(22);
 
 /// Its key "origin", or the middle of the world.
-Vec3<World> origin_of(const Entity& entity);
+Vec3<World> entity_origin(const Entity& entity);
 /// Its key "angles" or "angle".
-std::int32_t yaw_256_of(const Entity& entity);
+std::int32_t entity_yaw_256(const Entity& entity);
 
 /// The brushes of an entity, where they are now.
 struct EntityBrushes {

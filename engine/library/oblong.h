@@ -386,7 +386,7 @@ class LevelScene {
     Pose entity_pose(std::int32_t entity) const;
     /// Whether the body with its eye at `eye` touches this box: it takes an item, is in a trigger.
     bool touches(const Pose& eye, std::int32_t entity) const;
-    /// Follows a line of up to `length` units the way a pose looks, to what is solid.
+    /// Follows a line of up to `length` units the way a pose looks, to what is solid, through liquids and skies.
     Hit ray(const Pose& from, std::int32_t length) const;
 
     /// Changes the mode.

@@ -4,6 +4,7 @@
 
 #include "engine/base/text.h"
 #include "engine/io/files.h"
+#include "engine/level/entities.h"
 #include "game/level/load.h"
 
 namespace oblong {

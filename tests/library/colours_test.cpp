@@ -77,7 +77,7 @@ TEST(LibraryNumbers, DirectionsAndRootsAreThoseOfDoubles) {
     }
     EXPECT_EQ(direction_256(-5, 0), 180 * 256);
     EXPECT_LT(direction_256(100'000'000, -1), 360 * 256);
-    for (const std::uint64_t value : {0, 1, 24, 25, 26, 1'000'000})
+    for (const std::uint64_t value : {0u, 1u, 24u, 25u, 26u, 1'000'000u})
         EXPECT_EQ(integer_root(value), std::floor(std::sqrt(double(value))));
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/io/files.h"
 #include "tests/library/hall.h"
 #include "tests/support/refusal.h"
 
@@ -50,7 +51,7 @@ TEST(LibraryEntities, WhatIsHiddenIsNeitherSeenNorInTheWay) {
     EXPECT_EQ(shown(), before);
     EXPECT_LT(reached(), 40);
     EXPECT_THROW(hall.level.hide_entity(hall.level.find_entity("classname", "light")), std::runtime_error);
-    EXPECT_THROW(hall.level.hide_entity(1000), std::runtime_error);
+    for (const std::int32_t missing : {-1, 1000}) EXPECT_THROW(hall.level.hide_entity(missing), std::runtime_error);
 }
 
 // A model of the hall's folder that is hidden, as an item that was taken.
