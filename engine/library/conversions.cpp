@@ -33,6 +33,15 @@ int report(const std::exception& error) {
     return 1;
 }
 
+std::string beside_program(const std::string& file) {
+    return program_folder("./") + "/" + file;
+}
+
+File::File(const char* its_name) : name(its_name) {}
+File::File(std::string its_name) : name(std::move(its_name)) {}
+File::File(std::string its_name, std::span<const std::uint8_t> its_bytes)
+    : name(std::move(its_name)), bytes(its_bytes) {}
+
 std::runtime_error argument_error(const std::string& name, const std::string& what_is_wrong) {
     return std::runtime_error(name + ": " + what_is_wrong);
 }
@@ -40,6 +49,22 @@ std::runtime_error argument_error(const std::string& name, const std::string& wh
 std::int32_t sine_65536(std::int64_t degrees_256) {
     constexpr std::int64_t kHalf = std::int64_t{1} << 13;
     return static_cast<std::int32_t>((sine(angle_from_256(degrees_256)).raw + kHalf) >> 14);
+}
+
+void add_typed(std::string& text, std::string_view typed) {
+    const auto is_inside_letter = [](char byte) { return (byte & 0xC0) == 0x80; };  // of UTF-8
+    for (const char byte : typed) {
+        if (byte != '\b') {
+            text += byte;
+            continue;
+        }
+        while (!text.empty() && is_inside_letter(text.back())) text.pop_back();
+        if (!text.empty()) text.pop_back();
+    }
+}
+
+std::int32_t direction_256(std::int64_t x, std::int64_t y) {
+    return (arctangent2(y, x).bam * 360 + 128) / 256;
 }
 
 // SplitMix64 (Steele, Lea, Flood 2014); the high half of a product replaces a remainder.
@@ -94,6 +119,10 @@ void check_size(const Framebuffer& canvas, const ScreenMode& mode) {
     if (canvas.pitch < canvas.width_px)
         throw argument_error("canvas", "has a pitch of " + std::to_string(canvas.pitch) + ", expected " +
                                            std::to_string(canvas.width_px) + " or more");
+}
+
+Pose pose_of(const Vec3<World>& place) {
+    return {to_256(place.x), to_256(place.y), to_256(place.z)};
 }
 
 Camera camera_of(const Pose& eye, std::int32_t field_of_view) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/fixed/trig.h"
+#include "engine/io/files.h"
 #include "engine/library/oblong.h"
 #include "engine/math/vec.h"
 #include "engine/mesh/placed_mesh.h"
@@ -46,14 +47,28 @@ const Picture& checked(const Picture& picture);
 /// Throws such an error if a canvas does not have the mode's size, or rows that overlap.
 void check_size(const Framebuffer& canvas, const ScreenMode& mode);
 
+/// parse(the bytes of a file, in memory or read now); errors name it.
+template <class Parse>
+auto read_parsed(const File& file, Parse parse) {
+    if (file.bytes.empty()) return read_parsed(file.name, parse);
+    return naming_file(file.name, [&] { return parse(file.bytes); });
+}
+
 Camera camera_of(const Pose& eye, std::int32_t field_of_view);
 
 struct Model::State {
     std::shared_ptr<Mesh> mesh;  ///< never null; shared with level scenes that will show it
     std::vector<std::string> warnings;
+    bool turns_to_eye = false;
 };
+
+Pose pose_of(const Vec3<World>& place);
 
 /// Places a mesh by a pose and a frame of its motion.
 PlacedMesh placed_at(const Mesh& mesh, const Pose& pose, std::int32_t frame);
+/// The yaw of what turns to an eye that looks along a yaw.
+inline Angle towards_eye(std::int32_t eye_yaw_256) {
+    return angle_from_256(eye_yaw_256) + kHalfTurn;
+}
 
 }  // namespace oblong

@@ -136,14 +136,27 @@ void fill_triangle(Framebuffer canvas, PixelPosition a, PixelPosition b, PixelPo
 }
 
 void draw_picture(Framebuffer canvas, const Picture& picture, std::int32_t x, std::int32_t y) {
+    draw_part(canvas, picture, {0, 0, picture.width_px, picture.height_px}, x, y);
+}
+
+void draw_part(Framebuffer canvas, const Picture& picture, const PicturePart& part, std::int32_t x, std::int32_t y) {
     checked(picture);
-    const Area shown = clipped(area_of(x, y, picture.width_px, picture.height_px), canvas);
-    if (shown.width <= 0 || shown.height <= 0) return;
+    const std::int32_t scale = std::clamp(part.scale, 1, kLargestMode_px);
+    const auto scaled = [&](std::int32_t side_px) {
+        return static_cast<std::int32_t>(std::clamp<std::int64_t>(std::int64_t{side_px} * scale, 0, 1 << 28));
+    };
+    const Area shown = clipped(area_of(x, y, scaled(part.width_px), scaled(part.height_px)), canvas);
     for (std::int32_t row = shown.y; row < shown.y + shown.height; ++row) {
-        const std::uint8_t* from = picture.pixels.data() + (row - y) * std::int64_t{picture.width_px} + (shown.x - x);
-        std::uint8_t* to = canvas.row(row) + shown.x;
-        for (std::int32_t i = 0; i < shown.width; ++i)
-            if (from[i] != kTransparent) to[i] = from[i];
+        const std::int64_t below = (std::int64_t{row} - y) / scale,
+                           v = part.y + (part.is_upside_down ? part.height_px - 1 - below : below);
+        if (v < 0 || v >= picture.height_px) continue;
+        const std::uint8_t* const from = picture.pixels.data() + v * picture.width_px;
+        for (std::int32_t column = shown.x; column < shown.x + shown.width; ++column) {
+            const std::int64_t aside = (std::int64_t{column} - x) / scale,
+                               u = part.x + (part.is_mirrored ? part.width_px - 1 - aside : aside);
+            if (u < 0 || u >= picture.width_px) continue;
+            if (part.is_opaque || from[u] != kTransparent) canvas.row(row)[column] = from[u];
+        }
     }
 }
 
@@ -177,6 +190,11 @@ void draw_label(Framebuffer canvas, std::int32_t x, std::int32_t y, std::string_
         for (int line = 0; line < scale; ++line)
             fill_row(canvas, left, left + scale - 1, y + row * scale + line, colour);
     });
+}
+
+std::vector<std::string> wrapped(std::string_view text, std::int32_t width_px) {
+    const std::vector<std::string_view> lines = lines_of(text, width_px);
+    return {lines.begin(), lines.end()};
 }
 
 }  // namespace oblong

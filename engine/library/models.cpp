@@ -1,10 +1,9 @@
 #include <algorithm>
 
+#include "engine/base/text.h"
 #include "engine/io/files.h"
 #include "engine/library/conversions.h"
-#include "engine/mesh/draw_mesh.h"
 #include "engine/models/obj.h"
-#include "engine/view/views.h"
 
 namespace oblong {
 namespace {
@@ -12,15 +11,27 @@ namespace {
 constexpr std::array<std::array<std::uint32_t, 3>, 1> kOneTriangle{{{0, 1, 2}}};
 constexpr std::int32_t kMostScale_256 = 4096 * 256;
 
-ObjModel read_model(const std::string& file, const Palette& palette, std::int32_t scale_256) {
+void check_scale(const std::string& name, std::int32_t scale_256) {
     if (scale_256 < 1 || scale_256 > kMostScale_256)
-        throw FileError(file, "scale", std::to_string(scale_256) + " 256ths, expected 1 to 1048576");
-    if (!file.ends_with(".mdl") && !file.ends_with(".MDL")) return read_obj(file, palette, scaled_256(scale_256));
-    return {read_parsed(file,
-                        [&](std::span<const std::uint8_t> bytes) {
-                            return read_mdl(bytes, convert<World>(Fixed<std::int32_t, 8>::from_raw(scale_256)));
-                        }),
-            {}};
+        throw FileError(name, "scale", std::to_string(scale_256) + " 256ths, expected 1 to 1048576");
+}
+
+Skin skin_of(const Picture& picture) {
+    const std::vector<std::uint8_t>& pixels = checked(picture).pixels;
+    const bool has_holes = std::find(pixels.begin(), pixels.end(), kTransparent) != pixels.end();
+    return {"picture", picture.width_px, picture.height_px, pixels, has_holes};
+}
+
+ObjModel read_model(const File& file, const Palette& palette, std::int32_t scale_256, const ModelOptions& options) {
+    check_scale(file.name, scale_256);
+    return read_parsed(file, [&](std::span<const std::uint8_t> bytes) -> ObjModel {
+        if (lower_case(file.name).ends_with(".mdl"))
+            return {read_mdl(bytes, convert<World>(Fixed<std::int32_t, 8>::from_raw(scale_256))), {}};
+        ObjOptions obj = scaled_256(scale_256);
+        obj.is_z_up = options.is_z_up;
+        obj.plain = skin_of(options.picture);
+        return read_obj(bytes, file.name, palette, obj);
+    });
 }
 
 // Adds a vertex of a triangle to all frames. Triangles do not share vertices, so that they are flat.
@@ -47,25 +58,55 @@ PlacedMesh placed_at(const Mesh& mesh, const Pose& pose, std::int32_t frame) {
     return placed;
 }
 
-Model::Model() : state_(new State{std::make_shared<Mesh>(), {}}) {
+Model::Model() : state_(new State{std::make_shared<Mesh>(), {}, false}) {
     state_->mesh->frames.emplace_back();
 }
 
-Model::Model(const std::string& file, const Palette& palette, std::int32_t scale_256) {
-    ObjModel read = read_model(file, palette, scale_256);
-    state_ = new State{std::make_shared<Mesh>(std::move(read.mesh)), std::move(read.warnings)};
+Model::Model(const File& file, const Palette& palette, std::int32_t scale_256, const ModelOptions& options) {
+    ObjModel read = read_model(file, palette, scale_256, options);
+    state_ = new State{std::make_shared<Mesh>(std::move(read.mesh)), std::move(read.warnings), false};
+}
+
+// Two triangles that face ahead.
+Model Model::sprite(const Picture& picture, std::int32_t scale_256) {
+    check_scale("sprite", scale_256);
+    Model model;
+    const std::int32_t skin = model.add_picture(picture), right = picture.width_px, bottom = picture.height_px;
+    if (std::int64_t{std::max(right, bottom)} * scale_256 / 256 >= kMeshLimit)
+        throw argument_error("sprite", "too large, expected sides below " + std::to_string(kMeshLimit) + " units");
+    const Corner left_up{0, 0, 1, 0, 0}, right_up{0, 1, 1, right, 0}, right_down{0, 1, 0, right, bottom},
+        left_down{0, 0, 0, 0, bottom};
+    model.add_triangle(left_up, right_up, right_down, skin);
+    model.add_triangle(left_up, right_down, left_down, skin);
+    const auto units = [&](std::int64_t px_2) {
+        return World::from_raw(static_cast<std::int32_t>(px_2 * scale_256 * 8));
+    };
+    MeshFrame& frame = model.state_->mesh->frames.front();
+    for (MeshVertex& corner : frame.vertices)
+        corner.position = {{},
+                           units(corner.position.y == World{} ? -right : right),
+                           units(corner.position.z == World{} ? 0 : 2 * bottom)};
+    set_boxes(frame);
+    model.state_->turns_to_eye = true;
+    return model;
 }
 
 Model::~Model() {
     delete state_;
 }
 
+Model::Model(Model&& other) noexcept : state_(std::exchange(other.state_, nullptr)) {}
+
+Model& Model::operator=(Model&& other) noexcept {
+    std::swap(state_, other.state_);
+    return *this;
+}
+
 std::int32_t Model::add_picture(const Picture& picture) {
     std::vector<Skin>& skins = state_->mesh->skins;
-    const std::vector<std::uint8_t>& pixels = checked(picture).pixels;
-    if (pixels.empty()) throw argument_error("model", "a picture without pixels, expected one or more");
-    const bool has_holes = std::find(pixels.begin(), pixels.end(), kTransparent) != pixels.end();
-    skins.push_back({"picture", picture.width_px, picture.height_px, pixels, has_holes});
+    if (checked(picture).pixels.empty())
+        throw argument_error("model", "a picture without pixels, expected one or more");
+    skins.push_back(skin_of(picture));
     return static_cast<std::int32_t>(skins.size()) - 1;
 }
 
@@ -93,62 +134,18 @@ void Model::add_triangle(const Corner& a, const Corner& b, const Corner& c, std:
     }
 }
 
+Bounds Model::bounds(std::int32_t frame) const {
+    const PlacedMesh placed = placed_at(*state_->mesh, {}, frame);
+    if (state_->mesh->frames.empty()) return {};
+    return {pose_of(frame_of(placed).mins), pose_of(frame_of(placed).maxs)};
+}
+
 std::int32_t Model::frame_count() const {
     return static_cast<std::int32_t>(state_->mesh->frames.size());
 }
 
 const std::vector<std::string>& Model::warnings() const {
     return state_->warnings;
-}
-
-struct Stage::State {
-    State(const Palette& palette, const ScreenMode& its_mode)
-        : mode(checked(its_mode)),
-          colormap(make_colormap(palette, palette.colours.size())),
-          depth(mode.width_px, mode.height_px),
-          scratch(mode.height_px) {}
-
-    ScreenMode mode;
-    Colormap colormap;
-    ViewContext view;
-    MeshLight light;
-    DepthBuffer depth;
-    MeshScratch scratch;
-};
-
-Stage::Stage(const Palette& palette, ScreenMode mode) : state_(new State(palette, mode)) {
-    look({});
-}
-
-Stage::~Stage() {
-    delete state_;
-}
-
-void Stage::look(const Pose& eye, std::int32_t field_of_view) {
-    State& state = *state_;
-    state.view = make_view_context(first_person_view(camera_of(eye, field_of_view)), state.mode);
-    state.depth.start_frame();
-    state.depth.want({0, state.mode.width_px, 0, state.mode.height_px});
-    state.depth.clear();
-}
-
-void Stage::set_light(std::int32_t ambient_256, std::int32_t from_side_256, std::int32_t x, std::int32_t y,
-                      std::int32_t z) {
-    const auto strength = [](std::int32_t light_256) {
-        return static_cast<std::int32_t>(
-            std::clamp<std::int64_t>(std::int64_t{light_256} * kFullLight / 256, 0, MeshLight::kMostLight));
-    };
-    const auto along = [](std::int32_t units) { return World::from_int(std::clamp(units, -100'000, 100'000)); };
-    state_->light.ambient = strength(ambient_256);
-    state_->light.directional = {normalised(Vec3<World>{along(x), along(y), along(z)}), strength(from_side_256)};
-}
-
-void Stage::draw(const Model& model, const Pose& pose, Framebuffer canvas, std::int32_t frame) {
-    State& state = *state_;
-    check_size(canvas, state.mode);
-    const MeshDrawing drawing{state.view, state.colormap, state.light, nullptr, false};
-    draw_mesh(placed_at(*model.state_->mesh, pose, frame), drawing,
-              {state.depth, canvas, {0, canvas.width_px, 0, canvas.height_px}}, state.scratch);
 }
 
 }  // namespace oblong

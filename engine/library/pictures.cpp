@@ -3,6 +3,7 @@
 #include "engine/base/checksum.h"
 #include "engine/base/table.h"
 #include "engine/base/text.h"
+#include "engine/effects/palette_effects.h"
 #include "engine/io/files.h"
 #include "engine/library/conversions.h"
 #include "engine/pictures/picture.h"
@@ -28,7 +29,7 @@ Palette palette_of(const PngImage& image) {
 
 }  // namespace
 
-Palette load_palette(const std::string& file) {
+Palette load_palette(const File& file) {
     return read_parsed(file, [](std::span<const std::uint8_t> bytes) {
         const bool is_png = bytes.size() > 1 && bytes[0] == 0x89 && bytes[1] == 'P';
         return bytes.size() != kPaletteFile_bytes && is_png ? palette_of(decode_png(bytes)) : read_palette(bytes);
@@ -45,6 +46,20 @@ void set_ramp(Palette& palette, int first, int last, Rgb8 from, Rgb8 to) {
         item(palette.colours, first + i) = {between(from.red, to.red), between(from.green, to.green),
                                             between(from.blue, to.blue)};
     }
+}
+
+void set_from_pictures(Palette& palette, int first, int last, const std::vector<File>& pictures) {
+    check(first, last);
+    std::vector<PngImage> images;
+    for (const File& picture : pictures) images.push_back(read_parsed(picture, decode_picture));
+    const std::vector<Rgb8> colours = common_colours(images, as_size(last - first + 1));
+    std::copy(colours.begin(), colours.end(), palette.colours.begin() + first);
+}
+
+Palette mixed(const Palette& palette, Rgb8 colour, std::int32_t share_256) {
+    PaletteEffects effects;
+    effects.flash = {colour, std::clamp(share_256, 0, 256)};
+    return apply_palette_effects(palette, effects, 0);
 }
 
 void cycle_colours(Palette& palette, int first, int last, std::int64_t places) {
@@ -67,7 +82,7 @@ Framebuffer Picture::canvas() {
     return {pixels.data(), width_px, height_px, width_px};
 }
 
-Picture load_picture(const std::string& file, const Palette& palette) {
+Picture load_picture(const File& file, const Palette& palette) {
     const PngImage image = read_parsed(file, decode_picture);
     Picture picture{image.width_px, image.height_px, indices_of(image, palette, {0, 255}, Dither::None)};
     for (std::size_t i = 0; i < picture.pixels.size(); ++i)

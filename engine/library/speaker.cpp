@@ -5,11 +5,20 @@
 
 #include "engine/io/files.h"
 #include "engine/library/conversions.h"
+#include "engine/library/ogg.h"
 #include "engine/platform/sdl/sdl.h"
 #include "engine/sound/sound_file.h"
 #include "engine/sound/tracker_module.h"
 
 namespace oblong {
+namespace {
+
+VoiceLevels levels_of(std::int32_t volume_256, std::int32_t pan_256) {
+    const std::int32_t volume = std::clamp(volume_256, 0, 256), pan = std::clamp(pan_256, -256, 256);
+    return {volume * std::min(256 - pan, 256) / 256, volume * std::min(256 + pan, 256) / 256, false};
+}
+
+}  // namespace
 
 struct Speaker::State {
     std::unique_ptr<SoundOutput> output;  // null: silence
@@ -33,8 +42,17 @@ Speaker::~Speaker() {
     delete state_;
 }
 
-std::int32_t Speaker::load(const std::string& file) {
-    const SoundSamples sound = read_parsed(file, decode_sound);
+Speaker::Speaker(Speaker&& other) noexcept : state_(std::exchange(other.state_, nullptr)) {}
+
+Speaker& Speaker::operator=(Speaker&& other) noexcept {
+    std::swap(state_, other.state_);
+    return *this;
+}
+
+std::int32_t Speaker::load(const File& file) {
+    const SoundSamples sound = read_parsed(file, [](std::span<const std::uint8_t> bytes) {
+        return is_ogg(bytes) ? decode_ogg(bytes) : decode_sound(bytes);
+    });
     return add(sound.samples, sound.rate_hz);
 }
 
@@ -46,24 +64,37 @@ std::int32_t Speaker::add(const std::vector<std::int16_t>& samples, std::int32_t
     return state_->sounds++;
 }
 
-void Speaker::play(std::int32_t sound, std::int32_t volume_256, std::int32_t pan_256) {
+std::int64_t Speaker::play(std::int32_t sound, std::int32_t volume_256, std::int32_t pan_256, bool is_loop) {
     if (sound < 0 || sound >= state_->sounds)
         throw argument_error("sound",
                              "number " + std::to_string(sound) + ", expected one that load() or add() returned");
-    if (!state_->output) return;
-    const std::int32_t volume = std::clamp(volume_256, 0, 256), pan = std::clamp(pan_256, -256, 256);
-    state_->output->start(sound, false,
-                          {volume * std::min(256 - pan, 256) / 256, volume * std::min(256 + pan, 256) / 256, false});
+    if (!state_->output) return SoundOutput::kNoVoice;
+    return state_->output->start(sound, is_loop, levels_of(volume_256, pan_256));
 }
 
-void Speaker::play_music(const std::string& file, std::int32_t volume_256) {
-    const std::vector<std::uint8_t> bytes = read_file(file);
-    naming_file(file, [&] {
+bool Speaker::is_playing(std::int64_t playing) const {
+    return state_->output && state_->output->is_playing(playing);
+}
+
+void Speaker::set_volume(std::int64_t playing, std::int32_t volume_256, std::int32_t pan_256) {
+    if (state_->output) state_->output->adjust(playing, levels_of(volume_256, pan_256));
+}
+
+void Speaker::stop(std::int64_t playing) {
+    if (state_->output) state_->output->stop(playing);
+}
+
+void Speaker::play_music(const File& file, std::int32_t volume_256) {
+    read_parsed(file, [&](std::span<const std::uint8_t> bytes) {
         if (state_->output)
             state_->output->play_music(bytes, std::clamp(volume_256, 0, 256));
         else
             parse_module(bytes);  // wrong files are found without a device, too
     });
+}
+
+void Speaker::set_music_volume(std::int32_t volume_256) {
+    if (state_->output) state_->output->set_music_volume(std::clamp(volume_256, 0, 256));
 }
 
 void Speaker::stop_music() {

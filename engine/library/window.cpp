@@ -5,6 +5,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "engine/base/text.h"
 #include "engine/library/conversions.h"
 #include "engine/platform/headless.h"
 #include "engine/platform/sdl/sdl.h"
@@ -43,9 +44,26 @@ std::unique_ptr<Platform> open_headless(const std::string& text) {
         frames, kHeadlessRate_hz, [](std::int64_t) { return PlatformInput{}; }, save_last);
 }
 
-std::unique_ptr<Platform> open_platform(const std::string& title) {
+std::unique_ptr<Platform> open_platform(const std::string& title, WindowSize size) {
     if (const char* headless = std::getenv("OBLONG_HEADLESS")) return open_headless(headless);
-    return open_window(title.c_str(), {});
+    return open_window(title.c_str(), size);
+}
+
+constexpr std::uint16_t kOfEachPad = 256;  // times the pad's number, in the codes of pad_events
+
+std::int32_t number_of_pad(Input input) {
+    return input.code / kOfEachPad;
+}
+
+// Of "Pad 2 A", too, which is "Pad A" of the second.
+Input named(std::string_view name) {
+    constexpr std::string_view kPad = "pad ";
+    const bool has_number = name.size() > kPad.size() + 1 && lower_case(name.substr(0, kPad.size())) == kPad &&
+                            name[kPad.size()] >= '1' && name[kPad.size()] <= '9' && name[kPad.size() + 1] == ' ';
+    if (!has_number) return input_named(name);
+    Input input = input_named("Pad" + std::string(name.substr(kPad.size() + 1)));
+    input.code = static_cast<std::uint16_t>(input.code + kOfEachPad * (name[kPad.size()] - '0'));
+    return input;
 }
 
 }  // namespace
@@ -71,8 +89,9 @@ struct Window::State {
     std::int64_t time_us = 0;
     bool is_closed = false;
     WindowSettings settings;
-    std::map<Input, std::int32_t> held;  // pressed inputs, with their pressures: 1 to kFullAxis
-    std::vector<Input> pressed;          // since the last picture
+    std::map<Input, std::int32_t> held;    // pressed inputs, with their pressures: 1 to kFullAxis
+    std::vector<Input> pressed, released;  // since the last picture
+    std::string typed;                     // in this time
     PixelPosition mouse, motion;
 };
 
@@ -87,7 +106,8 @@ void Window::State::take(const InputEvent& event) {
             return;
         case Kind::Release:
             held.erase(event.input);
-            break;
+            released.push_back(event.input);
+            return;
         case Kind::Axis:
             if (event.x > 0)
                 held[event.input] = std::min(event.x, kFullAxis);
@@ -102,7 +122,9 @@ void Window::State::take(const InputEvent& event) {
             std::erase_if(held, [](const auto& one) { return one.first.device != Device::PadAxis; });
             break;
         case Kind::ReleasePad:
-            std::erase_if(held, [](const auto& one) { return is_of_pad(one.first); });
+            std::erase_if(held, [&](const auto& one) {
+                return is_of_pad(one.first) && number_of_pad(one.first) == number_of_pad(event.input);
+            });
             break;
         case Kind::ReleaseAll:
             held.clear();
@@ -110,7 +132,9 @@ void Window::State::take(const InputEvent& event) {
         case Kind::Repeat:
             break;
     }
-    if (!was_held && held.contains(event.input)) pressed.push_back(event.input);
+    const bool is_held = held.contains(event.input);
+    if (!was_held && is_held) pressed.push_back(event.input);
+    if (was_held && !is_held) released.push_back(event.input);
 }
 
 // Converts a position in the window to a pixel of the canvas.
@@ -127,19 +151,22 @@ void Window::State::point(const Pointer& pointer) {
 
 void Window::State::take_input() {
     pressed.clear();
+    released.clear();
     motion = {};
     std::erase_if(
         held, [](const auto& one) { return one.first.device == Device::MouseWheel; });  // wheel turns have no release
-    const PlatformInput input = platform.poll();
-    for (const InputEvent& event : input.events) take(event);
+    PlatformInput input = platform.poll();
+    for (const auto* events : {&input.events, &input.pad_events})
+        for (const InputEvent& event : *events) take(event);
+    typed = std::move(input.text);
     if (input.pointer) point(*input.pointer);
     if (input.changes_full_screen) settings.is_full_screen = !settings.is_full_screen;
     platform.change_window(settings);
 }
 
-Window::Window(const std::string& title, ScreenMode mode) : palette(even_palette()), state_(nullptr) {
+Window::Window(const std::string& title, ScreenMode mode, WindowSize size) : palette(even_palette()), state_(nullptr) {
     checked(mode);
-    std::unique_ptr<Platform> platform = open_platform(title);
+    std::unique_ptr<Platform> platform = open_platform(title, size);
     Platform& shown_by = *platform;
     state_ = new State(std::move(platform), shown_by, mode);
 }
@@ -149,6 +176,14 @@ Window::Window(Platform& platform, ScreenMode mode)
 
 Window::~Window() {
     delete state_;
+}
+
+Window::Window(Window&& other) noexcept : palette(other.palette), state_(std::exchange(other.state_, nullptr)) {}
+
+Window& Window::operator=(Window&& other) noexcept {
+    std::swap(palette, other.palette);
+    std::swap(state_, other.state_);
+    return *this;
 }
 
 bool Window::show() {
@@ -189,13 +224,22 @@ bool Window::was_pressed(std::string_view input) const {
     return press_count(input) > 0;
 }
 
+bool Window::was_released(std::string_view input) const {
+    const std::vector<Input>& released = state_->released;
+    return std::find(released.begin(), released.end(), named(input)) != released.end();
+}
+
+const std::string& Window::typed() const {
+    return state_->typed;
+}
+
 std::int32_t Window::press_count(std::string_view input) const {
     const std::vector<Input>& pressed = state_->pressed;
-    return static_cast<std::int32_t>(std::count(pressed.begin(), pressed.end(), input_named(input)));
+    return static_cast<std::int32_t>(std::count(pressed.begin(), pressed.end(), named(input)));
 }
 
 std::int32_t Window::pressure_256(std::string_view input) const {
-    const auto found = state_->held.find(input_named(input));
+    const auto found = state_->held.find(named(input));
     return found == state_->held.end() ? 0 : found->second * 256 / kFullAxis;
 }
 
@@ -214,6 +258,21 @@ void Window::capture_mouse(bool is_captured) {
 void Window::set_full_screen(bool is_full) {
     state_->settings.is_full_screen = is_full;
     state_->platform.change_window(state_->settings);
+}
+
+void Window::set_rate(std::int32_t pictures_per_second) {
+    state_->settings.frames_per_second = std::max(pictures_per_second, 0);
+    state_->platform.change_window(state_->settings);
+}
+
+void Window::set_icon(const Picture& picture) {
+    std::vector<std::uint8_t> rgba;
+    for (const std::uint8_t pixel : checked(picture).pixels) {
+        const Rgb8 colour = item(palette.colours, pixel);
+        const std::uint8_t alpha = pixel == kTransparent ? 0 : 255;
+        rgba.insert(rgba.end(), {colour.red, colour.green, colour.blue, alpha});
+    }
+    state_->platform.set_icon(rgba, {picture.width_px, picture.height_px});
 }
 
 }  // namespace oblong

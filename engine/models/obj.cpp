@@ -206,13 +206,15 @@ constexpr const char* kGlass = "glass";
 class ObjSkins {
   public:
     ObjSkins(const std::vector<tinyobj::material_t>& materials, std::filesystem::path folder, const Palette& palette,
-             Dither dither, std::vector<std::string>& warnings)
-        : maker(std::move(folder), palette, dither, warnings), materials_(materials), palette_(palette) {}
+             const ObjOptions& options, std::vector<std::string>& warnings)
+        : maker(std::move(folder), palette, options.dither, warnings),
+          materials_(materials),
+          plain_(options.plain.texels.empty() ? grey_skin(palette) : options.plain) {}
 
     std::uint32_t number_of(int material) {
         const auto [known, is_new] = numbers_.emplace(material, static_cast<std::uint32_t>(skins.size()));
         if (!is_new) return known->second;
-        skins.push_back(material < 0 ? grey_skin(palette_) : made_of(material));
+        skins.push_back(material < 0 ? plain_ : made_of(material));
         maps.push_back(material < 0 ? nullptr : &item(materials_, material).diffuse_texopt);
         return known->second;
     }
@@ -251,7 +253,7 @@ class ObjSkins {
     Skin made_of(int material) { return maker.skin_of(item(materials_, material)); }
 
     const std::vector<tinyobj::material_t>& materials_;
-    const Palette& palette_;
+    const Skin plain_;  ///< of faces without a material
     std::map<int, std::uint32_t> numbers_;
 };
 
@@ -291,7 +293,7 @@ ObjModel parse_obj(const std::string& text, const std::filesystem::path& folder,
     const ObjFile file = load_obj(text, folder);
     ObjModel model{{}, lines_without_repetition(name_of_word(file.warnings))};
     model.warnings.insert(model.warnings.end(), summary.warnings.begin(), summary.warnings.end());
-    ObjSkins skins(file.materials, folder, palette, options.dither, model.warnings);
+    ObjSkins skins(file.materials, folder, palette, options, model.warnings);
     ObjMeshBuilder builder(file.numbers, options);
     std::int64_t flat_faces = 0;
     for (const tinyobj::shape_t& shape : file.shapes) {
@@ -321,9 +323,14 @@ ObjOptions scaled_256(std::int32_t scale_256) {
 }
 
 ObjModel read_obj(const std::string& path, const Palette& palette, const ObjOptions& options) {
-    const std::string text = simple_obj(read_text(path));
-    return naming_file(path,
-                       [&] { return parse_obj(text, std::filesystem::path(path).parent_path(), palette, options); });
+    return read_parsed(path,
+                       [&](std::span<const std::uint8_t> bytes) { return read_obj(bytes, path, palette, options); });
+}
+
+ObjModel read_obj(std::span<const std::uint8_t> bytes, const std::string& path, const Palette& palette,
+                  const ObjOptions& options) {
+    return parse_obj(simple_obj({reinterpret_cast<const char*>(bytes.data()), bytes.size()}),
+                     std::filesystem::path(path).parent_path(), palette, options);
 }
 
 }  // namespace oblong

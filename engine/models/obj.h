@@ -13,6 +13,7 @@ struct ObjOptions {
     bool is_z_up = false;          ///< the file has the world's axes; else y is up and z ahead, as most programs write
     Dither dither = Dither::None;  ///< of skins
     std::vector<std::string> glasses = {};  ///< materials that may stand for "glass": skins of the mesh from 1 on
+    Skin plain = {};                        ///< of faces without a material; without texels: grey
 };
 
 /// A scale in 256ths of the file's size, for callers without floating point.
@@ -32,5 +33,8 @@ struct ObjModel {
 /// invalid or too large numbers, faces of fewer than three corners, corners that the file does not have, a file without
 /// faces.
 ObjModel read_obj(const std::string& path, const Palette& palette, const ObjOptions& options = {});
+/// The same for a file in memory, whose materials are beside `path`. Throws InputError.
+ObjModel read_obj(std::span<const std::uint8_t> bytes, const std::string& path, const Palette& palette,
+                  const ObjOptions& options);
 
 }  // namespace oblong

@@ -38,6 +38,10 @@ std::vector<std::uint8_t> encode_indexed_png(std::span<const std::uint8_t> pixel
 /// and for missing or damaged parts.
 PngImage decode_picture(std::span<const std::uint8_t> file);
 
+/// Up to `most` colours for pictures, from dark to bright: all of theirs if they have no more, else the means of groups
+/// (median cut: Heckbert, "Color image quantization", SIGGRAPH 1982). Transparent pixels do not count.
+std::vector<Rgb8> common_colours(std::span<const PngImage> images, std::size_t most);
+
 /// How a picture is converted to a palette: each pixel to the nearest colour, or with the error of each pixel passed on
 /// to its neighbours, so that the mean of a few pixels is right (Floyd and Steinberg 1976).
 enum class Dither : std::uint8_t { None, FloydSteinberg };

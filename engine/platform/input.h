@@ -125,6 +125,9 @@ struct WindowInput {
 /// The player's input since the last poll, in order.
 struct PlatformInput : WindowInput {
     std::vector<InputEvent> events;
+    /// Of each gamepad by itself, 256 times its number, from 1 on, added to codes; `events` have the one used last.
+    std::vector<InputEvent> pad_events = {};
+    std::string text = {};  ///< typed, in UTF-8, with '\b' for Backspace and '\n' for Enter
 };
 
 }  // namespace oblong

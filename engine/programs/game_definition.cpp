@@ -75,7 +75,10 @@ const EntityClass* find_own_row(const std::string& name) {
 
 class DefinitionReader {
   public:
-    explicit DefinitionReader(const std::string& folder) { game_.folder = folder; }
+    explicit DefinitionReader(const std::string& folder) {
+        game_.folder = folder;
+        game_.has_gallery = game_.has_lab = false;
+    }
 
     GameDefinition read(const Value& root) {
         root.for_members([this](const std::string& name, const Value& value) { read_member(name, value); });
@@ -119,6 +122,14 @@ class DefinitionReader {
                 value.refuse("\"" + name + "\", expected the name of a level, as \"first\"");
             if (!names.insert(name).second) value.refuse("\"" + name + "\" is there twice, expected each level once");
             game_.levels.push_back(name);
+        }
+    }
+
+    void read_shows(const Value& list) {
+        for (const Value& value : list.elements()) {
+            const std::string name = value.text();
+            if (name != "gallery" && name != "lab") value.refuse("\"" + name + "\", expected gallery or lab");
+            (name == "lab" ? game_.has_lab : game_.has_gallery) = true;
         }
     }
 
@@ -188,13 +199,13 @@ class DefinitionReader {
         GameMember known;
         void (DefinitionReader::*read)(const Value&);
     };
-    static const std::array<Member, 9> kMembers;
+    static const std::array<Member, 10> kMembers;
     friend std::vector<GameMember> oblong::game_members();
 
     GameDefinition game_;
 };
 
-const std::array<DefinitionReader::Member, 9> DefinitionReader::kMembers{{
+const std::array<DefinitionReader::Member, 10> DefinitionReader::kMembers{{
     {{"title", "the game's name; required. As all texts in UTF-8, whose Latin letters are drawn"},
      &DefinitionReader::read_title},
     {{"levels", "the names of its levels in their order, `first` is `maps/first.bsp`; required"},
@@ -204,13 +215,14 @@ const std::array<DefinitionReader::Member, 9> DefinitionReader::kMembers{{
     {{"demo", "the title's: a walk that `--record` wrote"}, &DefinitionReader::read_demo},
     {{"icon", "the window's: a picture (PNG, TGA, JPEG, BMP) of up to 256x256 pixels"}, &DefinitionReader::read_icon},
     {{"captions",
-      "other words for sounds, by the names of the museum's files or the path of a `noise`, and for `a lens` and "
-      "`lenses`"},
+      "other words: for sounds, by the names of the museum's files or the path of a `noise`; for `a lens`, `lenses`, "
+      "`You need the silver key`, `You have the gold key` and their like, and `You have reached the end.`"},
      &DefinitionReader::read_captions},
     {{"classes",
       "of entities, by their names: `is`, a class of the engine, and `keys`, their values where an entity "
       "has none; `does` is for readers"},
      &DefinitionReader::read_classes},
+    {{"shows", "a list of what else it has of the museum: `gallery`, `lab`"}, &DefinitionReader::read_shows},
     {{"credits", "what the page of credits says first"}, &DefinitionReader::read_credits},
 }};
 

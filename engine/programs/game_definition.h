@@ -26,15 +26,17 @@ struct GameDefinition {
     std::string palette, music, demo, icon;       ///< paths of files, empty: none. Music and demo are the title's; a
                                                   ///< demo need not be there. The icon is the window's
     std::string credits;                          ///< the first text of the credits page
-    std::map<std::string, std::string> captions;  ///< by the names of sound files, and by kOneLens and kLenses
+    std::map<std::string, std::string> captions;  ///< by the names of sound files, and the museum's own words
     std::map<std::string, OwnClass> classes;      ///< by name
+    bool has_gallery = true, has_lab = true;      ///< as the museum: other games name what they want
     std::uint64_t rules_hash = 0;                 ///< of the classes; 0: there are none
 };
 
-/// Terms that game.json may replace, by a caption.
-inline constexpr const char *kOneLens = "a lens", *kLenses = "lenses";
-/// The game's caption for one of those; else the museum's term.
-std::string own_words(const GameDefinition& game, const char* words);
+/// The museum's words that a caption of game.json may replace.
+inline constexpr const char *kOneLens = "a lens", *kLenses = "lenses", *kReachedEnd = "You have reached the end.";
+bool is_replaceable(const std::string& words);
+/// The game's caption for one of those; else the words themselves.
+std::string own_words(const GameDefinition& game, const std::string& words);
 
 /// A member that game.json may have.
 struct GameMember {

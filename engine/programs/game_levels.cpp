@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "engine/io/files.h"
@@ -8,7 +9,18 @@ namespace oblong {
 
 namespace fs = std::filesystem;
 
-std::string own_words(const GameDefinition& game, const char* words) {
+bool is_replaceable(const std::string& words) {
+    constexpr std::array kWords{kOneLens,
+                                kLenses,
+                                kReachedEnd,
+                                "You need the silver key",
+                                "You need the gold key",
+                                "You have the silver key",
+                                "You have the gold key"};
+    return std::find(kWords.begin(), kWords.end(), words) != kWords.end();
+}
+
+std::string own_words(const GameDefinition& game, const std::string& words) {
     const auto own = game.captions.find(words);
     return own == game.captions.end() ? words : own->second;
 }

@@ -22,7 +22,7 @@ constexpr std::uint32_t kEndless = 0x7fff'0000;
 constexpr std::uint32_t kHighestRate_hz = 192'000;
 
 struct WavFormat {
-    std::uint16_t bits = 0;
+    std::uint16_t bits = 0, channels = 1;
     std::int32_t rate_hz = 0;
 };
 
@@ -38,19 +38,22 @@ WavFormat read_format(LittleEndianReader chunk) {
         kind = chunk.next<std::uint16_t>();
     }
     expect_at(at, kind == kPcm, "format " + std::to_string(kind) + ", expected 1: PCM");
-    expect_at(at + 2, channels == 1, std::to_string(channels) + " channels, expected one");
+    expect_at(at + 2, channels == 1 || channels == 2, std::to_string(channels) + " channels, expected 1 or 2");
     expect_at(at + 4, rate_hz > 0 && rate_hz <= kHighestRate_hz, std::to_string(rate_hz) + " Hz, expected 1 to 192000");
     expect_at(at + 14, bits == 8 || bits == 16, std::to_string(bits) + " bits a sample, expected 8 or 16");
-    return {bits, static_cast<std::int32_t>(rate_hz)};
+    return {bits, channels, static_cast<std::int32_t>(rate_hz)};
 }
 
-// 8-bit samples are unsigned, 16-bit samples signed.
-std::vector<std::int16_t> read_samples(std::span<const std::uint8_t> bytes, std::uint16_t bits) {
+// 8-bit samples are unsigned, 16-bit samples signed. Those of several channels become their mean.
+std::vector<std::int16_t> read_samples(std::span<const std::uint8_t> bytes, const WavFormat& format) {
     std::vector<std::int16_t> samples;
     LittleEndianReader in(bytes);
-    while (in.rest() >= bits / 8u)
-        samples.push_back(bits == 8 ? static_cast<std::int16_t>((in.next<std::uint8_t>() - 128) * 256)
-                                    : in.next<std::int16_t>());
+    while (in.rest() >= std::size_t{format.channels} * format.bits / 8) {
+        std::int32_t sum = 0;
+        for (int channel = 0; channel < format.channels; ++channel)
+            sum += format.bits == 8 ? (in.next<std::uint8_t>() - 128) * 256 : in.next<std::int16_t>();
+        samples.push_back(static_cast<std::int16_t>(sum / format.channels));
+    }
     return samples;
 }
 
@@ -68,7 +71,7 @@ SoundSamples decode_wav(std::span<const std::uint8_t> file) {
         if (name == kFormat) format = read_format(LittleEndianReader(file.first(in.offset()), at + 8));
         if (name == kData) {
             expect_at(at, format.has_value(), "samples, expected the chunk \"fmt \" before them");
-            SoundSamples sound{format->rate_hz, read_samples(bytes, format->bits)};
+            SoundSamples sound{format->rate_hz, read_samples(bytes, *format)};
             expect_at(at + 4, !sound.samples.empty(), "no samples, expected one or more");
             return sound;
         }

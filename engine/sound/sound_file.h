@@ -19,8 +19,8 @@ struct SoundSamples {
 /// offset of the error: a damaged frame (each has a checksum), more channels, no samples.
 SoundSamples decode_flac(std::span<const std::uint8_t> file);
 
-/// Decodes a sound of one channel: FLAC as decode_flac() reads it, or WAV (RIFF) with PCM of 8 or 16 bits, also one
-/// from a pipe, without its length. Throws InputError with the offset of the error.
+/// Decodes a sound: FLAC as decode_flac() reads it, or WAV (RIFF) with PCM of 8 or 16 bits, of one channel or of two,
+/// which are mixed, also one from a pipe, without its length. Throws InputError with the offset of the error.
 SoundSamples decode_sound(std::span<const std::uint8_t> file);
 
 struct LevelSound {

@@ -1,6 +1,7 @@
 #include "game/lab/lab_options.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "engine/base/table.h"
@@ -62,6 +63,11 @@ std::size_t dial_index(std::string_view name) {
 
 bool needs_lab(const LabOptions& options) {
     return options.shows_panel || options.maps_errors || options.splits || options.flips;
+}
+
+bool is_of_lab(Action command) {
+    constexpr std::array kParts{Action::LabPanel, Action::ErrorMap, Action::SplitView, Action::FlipSettings};
+    return std::find(kParts.begin(), kParts.end(), command) != kParts.end();
 }
 
 std::string apply_to_lab(Action command, LabOptions& options, Accuracy& accuracy) {

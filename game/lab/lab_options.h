@@ -23,6 +23,9 @@ struct LabOptions {
 /// Whether a part is on that needs the lab.
 bool needs_lab(const LabOptions& options);
 
+/// Whether a command turns a part of the lab on or off.
+bool is_of_lab(Action command);
+
 /// Runs a command of the lab; returns a message to the player, or "".
 std::string apply_to_lab(Action command, LabOptions& options, Accuracy& accuracy);
 

@@ -4,6 +4,7 @@
 
 #include "engine/base/text.h"
 #include "engine/io/files.h"
+#include "engine/level/entities.h"
 #include "game/level/load.h"
 
 namespace oblong {
@@ -21,6 +22,13 @@ std::vector<Position> leak_path_beside(const std::string& level_file) {
     return points;
 }
 
+// The game's own words for the museum's.
+void put_words(const GameDefinition& game, GameLevel& level) {
+    level.lens_names = {own_words(game, kOneLens), own_words(game, kLenses)};
+    for (std::string& text : level.messages)
+        if (is_replaceable(text)) text = own_words(game, text);
+}
+
 }  // namespace
 
 LoadedLevel::LoadedLevel(const LevelFiles& named)
@@ -29,8 +37,7 @@ LoadedLevel::LoadedLevel(const LevelFiles& named)
       level(naming_file(data.level_file,
                         [&] {
                             GameLevel made = make_game_level(data.level);
-                            if (files.game)
-                                made.lens_names = {own_words(*files.game, kOneLens), own_words(*files.game, kLenses)};
+                            if (files.game) put_words(*files.game, made);
                             return made;
                         })),
       leak_path(leak_path_beside(data.level_file)) {}

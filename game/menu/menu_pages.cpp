@@ -16,8 +16,7 @@ std::string lines_of_end(const EndFigures& figures) {
 }
 
 std::string text_of_end(const EndFigures& figures) {
-    std::string text =
-        (figures.message.empty() ? "You have reached the end." : figures.message) + "\n\n" + lines_of_end(figures);
+    std::string text = figures.message + "\n\n" + lines_of_end(figures);
     if (!figures.missed.empty()) text += "\n" + figures.missed;
     if (!figures.fault.empty()) text += "\n\nThe next level cannot be played: " + figures.fault;
     return text;
@@ -84,8 +83,9 @@ MenuPage MenuPages::title_page() {
     page.rows.push_back(menu_row(
         "Load", [this] { open_load(); }, "a walk that was saved"));
     page.rows.push_back(menu_row("Options", [this] { open_options(); }));
-    page.rows.push_back(menu_row(
-        "Gallery", [this] { host_.show_gallery(); }, "what the engine can do, a page for each feature"));
+    if (host_.has_gallery())
+        page.rows.push_back(menu_row(
+            "Gallery", [this] { host_.show_gallery(); }, "what the engine can do, a page for each feature"));
     page.rows.push_back(menu_row("Credits", [this] { open_text("Credits", host_.credits(), {}); }));
     page.rows.push_back(menu_row("Quit", [this] { host_.leave(); }));
     page.help = host_.key_names().in("{choose} choose, {accept} accepts, {menu} goes back");
@@ -111,8 +111,9 @@ MenuPage MenuPages::game_page() {
     page.rows.push_back(keys_row());
     page.rows.push_back(menu_row("Restart level", [this] { open_restart(); }));
     page.rows.push_back(menu_row("Levels", [this] { open_levels(); }));
-    page.rows.push_back(menu_row(
-        "Gallery", [this] { host_.show_gallery(); }, "the walk is paused meanwhile"));
+    if (host_.has_gallery())
+        page.rows.push_back(menu_row(
+            "Gallery", [this] { host_.show_gallery(); }, "the walk is paused meanwhile"));
     page.rows.push_back(menu_row(
         "Title", [this] { leave_walk("Leave this walk?", closing([this] { host_.show_title(); })); },
         host_.can_save() ? "The walk is saved: Continue resumes it" : ""));

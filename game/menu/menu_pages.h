@@ -33,7 +33,7 @@ struct LevelEntry {
 
 /// The figures of a walk that ended.
 struct EndFigures {
-    std::string message;     ///< the level's message; may be empty
+    std::string message;     ///< the level's, or the game's
     std::string time;        ///< "3:12"
     std::string lenses;      ///< "Lenses found: 5 of 12"; empty if the level has none
     std::string secrets;     ///< "Secrets found: 1 of 4"; empty if the level has none
@@ -83,6 +83,7 @@ class MenuHost {
     virtual void load(std::size_t entry) = 0;                ///< shows the reason if it cannot be loaded
     virtual std::string remove_save(std::size_t entry) = 0;  ///< the error, or ""
     virtual void show_title() = 0;
+    virtual bool has_gallery() const { return true; }
     virtual void show_gallery() = 0;
     virtual void leave() = 0;
 };

@@ -106,6 +106,7 @@ std::string PlayedGame::find(const std::string& name, const LoadedLevel& played)
 EndFigures PlayedGame::end_figures(const LoadedLevel& played, const GameState& state) const {
     EndFigures figures;
     figures.message = end_message(played.level, state);
+    if (figures.message.empty()) figures.message = own_words(definition(), kReachedEnd);
     figures.time = time_text(state.tick);
     if (played.level.secrets > 0)
         figures.secrets = "Secrets found: " + std::to_string(state.progress.found_secrets) + " of " +

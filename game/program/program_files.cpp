@@ -106,7 +106,7 @@ ProgramFiles load_program_files(const Options& options, const std::string& asset
 OwnSounds own_sounds_of(const GameDefinition& game) {
     OwnSounds own{game.folder, {}, {}};
     for (const auto& [name, text] : game.captions) {
-        if (name == kOneLens || name == kLenses) continue;
+        if (is_replaceable(name)) continue;
         if (const std::optional<Sound> sound = find_sound(name))
             own.captions[*sound] = text;
         else if (!find_below({game.folder}, name).empty())
@@ -114,7 +114,7 @@ OwnSounds own_sounds_of(const GameDefinition& game) {
         else
             throw FileError((fs::path(game.folder) / kGameFile).string(), "/captions/" + printable(name),
                             "is no sound, expected the name of one in the museum's folder sounds, without number, or a "
-                            "file below the folder; or \"a lens\" or \"lenses\"");
+                            "file below the folder; or words of the museum, as \"a lens\"");
     }
     return own;
 }

@@ -85,6 +85,7 @@ class Screens final : public MenuHost {
     void load(std::size_t entry) override { load_from(listed_.at(entry).slot); }
     std::string remove_save(std::size_t entry) override;
     void show_title() override;
+    bool has_gallery() const override { return game_.definition().has_gallery; }
     void show_gallery() override;
     void leave() override;
 

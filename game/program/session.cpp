@@ -114,8 +114,15 @@ std::optional<Processor> Session::machine() const {
     return ticks * 2 >= all && ticks < all ? Processor::I386 : view_options_.preferences.machine;
 }
 
+std::vector<KeyHelp> Session::key_help(const KeyNames& names) const {
+    std::vector<KeyHelp> help = game_help(names);
+    if (!has_lab()) std::erase_if(help, [](const KeyHelp& line) { return is_of_lab(line.actions.front()); });
+    return help;
+}
+
 void Session::handle_commands(const Controls& controls) {
     for (const Action command : controls.commands) {
+        if (is_of_lab(command) && !has_lab()) continue;
         wants_screenshot_ |= command == Action::Screenshot;
         const std::string message =
             command == Action::Exhibit ? turn_exhibit() : apply(command, view_options_, platform_.window_size());

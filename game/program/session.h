@@ -88,7 +88,7 @@ class Session final : public GameScreen {
     void open_page(Action command, MenuPages& pages) override;
     void open_due_page(MenuPages& pages) override;
     const std::shared_ptr<const LoadedLevel>& shared_level() const override { return loaded_; }
-    std::vector<KeyHelp> key_help(const KeyNames& names) const override { return game_help(names); }
+    std::vector<KeyHelp> key_help(const KeyNames& names) const override;
     /// The time and the error of the picture that is shown.
     std::string figures() const override;
 
@@ -127,6 +127,7 @@ class Session final : public GameScreen {
     void note_tick(const GameState& before, const GameState& after, const TickReport& report, bool is_last);
     void warn_of(const TickReport& report);
     void handle_commands(const Controls& controls);
+    bool has_lab() const { return !loaded_->files.game || loaded_->files.game->has_lab; }
     void follow_mode();
 
     std::shared_ptr<const LoadedLevel> loaded_;

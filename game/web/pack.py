@@ -95,10 +95,14 @@ def used_files(game, museum):
     return sorted(used.items())
 
 
+def museum_files(assets):
+    return [name for name in files_below(assets) if re.fullmatch(PLAYED, name)]
+
+
 def packed_data(assets, game):
-    files = [(name, read(assets, name)) for name in files_below(assets) if re.fullmatch(PLAYED, name)]
+    files = [(name, read(assets, name)) for name in museum_files(assets)]
     if game:
-        files += [('game/' + name, content) for name, content in used_files(game, [name for name, _ in files])]
+        files += [('game/' + name, content) for name, content in used_files(game, museum_files(assets))]
     return packed_files(files)
 
 
@@ -143,11 +147,13 @@ def under_own_name(page, game):
     if icon:
         kind = mimetypes.guess_type(icon)[0]
         page = page.replace('href="data:,"', 'href="data:%s;base64,%s"' % (kind, base64.b64encode(picture).decode()))
-    return as_page_of(html.escape(title), 'A game made with Oblong.', page)
+    return as_page_of(html.escape(title), 'A game made with Oblong.', page, 'lab' in definition.get('shows', []))
 
 
-def as_page_of(title, about, page):
-    """The page under another title, without the museum's picture."""
+def as_page_of(title, about, page, has_lab=False):
+    """The page under another title, without the museum's picture, and without the lab's button if there is no lab."""
+    if not has_lab:
+        page = page.replace('<button id="dials"', '<button id="dials" style="visibility: hidden"')
     page = re.sub('<meta property="og:image.*\n', '', page).replace(' url("/*@card@*/") center / cover', '')
     page = page.replace('>Oblong<', '>%s<' % title).replace('content="Oblong"', 'content="%s"' % title)
     return page.replace('/*@about@*/', about)
@@ -179,6 +185,9 @@ def main(build, assets, site, game=None, named=None):
     need('tools/build --web makes', build, program + '.wasm')
     if not named:
         need('tools/build --web makes', assets, 'demo.bsp')
+    if game:
+        left = sorted(set(files_below(game)) - {name for name, _ in used_files(game, museum_files(assets))})
+        print('left out, as nothing names them: ' + ', '.join(left) if left else 'nothing is left out')
     data = packed_files([(name, read(assets, name)) for name in files_below(assets)]) if named else packed_data(assets, game)
     files = {program + '.wasm': read(build, program + '.wasm'), program + '.data': data}
     sizes = ', '.join('"%s": %d' % (name, len(content)) for name, content in files.items())

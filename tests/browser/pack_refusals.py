@@ -2,6 +2,7 @@
 """game/web/pack.py says what is missing, and who makes it, and packs what the game uses alone.      pack_refusals.py SOURCE_FOLDER"""
 import json
 import os
+import re
 import shutil
 import struct
 import subprocess
@@ -46,10 +47,14 @@ with tempfile.TemporaryDirectory() as folder:
         write(name)
     os.symlink(folder + '/secret', folder + '/game/sounds/step.flac')
     names = [folder + name for name in ('/objects', '/assets', '/site', '/game')]
-    subprocess.run([sys.executable, '-B', pack] + names, check=True, stdout=subprocess.DEVNULL)
+    said = subprocess.run([sys.executable, '-B', pack] + names, check=True, text=True, stdout=subprocess.PIPE).stdout
+    left = re.search('^left out, as nothing names them: (.*)$', said, re.M).group(1).split(', ')
+    assert set(left) == set(strangers) | {'sounds/step.flac'}, left
     with open(folder + '/site/oblong.data', 'rb') as file:
         packed = json.loads(file.read(struct.unpack('<I', file.read(4))[0]))
     packed = {each['name'][5:] for each in packed if each['name'].startswith('game/')}
+    with open(folder + '/site/oblong.html') as file:
+        assert '<button id="dials" style="visibility: hidden"' in file.read(), 'the button of a lab that the game has not'
     assert packed == set(used), (packed - set(used), set(used) - packed)
 
     shutil.rmtree(folder + '/site')

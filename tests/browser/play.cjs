@@ -40,7 +40,7 @@ const touch = async open => {
   await tab.evaluate(() => {
     const note = Page.noteAxis;
     Page.axes = {};
-    Page.noteAxis = function (axis, value) { this.axes[axis] = value; note.call(this, axis, value); };
+    Page.noteAxis = function (axis, value, ofEach) { this.axes[axis] = value; note.call(this, axis, value, ofEach); };
   });
   await tab.evaluate("globalThis.before = seen");
   const thumb = await tab.page.touchscreen.touchStart(200, 300);

@@ -45,6 +45,7 @@ class Consumer:
         for compiler in COMPILERS:
             self.demand_output(self.made_with_cmake('find_package(', compiler, prefix))
         self.demand_refusals(prefix)
+        self.demand_first_program(prefix)
 
     def pkg_config(self):
         prefix = self.installed(self.build)
@@ -112,9 +113,19 @@ class Consumer:
         assert len(found) == 1, 'the page has %d snippets with %s' % (len(found), mark)
         return re.sub(r'^    ', '', found[0], flags=re.M)
 
+    def demand_first_program(self, prefix):
+        """The page's whole program and its CMakeLists.txt, of the installed library."""
+        project = self.folder + '/first'
+        shutil.copytree(self.source + '/tests/consumer/first', project)
+        with open(project + '/CMakeLists.txt', 'w') as file:
+            file.write(self.snippet('project(game').replace('add_subdirectory(oblong)', 'find_package(Oblong REQUIRED)'))
+        run('cmake', '-S', project, '-B', project + '/build', '-G', 'Ninja', '-DCMAKE_PREFIX_PATH=' + prefix)
+        run('cmake', '--build', project + '/build')
+        run(project + '/build/game', OBLONG_HEADLESS='2')
+
     def configure(self, snippet, compiler, prefix, *options, code=0):
         with open(self.project + '/snippet.cmake', 'w') as file:
-            file.write(snippet)
+            file.write(re.sub(r'^(cmake_minimum_required|project|add_executable).*\n', '', snippet, flags=re.M))
         build = '%s/%s' % (self.folder, compiler)
         shutil.rmtree(build, ignore_errors=True)
         said = run('cmake', '-S', self.project, '-B', build, '-G', 'Ninja', '-DCMAKE_CXX_COMPILER=' + compiler,

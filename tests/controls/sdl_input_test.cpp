@@ -224,6 +224,47 @@ TEST_F(SdlInputTest, ThePadUsedLastActs) {
     EXPECT_TRUE(poll().moves.has(Action::Jump));
 }
 
+TEST_F(SdlInputTest, EachPadIsToldByItselfUnderTheLeastFreeNumber) {
+    const auto told = [&] {
+        std::string text;
+        for (const InputEvent& event : window_.input->poll().pad_events) {
+            if (event.kind == InputEvent::Kind::Axis) continue;
+            text += event.kind == InputEvent::Kind::Press ? "+" : event.kind == InputEvent::Kind::Release ? "-" : "x";
+            text += std::to_string(event.input.code);
+        }
+        return text;
+    };
+    VirtualPad first, second;
+    told();
+    second.press(PadButton::A);
+    first.press(PadButton::B);
+    EXPECT_EQ(told(), "+512+257");
+    first.unplug();
+    EXPECT_EQ(told(), "-257x256");
+    VirtualPad again;
+    told();
+    again.press(PadButton::A);
+    second.release(PadButton::A);
+    EXPECT_EQ(told(), "+256-512");
+}
+
+TEST_F(SdlInputTest, TextIsToldWithBackspaceAndEnter) {
+    const auto push_text = [](const char* text) {
+        SDL_Event event{};
+        event.type = SDL_TEXTINPUT;
+        SDL_strlcpy(event.text.text, text, sizeof event.text.text);
+        SDL_PushEvent(&event);
+    };
+    push_text("a");
+    push_key("Backspace", true);
+    push_key("Backspace", true, true);
+    push_text("\u00e9");
+    push_key("Enter", true, false, KMOD_LALT);
+    push_key("Enter", true);
+    EXPECT_EQ(window_.input->poll().text, "a\b\b\u00e9\n");
+    EXPECT_EQ(window_.input->poll().text, "");
+}
+
 TEST_F(SdlInputTest, ADeviceThatSdlDoesNotKnowIsIgnoredAndNamed) {
     testing::internal::CaptureStderr();
     VirtualPad wheel(SDL_JOYSTICK_TYPE_WHEEL);

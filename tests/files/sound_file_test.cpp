@@ -74,6 +74,13 @@ TEST(Wav, SamplesOf16BitsAreThoseOfTheFile) {
     EXPECT_EQ(sound.samples, (std::vector<std::int16_t>{0, 32'767, -32'768, -1}));
 }
 
+TEST(Wav, TwoChannelsBecomeTheirMean) {
+    const std::string loud = little(0x7fff, 2), low = little(0x8000, 2), some = little(100, 2), none = little(0, 2);
+    EXPECT_EQ(
+        decoded(wav(format(1, 2, 8000, 16) + chunk("data", loud + loud + low + low + some + none + some))).samples,
+        (std::vector<std::int16_t>{32'767, -32'768, 50}));
+}
+
 TEST(Wav, SamplesOf8BitsAreUnsigned) {
     const SoundSamples sound =
         decoded(wav(format(1, 1, 11'025, 8) + chunk("data", std::string("\x80\xff\x00\x40", 4))));
@@ -108,7 +115,7 @@ TEST(Wav, FaultsAreNamedWithTheirOffset) {
     for (const auto& [file, said] : {
              Case{wav(format(3, 1, 8000, 16) + data), "offset 20: format 3, expected 1: PCM"},
              Case{wav(extensible(3) + data), "offset 20: format 3, expected 1: PCM"},
-             Case{wav(format(1, 2, 8000, 16) + data), "offset 22: 2 channels, expected one"},
+             Case{wav(format(1, 3, 8000, 16) + data), "offset 22: 3 channels, expected 1 or 2"},
              Case{wav(format(1, 1, 0, 16) + data), "offset 24: 0 Hz, expected 1 to 192000"},
              Case{wav(format(1, 1, 8000, 24) + data), "offset 34: 24 bits a sample, expected 8 or 16"},
              Case{wav(data), "offset 12: samples, expected the chunk \"fmt \" before them"},

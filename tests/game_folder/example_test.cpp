@@ -13,6 +13,7 @@
 #include "game/program/played_game.h"
 #include "game/program/program.h"
 #include "game/program/program_files.h"
+#include "game/program/session.h"
 #include "game/simulation/items.h"
 #include "tests/support/programs.h"
 #include "tests/support/refusal.h"
@@ -332,6 +333,44 @@ TEST_F(ExampleGame, ACaptionOfNoSoundIsNamed) {
     replace_in_definition("\"lenses\"", "\"lense\\n\"");
     EXPECT_EQ(run("oblong --game " + folder_ + " --headless 1 --out " + temporary_.path("out")), 1);
     EXPECT_TRUE(said_.starts_with("oblong: " + folder_ + "/game.json: /captions/lense?: is no sound")) << said_;
+}
+
+TEST_F(ExampleGame, HasALabOnlyIfItAsksForOne) {
+    for (const bool has_lab : {false, true}) {
+        if (has_lab) replace_in_definition("\"title\"", "\"shows\": [\"lab\"], \"title\"");
+        LevelFiles files = level_files_of(options(), assets_);
+        files.level = level_file_of(*files.game, "first");
+        const auto first = std::make_shared<const LoadedLevel>(files);
+        HeadlessPlatform platform(
+            1, 35, [](std::int64_t) { return PlatformInput{}; }, [](Framebuffer, const Palette&) {});
+        ViewOptions shown;
+        Session session(first, {}, shown, TickInputSource(start_of(first->level), std::nullopt, false), platform);
+        Controls controls;
+        controls.commands = {Action::LabPanel};
+        session.advance(controls, platform.now_us());
+        EXPECT_EQ(shown.lab.shows_panel, has_lab);
+        const std::vector<KeyHelp> help = session.key_help({shown.preferences.bindings, platform, false});
+        EXPECT_EQ(std::any_of(help.begin(), help.end(),
+                              [](const KeyHelp& line) { return line.actions.front() == Action::LabPanel; }),
+                  has_lab);
+        EXPECT_FALSE(first->files.game->has_gallery);
+    }
+    replace_in_definition("[\"lab\"]", "[\"labs\"]");
+    EXPECT_EQ(run("oblong --game " + folder_ + " --headless 1 --out " + temporary_.path("out")), 1);
+    EXPECT_NE(said_.find("/shows/0: \"labs\", expected gallery or lab"), std::string::npos) << said_;
+}
+
+TEST_F(ExampleGame, HasItsOwnWordsForLockedDoorsAndForItsEnd) {
+    replace_in_definition(
+        "\"lenses\": \"coins\"",
+        "\"You need the gold key\": \"The gate wants brass\", \"You have reached the end.\": \"Home.\"");
+    replace_in_definition("\"speed\"", "\"spawnflags\": \"8\", \"speed\"");
+    const LoadedLevel second = loaded("second");
+    const std::vector<std::string>& messages = second.level.messages;
+    EXPECT_EQ(std::count(messages.begin(), messages.end(), "The gate wants brass"), 1);
+    EXPECT_EQ(std::count(messages.begin(), messages.end(), "You need the gold key"), 0);
+    const Options own = options();
+    EXPECT_EQ(PlayedGame(own, assets_, second).end_figures(second, start_of(second.level)).message, "Home.");
 }
 
 TEST(GameName, IsOfPlainLettersAndDiffersWhereFoldersDo) {

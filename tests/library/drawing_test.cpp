@@ -152,6 +152,26 @@ TEST(LibraryPicture, TransparentPixelsShowWhatIsBehind) {
     EXPECT_EQ(shown.pixels, expected);
 }
 
+// Each pixel of the sheet is its own colour; a part of it reaches beyond its right side.
+TEST(LibraryPicture, PartsAreTurnedOverAndCutOff) {
+    Picture sheet = Picture::of_size(4, 2);
+    sheet.pixels = {1, 2, 3, kTransparent, 5, 6, 7, 8};
+    const auto shown = [&](const PicturePart& part, int x, int y) {
+        return drawn_in(4, 2, [&](Framebuffer canvas) { draw_part(canvas, sheet, part, x, y); }).pixels;
+    };
+    using Pixels = std::vector<std::uint8_t>;
+    EXPECT_EQ(shown({1, 0, 3, 2}, 0, 0), (Pixels{2, 3, 0, 0, 6, 7, 8, 0}));
+    EXPECT_EQ(shown({1, 0, 3, 2, true}, 0, 0), (Pixels{0, 3, 2, 0, 8, 7, 6, 0}));
+    EXPECT_EQ(shown({1, 0, 3, 2, false, true}, 0, 0), (Pixels{6, 7, 8, 0, 2, 3, 0, 0}));
+    EXPECT_EQ(shown({1, 0, 3, 2, false, false, true}, 0, 0), (Pixels{2, 3, kTransparent, 0, 6, 7, 8, 0}));
+    EXPECT_EQ(shown({0, 1, 2, 1, true, false, false, 2}, 0, 0), (Pixels{6, 6, 5, 5, 6, 6, 5, 5}));
+    EXPECT_EQ(shown({1, 0, 3, 2, false, false, false, 2}, -3, -1), (Pixels{3, 0, 0, 0, 7, 8, 8, 0}));
+    EXPECT_EQ(shown({2, 1, 3, 1, true}, 0, 0), (Pixels{0, 8, 7, 0, 0, 0, 0, 0})) << "nothing beyond the sheet";
+    EXPECT_EQ(shown({1, 0, 3, 2}, -2, 1), (Pixels{0, 0, 0, 0, 0, 0, 0, 0})) << "off the canvas, or transparent";
+    EXPECT_EQ(shown({0, 0, 2, 2}, 3, -1), (Pixels{0, 0, 0, 5, 0, 0, 0, 0}));
+    EXPECT_EQ(shown({kLeast, kMost, kMost, kMost, true, true, true}, 0, 0), Pixels(8));
+}
+
 // An uncompressed TGA of two by two pixels of blue, green, red, alpha; the first row at the bottom.
 TEST(LibraryPicture, FileOfColoursGetsThePalettesNearestAndItsHoles) {
     const test::TemporaryFolder folder;
@@ -225,46 +245,14 @@ TEST(LibraryPicture, OfAnotherNumberOfPixelsIsRefused) {
     EXPECT_NO_THROW(draw_picture(canvas.canvas(), {}, 0, 0));
 }
 
-TEST(LibraryColours, RampIsEvenAndACycleComesBack) {
-    Palette palette = test::grey_palette();
-    set_ramp(palette, 10, 20, {0, 200, 50}, {100, 0, 50});
-    for (int i = 0; i <= 10; ++i) {
-        const Rgb8 colour = palette.colours[static_cast<std::size_t>(10 + i)];
-        EXPECT_NEAR(colour.red, 10 * i, 1) << i;
-        EXPECT_NEAR(colour.green, 200 - 20 * i, 1) << i;
-        EXPECT_EQ(colour.blue, 50) << i;
-    }
-    const Palette before = palette;
-    cycle_colours(palette, 10, 20, 3);
-    for (std::size_t i = 0; i < 11; ++i) EXPECT_EQ(palette.colours[10 + (i + 3) % 11], before.colours[10 + i]) << i;
-    cycle_colours(palette, 10, 20, -14);
-    EXPECT_EQ(palette.colours, before.colours);
-    EXPECT_THROW(set_ramp(palette, 10, 256, {}, {}), std::runtime_error);
-    EXPECT_THROW(cycle_colours(palette, -1, 3, 1), std::runtime_error);
-}
-
-TEST(LibraryNumbers, SinesAreThoseOfDoubles) {
-    constexpr double kPi = 3.14159265358979;
-    for (std::int64_t degrees_256 = -200'000; degrees_256 < 200'000; degrees_256 += 37)
-        // An angle is rounded to 1/65,536 turn.
-        EXPECT_NEAR(sine_65536(degrees_256), 65'536 * std::sin(double(degrees_256) / 256 * kPi / 180), 4)
-            << degrees_256;
-}
-
-TEST(LibraryNumbers, MovesAheadAndRight) {
-    const Pose north = pose_at(10, 20, 30, 90);
-    EXPECT_EQ(moved(north, 512, 0), pose_at(10, 22, 30, 90));
-    EXPECT_EQ(moved(north, 0, 512), pose_at(12, 20, 30, 90));
-    EXPECT_EQ(moved(pose_at(0, 0, 0, 180), 256, 256, 256), pose_at(-1, 1, 1, 180));
-}
-
-// The first numbers of the generator's published test (Vigna's splitmix64.c from 0): their upper halves times the
-// limit.
-TEST(LibraryNumbers, RandomNumbersAreThoseOfSplitMix) {
-    constexpr std::uint64_t kPublished[] = {0xE220'A839'7B1D'CDAF, 0x6E78'9E6A'A1B9'65F4, 0x06C4'5D18'8009'454F};
-    std::uint64_t state = 0;
-    for (const std::uint64_t published : kPublished)
-        EXPECT_EQ(random_below(1000, state), static_cast<std::int32_t>((published >> 32) * 1000 >> 32));
+TEST(LibraryDrawing, LinesAreAsWideAsTheirLabels) {
+    const std::string text = "A fox runs\nhome";
+    EXPECT_EQ(wrapped(text, text_width_px("A fox")), (std::vector<std::string>{"A fox", "runs", "home"}));
+    Picture shown = drawn_in(100, 10, [](Framebuffer canvas) { draw_label(canvas, 0, 0, "HH", 1); });
+    int right = 0;
+    for (int x = 0; x < 100; ++x)
+        if (pixel_at(shown.canvas(), x, 4) == 1) right = x;
+    EXPECT_EQ(text_width_px("HH"), right + 2) << "with the space behind a letter";
 }
 
 }  // namespace

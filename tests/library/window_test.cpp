@@ -52,6 +52,78 @@ TEST(LibraryWindow, KeyIsPressedOnceAndDownUntilItIsLetGo) {
     EXPECT_FALSE(window.is_down("Enter"));
     window.show();
     EXPECT_FALSE(window.is_down("Space") || window.was_pressed("Space"));
+    EXPECT_TRUE(window.was_released("Space") && !window.was_released("Enter"));
+    window.show();
+    EXPECT_FALSE(window.was_released("Space"));
+}
+
+TEST(LibraryWindow, WhatItLosesIsReleased) {
+    ScriptedWindow scripted({of({event(Kind::Press, kSpace), event(Kind::Axis, pad_axis(PadAxis::LeftX, true), 9999)}),
+                             of({event(Kind::ReleaseAll, {})})});
+    scripted.window.show();
+    Window moved_window = std::move(scripted.window);
+    EXPECT_TRUE(moved_window.is_down("Space"));
+    moved_window.show();
+    EXPECT_FALSE(moved_window.is_down("Space"));
+}
+
+TEST(LibraryWindow, TypedTextIsThatOfTheLastPicture) {
+    PlatformInput typing;
+    typing.text = "Ab\b\u00e9\n";
+    ScriptedWindow scripted({typing});
+    scripted.window.show();
+    EXPECT_EQ(scripted.window.typed(), "Ab\b\u00e9\n");
+    scripted.window.show();
+    EXPECT_EQ(scripted.window.typed(), "");
+    std::string text = "x";
+    add_typed(text, "\b\bab\u00e9\u00e9\bc");
+    EXPECT_EQ(text, "ab\u00e9c");
+}
+
+TEST(LibraryWindow, EachGamepadHasItsNumber) {
+    const auto of_pad = [](int number, Input input) {
+        return Input{input.device, static_cast<std::uint16_t>(input.code + 256 * number)};
+    };
+    const Input a = pad_button(PadButton::A), stick = pad_axis(PadAxis::LeftY, false);
+    PlatformInput pressed = of({event(Kind::Press, a)}), lost;
+    pressed.pad_events = {event(Kind::Press, of_pad(2, a)), event(Kind::Axis, of_pad(1, stick), kFullAxis)};
+    lost.pad_events = {event(Kind::ReleasePad, of_pad(2, a))};
+    ScriptedWindow scripted({pressed, lost});
+    Window& window = scripted.window;
+    window.show();
+    EXPECT_TRUE(window.is_down("Pad A") && window.was_pressed("pad 2 a") && !window.is_down("Pad 1 A"));
+    EXPECT_EQ(window.pressure_256("Pad 1 Left Stick Up"), 256);
+    window.show();
+    EXPECT_TRUE(window.is_down("Pad A") && window.is_down("Pad 1 Left Stick Up") && !window.is_down("Pad 2 A"));
+    EXPECT_THROW(window.is_down("Pad 2 Q"), std::runtime_error);
+}
+
+// Notes what a window asks of it.
+struct NotingPlatform final : Platform {
+    bool is_open() const override { return true; }
+    PlatformInput poll() override { return {}; }
+    std::uint64_t now_us() override { return 0; }
+    WindowSize window_size() const override { return {320, 240}; }
+    void set_title(const char*) override {}
+    void set_icon(std::span<const std::uint8_t> rgba, WindowSize) override { icon.assign(rgba.begin(), rgba.end()); }
+    void change_window(const WindowSettings& settings) override { rate = settings.frames_per_second; }
+    void present(Framebuffer, const Palette&, const PresentRect&) override {}
+
+    std::vector<std::uint8_t> icon;
+    std::int32_t rate = 0;
+};
+
+TEST(LibraryWindow, IconAndRateReachThePlatform) {
+    NotingPlatform platform;
+    Window window(platform, {});
+    window.palette.colours[7] = {1, 2, 3};
+    window.set_icon({2, 1, {7, kTransparent}});
+    ASSERT_EQ(platform.icon.size(), 8u);
+    EXPECT_EQ(std::vector(platform.icon.begin(), platform.icon.begin() + 4), (std::vector<std::uint8_t>{1, 2, 3, 255}));
+    EXPECT_EQ(platform.icon[7], 0);
+    window.set_rate(30);
+    window.show();
+    EXPECT_EQ(platform.rate, 30);
 }
 
 // The free mouse reports clicks, the captured one presses.

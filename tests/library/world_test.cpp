@@ -4,63 +4,11 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/library/oblong.h"
-#include "tests/map/map_source.h"
-#include "tests/support/folders.h"
-#include "tests/support/palettes.h"
+#include "tests/library/hall.h"
 #include "tests/support/refusal.h"
 
 namespace oblong::test {
 namespace {
-
-// The space of -256..256 each way, 256 high, with things in it.
-std::string hall(const std::string& brushes, const std::string& entities) {
-    return level(
-        room({-256, -256, 0}, {256, 256, 256}) + brushes,
-        entity_at("info_player_start", {-100, 0, 24}, {{"angle", "90"}}) + entity_at("light", {0, 0, 200}) + entities);
-}
-
-// In units: east, north, up.
-Pose beside(Pose pose, std::int32_t east, std::int32_t north, std::int32_t up) {
-    pose.x_256 += east * 256;
-    pose.y_256 += north * 256;
-    pose.z_256 += up * 256;
-    return pose;
-}
-
-// Greys, 64 reds, and of red the texture "other".
-Palette red_palette() {
-    Palette palette = grey_palette();
-    palette.colours[1] = {160, 160, 160};
-    palette.colours[3] = {255, 0, 0};
-    for (std::uint8_t i = 192; i != 0; ++i) palette.colours[i] = {static_cast<std::uint8_t>((i - 191) * 3), 0, 0};
-    return palette;
-}
-
-struct Hall {
-    explicit Hall(const std::string& brushes = "", const std::string& entities = "")
-        : file(folder.write("hall.bsp", bytes_of(hall(brushes, entities)))), level(file, red_palette()) {}
-
-    // Goes on for some steps of 8 units, and falls between them.
-    Pose walk_east(Pose eye, int steps) const {
-        for (int i = 0; i < steps; ++i) {
-            eye = level.walked(eye, beside(eye, 8, 0, 0));
-            if (!level.stands(eye)) eye = level.walked(eye, beside(eye, 0, 0, -20));
-        }
-        return eye;
-    }
-
-    TemporaryFolder folder;
-    std::string file;
-    LevelScene level;
-};
-
-double units(std::int32_t units_256) {
-    return units_256 / 256.0;
-}
-
-// A body is 32 units wide; its eye is 22 above its middle, 24 above its feet.
-constexpr double kStop = 256 - 16, kEye = 24 + 22;
 
 TEST(LibraryLevel, BodyStopsAtAWallAndSlidesAlongIt) {
     const Hall hall;
@@ -255,37 +203,6 @@ TEST(LibraryLevel, ErrorsNameTheFile) {
     EXPECT_TRUE(said.starts_with(file + ": ")) << said;
 }
 
-// Two triangles in one colour, 2 x 2 units around (at, 0, 0), that face west.
-void add_square(Model& model, std::int32_t at, std::int32_t half, std::uint8_t colour) {
-    Picture picture = Picture::of_size(1, 1);
-    picture.pixels = {colour};
-    const std::int32_t skin = model.add_picture(picture);
-    const Corner left_up{at, half, half}, right_up{at, -half, half}, right_down{at, -half, -half},
-        left_down{at, half, -half};
-    model.add_triangle(left_up, right_up, right_down, skin);
-    model.add_triangle(left_up, right_down, left_down, skin);
-}
-
-// It would take minutes if each triangle looked at those before it. The box is that of all: the first alone is ahead.
-TEST(LibraryModel, OfAHundredThousandTrianglesTheFirstIsSeenLikeTheLast) {
-    const Palette palette = grey_palette();
-    Stage stage(palette);
-    stage.look(pose_at(-60, 0, 0));
-    const auto drawn = [&](const Model& model) {
-        Picture picture = Picture::of_size(320, 200);
-        stage.look(pose_at(-60, 0, 0));
-        stage.draw(model, pose_at(0, 0, 0), picture.canvas());
-        return checksum(picture.canvas());
-    };
-    Model alone, many;
-    add_square(alone, 0, 10, 200);
-    add_square(many, 0, 10, 200);
-    const std::int32_t skin = many.add_picture(Picture::of_size(1, 1));
-    for (std::int32_t i = 0; i < 100'000; ++i) many.add_triangle({-200, i, 0}, {-200, i, 1}, {-200, i + 1, 0}, skin);
-    EXPECT_NE(drawn(alone), drawn(Model()));
-    EXPECT_EQ(drawn(many), drawn(alone));
-}
-
 TEST(LibraryLevel, ModelIsShownOnceAlsoIfItIsGoneByThen) {
     Hall hall;
     const Pose eye = pose_at(-100, 0, 46), place = pose_at(100, 0, 46);
@@ -309,146 +226,6 @@ TEST(LibraryLevel, ModelIsShownOnceAlsoIfItIsGoneByThen) {
     EXPECT_NE(expected, empty);
     EXPECT_EQ(drawn(), expected);
     EXPECT_EQ(drawn(), empty);
-}
-
-TEST(LibraryStage, SquareIsSquareOnTheDisplayAndNearerOnesHideIt) {
-    Stage stage(grey_palette());
-    Model far_square, near_square;
-    add_square(far_square, 0, 50, 200);
-    add_square(near_square, 0, 10, 100);
-    for (const bool far_first : {true, false}) {
-        Picture picture = Picture::of_size(320, 200);
-        stage.look({});
-        if (far_first) stage.draw(far_square, pose_at(200, 0, 0), picture.canvas());
-        stage.draw(near_square, pose_at(100, 0, 0), picture.canvas());
-        if (!far_first) stage.draw(far_square, pose_at(200, 0, 0), picture.canvas());
-        // At 90 degrees 160 columns are as wide as it is far; rows are 1.2 times as high as columns are wide.
-        for (int y = 0; y < 200; ++y)
-            for (int x = 0; x < 320; ++x) {
-                const double across = std::abs(x + 0.5 - 160) / 160, down = std::abs(y + 0.5 - 100) * 1.2 / 160;
-                const double place = std::max(across, down);
-                if (std::abs(place - 0.1) < 0.005 || std::abs(place - 0.25) < 0.005) continue;  // an edge
-                ASSERT_EQ(pixel_at(picture.canvas(), x, y), place < 0.1    ? 100
-                                                            : place < 0.25 ? 200
-                                                                           : 0)
-                    << x << ", " << y;
-            }
-    }
-}
-
-// Turned left by 30 degrees: its left side comes to 75 units, its right side goes to 125.
-TEST(LibraryStage, AModelTurnsByItsYaw) {
-    Stage stage(grey_palette());
-    Model square;
-    add_square(square, 0, 50, 200);
-    Picture picture = Picture::of_size(320, 200);
-    stage.look({});
-    Pose turned = pose_at(100, 0, 0);
-    turned.yaw_256 = 30 * 256;
-    stage.draw(square, turned, picture.canvas());
-    const double left = 160 - 160 * 50 * std::sqrt(0.75) / 75, right = 160 + 160 * 50 * std::sqrt(0.75) / 125;
-    for (int x = 0; x < 320; ++x)
-        if (std::abs(x + 0.5 - left) > 1 && std::abs(x + 0.5 - right) > 1) {
-            ASSERT_EQ(pixel_at(picture.canvas(), x, 100), x > left && x < right ? 200 : 0) << x;
-        }
-}
-
-// Also the last 32, which glow in levels.
-TEST(LibraryStage, LightsEveryColour) {
-    Stage stage(grey_palette());
-    stage.set_light(128);
-    for (const int colour : {100, 223, 224, 240, 254}) {
-        Model square;
-        add_square(square, 0, 50, static_cast<std::uint8_t>(colour));
-        Picture picture = Picture::of_size(320, 200);
-        stage.look({});
-        stage.draw(square, pose_at(100, 0, 0), picture.canvas());
-        EXPECT_NEAR(pixel_at(picture.canvas(), 160, 100), colour / 2.0, 5);
-    }
-}
-
-// Left half holes, in front of another square.
-TEST(LibraryStage, ShowsWhatIsBehindTheHolesOfAModel) {
-    Stage stage(grey_palette());
-    Model behind, front;
-    add_square(behind, 0, 50, 200);
-    Picture half = Picture::of_size(2, 1);
-    half.pixels = {kTransparent, 90};
-    const std::int32_t skin = front.add_picture(half);
-    const Corner left_up{0, 50, 50, 0, 0}, right_up{0, -50, 50, 2, 0}, right_down{0, -50, -50, 2, 1},
-        left_down{0, 50, -50, 0, 1};
-    front.add_triangle(left_up, right_up, right_down, skin);
-    front.add_triangle(left_up, right_down, left_down, skin);
-    Picture picture = Picture::of_size(320, 200);
-    stage.look({});
-    stage.draw(front, pose_at(100, 0, 0), picture.canvas());
-    EXPECT_EQ(pixel_at(picture.canvas(), 130, 100), 0);
-    stage.draw(behind, pose_at(150, 0, 0), picture.canvas());
-    EXPECT_EQ(pixel_at(picture.canvas(), 130, 100), 200) << "a hole has no depth";
-    EXPECT_EQ(pixel_at(picture.canvas(), 190, 100), 90);
-}
-
-TEST(LibraryStage, NothingOfTheLastPictureHidesTheNext) {
-    Stage stage(grey_palette());
-    Model square;
-    add_square(square, 0, 50, 200);
-    Picture picture = Picture::of_size(320, 200);
-    stage.look({});
-    stage.draw(square, pose_at(100, 0, 0), picture.canvas());
-    clear(picture.canvas());
-    stage.look({});
-    stage.draw(square, pose_at(200, 0, 0), picture.canvas());
-    EXPECT_EQ(pixel_at(picture.canvas(), 160, 100), 200);
-}
-
-TEST(LibraryStage, SideLightFollowsLambert) {
-    Stage stage(grey_palette());
-    Model square;
-    add_square(square, 0, 50, 200);
-    const auto grey_at = [&](std::int32_t x, std::int32_t z) {
-        Picture picture = Picture::of_size(320, 200);
-        stage.look({});
-        stage.set_light(0, 256, x, 0, z);
-        stage.draw(square, pose_at(100, 0, 0), picture.canvas());
-        return static_cast<double>(pixel_at(picture.canvas(), 160, 100));
-    };
-    EXPECT_EQ(grey_at(-1, 0), 200);
-    EXPECT_NEAR(grey_at(-1, 1), 200 * std::sqrt(0.5), 8);  // 64 shades
-    EXPECT_NEAR(grey_at(1, 0), 0, 8);
-}
-
-// One that were copied would be destroyed twice.
-template <class... Each>
-constexpr bool can_none_be_copied =
-    !(std::is_copy_assignable_v<Each> || ...) && !(std::is_copy_constructible_v<Each> || ...);
-static_assert(can_none_be_copied<Window, Speaker, Model, Stage, LevelScene>);
-
-TEST(LibraryModel, WarningsOfItsFileAndOfALevelsAreTold) {
-    const TemporaryFolder folder;
-    const std::string file =
-        folder.write("odd.obj", std::string("mtllib none.mtl\nv 0 0 0\nv 9 0 0\nv 0 9 0\nusemtl red\nf 1 2 3\n"));
-    const Model odd(file, red_palette());
-    ASSERT_FALSE(odd.warnings().empty());
-    EXPECT_NE(odd.warnings().front().find("none.mtl"), std::string::npos) << odd.warnings().front();
-    EXPECT_TRUE(Model().warnings().empty());
-    EXPECT_TRUE(Hall().level.warnings().empty());
-    const Hall hall("", entity("func_wall", {{"origin", "8 0 0"}}, box({0, 0, 0}, {8, 8, 8})) +
-                            entity_at("misc_model", {64, 0, 24}, {{"model", "none.obj"}}) +
-                            entity_at("misc_rain", {0, 0, 100}, {{"count", "many"}}));
-    std::string said;
-    for (const std::string& warning : hall.level.warnings()) said += warning + "\n";
-    for (const char* part : {"(func_wall): origin is", "none.obj", "(misc_rain): count"})
-        EXPECT_NE(said.find(part), std::string::npos) << part << ": " << said;
-}
-
-TEST(LibraryModel, WrongNumbersAreRefused) {
-    Model model;
-    for (const Picture& picture : {Picture{2, 2, {1, 2, 3}}, Picture{2, 1, {1, 2, 3}}, Picture{-1, -1, {1}}, Picture{}})
-        EXPECT_THROW(model.add_picture(picture), std::runtime_error);
-    EXPECT_EQ(model.frame_count(), 1);
-    EXPECT_THROW(model.add_triangle({}, {}, {}, 0), std::runtime_error);
-    EXPECT_THROW(Model("/nowhere/a.obj", grey_palette()), std::runtime_error);
-    EXPECT_THROW(Model("/nowhere/a.obj", grey_palette(), 0), std::runtime_error);
 }
 
 }  // namespace

@@ -53,6 +53,7 @@ class FakeHost final : public MenuHost {
     void act(Action action) override { done.push_back(std::string(row_of(action).name)); }
     void walk() override { done.push_back("walk"); }
     bool has_visit() const override { return true; }
+    bool has_gallery() const override { return is_of_museum; }
     void visit() override { done.push_back("visit"); }
     void continue_walk() override { done.push_back("continue"); }
     void restart() override { done.push_back("restart"); }
@@ -81,6 +82,7 @@ class FakeHost final : public MenuHost {
     std::string end_fault, save_fault;
     std::vector<std::string> done;
     int lists = 0;  // how often they were asked for
+    bool is_of_museum = true;
     bool has_folder = true, is_unsaved = true;
 };
 
@@ -139,6 +141,14 @@ TEST_F(Pages, TheTitleHasWhatAPlayerLooksFor) {
     choose("Walk");
     EXPECT_EQ(host_.done, std::vector<std::string>{"walk"});
     EXPECT_FALSE(menu_.is_open());
+}
+
+TEST_F(Pages, AGameWithoutGalleryHasNoRowForIt) {
+    host_.is_of_museum = false;
+    for (const auto open : {&MenuPages::open_title, &MenuPages::open_game}) {
+        (pages_.*open)();
+        for (const MenuRow& row : menu_.page().rows) EXPECT_NE(row.label, "Gallery");
+    }
 }
 
 TEST_F(Pages, EscapeOnTheTitleAsksAndEscapeAgainGoesOn) {

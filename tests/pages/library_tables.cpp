@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "engine/io/files.h"
+#include "engine/platform/input.h"
 #include "tests/pages/tables.h"
 #include "tests/support/folders.h"
 
@@ -66,7 +67,8 @@ class HeaderReader {
         const std::string whole = std::exchange(declaration_, "");
         const bool is_type = whole.starts_with("class ") || whole.starts_with("struct ");
         const bool is_for_compilers = whole.find("= delete") != whole.npos || whole.find("operator") != whole.npos ||
-                                      whole.starts_with('~') || (is_type && !whole.ends_with('{'));
+                                      whole.find("&& other)") != whole.npos || whole.starts_with('~') ||
+                                      (is_type && !whole.ends_with('{'));
         if (is_public_ && !is_for_compilers) {
             if (!about_.empty()) end_row();
             row_ += (row_.empty() ? "" : "<br>") + code(signature_of(whole));
@@ -111,6 +113,34 @@ std::string library_table() {
     HeaderReader reader;
     while (std::getline(lines, line)) reader.read_line(line);
     return reader.table();
+}
+
+/// Indented, so that a page shows it as code; tests/consumer builds it.
+std::string first_program() {
+    std::istringstream lines(read_text(source_folder() + "/tests/consumer/first/game.cpp"));
+    std::string text = "\n";
+    for (std::string line; std::getline(lines, line);) text += (line.empty() ? "" : "    ") + line + "\n";
+    return text + "\n";
+}
+
+/// All that have a name of their own; others are called by a number.
+std::string input_table() {
+    std::string text = "| | |\n|---|---|\n";
+    const auto add_row = [&](const std::string& label, const std::vector<Device>& devices) {
+        std::string names;
+        for (const Device device : devices)
+            for (std::uint16_t number = 0; number < 512; ++number) {
+                const std::string name = name_of({device, number}), last = std::to_string(number);
+                if (name != "Key " + last && name != "Wheel " + last && name != "Pad " + last)
+                    names += (names.empty() ? "" : ", ") + name;
+            }
+        text += "| " + label + " | " + names + " |\n";
+    };
+    add_row("keys, by a US keyboard", {Device::Key});
+    text += "| others | Key 1 to Key 511, by USB |\n| mouse | Mouse 1 (left), Mouse 2 (right), Mouse 3 to Mouse 31 |\n";
+    add_row("wheel", {Device::MouseWheel});
+    add_row("gamepad", {Device::PadButton, Device::PadAxis});
+    return text;
 }
 
 std::string example_table() {

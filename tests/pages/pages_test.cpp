@@ -33,10 +33,17 @@ std::vector<fs::path> all_pages() {
     return pages;
 }
 
-const std::map<std::string, std::function<std::string()>> kTables{
-    {"actions", action_table},  {"options", option_table},           {"dials", dial_table},
-    {"classes", class_table},   {"entity keys", entity_key_table},   {"left out", left_out_table},
-    {"library", library_table}, {"game members", game_member_table}, {"examples", example_table}};
+const std::map<std::string, std::function<std::string()>> kTables{{"actions", action_table},
+                                                                  {"options", option_table},
+                                                                  {"dials", dial_table},
+                                                                  {"classes", class_table},
+                                                                  {"entity keys", entity_key_table},
+                                                                  {"left out", left_out_table},
+                                                                  {"library", library_table},
+                                                                  {"first program", first_program},
+                                                                  {"inputs", input_table},
+                                                                  {"game members", game_member_table},
+                                                                  {"examples", example_table}};
 
 /// A page whose blocks "<!-- table NAME -->" to "<!-- end -->" are the tables of these names, which go to `found`.
 std::string with_tables(std::string page, std::set<std::string>& found) {

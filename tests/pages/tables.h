@@ -18,6 +18,8 @@ std::string entity_key_table();
 std::string left_out_table();
 /// What oblong.h declares, and what the examples show.
 std::string library_table();
+std::string first_program();
+std::string input_table();
 /// The members of game.json.
 std::string game_member_table();
 std::string example_table();

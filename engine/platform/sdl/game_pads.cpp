@@ -64,7 +64,29 @@ GamePads::~GamePads() {
     if (is_available_) SDL_QuitSubSystem(SDL_INIT_GAMECONTROLLER);
 }
 
-void GamePads::take(const SDL_Event& event, std::vector<InputEvent>& events) {
+// Without its number, if there is no such pad.
+Input GamePads::numbered(Input input, std::int32_t id) const {
+    const auto pad = std::find_if(pads_.begin(), pads_.end(), [&](const Pad& p) { return p.id == id; });
+    if (pad != pads_.end()) input.code = static_cast<std::uint16_t>(input.code + 256 * pad->number);
+    return input;
+}
+
+void GamePads::take(const SDL_Event& event, std::vector<InputEvent>& events, std::vector<InputEvent>& of_each) {
+    using Kind = InputEvent::Kind;
+    const auto note_axis = [&](bool is_positive, std::int32_t value) {
+        const auto axis = static_cast<PadAxis>(event.caxis.axis);
+        of_each.push_back({Kind::Axis, numbered(pad_axis(axis, is_positive), event.caxis.which), value, 0});
+    };
+    if (event.type == SDL_CONTROLLERDEVICEREMOVED)
+        of_each.push_back({Kind::ReleasePad, numbered({Device::PadButton, 0}, event.cdevice.which), 0, 0});
+    if (event.type == SDL_CONTROLLERBUTTONDOWN || event.type == SDL_CONTROLLERBUTTONUP)
+        of_each.push_back({event.cbutton.state == SDL_PRESSED ? Kind::Press : Kind::Release,
+                           numbered({Device::PadButton, event.cbutton.button}, event.cbutton.which), 0, 0});
+    if (event.type == SDL_CONTROLLERAXISMOTION && event.caxis.axis < SDL_CONTROLLER_AXIS_MAX) {
+        note_axis(true, event.caxis.value);
+        note_axis(false, -event.caxis.value);
+    }
+
     switch (event.type) {
         case SDL_JOYDEVICEADDED:  // also for joysticks that are no gamepads
             return add(event.jdevice.which);
@@ -94,7 +116,10 @@ void GamePads::add(std::int32_t device_index) {
         return;
     }
     const std::int32_t id = SDL_JoystickInstanceID(SDL_GameControllerGetJoystick(controller));
-    pads_.push_back({id, std::unique_ptr<SDL_GameController, Close>(controller)});
+    std::int32_t number = 1;  // the least that is free
+    const auto has_number = [&](const Pad& pad) { return pad.number == number; };
+    while (std::any_of(pads_.begin(), pads_.end(), has_number)) ++number;
+    pads_.push_back({id, number, std::unique_ptr<SDL_GameController, Close>(controller)});
 }
 
 void GamePads::remove(std::int32_t id, std::vector<InputEvent>& events) {

@@ -42,6 +42,7 @@ SDL_Window* window_of(const SDL_Event& event) {
         case SDL_WINDOWEVENT:
         case SDL_KEYDOWN:
         case SDL_KEYUP:
+        case SDL_TEXTINPUT:
         case SDL_MOUSEMOTION:
         case SDL_MOUSEBUTTONDOWN:
         case SDL_MOUSEBUTTONUP:
@@ -80,6 +81,8 @@ PlatformInput SdlInput::poll() {
     for (SDL_Event& event : kept) SDL_PushEvent(&event);
     PlatformInput input;
     input.events = std::exchange(events_, {});
+    input.pad_events = std::exchange(pad_events_, {});
+    input.text = std::exchange(text_, {});
     const std::uint32_t flags = SDL_GetWindowFlags(window_);
     input.has_focus = (flags & SDL_WINDOW_INPUT_FOCUS) != 0;
     input.is_minimised = (flags & SDL_WINDOW_MINIMIZED) != 0;
@@ -128,6 +131,9 @@ void SdlInput::take(const SDL_Event& event) {
         case SDL_KEYUP:
             take_key(event.key);
             break;
+        case SDL_TEXTINPUT:
+            text_ += static_cast<const char*>(event.text.text);
+            break;
         case SDL_MOUSEBUTTONDOWN:
         case SDL_MOUSEBUTTONUP:
             take_button(event.button);
@@ -146,7 +152,7 @@ void SdlInput::take(const SDL_Event& event) {
             are_textures_lost_ = true;
             break;
         default:
-            pads_.take(event, events_);
+            pads_.take(event, events_, pad_events_);
             break;
     }
 }
@@ -155,6 +161,8 @@ void SdlInput::take_key(const SDL_KeyboardEvent& key) {
     const SDL_Scancode code = key.keysym.scancode;
     const bool has_alt = (key.keysym.mod & KMOD_ALT) != 0;
     if (key.state == SDL_RELEASED) return note(InputEvent::Kind::Release, key_of(code));
+    if (code == SDL_SCANCODE_BACKSPACE) text_ += '\b';
+    if (!has_alt && (code == SDL_SCANCODE_RETURN || code == SDL_SCANCODE_KP_ENTER)) text_ += '\n';
     if (key.repeat != 0) return note(InputEvent::Kind::Repeat, key_of(code));
     if (has_alt && code == SDL_SCANCODE_RETURN) {
         changes_full_screen_ = !changes_full_screen_;

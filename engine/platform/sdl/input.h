@@ -29,9 +29,9 @@ class GamePads {
     GamePads(const GamePads&) = delete;
     GamePads& operator=(const GamePads&) = delete;
 
-    /// Adds the events of gamepads; ignores other events. A pad unknown to SDL is ignored, with a line on standard
-    /// error.
-    void take(const SDL_Event& event, std::vector<InputEvent>& events);
+    /// Adds the events of the pad used last, and to `of_each` those of all (PlatformInput::pad_events); ignores other
+    /// events. A pad unknown to SDL is ignored, with a line on standard error.
+    void take(const SDL_Event& event, std::vector<InputEvent>& events, std::vector<InputEvent>& of_each);
 
     /// The name of an input on the pad used last ("Cross", "L1"); without a pad, name_of().
     std::string local_name_of(Input input) const;
@@ -41,12 +41,13 @@ class GamePads {
         void operator()(_SDL_GameController* controller) const;
     };
     struct Pad {
-        std::int32_t id;
+        std::int32_t id, number;
         std::unique_ptr<_SDL_GameController, Close> controller;
     };
 
     void add(std::int32_t device_index);
     void remove(std::int32_t id, std::vector<InputEvent>& events);
+    Input numbered(Input input, std::int32_t id) const;
     void take_button(const SDL_ControllerButtonEvent& event, std::vector<InputEvent>& events);
     void take_axis(const SDL_ControllerAxisEvent& event, std::vector<InputEvent>& events);
     void use_pad(std::int32_t id, std::vector<InputEvent>& events);
@@ -85,7 +86,8 @@ class SdlInput {
     void point_at(std::int32_t x, std::int32_t y);
 
     SDL_Window* window_;
-    std::vector<InputEvent> events_;  // since the last poll
+    std::vector<InputEvent> events_, pad_events_;  // since the last poll
+    std::string text_;
     GamePads pads_;
     bool is_closed_ = false, are_textures_lost_ = false, changes_full_screen_ = false;
     std::optional<Pointer> pointer_;

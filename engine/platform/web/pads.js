@@ -18,7 +18,9 @@ const Pads = {
       const before = this.before.get(pad.index) || {buttons: [], axes: []};
       const now = {buttons: pad.buttons.map(button => button.value), axes: pad.axes.slice(0, 4)};
       there.set(pad.index, now);
+      const ofEach = 256 * (pad.index + 1);  // added to codes of events of this pad by itself
       now.axes.forEach((value, i) => {
+        if (value !== (before.axes[i] || 0)) Page.noteAxis(i, value, ofEach);
         const isOther = this.used >= 0 && this.used !== pad.index;
         if (value === (before.axes[i] || 0) || (isOther && Math.abs(value) < 0.5)) return;
         this.use(pad.index);
@@ -28,11 +30,14 @@ const Pads = {
         const button = this.BUTTONS[i], was = before.buttons[i] || 0;
         if (button === undefined || value === was) return;
         this.use(pad.index);
-        if (button < 0) return Page.noteAxis(-button, value);
-        if ((value > 0.5) !== (was > 0.5)) Page.note(value > 0.5 ? Kind.Press : Kind.Release, Device.PadButton, button);
+        for (const each of [0, ofEach])
+          if (button < 0) Page.noteAxis(-button, value, each);
+          else if ((value > 0.5) !== (was > 0.5)) Page.note(value > 0.5 ? Kind.Press : Kind.Release, Device.PadButton, button + each);
       });
     }
     if (this.used >= 0 && !there.has(this.used)) this.use(-1);
+    for (const index of this.before.keys())
+      if (!there.has(index)) Page.note(Kind.ReleasePad, Device.PadButton, 256 * (index + 1));
     this.before = there;
   },
   use(index) {

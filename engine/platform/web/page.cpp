@@ -25,6 +25,7 @@ struct PageEvent {
 
 EM_JS(void, page_state, (PageState * state), { Page.state(HEAP32, state >> 2); });
 EM_JS(void, page_events, (PageEvent * events), { Page.takeEvents(HEAP32, events >> 2); });
+EM_JS(void, page_text, (char* text, int most), { stringToUTF8(Page.takeText(most), text, 4 * most + 1); });
 EM_JS(void, page_size, (std::int32_t * size), { HEAP32.set([ Page.canvas.width, Page.canvas.height ], size >> 2); });
 EM_JS(int, page_take_lost, (), { return Page.takeLost() ? 1 : 0; });
 EM_JS(void, page_title, (const char* title), { document.title = UTF8ToString(title); });
@@ -75,8 +76,13 @@ PlatformInput PagePlatform::poll() {
     PlatformInput input;
     for (const PageEvent& event : events) {
         const Input device{static_cast<Device>(event.device), static_cast<std::uint16_t>(event.code)};
-        input.events.push_back({static_cast<InputEvent::Kind>(event.kind), device, event.x, event.y});
+        const auto kind = static_cast<InputEvent::Kind>(event.kind);
+        (is_of_pad(device) && device.code >= 256 ? input.pad_events : input.events)
+            .push_back({kind, device, event.x, event.y});
     }
+    std::array<char, 4 * 64 + 1> text{};
+    page_text(text.data(), 64);
+    input.text = text.data();
     input.has_focus = state.has_focus != 0;
     input.is_minimised = state.is_hidden != 0;
     input.changes_full_screen = state.changes_full_screen != 0;

@@ -27,6 +27,7 @@ const TOUCH_BUTTONS = [["menu", KEYS.Escape], ["jump", KEYS.Space], ["exhibit", 
 const Page = globalThis.Page = {
   canvas: document.getElementById("screen"),
   events: [],
+  text: "",  // typed, as PlatformInput has it
   pointer: null,  // {x, y, hasMoved, isPressed} in the canvas' pixels; null while the mouse is captured or elsewhere
   isCaptured: false,  // the game wants the mouse
   isLockRefused: !HTMLCanvasElement.prototype.requestPointerLock,  // then the mouse turns the view while it is in the canvas
@@ -66,6 +67,11 @@ const Page = globalThis.Page = {
   takeEvents(words, at) {
     words.set(this.events.flat(), at);
     this.events = [];
+  },
+  takeText(most) {
+    const text = this.text.slice(0, most);
+    this.text = "";
+    return text;
   },
 
   takeLost() {
@@ -118,6 +124,8 @@ const Page = globalThis.Page = {
         return;
       }
       this.note(event.repeat ? Kind.Repeat : Kind.Press, Device.Key, key);
+      const isLetter = [...event.key].length === 1 && (!event.ctrlKey || event.altKey);
+      this.text += {Backspace: "\b", Enter: "\n"}[event.key] || (isLetter ? event.key : "");
     });
     addEventListener("keyup", event => {
       if (KEYS[event.code] !== undefined) this.note(Kind.Release, Device.Key, KEYS[event.code]);
@@ -229,10 +237,10 @@ const Page = globalThis.Page = {
   },
 
   // Both halves of an axis from -1 to 1; the code of the positive half is odd.
-  noteAxis(axis, value) {
+  noteAxis(axis, value, ofEach = 0) {
     const raw = Math.round(Math.max(-1, Math.min(1, value)) * FULL_AXIS);
-    this.note(Kind.Axis, Device.PadAxis, 2 * axis + 1, raw);
-    this.note(Kind.Axis, Device.PadAxis, 2 * axis, -raw);
+    this.note(Kind.Axis, Device.PadAxis, ofEach + 2 * axis + 1, raw);
+    this.note(Kind.Axis, Device.PadAxis, ofEach + 2 * axis, -raw);
   },
 
   openSound(mix) {

@@ -141,6 +141,7 @@ class Session : LibraryCalls {
     FedWindow window_;
     std::map<std::int32_t, std::array<std::int32_t, 3>> moved_;
     std::map<std::int32_t, std::int32_t> turned_;
+    std::map<std::int32_t, bool> hidden_;
     bool has_scenes_ = false;
 };
 
@@ -217,7 +218,7 @@ void Session::stamp() {
     const auto texel_or_none = [](int texel) { return texel == kTransparent ? kNone : texel; };
     const PlainRectangle area{x, y, source.width_px, source.height_px};
     bool is_taken = true;
-    switch (below(4)) {
+    switch (below(5)) {
         case 0:
             check_drawn(
                 canvas, [&] { is_taken = accepts([&] { draw_picture(canvas, source, x, y); }); },
@@ -236,6 +237,15 @@ void Session::stamp() {
                                                   : texel_or_none(turned_texel(source, at, degrees, scale, pixel));
                 });
         case 2: {
+            const PicturePart part{number(),      number(),      degrees,       scale,
+                                   below(2) != 0, below(2) != 0, below(2) != 0, number()};
+            const std::int64_t times = std::clamp(part.scale, 1, kLargestMode_px);
+            const PlainRectangle whole{x, y, part.width_px * times, part.height_px * times};
+            return check_drawn(
+                canvas, [&] { accepts([&] { draw_part(canvas, source, part, x, y); }); },
+                [&](PixelPosition pixel) { return whole.has(pixel.column, pixel.row) ? kUnknown : kNone; });
+        }
+        case 3: {
             const std::string text = bytes();
             const std::int64_t times = std::clamp(scale, 1, 256);
             const PlainRectangle line{x, y - 2 * times, 6 * times * std::ssize(text), 10 * times};
@@ -263,6 +273,12 @@ void Session::compute() {
     std::uint64_t state = static_cast<std::uint64_t>(any);
     const std::int32_t limit = number(), random = random_below(limit, state);
     expect(random >= 0 && random < std::max(limit, 1), "a number below the limit");
+    const std::int64_t other = number();
+    const double turn = std::atan2(static_cast<double>(other), static_cast<double>(any)) * 46'080 / std::numbers::pi;
+    expect(std::abs(std::remainder(direction_256(any, other) - turn, 92'160)) < 2, "the direction");
+    const auto root = static_cast<double>(integer_root(static_cast<std::uint64_t>(any)));
+    expect(std::abs(root - std::sqrt(static_cast<double>(static_cast<std::uint64_t>(any)))) <= 1, "the root");
+    project(pose(), pose(), kSmall, number());
     const Pose from = pose();
     const std::int32_t ahead = number(), right = number(), up = number();
     const Pose to = moved(from, ahead, right, up);
@@ -325,10 +341,16 @@ void Session::build() {
         if (!accepts([&] { built.model = std::make_unique<Model>(file, greys(), scale); })) return;
         built.pictures = built.model->add_picture(Picture::of_size(1, 1)) + 1;
     };
-    switch (below(8)) {
+    switch (below(9)) {
         case 0:
             built = {};
             return;
+        case 8: {
+            const std::int32_t scale = number();
+            if (accepts([&] { built.model = std::make_unique<Model>(Model::sprite(picture(), scale)); }))
+                built.pictures = 1;
+            return;
+        }
         case 1:
             return load(corpus + "mdl/tetrahedron.mdl");
         case 2:
@@ -351,6 +373,8 @@ void Session::build() {
         }
     }
     expect(built.model->frame_count() >= 1, "a frame");
+    const auto [least, greatest] = built.model->bounds(number());
+    expect(least.x_256 <= greatest.x_256 && least.z_256 <= greatest.z_256, "a box");
 }
 
 template <class Show>
@@ -378,7 +402,10 @@ void Session::use_stage() {
     const Model& shown = *model().model;
     const Pose place = pose();
     const std::int32_t frame = number();
-    stages.demand_same_picture([&](Stage& stage, Framebuffer canvas) { stage.draw(shown, place, canvas, frame); });
+    const bool are_edges = below(3) == 0;
+    stages.demand_same_picture([&](Stage& stage, Framebuffer canvas) {
+        are_edges ? stage.draw_edges(shown, place, side, canvas, frame) : stage.draw(shown, place, canvas, frame);
+    });
 }
 
 // As they are at the beginning.
@@ -389,6 +416,7 @@ Twins<LevelScene>& Session::scenes() {
             for (std::int32_t i = 0; i < std::ssize(scene.level().entities); ++i) {
                 accepts([&] { scene.move_entity(i, 0, 0, 0); });
                 accepts([&] { scene.turn_entity(i, 0); });
+                accepts([&] { scene.hide_entity(i, false); });
             }
             scene.settings() = {};
         });
@@ -402,7 +430,19 @@ void Session::use_level() {
                        east = number(), north = number(), up = number();
     const bool is_there = entity >= 0 && entity < std::ssize(entities);
     constexpr const char* kPresets[] = {"1991", "1994", "1996", "pixel", "bounded", "exact", "", "none"};
-    switch (below(6)) {
+    switch (below(8)) {
+        case 6: {
+            const bool is_hidden = below(2) != 0;
+            if (accepts([&] { scene.hide_entity(entity, is_hidden); })) hidden_[entity] = is_hidden;
+            return;
+        }
+        case 7:
+            expect(accepts([&] {
+                       scene.entity_pose(entity);
+                       scene.touches(pose(), entity);
+                   }) == is_there,
+                   "an entity that is there");
+            return;
         case 0:
             if (accepts([&] { scene.move_entity(entity, east, north, up); })) moved_[entity] = {east, north, up};
             return;
@@ -430,6 +470,7 @@ void Session::draw_level() {
     both.fresh.settings() = both.used.settings();
     for (const auto& [entity, by] : moved_) both.fresh.move_entity(entity, by[0], by[1], by[2]);
     for (const auto& [entity, degrees] : turned_) both.fresh.turn_entity(entity, degrees);
+    for (const auto& [entity, is_hidden] : hidden_) both.fresh.hide_entity(entity, is_hidden);
     show_models([&](const Model& shown, const Pose& at, std::int32_t frame) {
         both.change([&](LevelScene& scene) { scene.show(shown, at, frame); });
     });
@@ -446,11 +487,12 @@ void Session::walk() {
     const LevelScene& scene = scenes().used;
     const Pose from = pose(), to = pose(), reached = scene.walked(from, to);
     scene.stands(from);
-    const auto is_in_room = [](const Pose& at) {
-        constexpr std::int32_t kWall_256 = 128 * 256;
+    const auto is_in_room = [](const Pose& at, std::int32_t wall = 128) {
         return std::max({std::abs(std::int64_t{at.x_256}), std::abs(std::int64_t{at.y_256}),
-                         std::abs(std::int64_t{at.z_256})}) < kWall_256;
+                         std::abs(std::int64_t{at.z_256})}) < wall * 256;
     };
+    const Hit hit = scene.ray(from, number());
+    expect(!is_in_room(from) || is_in_room(hit.place, 144), "a ray that does not leave the room and its sky");
     expect(!is_in_room(from) || is_in_room(reached), "a body that does not leave the room");
     expect(reached.yaw_256 == to.yaw_256 && reached.roll_256 == to.roll_256, "the wanted direction");
 }
