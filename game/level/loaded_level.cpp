@@ -1,8 +1,8 @@
 // Apart from load.cpp, for which the game under DOS has a substitute.
+#include <algorithm>
 #include <filesystem>
-#include <sstream>
+#include <string_view>
 
-#include "engine/base/text.h"
 #include "engine/io/files.h"
 #include "engine/level/entities.h"
 #include "game/level/load.h"
@@ -16,9 +16,12 @@ std::vector<Position> leak_path_beside(const std::string& level_file) {
     const std::string file = std::filesystem::path(level_file).replace_extension(".pts").string();
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(file, ignored)) return points;
-    std::istringstream lines(read_text(file));
-    for (std::string line; std::getline(lines, line);)
+    const std::string text = read_text(file);
+    for (std::string_view rest = text; !rest.empty();) {
+        const std::string_view line = rest.substr(0, rest.find('\n'));
+        rest.remove_prefix(std::min(line.size() + 1, rest.size()));
         if (const auto point = parse_world_vector(line)) points.push_back(*point);
+    }
     return points;
 }
 
