@@ -47,6 +47,7 @@ WavFormat read_format(LittleEndianReader chunk) {
 // 8-bit samples are unsigned, 16-bit samples signed.
 std::vector<std::int16_t> read_samples(std::span<const std::uint8_t> bytes, std::uint16_t bits) {
     std::vector<std::int16_t> samples;
+    samples.reserve(bytes.size() / (bits / 8u));
     LittleEndianReader in(bytes);
     while (in.rest() >= bits / 8u)
         samples.push_back(bits == 8 ? static_cast<std::int16_t>((in.next<std::uint8_t>() - 128) * 256)
