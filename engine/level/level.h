@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -224,6 +225,14 @@ struct Edge {
     bool operator==(const Edge&) const = default;
 };
 
+/// A vertex inside an edge (level/t_junctions.h).
+struct TJunction {
+    EdgeIndex edge;
+    VertexIndex vertex;
+
+    bool operator==(const TJunction&) const = default;
+};
+
 /// An edge in the direction in which a face uses it.
 class SurfEdge {
   public:
@@ -268,6 +277,8 @@ struct Level {
     Table<SurfEdge> surf_edges;
     Table<SubModel> models;                   ///< at least one
     TextureIndex sky = TextureIndex::none();  ///< the first sky texture
+    /// If the level was prepared with them; else find_t_junctions() does it.
+    std::optional<std::vector<TJunction>> t_junctions;
 
     const SubModel& world() const { return models.front(); }
     /// The leaves in visible sets: the world's, without the solid outside.

@@ -166,12 +166,13 @@ class EdgeLine {
 
 }  // namespace
 
-TJunctions::TJunctions(const Level& level) : found_(level.edges.size()) {
+std::vector<TJunction> find_t_junctions(const Level& level) {
+    std::vector<TJunction> found;
     const VertexGrid grid(level);
     std::vector<std::pair<std::int64_t, VertexIndex>> inside;
     std::int64_t looks = 0;
     for (const EdgeIndex index : level.edges.indices()) {
-        if (looks > kMostLooks) return;
+        if (looks > kMostLooks) break;
         const Edge& edge = level.edges[index];
         const EdgeLine line(point_of(level, edge.from), point_of(level, edge.to));
         if (line.is_too_long()) continue;
@@ -181,9 +182,15 @@ TJunctions::TJunctions(const Level& level) : found_(level.edges.size()) {
             if (part >= 0) inside.emplace_back(part, vertex);
         });
         std::sort(inside.begin(), inside.end());
-        found_[index] = {vertices_.size(), inside.size()};
-        for (const auto& [part, vertex] : inside) vertices_.push_back(vertex);
+        for (const auto& [part, vertex] : inside) found.push_back({index, vertex});
     }
+    return found;
+}
+
+std::span<const TJunction> junctions_on(std::span<const TJunction> all, EdgeIndex edge) {
+    const auto first = std::partition_point(all.begin(), all.end(), [&](const auto& each) { return each.edge < edge; });
+    const auto end = std::partition_point(first, all.end(), [&](const auto& each) { return each.edge == edge; });
+    return {first, end};
 }
 
 }  // namespace oblong

@@ -7,24 +7,12 @@
 
 namespace oblong {
 
-/// The vertices inside each edge of a level, in order from `from` to `to`: there a corner of one face meets the middle
-/// of another face's edge. Rounding to the screen moves the corner off the edge and opens a crack (hard case E9); with
-/// the corner inserted into the edge, both faces share all their edges.
-class TJunctions {
-  public:
-    explicit TJunctions(const Level& level);
+/// The vertices inside the edges of a level, ordered by edge, and from its `from` to its `to`: there a corner of one
+/// face meets the middle of another face's edge. Rounding to the screen moves the corner off the edge and opens a crack
+/// (hard case E9); with the corner inserted into the edge, both faces share all their edges.
+std::vector<TJunction> find_t_junctions(const Level& level);
 
-    std::span<const VertexIndex> on_edge(EdgeIndex edge) const {
-        return std::span(vertices_).subspan(found_[edge].first, found_[edge].count);
-    }
-
-  private:
-    struct Found {
-        std::size_t first = 0, count = 0;  ///< in vertices_
-    };
-
-    Table<Found, Edge> found_;
-    std::vector<VertexIndex> vertices_;
-};
+/// Those of one edge.
+std::span<const TJunction> junctions_on(std::span<const TJunction> all, EdgeIndex edge);
 
 }  // namespace oblong

@@ -31,7 +31,6 @@ class Platform {
     virtual std::uint64_t now_us() = 0;          ///< a monotonic clock with any start
     virtual WindowSize window_size() const = 0;  ///< of the drawable, in pixels of the device
     virtual void set_title(const char* title) = 0;
-    virtual bool shows_icon() const { return false; }  ///< whether set_icon() does something
     /// The window's icon: four bytes a pixel, red, green, blue and alpha, rows from top to bottom.
     virtual void set_icon(std::span<const std::uint8_t> /*rgba*/, WindowSize /*size*/) {}
     /// Sets whether the mouse turns the view and cannot leave the window, or points at a menu. A change releases keys

@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <sstream>
 
 #include "engine/base/input_error.h"
 #include "engine/base/text.h"
@@ -14,23 +13,6 @@ namespace oblong {
 
 namespace {
 constexpr const char* kNoDash = "no dash";
-
-[[noreturn]] void refuse(const std::string& line) {
-    throw InputError("", "'" + line + "', expected NAME = VALUE");
-}
-
-bool is_control(char letter) {
-    return (static_cast<unsigned char>(letter) < ' ' && letter != '\t') || letter == '\x7f';
-}
-
-// Without arrays: a value is the rest of the line, with commas and brackets.
-CLI::ConfigINI line_reader() {
-    constexpr char kNever = '\x01';  // lines with control characters are refused before
-    CLI::ConfigINI reader;
-    reader.comment('#')->arrayBounds(kNever, kNever)->arrayDelimiter(kNever)->parentSeparator(kNever);
-    return reader;
-}
-
 }  // namespace
 
 CommandOption& CommandOption::require() {
@@ -158,18 +140,6 @@ void check_replaces_only(const std::string& option, const std::string& written, 
                                       [&](std::string_view beginning) { return text.starts_with(beginning); }))
         throw UsageError(option + ": '" + written + "' is there and no " + kind +
                          ", expected one to replace or another name");
-}
-
-std::optional<ConfigLine> parse_config_line(const std::string& line) {
-    constexpr std::size_t kShortest = 3;  // shorter lines are skipped by the reader
-    const std::string text = CLI::detail::trim_copy(line);
-    if (text.empty() || text.front() == '#' || text.front() == ';') return std::nullopt;
-    if (text.size() < kShortest || text.front() == '[' || std::any_of(text.begin(), text.end(), is_control))
-        refuse(text);
-    std::istringstream input(text);
-    const std::vector<CLI::ConfigItem> items = line_reader().from_config(input);
-    if (items.size() != 1 || items.front().inputs.size() != 1 || items.front().name.empty()) refuse(text);
-    return ConfigLine{items.front().name, items.front().inputs.front(), text.find('=') != std::string::npos};
 }
 
 }  // namespace oblong

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -79,16 +78,5 @@ void check_replaces_none(const std::string& option, const std::string& written, 
 /// beginnings: it is no file of that kind.
 void check_replaces_only(const std::string& option, const std::string& written, const std::string& kind,
                          const std::vector<std::string_view>& beginnings);
-
-/// NAME = VALUE of an options file. A NAME alone has the value "true", as a flag on a command line.
-struct ConfigLine {
-    std::string name, value;
-    bool has_value = true;
-};
-
-/// Reads one line of an options file, as CLI11 does: a comment begins with # or, at the beginning of a line, with ;
-/// quotes around name and value are removed. Nothing for an empty line or a comment. Throws InputError without a place
-/// for any other line.
-std::optional<ConfigLine> parse_config_line(const std::string& line);
 
 }  // namespace oblong

@@ -14,15 +14,13 @@ namespace oblong {
 namespace {
 
 /// Appends the corners of a face, with the T-junction vertices on its edges, in the face's winding.
-void append_corners(const Level& level, const Face& face, const TJunctions& junctions,
+void append_corners(const Level& level, const Face& face, std::span<const TJunction> junctions,
                     std::vector<VertexIndex>& corners) {
     for (const SurfEdge step : level.edges_of(face)) {
-        const std::span<const VertexIndex> inside = junctions.on_edge(step.edge());
+        const std::span<const TJunction> inside = junctions_on(junctions, step.edge());
         corners.push_back(level.start_of(step));
-        if (step.is_reversed())
-            corners.insert(corners.end(), inside.rbegin(), inside.rend());
-        else
-            corners.insert(corners.end(), inside.begin(), inside.end());
+        for (const TJunction& each : inside) corners.push_back(each.vertex);
+        if (step.is_reversed()) std::reverse(corners.end() - static_cast<std::ptrdiff_t>(inside.size()), corners.end());
     }
 }
 
@@ -56,7 +54,7 @@ StoredDensity least_density(const LevelPlane& plane, const TexInfo& texinfo) {
     return convert<StoredDensity>(bounded_quotient<TexelDensity>(area, greatest));
 }
 
-void add_face(const Level& level, const Face& face, const TJunctions& junctions, StoredDensity density,
+void add_face(const Level& level, const Face& face, std::span<const TJunction> junctions, StoredDensity density,
               FaceTable& table) {
     const TexInfo& texinfo = level.texinfos[face.texinfo];
     const std::size_t first = table.corners.size();
@@ -138,12 +136,13 @@ std::size_t count_torn_edges(const Level& level, const FaceTable& table) {
 
 FaceTable make_face_table(const Level& level) {
     FaceTable table;
-    const TJunctions junctions(level);
+    const std::vector<TJunction> junctions = level.t_junctions ? *level.t_junctions : find_t_junctions(level);
     const Table<StoredDensity, TexInfo> densities = densities_of(level.texinfos);
     table.faces.reserve(level.faces.size());
     std::size_t corner_count = 0;
     for (const Face& face : level.faces)
-        for (const SurfEdge step : level.edges_of(face)) corner_count += 1 + junctions.on_edge(step.edge()).size();
+        for (const SurfEdge step : level.edges_of(face))
+            corner_count += 1 + junctions_on(junctions, step.edge()).size();
     table.corners.reserve(corner_count);
     for (const Face& face : level.faces) add_face(level, face, junctions, densities[face.texinfo], table);
     table.torn_edges = count_torn_edges(level, table);

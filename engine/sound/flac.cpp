@@ -224,7 +224,7 @@ SoundSamples decode_flac(std::span<const std::uint8_t> file) {
     const std::uint64_t most = std::max<std::uint64_t>(std::uint64_t{1} << 24, 16 * file.size());
     bits.expect(sample_count <= most, "far more samples than so few bytes hold");
     const bool is_known = sample_count > 0;  // not where the encoder wrote into a pipe
-    sound.samples.reserve(std::min<std::uint64_t>(sample_count, std::uint64_t{1} << 24));
+    sound.samples.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(sample_count, 1 << 24)));
     while (!bits.is_at_end() && sound.samples.size() <= (is_known ? sample_count : most))
         read_frame(bits, sound.samples);
     bits.expect(!sound.samples.empty() && (is_known ? sound.samples.size() == sample_count : bits.is_at_end()),

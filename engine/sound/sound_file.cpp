@@ -47,6 +47,7 @@ WavFormat read_format(LittleEndianReader chunk) {
 // 8-bit samples are unsigned, 16-bit samples signed. Those of several channels become their mean.
 std::vector<std::int16_t> read_samples(std::span<const std::uint8_t> bytes, const WavFormat& format) {
     std::vector<std::int16_t> samples;
+    samples.reserve(bytes.size() / (std::size_t{format.channels} * format.bits / 8));
     LittleEndianReader in(bytes);
     while (in.rest() >= std::size_t{format.channels} * format.bits / 8) {
         std::int32_t sum = 0;

@@ -9,12 +9,14 @@
 
 #include "engine/base/little_endian.h"
 #include "engine/io/files.h"
+#include "engine/level/t_junctions.h"
 #include "engine/platform/dos/layout.h"
 #include "engine/programs/arguments.h"
 #include "engine/programs/command_line.h"
 #include "engine/sound/small_mixer.h"
 #include "engine/sound/sound_file.h"
 #include "game/dos/prepared_game.h"
+#include "game/sound/sound_table.h"
 
 namespace oblong {
 namespace {
@@ -79,28 +81,55 @@ Bytes loaded_program(const Bytes& elf) {
     return memory;
 }
 
-// The format that game/dos/substitutes.cpp reads.
+// A WAV file of 8 bits a sample (as decode_sound() reads it), with as many as the card plays.
 Bytes sound_of(const std::string& file) {
-    const SoundSamples sound = read_parsed(file, decode_flac);
+    constexpr std::uint32_t kRiff = 0x4646'4952, kWave = 0x4556'4157, kFormat = 0x2074'6d66, kData = 0x6174'6164;
+    constexpr std::uint32_t kPcmOfOneChannel = 0x1'0001, kBitsAndBytes = 0x8'0001, kRate = SmallMixer::kRate_hz;
+    const SoundSamples sound = read_parsed(file, decode_sound);
     const std::vector<std::int8_t> samples = SmallMixer::at_own_rate(sound.samples, sound.rate_hz);
-    return {samples.begin(), samples.end()};
+    const auto size = static_cast<std::uint32_t>(samples.size());
+    Bytes wav;
+    for (const std::uint32_t number :
+         {kRiff, 36 + size, kWave, kFormat, 16u, kPcmOfOneChannel, kRate, kRate, kBitsAndBytes, kData, size})
+        append_little_endian(wav, number);
+    for (const std::int8_t sample : samples) wav.push_back(static_cast<std::uint8_t>(sample + 128));
+    return wav;
+}
+
+// As it is called under DOS.
+std::string archived_name(const fs::path& file) {
+    return "assets/" + file.filename().string();
+}
+
+Bytes definition_of(const fs::path& assets) {
+    GameDefinition game = read_game_definition(assets.string());
+    game.folder = "/assets";
+    for (std::string* const file : {&game.palette, &game.demo}) *file = "/" + archived_name(*file);
+    return encode_definition(game);
 }
 
 Bytes museum_archive(const fs::path& assets) {
     LevelFiles files;
     files.assets = assets.string();
     files.level = (assets / "demo.bsp").string();
-    const GameData data = load_game(files);
-    std::vector<ArchivedFile> archived{{"assets/demo.bsp", encode_prepared_game(data)}};
+    GameData data = load_game(files);
+    data.level.t_junctions = find_t_junctions(data.level);
+    std::vector<ArchivedFile> archived{{"assets/demo.bsp", encode_prepared_game(data)}}, rest;
     std::vector<fs::path> sounds(fs::directory_iterator(assets / "sounds"), {});
     std::sort(sounds.begin(), sounds.end());
-    for (const fs::path& sound : sounds)
-        if (sound.extension() == ".flac")
-            archived.push_back({"assets/sounds/" + sound.filename().string(), sound_of(sound.string())});
+    for (const fs::path& sound : sounds) {
+        if (sound.extension() != ".flac") continue;
+        const std::string name = "sounds/" + sound.filename().string();
+        const bool is_named = std::any_of(data.sounds.sounds.begin(), data.sounds.sounds.end(),
+                                          [&](const LevelSound& own) { return own.name == name; });
+        auto& list = is_named && find_sound(sound.stem().string()) ? rest : archived;  // of the level and of the game
+        list.push_back({"assets/" + name, sound_of(sound.string())});
+    }
     const std::size_t read_once = archived.size();
-    archived.push_back({"assets/demo.edges", encode_t_junctions(data.level, TJunctions(data.level))});
-    for (const char* name : {"palette.lmp", "walk.demo", "game.json"})
-        archived.push_back({std::string("assets/") + name, read_file((assets / name).string())});
+    archived.insert(archived.end(), rest.begin(), rest.end());
+    archived.push_back({"assets/game", definition_of(assets)});
+    for (const char* name : {"palette.lmp", "walk.demo"})
+        archived.push_back({archived_name(name), read_file((assets / name).string())});
     return archive_of(archived, read_once);
 }
 

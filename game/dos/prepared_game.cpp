@@ -81,12 +81,16 @@ void visit_part_of_level(Archive& archive, Value& v) {
         visit_all(archive, v.name, v.width, v.height, v.mips, v.is_missing);
     else if constexpr (kIs<Value, Edge>)
         visit_all(archive, v.from, v.to);
+    else if constexpr (kIs<Value, TJunction>)
+        visit_all(archive, v.edge, v.vertex);
     else if constexpr (kIs<Value, Entity>)
         visit(archive, v.pairs);
     else {
         static_assert(kIs<Value, Level>);
+        if constexpr (!std::is_const_v<Value>) v.t_junctions.emplace();
         visit_all(archive, v.entities, v.planes, v.textures, v.vertices, v.visibility, v.nodes, v.texinfos, v.faces,
-                  v.lighting, v.clip_nodes, v.leaves, v.mark_faces, v.edges, v.surf_edges, v.models, v.sky);
+                  v.lighting, v.clip_nodes, v.leaves, v.mark_faces, v.edges, v.surf_edges, v.models, v.sky,
+                  *v.t_junctions);
     }
 }
 
@@ -190,6 +194,8 @@ void read_models(Reader& reader, LevelModels& models) {
     }
 }
 
+using OwnTexts = std::vector<std::pair<std::string, std::string>>;
+
 }  // namespace
 
 std::vector<std::uint8_t> encode_prepared_game(const GameData& data) {
@@ -209,14 +215,21 @@ void decode_prepared_game(std::span<const std::uint8_t> bytes, GameData& data) {
     reader.expect_end();
 }
 
-std::vector<std::uint8_t> encode_t_junctions(const Level& level, const TJunctions& junctions) {
+std::vector<std::uint8_t> encode_definition(const GameDefinition& game) {
     Writer writer;
-    for (const EdgeIndex edge : level.edges.indices()) {
-        const std::span<const VertexIndex> inside = junctions.on_edge(edge);
-        writer.number(static_cast<std::uint16_t>(inside.size()));
-        for (const VertexIndex vertex : inside) writer.number(vertex.number());
-    }
+    const OwnTexts captions(game.captions.begin(), game.captions.end());
+    visit_all(writer, game.folder, game.title, game.levels, game.palette, game.demo, captions);
     return std::move(writer.bytes);
+}
+
+GameDefinition decode_definition(std::span<const std::uint8_t> bytes) {
+    GameDefinition game;
+    OwnTexts captions;
+    Reader reader(bytes);
+    visit_all(reader, game.folder, game.title, game.levels, game.palette, game.demo, captions);
+    reader.expect_end();
+    game.captions = {captions.begin(), captions.end()};
+    return game;
 }
 
 }  // namespace oblong

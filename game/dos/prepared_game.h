@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "engine/base/little_endian.h"
-#include "engine/level/t_junctions.h"
 #include "game/level/load.h"
 
 namespace oblong {
@@ -76,13 +75,15 @@ class Reader {
     LittleEndianReader reader_;
 };
 
-/// Writes the level, its hash, its colormap and its models.
+/// Writes the level with its T-junctions, its hash, its colormap and its models.
 std::vector<std::uint8_t> encode_prepared_game(const GameData& data);
 
 /// Reads the same. Throws InputError for bytes that end too early, or are too many.
 void decode_prepared_game(std::span<const std::uint8_t> bytes, GameData& data);
 
-/// For each edge, the number of its vertices and their indices.
-std::vector<std::uint8_t> encode_t_junctions(const Level& level, const TJunctions& junctions);
+/// What DOS shows of a game: without music, icon, credits and classes.
+std::vector<std::uint8_t> encode_definition(const GameDefinition& game);
+/// Throws InputError as decode_prepared_game().
+GameDefinition decode_definition(std::span<const std::uint8_t> bytes);
 
 }  // namespace oblong

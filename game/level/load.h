@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -32,14 +33,7 @@ struct GameData {
     LevelSounds sounds;  ///< those that the level names
 };
 
-/// Where the files of a level are searched. Empty names: the defaults of load_game().
-struct LevelFiles {
-    std::string level, palette;
-    std::string assets;                               ///< the program's own data, searched last
-    std::string models;                               ///< a folder in which models are looked for first
-    std::vector<std::string> game_folders = {};       ///< of a game like Quake's
-    std::shared_ptr<const GameDefinition> game = {};  ///< whose levels and rules these are; null: none
-};
+struct LevelFiles;
 
 /// Reads a level and its palette. No level: the game's first one, or the demo level of `assets`. No palette: the game's
 /// for its levels; else palette.lmp in the level's folder, in gfx/ there or in the folder above, in gfx/ of the game's
@@ -47,6 +41,16 @@ struct LevelFiles {
 /// in pak files: see engine/io/game_files.h. Prints on standard error the parts of the level that are ignored.
 /// Throws FileError.
 GameData load_game(const LevelFiles& files);
+
+/// Where the files of a level are searched, and what reads them. Empty names: the defaults of load_game().
+struct LevelFiles {
+    std::string level, palette;
+    std::string assets;                                           ///< the program's own data, searched last
+    std::string models;                                           ///< a folder in which models are looked for first
+    std::vector<std::string> game_folders = {};                   ///< of a game like Quake's
+    std::shared_ptr<const GameDefinition> game = {};              ///< whose levels and rules these are; null: none
+    std::function<GameData(const LevelFiles&)> load = load_game;  ///< another where a build has prepared the game
+};
 
 /// A level, loaded to be played: its files, their contents, and the part of the game that never changes.
 struct LoadedLevel {

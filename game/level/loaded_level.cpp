@@ -1,4 +1,3 @@
-// Apart from load.cpp, for which the game under DOS has a substitute.
 #include <algorithm>
 #include <filesystem>
 #include <string_view>
@@ -36,7 +35,7 @@ void put_words(const GameDefinition& game, GameLevel& level) {
 
 LoadedLevel::LoadedLevel(const LevelFiles& named)
     : files(named),
-      data(load_game(files)),
+      data(files.load(files)),
       level(naming_file(data.level_file,
                         [&] {
                             GameLevel made = make_game_level(data.level);

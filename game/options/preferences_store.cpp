@@ -11,10 +11,43 @@
 #include "engine/base/text.h"
 #include "engine/io/files.h"
 #include "engine/programs/arguments.h"
-#include "engine/programs/command_line.h"
 
 namespace oblong {
 namespace {
+
+/// NAME = VALUE. A NAME alone has the value "true", as a flag on a command line.
+struct ConfigLine {
+    std::string name, value;
+    bool has_value = true;
+};
+
+bool is_control_but_tab(char letter) {
+    return (static_cast<unsigned char>(letter) < ' ' && letter != '\t') || letter == '\x7f';
+}
+
+std::string trimmed(const std::string& text) {
+    const std::size_t begin = std::min(text.find_first_not_of(" \t\r"), text.size());
+    return text.substr(begin, text.find_last_not_of(" \t\r") + 1 - begin);
+}
+
+std::string without_quotes(const std::string& text) {
+    const std::string part = trimmed(text);
+    const bool is_quoted = part.size() > 1 && part.front() == part.back() && (part[0] == '"' || part[0] == '\'');
+    return is_quoted ? part.substr(1, part.size() - 2) : part;
+}
+
+// Nothing for an empty line or a comment, which begins with # or, at the beginning of a line, with ;
+std::optional<ConfigLine> parse_config_line(const std::string& line) {
+    const std::string text = trimmed(line.substr(0, line.find('#')));
+    if (text.empty() || text.front() == ';') return std::nullopt;
+    const std::size_t equals = text.find('=');
+    const bool has_value = equals != std::string::npos;
+    const ConfigLine set{without_quotes(text.substr(0, equals)),
+                         has_value ? without_quotes(text.substr(equals + 1)) : "true", has_value};
+    if (set.name.empty() || text.front() == '[' || std::any_of(text.begin(), text.end(), is_control_but_tab))
+        throw InputError("", "'" + text + "', expected NAME = VALUE");
+    return set;
+}
 
 // A line and its assignment.
 struct ReadLine {

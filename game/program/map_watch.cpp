@@ -1,7 +1,7 @@
 #include "game/program/map_watch.h"
 
 #include <chrono>
-#include <iostream>
+#include <cstdio>
 #include <sstream>
 #include <thread>
 
@@ -207,7 +207,7 @@ MapWatch::Result MapWatch::finish(bool has_level) {
     std::istringstream lines(read_text(log_file_));
     for (std::string line; std::getline(lines, line);) {
         if (line.find(": warning: ") != std::string::npos)
-            std::cerr << line << '\n';
+            std::fputs((line + "\n").c_str(), stderr);
         else if (line.find("% ") == std::string::npos)
             result.fault = line;
     }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/math/vec.h"
+#include "game/program/level_watch.h"
 
 namespace oblong {
 
@@ -20,29 +20,18 @@ MapChange change_between(const std::string& former, const std::string& now);
 
 /// Recompiles a level when its source changes: checks the file, the maps that it includes and its textures now and
 /// then, and has oblong-map compile a draft of the changed part while the game goes on.
-class MapWatch {
+class MapWatch final : public LevelWatch {
   public:
     /// `compiler` is the program oblong-map, `game` its option; empty: none. The level is written beside the source, as
     /// NAME-draft.bsp.
     MapWatch(std::string map_file, std::string compiler, std::string game = "");
-    ~MapWatch();
+    ~MapWatch() override;
     MapWatch(const MapWatch&) = delete;
 
-    const std::string& level_file() const { return level_file_; }
-
-    /// The result of a compilation.
-    struct Result {
-        bool has_level = false;  ///< level_file() is new
-        std::string fault;       ///< the compiler's message, if it failed
-    };
-
-    /// Starts a due compilation, or returns the result of one that has ended, without delay. Reads files at most five
-    /// times a second. Throws FileError where something fails that may not the next time: it is tried again.
-    std::optional<Result> poll(std::uint64_t now_us);
-    /// The level's fault, every few seconds until it is fixed; empty: none, or not due.
-    std::string due_reminder(std::uint64_t now_us);
-    /// Sets a fault that the compiler does not know of.
-    void remind_of(std::string fault);
+    const std::string& level_file() const override { return level_file_; }
+    std::optional<Result> poll(std::uint64_t now_us) override;
+    std::string due_reminder(std::uint64_t now_us) override;
+    void remind_of(std::string fault) override;
     /// Compiles all and waits for the result. If there is no level: throws FileError, or with `waits` prints why on
     /// standard error, and compiles again after each change until there is one.
     void compile_first(bool waits);

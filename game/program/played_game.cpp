@@ -39,8 +39,8 @@ std::string time_text(std::int64_t ticks) {
     return std::to_string(seconds / 60) + (rest.size() < 2 ? ":0" : ":") + rest;
 }
 
-PlayedGame::PlayedGame(const Options& options, std::string assets_folder, const LoadedLevel& first)
-    : options_(options), assets_folder_(std::move(assets_folder)), files_(files_of_game(first, options)) {}
+PlayedGame::PlayedGame(const Options& options, const LoadedLevel& first)
+    : options_(options), files_(files_of_game(first, options)) {}
 
 std::string PlayedGame::title() const {
     return in_capitals(definition().title);
@@ -61,7 +61,7 @@ std::string PlayedGame::credits() const {
 }
 
 bool PlayedGame::is_museum(const Palette& palette) const {
-    const std::string museum = (fs::path(assets_folder_) / "palette.lmp").string();
+    const std::string museum = (fs::path(files_.assets) / "palette.lmp").string();
     return fs::exists(museum) && read_parsed(museum, read_palette).colours == palette.colours;
 }
 
@@ -81,7 +81,7 @@ std::vector<LevelEntry> PlayedGame::levels(const LoadedLevel& played) const {
             entries.push_back({level, level_file_of(definition(), level), ""});
         return entries;
     }
-    const fs::path museum = fs::path(assets_folder_) / kDemoLevelFile;
+    const fs::path museum = fs::path(files_.assets) / kDemoLevelFile;
     std::error_code ignored;
     const LevelList list = list_levels(places(played));
     for (const std::string& problem : list.problems) print_fault("oblong", problem);
@@ -131,12 +131,10 @@ std::shared_ptr<const LoadedLevel> PlayedGame::load(const std::string& file,
 }
 
 std::shared_ptr<const LoadedLevel> PlayedGame::museum(const std::shared_ptr<const LoadedLevel>& played) const {
-    const fs::path file = fs::path(assets_folder_) / kDemoLevelFile;
+    const fs::path file = fs::path(files_.assets) / kDemoLevelFile;
     std::error_code ignored;
     if (played->data.level_file == file || fs::equivalent(played->data.level_file, file, ignored)) return played;
-    LevelFiles files;
-    files.assets = assets_folder_;
-    return std::make_shared<const LoadedLevel>(files);
+    return std::make_shared<const LoadedLevel>(LevelFiles{"", "", files_.assets, "", {}, nullptr, files_.load});
 }
 
 // From worldspawn's "music": a file below the folder of the game, or beside the level.

@@ -22,7 +22,7 @@ struct LevelMusic {
 class PlayedGame {
   public:
     /// `first`: the level that the program begins with; `options` outlive it.
-    PlayedGame(const Options& options, std::string assets_folder, const LoadedLevel& first);
+    PlayedGame(const Options& options, const LoadedLevel& first);
 
     const GameDefinition& definition() const { return *files_.game; }
     /// The files for loading later levels, without a level.
@@ -54,7 +54,6 @@ class PlayedGame {
     const LevelFiles& files_beside(const LoadedLevel& played) const;
 
     const Options& options_;
-    const std::string assets_folder_;
     const LevelFiles files_;
 };
 

@@ -89,8 +89,8 @@ void warn_of_demo(const GameDefinition& game, std::uint64_t start_hash) {
 
 }  // namespace
 
-ProgramFiles load_program_files(const Options& options, const std::string& assets_folder) {
-    auto loaded = std::make_shared<const LoadedLevel>(level_files_of(options, assets_folder));
+ProgramFiles load_program_files(const Options& options, const LevelFiles& level) {
+    auto loaded = std::make_shared<const LoadedLevel>(level);
     std::optional<Demo> demo;
     if (!options.replay.empty()) demo = read_parsed(options.replay, decode_demo);
     if (!options.record.empty()) check_writable(options.record);
@@ -98,9 +98,13 @@ ProgramFiles load_program_files(const Options& options, const std::string& asset
     const bool shows_first_level = options.shows_title && options.level.empty() && options.map.empty();
     if (shows_first_level) warn_of_demo(*loaded->files.game, start_hash_of(start, loaded->data.rules_hash));
     return naming_file(options.replay, [&] {
-        return ProgramFiles{assets_folder, loaded,
+        return ProgramFiles{loaded,
                             TickInputSource(start, std::move(demo), !options.record.empty(), loaded->data.rules_hash)};
     });
+}
+
+ProgramFiles load_program_files(const Options& options, const std::string& assets_folder) {
+    return load_program_files(options, level_files_of(options, assets_folder));
 }
 
 OwnSounds own_sounds_of(const GameDefinition& game) {
@@ -120,7 +124,7 @@ OwnSounds own_sounds_of(const GameDefinition& game) {
 }
 
 void show_icon(const GameDefinition& game, Platform& platform) {
-    if (game.icon.empty() || !platform.shows_icon()) return;
+    if (game.icon.empty()) return;
     const PngImage icon = read_parsed(game.icon, decode_picture);
     if (icon.width_px > kLargestIcon_px || icon.height_px > kLargestIcon_px)
         throw FileError(game.icon, "size",

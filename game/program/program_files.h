@@ -8,7 +8,7 @@
 #include "game/input/tick_input_source.h"
 #include "game/level/load.h"
 #include "game/options/options.h"
-#include "game/program/map_watch.h"
+#include "game/program/level_watch.h"
 #include "game/sound/game_sound.h"
 
 namespace oblong {
@@ -18,13 +18,14 @@ LevelFiles level_files_of(const Options& options, const std::string& assets_fold
 
 /// The files that a program reads before it opens a window.
 struct ProgramFiles {
-    std::string assets_folder;
     std::shared_ptr<const LoadedLevel> loaded;
-    TickInputSource input;                      ///< of the first game
-    std::shared_ptr<MapWatch> watch = nullptr;  ///< recompiles `loaded`, if not null
+    TickInputSource input;                        ///< of the first game
+    std::shared_ptr<LevelWatch> watch = nullptr;  ///< recompiles `loaded`, if not null
 };
 
-/// Reads the level and the demo that the options name, and checks that a recording can be written. Throws FileError.
+/// Reads the level, and the demo that the options name, and checks that a recording can be written. Throws FileError.
+ProgramFiles load_program_files(const Options& options, const LevelFiles& level);
+/// The same with the level that the options name.
 ProgramFiles load_program_files(const Options& options, const std::string& assets_folder);
 
 /// The files of later levels: those of the first one, except its palette.

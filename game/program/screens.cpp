@@ -29,16 +29,15 @@ ViewOptions view_options_of(const Options& options) {
 Screens::Screens(const Options& options, ProgramFiles files, PreferencesStore& store, Platform& platform,
                  ProgramParts parts)
     : options_(options),
-      game_(options_, files.assets_folder, *files.loaded),
+      game_(options_, *files.loaded),
       view_options_(view_options_of(options)),
       store_(store),
       platform_(platform),
       parts_(std::move(parts)),
       watch_(std::move(files.watch)),
-      sound_(parts_.open_sound, files.assets_folder, own_sounds_of(game_.definition())),
+      sound_(parts_.open_sound, files.loaded->files.assets, own_sounds_of(game_.definition())),
       saves_(saves_folder_of(options)),
       pages_(menu_, *this) {
-    show_icon(game_.definition(), platform_);
     if (options_.shows_gallery)
         show_only(parts_.open_gallery(std::move(files.loaded), view_options_, platform_));
     else if (options_.shows_title) {

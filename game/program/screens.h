@@ -125,7 +125,7 @@ class Screens final : public MenuHost {
     PreferencesStore& store_;
     Platform& platform_;
     const ProgramParts parts_;
-    const std::shared_ptr<MapWatch> watch_;
+    const std::shared_ptr<LevelWatch> watch_;
     GameSound sound_;
     WalkSaves saves_;
     std::unique_ptr<FirstWalk> first_walk_;             // until "Walk" on the title starts it

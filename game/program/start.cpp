@@ -1,7 +1,7 @@
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <functional>
-#include <iostream>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -16,6 +16,7 @@
 #include "game/lab/error_meter.h"
 #include "game/lab/timedemo.h"
 #include "game/options/options.h"
+#include "game/program/map_watch.h"
 #include "game/program/program.h"
 
 namespace oblong {
@@ -36,7 +37,7 @@ void time_demo(const Options& options, const LoadedLevel& loaded, Workers& worke
     const auto result = naming_file(options.timedemo, [&] {
         return run_timedemo(loaded, std::move(demo), renderer, settings, options.preferences.field_of_view);
     });
-    std::cout << describe(result) << '\n';
+    std::puts(describe(result).c_str());
 }
 
 // Records the walk along a route, as fast as possible.
@@ -99,6 +100,7 @@ void run_game(Options options, PreferencesStore& store, const char* called_as, O
     files.watch = watch;
     if (options.headless_frames > 0) options.preferences.machine.reset();  // a picture a tick
     const auto platform = open_platform(options);
+    show_icon(*files.loaded->files.game, *platform);
     const OpenSound open_sound = options.headless_frames == 0 ? OpenSound(open_mixer) : OpenSound();
     ProgramParts parts{&workers, open_sound, open_reference_meter, open_gallery};
     if (!open_gallery) parts.start_gallery = gallery_starter(gallery_program(called_as), options.folders);

@@ -24,7 +24,7 @@ SoundPlayer::SoundPlayer(SoundOutput& output, const std::vector<std::string>& fo
         const Sound which = static_cast<Sound>(i);
         for (std::int32_t variant = 0; variant < row_of(which).variants; ++variant) {
             const std::string path = file_in(folders, file_of(which, variant));
-            const SoundSamples sound = read_parsed(path, decode_flac);
+            const SoundSamples sound = read_parsed(path, decode_sound);
             const auto number = output.add_sound(sound.samples, sound.rate_hz);
             if (variant == 0) first_numbers_.push_back(number);
         }

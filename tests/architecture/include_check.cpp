@@ -102,7 +102,7 @@ std::vector<Room> project_rooms(const std::string& root) {
     std::vector<Room> rooms;
     std::map<std::string, std::string> folders;
     for (const std::string top : {"engine/", "game/"}) {
-        std::ifstream cmake(root + "/" + top + "CMakeLists.txt");
+        std::ifstream cmake(root + "/" + top + "rooms.cmake");
         for (std::string line; std::getline(cmake, line);) {
             constexpr std::string_view kOpening = "oblong_room(";
             if (!line.starts_with(kOpening)) continue;
@@ -111,7 +111,7 @@ std::vector<Room> project_rooms(const std::string& root) {
             words >> name >> folder;
             Room& room = rooms.emplace_back(Room{top + folder, {}});
             while (words >> word)
-                if (word == "DEPENDS" || word == "EXTRA_FOLDERS" || word == "EXCEPT")
+                if (word == "DEPENDS" || word == "EXTRA_FOLDERS" || word == "EXCEPT" || word == "DESKTOP")
                     list = word;
                 else if (list == "DEPENDS")
                     room.depends.push_back(folders.at(word));

@@ -12,7 +12,7 @@ struct Room {
     std::vector<std::string> depends;  ///< folders of rooms; what those depend on comes with them
 };
 
-/// The rooms: those that the CMakeLists.txt of engine/ and game/ declare by oblong_room(NAME FOLDER DEPENDS ...), and
+/// The rooms: those that the rooms.cmake of engine/ and game/ declare by oblong_room(NAME FOLDER DEPENDS ...), and
 /// those that are linked otherwise. Throws std::out_of_range if one depends on a room that comes after it.
 std::vector<Room> project_rooms(const std::string& root);
 

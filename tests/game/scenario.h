@@ -1,9 +1,6 @@
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <ostream>
-#include <string>
+#include "tests/support/script.h"
 
 namespace oblong::test {
 
@@ -19,25 +16,11 @@ namespace oblong::test {
 ///
 /// The player starts with feet at (0, 0, 0) on a floor of 4096 units square and looks along +x. What can be done and
 /// asked is named in the tables of scenario.cpp: a number after a name says which mover, wall or item is meant.
-struct Scenario {
-    const char* name;
-    const char* text;
-};
-
-inline void PrintTo(const Scenario& scenario, std::ostream* out) {
-    *out << scenario.name;
-}
+using Scenario = Script;
 
 /// Fails at each line that does not hold.
 void play(const Scenario& scenario);
 
 }  // namespace oblong::test
 
-/// Makes a test of each row of a table of scenarios.
-#define OBLONG_SCENARIOS(Suite, rows)                                       \
-    class Suite : public testing::TestWithParam<oblong::test::Scenario> {}; \
-    TEST_P(Suite, Goes) {                                                   \
-        oblong::test::play(GetParam());                                     \
-    }                                                                       \
-    INSTANTIATE_TEST_SUITE_P(As, Suite, testing::ValuesIn(rows),            \
-                             [](const auto& row) { return std::string(row.param.name); })
+#define OBLONG_SCENARIOS(Suite, rows) OBLONG_SCRIPTS(Suite, rows, oblong::test::play)

@@ -36,7 +36,6 @@ class NamedWindow final : public Platform {
     std::uint64_t now_us() override { return below_.now_us(); }
     WindowSize window_size() const override { return below_.window_size(); }
     void set_title(const char* title) override { titles.emplace_back(title); }
-    bool shows_icon() const override { return true; }
     void set_icon(std::span<const std::uint8_t> rgba, WindowSize size) override {
         icon.assign(rgba.begin(), rgba.end());
         icon_size = size;
@@ -110,6 +109,7 @@ TEST_F(ExampleGame, IsPlayedFromTheTitleToTheEnd) {
     });
     PreferencesStore store;
     Program(played, load_program_files(played, assets_), store, platform, {}).run();
+    show_icon(read_game_definition(folder_), platform);
     EXPECT_EQ(platform.icon_size, (WindowSize{32, 32}));
     ASSERT_EQ(platform.icon.size(), 32u * 32 * 4);
     EXPECT_EQ(platform.icon[3], 0) << "the corner is transparent";
@@ -190,7 +190,7 @@ TEST_F(ExampleGame, ALevelThatIsNotThereStopsOnlyItself) {
     EXPECT_EQ(level_after(game, folder_ + "/maps/first.bsp"), "second");
     const LoadedLevel first = loaded("first");
     const Options own = options();
-    const PlayedGame played(own, assets_, first);
+    const PlayedGame played(own, first);
     const EndFigures figures = played.end_figures(first, start_of(first.level));
     EXPECT_EQ(figures.next_level, "");
     EXPECT_NE(figures.fault.find("second.bsp"), std::string::npos) << figures.fault;
@@ -275,9 +275,7 @@ TEST_F(ExampleGame, AnIconThatIsTooLargeIsRefused) {
     fs::copy_file(test::source_folder() + "/assets/readme.png", folder_ + "/large.png");
     replace_in_definition("icon.png", "large.png");
     NamedWindow platform(1, [](std::int64_t) { return PlatformInput{}; });
-    PreferencesStore store;
-    const std::string said = test::refusal<FileError>(
-        [&] { Program(options(), load_program_files(options(), assets_), store, platform, {}); });
+    const std::string said = test::refusal<FileError>([&] { show_icon(read_game_definition(folder_), platform); });
     EXPECT_TRUE(said.starts_with(folder_ + "/large.png: size: ")) << said;
     EXPECT_TRUE(said.ends_with("expected up to 256x256 of an icon")) << said;
 }
@@ -370,7 +368,7 @@ TEST_F(ExampleGame, HasItsOwnWordsForLockedDoorsAndForItsEnd) {
     EXPECT_EQ(std::count(messages.begin(), messages.end(), "The gate wants brass"), 1);
     EXPECT_EQ(std::count(messages.begin(), messages.end(), "You need the gold key"), 0);
     const Options own = options();
-    EXPECT_EQ(PlayedGame(own, assets_, second).end_figures(second, start_of(second.level)).message, "Home.");
+    EXPECT_EQ(PlayedGame(own, second).end_figures(second, start_of(second.level)).message, "Home.");
 }
 
 TEST(GameName, IsOfPlainLettersAndDiffersWhereFoldersDo) {

@@ -6,6 +6,7 @@
 #include "engine/platform/headless.h"
 #include "game/menu/menu_pages.h"
 #include "tests/support/palettes.h"
+#include "tests/support/script.h"
 
 namespace oblong::test::pages_test {
 namespace {
@@ -104,10 +105,14 @@ class Pages : public testing::Test {
         menu_.handle(controls, kCanvas, 1, {0, 0, 320, 200});
     }
     // By the keys, from wherever the page is.
-    void choose(const std::string& label) {
+    void go_to(const std::string& label) {
         for (std::size_t i = 0; i <= menu_.page().rows.size(); ++i, act(MenuAction::Down))
-            if (menu_.page().rows[menu_.chosen()].label == label) return act(MenuAction::Accept);
+            if (menu_.page().rows[menu_.chosen()].label == label) return;
         FAIL() << "no row " << label << " in " << menu_.page().title;
+    }
+    void choose(const std::string& label) {
+        go_to(label);
+        act(MenuAction::Accept);
     }
 
     FakeHost host_;
@@ -115,6 +120,181 @@ class Pages : public testing::Test {
     KeyUndo undo_;
     MenuPages pages_{menu_, host_};
 };
+
+/// What a player does on the pages, and what they show and have the program do:
+///
+///     open title              the pages of title, game, end or keys; `without saves`, `saved`: of the program
+///     Load; Slot 1            rows that are chosen, by the keys; `escape`, `press KEY`, `go to ROW`, `left`, `right`
+///     : title = Load, row0 = Walk 2, help0 = "", rows = 4, chosen = No, text has 12:34, closed
+///     : did = load 0, all = 2 what the program did last, and how many things in all
+///     : jump has J, conflicts = 1, scale = 2
+class PageScript : private Pages {
+  public:
+    void run(const Script& script) {
+        for (const ScriptLine& line : script_lines(script.text)) {
+            SCOPED_TRACE(line.text);
+            for (const Words& words : line.actions) do_one(words);
+            for (const Words& words : line.checks) check(words);
+        }
+    }
+
+  private:
+    void TestBody() override {}
+    void do_one(const Words& words) {
+        const std::string what = joined(words), rest = joined(words, 1);
+        if (words[0] == "open") {
+            menu_.close_all();
+            if (rest == "title") pages_.open_title();
+            if (rest == "game") pages_.open_game();
+            if (rest == "end") pages_.open_end();
+            if (rest == "keys") open_key_pages(menu_, host_, undo_);
+        } else if (what == "without saves")
+            host_.has_folder = false;
+        else if (what == "saved" || what == "unsaved")
+            host_.is_unsaved = what == "unsaved";
+        else if (what == "an earlier save")
+            host_.last = FakeHost::list()[2];
+        else if (words[0] == "told")
+            host_.last->help = rest;
+        else if (words[0] == "fault")
+            host_.save_fault = host_.end_fault = rest;
+        else if (words[0] == "unbind")
+            host_.kept.bindings.unbind_all(Action::Jump);
+        else if (what == "escape")
+            escape();
+        else if (what == "left" || what == "right")
+            act(what == "left" ? MenuAction::Left : MenuAction::Right);
+        else if (words[0] == "press")
+            press(rest.c_str());
+        else if (words[0] == "go")
+            go_to(joined(words, 2));
+        else
+            choose(what);
+    }
+    void check(const Words& words) {
+        if (words.size() == 1) {
+            EXPECT_FALSE(menu_.is_open());
+            return;
+        }
+        const std::string found = value(words[0]), wanted = joined(words, 2);
+        const bool has_part = found.find(wanted) != std::string::npos;
+        EXPECT_TRUE(words[1] == "=" ? found == wanted : has_part == (words[1] == "has"))
+            << joined(words) << ": is " << found;
+    }
+    std::string value(const std::string& name) {
+        if (name == "did") return host_.done.empty() ? "" : host_.done.back();
+        if (name == "all") return std::to_string(host_.done.size());
+        if (name == "jump") return inputs_text(host_, Action::Jump);
+        if (name == "ahead") return inputs_text(host_, Action::Forward);
+        if (name == "conflicts") return std::to_string(conflicts_of(host_.kept.bindings).size());
+        if (name == "defaults") return host_.kept.bindings == default_bindings() ? "yes" : "no";
+        if (name == "scale") return std::to_string(host_.kept.text_scale);
+        if (name == "depth") return std::to_string(menu_.depth());
+        const MenuPage page = menu_.page();
+        if (name == "title") return page.title;
+        if (name == "text") return page.text;
+        if (name == "rows") return std::to_string(page.rows.size());
+        if (name == "chosen") return page.rows.at(menu_.chosen()).label;
+        if (name == "value") return page.rows.at(menu_.chosen()).value;
+        const MenuRow& row = page.rows.at(static_cast<std::size_t>(name.back() - '0'));
+        return name.starts_with("row") ? row.label : row.help;
+    }
+};
+
+constexpr Script kPageScripts[] = {
+    {"TheTitleHasWhatAPlayerLooksFor", R"(
+        open title: rows = 9, row0 = Continue, row1 = Walk, row2 = Visit, row3 = Levels, row4 = Load, row5 = Options
+        : row6 = Gallery, row7 = Credits, row8 = Quit
+        Walk: did = walk, all = 1, closed
+    )"},
+    {"EscapeOnTheTitleAsksAndEscapeAgainGoesOn", R"(
+        open title
+        escape: title = Quit, chosen = No       # an answer by mistake loses nothing
+        escape: title = OBLONG
+        escape: title = Quit, chosen = No
+        escape: title = OBLONG, all = 0
+        escape; Yes: did = leave, all = 1
+    )"},
+    {"WhatLosesAWalkAsksFirst", R"(
+        without saves; open game; Restart level: all = 0, text has is lost
+        No: title = Paused
+        Quit: all = 0
+        Yes: did = leave, all = 1
+    )"},
+    {"WhatLosesNothingAsksNothing", R"(
+        saved; open game; Restart level: did = restart, all = 1
+        unsaved; open game; Quit: did = leave
+    )"},
+    {"SlotsAreSavedToAndLoadedFrom", R"(
+        open game; Save: rows = 4       # three slots and Back: the game writes the autosave
+        Slot 1: did = save 1
+        open game; Save; Slot 2: all = 1        # a saved game is replaced only after a question
+        Replace it: did = save 2
+        saved; open title; Load; Slot 1: all = 2        # nothing is in it
+        Walk 2: did = load 0
+    )"},
+    {"AfterAFailedSaveAnotherSlotCanBeChosen", R"(
+        fault the disk is full; open game; Save; Slot 1: text = the disk is full
+        OK: row0 = Slot 1
+        escape: title = Paused
+        Save; Slot 2; Replace it: text = the disk is full
+        OK: row0 = Slot 1, all = 2
+        escape: title = Paused
+    )"},
+    {"ADamagedWalkIsChosenToLearnWhy", R"(
+        open title: row0 = Continue, help0 = Damaged
+        Continue: did = continue
+        open title; Load: help3 = Enter says why it can't be loaded
+        Walk 1: did = load 3, title = Load      # another can be chosen
+        open game; Save: row2 = Slot 3, help2 =         # is replaced there
+    )"},
+    {"TheTitleSaysThatAnEarlierSaveIsContinued", R"(
+        an earlier save; open title: help0 = Continue in demo 1:23
+        told The save before the last: help0 = Continue in demo 1:23. The save before the last
+    )"},
+    // Of the walk that is on: its later part is lost then, though it would be saved on leaving.
+    {"GoingBackInTheWalkThatIsOnAsksFirst", R"(
+        open game; Load; Walk 2: all = 0
+        No; Slot 2: did = load 2, all = 1       # the walk is kept
+    )"},
+    {"WhatIsSavedIsDeletedAfterAQuestion", R"(
+        open title; Load; Delete: rows = 5      # all but the empty one, and Back
+        Walk 1; No: all = 0
+        Walk 1; Delete it: did = remove 3, all = 1, title = Load, depth = 2
+    )"},
+    {"TheEndLeadsOn", R"(
+        open end: text has 12:34, text has Lenses found: 12 of 12, text has Secrets found: 1 of 4
+        : text has Picture (bounded): 486, text has Missed: an egg
+        Picture: title = Picture, did has Time: 12:34, did has Lenses found: 12 of 12, did has Secrets found: 1 of 4
+        : did has Picture (bounded): 486, did lacks Missed
+        OK; On to e1m2: did = next
+        open end; Again: did = restart
+    )"},
+    {"TheEndSaysWhichLevelIsMissing", R"(
+        fault "e1m2.bsp: open: no such level in maps, expected one"; open end: text has "e1m2.bsp: open: no such level in maps, expected one"
+    )"},
+    {"PreferencesChangeAtOnce", R"(
+        open game; Options; Comfort; go to Text size; right: scale = 2
+        left: scale = 1
+    )"},
+    {"KeysAreAddedRemovedAndConflictsShown", R"(
+        open keys; Jump, swim up; Add a key or button; press J: jump has J
+        Add a key or button; press W: rows = 3      # it walks ahead
+        escape: jump lacks W
+        Add a key or button; press W; Let it do both: conflicts = 1
+        escape: value has "! "
+        Jump, swim up; W: conflicts = 0     # removes it
+        Add a key or button; press W; Take it from there: conflicts = 0, ahead lacks W
+    )"},
+    {"AllKeysAreSetAnewOnlyAfterAQuestion", R"(
+        unbind jump; open keys; All defaults; No: jump = none
+        All defaults; Yes: defaults = yes
+    )"},
+};
+void run_pages(const Script& script) {
+    PageScript().run(script);
+}
+OBLONG_SCRIPTS(PageScripts, kPageScripts, run_pages);
 
 // Of hundreds of walks, several times a frame.
 TEST_F(Pages, PicturesOfSavesAreNotCopiedEachTimeAPageIsMade) {
@@ -129,18 +309,10 @@ TEST_F(Pages, PicturesOfSavesAreNotCopiedEachTimeAPageIsMade) {
     }
 }
 
-TEST_F(Pages, TheTitleHasWhatAPlayerLooksFor) {
+// Other games have the same page.
+TEST_F(Pages, TheTitleDoesNotNameTheMuseum) {
     pages_.open_title();
-    std::vector<std::string> labels;
-    for (const MenuRow& row : menu_.page().rows) {
-        labels.push_back(row.label);
-        EXPECT_EQ(row.help.find("museum"), std::string::npos) << "other games have the same page";
-    }
-    EXPECT_EQ(labels, (std::vector<std::string>{"Continue", "Walk", "Visit", "Levels", "Load", "Options", "Gallery",
-                                                "Credits", "Quit"}));
-    choose("Walk");
-    EXPECT_EQ(host_.done, std::vector<std::string>{"walk"});
-    EXPECT_FALSE(menu_.is_open());
+    for (const MenuRow& row : menu_.page().rows) EXPECT_EQ(row.help.find("museum"), std::string::npos);
 }
 
 TEST_F(Pages, AGameWithoutGalleryHasNoRowForIt) {
@@ -149,21 +321,6 @@ TEST_F(Pages, AGameWithoutGalleryHasNoRowForIt) {
         (pages_.*open)();
         for (const MenuRow& row : menu_.page().rows) EXPECT_NE(row.label, "Gallery");
     }
-}
-
-TEST_F(Pages, EscapeOnTheTitleAsksAndEscapeAgainGoesOn) {
-    pages_.open_title();
-    for (int i = 0; i < 9; ++i) {
-        escape();
-        EXPECT_EQ(menu_.page().title, "Quit");
-        EXPECT_EQ(menu_.page().rows[menu_.chosen()].label, "No") << "an answer by mistake loses nothing";
-        escape();
-        EXPECT_EQ(menu_.page().title, "OBLONG");
-    }
-    EXPECT_TRUE(host_.done.empty());
-    escape();
-    choose("Yes");
-    EXPECT_EQ(host_.done, std::vector<std::string>{"leave"});
 }
 
 // Opens every page that can be reached and leaves each by Escape: nothing is done by that.
@@ -232,201 +389,6 @@ TEST_F(Pages, DoWithoutAKeyAllThatNeedsNotBeHeld) {
     EXPECT_GT(expected.size(), 25u);
 }
 
-TEST_F(Pages, WhatLosesAWalkAsksFirst) {
-    host_.has_folder = false;
-    pages_.open_game();
-    choose("Restart level");
-    EXPECT_TRUE(host_.done.empty());
-    EXPECT_NE(menu_.page().text.find("is lost"), std::string::npos);
-    choose("No");
-    EXPECT_EQ(menu_.page().title, "Paused");
-    choose("Quit");
-    EXPECT_TRUE(host_.done.empty());
-    choose("Yes");
-    EXPECT_EQ(host_.done, std::vector<std::string>{"leave"});
-}
-
-TEST_F(Pages, WhatLosesNothingAsksNothing) {
-    host_.is_unsaved = false;
-    pages_.open_game();
-    choose("Restart level");
-    EXPECT_EQ(host_.done, std::vector<std::string>{"restart"});
-    host_.is_unsaved = true;
-    pages_.open_game();
-    choose("Quit");
-    EXPECT_EQ(host_.done.back(), "leave");
-}
-
-TEST_F(Pages, SlotsAreSavedToAndLoadedFrom) {
-    pages_.open_game();
-    choose("Save");
-    EXPECT_EQ(menu_.page().rows.size(), 4u) << "three slots and Back: the game writes the autosave";
-    choose("Slot 1");
-    EXPECT_EQ(host_.done.back(), "save 1");
-    pages_.open_game();
-    choose("Save");
-    choose("Slot 2");
-    EXPECT_EQ(host_.done.size(), 1u) << "a saved game is replaced only after a question";
-    choose("Replace it");
-    EXPECT_EQ(host_.done.back(), "save 2");
-    host_.is_unsaved = false;
-    pages_.open_title();
-    choose("Load");
-    choose("Slot 1");
-    EXPECT_EQ(host_.done.size(), 2u) << "nothing is in it";
-    choose("Walk 2");
-    EXPECT_EQ(host_.done.back(), "load 0");
-}
-
-TEST_F(Pages, AfterAFailedSaveAnotherSlotCanBeChosen) {
-    host_.save_fault = "the disk is full";
-    for (const char* slot : {"Slot 1", "Slot 2"}) {  // an empty one, and one after a question
-        pages_.open_game();
-        choose("Save");
-        choose(slot);
-        if (menu_.page().rows.back().label == "Replace it") choose("Replace it");
-        EXPECT_EQ(menu_.page().text, host_.save_fault) << slot;
-        choose("OK");
-        EXPECT_EQ(menu_.page().rows[0].label, "Slot 1") << "the page Save";
-        escape();
-        EXPECT_EQ(menu_.page().title, "Paused") << slot;
-        escape();
-    }
-    EXPECT_EQ(host_.done.size(), 2u);
-}
-
-TEST_F(Pages, ADamagedWalkIsChosenToLearnWhy) {
-    pages_.open_title();
-    EXPECT_EQ(menu_.page().rows[0].label, "Continue");
-    EXPECT_EQ(menu_.page().rows[0].help, "Damaged");
-    choose("Continue");
-    EXPECT_EQ(host_.done.back(), "continue");
-    pages_.open_title();
-    choose("Load");
-    EXPECT_EQ(menu_.page().rows[3].help, "Enter says why it can't be loaded");
-    choose("Walk 1");
-    EXPECT_EQ(host_.done.back(), "load 3");
-    EXPECT_EQ(menu_.page().title, "Load") << "another can be chosen";
-    pages_.open_game();
-    choose("Save");
-    EXPECT_EQ(menu_.page().rows[2].label, "Slot 3");
-    EXPECT_EQ(menu_.page().rows[2].help, "") << "is replaced there";
-}
-
-TEST_F(Pages, TheTitleSaysThatAnEarlierSaveIsContinued) {
-    host_.last = FakeHost::list()[2];
-    pages_.open_title();
-    EXPECT_EQ(menu_.page().rows[0].help, "Continue in demo 1:23");
-    host_.last->help = "The save before the last";
-    EXPECT_EQ(menu_.page().rows[0].help, "Continue in demo 1:23. The save before the last");
-}
-
-// Of the walk that is on: its later part is lost then, though it would be saved on leaving.
-TEST_F(Pages, GoingBackInTheWalkThatIsOnAsksFirst) {
-    pages_.open_game();
-    choose("Load");
-    choose("Walk 2");
-    EXPECT_TRUE(host_.done.empty());
-    choose("No");
-    choose("Slot 2");
-    EXPECT_EQ(host_.done, std::vector<std::string>{"load 2"}) << "the walk is kept";
-}
-
-TEST_F(Pages, WhatIsSavedIsDeletedAfterAQuestion) {
-    pages_.open_title();
-    choose("Load");
-    choose("Delete");
-    EXPECT_EQ(menu_.page().rows.size(), 5u) << "all but the empty one, and Back";
-    choose("Walk 1");
-    choose("No");
-    EXPECT_TRUE(host_.done.empty());
-    choose("Walk 1");
-    choose("Delete it");
-    EXPECT_EQ(host_.done, std::vector<std::string>{"remove 3"});
-    EXPECT_EQ(menu_.page().title, "Load");
-    EXPECT_EQ(menu_.depth(), 2u);
-}
-
-// Each list replaces the one before it in the program: what is loaded is an entry of the last.
-TEST_F(Pages, TheListOfLoadIsANewOneAfterThatOfDelete) {
-    host_.is_unsaved = false;
-    for (const bool by_key : {false, true}) {
-        pages_.open_title();
-        choose("Load");
-        choose("Delete");
-        host_.lists = 0;
-        by_key ? escape() : choose("Back");
-        EXPECT_EQ(host_.lists, 1);
-        EXPECT_EQ(menu_.page().title, "Load");
-        EXPECT_EQ(menu_.depth(), 2u);
-        menu_.close_all();
-    }
-}
-
-TEST_F(Pages, TheEndLeadsOn) {
-    pages_.open_end();
-    EXPECT_NE(menu_.page().text.find("12:34"), std::string::npos);
-    for (const char* line :
-         {"\nLenses found: 12 of 12", "\nSecrets found: 1 of 4", "\nPicture (bounded): 486", "\nMissed: an egg"})
-        EXPECT_NE(menu_.page().text.find(line), std::string::npos) << menu_.page().text;
-    choose("Picture");
-    EXPECT_TRUE(host_.done.back().ends_with(
-        "\nTime: 12:34\nLenses found: 12 of 12\nSecrets found: 1 of 4\nPicture (bounded): 486"))
-        << host_.done.back();
-    EXPECT_EQ(menu_.page().title, "Picture");
-    choose("OK");
-    choose("On to e1m2");
-    EXPECT_EQ(host_.done.back(), "next");
-    pages_.open_end();
-    choose("Again");
-    EXPECT_EQ(host_.done.back(), "restart");
-}
-
-TEST_F(Pages, TheEndSaysWhichLevelIsMissing) {
-    host_.end_fault = "e1m2.bsp: open: no such level in maps, expected one";
-    pages_.open_end();
-    EXPECT_NE(menu_.page().text.find(host_.end_fault), std::string::npos) << menu_.page().text;
-}
-
-TEST_F(Pages, PreferencesChangeAtOnce) {
-    pages_.open_game();
-    choose("Options");
-    choose("Comfort");
-    const auto row = [&] { return menu_.page().rows[menu_.chosen()]; };
-    while (row().label != "Text size") act(MenuAction::Down);
-    act(MenuAction::Right);
-    EXPECT_EQ(host_.kept.text_scale, 2);
-    act(MenuAction::Left);
-    EXPECT_EQ(host_.kept.text_scale, 1);
-}
-
-TEST_F(Pages, KeysAreAddedRemovedAndConflictsShown) {
-    open_key_pages(menu_, host_, undo_);
-    choose("Jump, swim up");
-    choose("Add a key or button");
-    press("J");
-    EXPECT_NE(inputs_text(host_, Action::Jump).find("J"), std::string::npos);
-    choose("Add a key or button");
-    press("W");  // walks ahead
-    EXPECT_EQ(menu_.page().rows.size(), 3u) << menu_.page().text;
-    escape();
-    EXPECT_EQ(inputs_text(host_, Action::Jump).find("W"), std::string::npos);
-    choose("Add a key or button");
-    press("W");
-    choose("Let it do both");
-    EXPECT_EQ(conflicts_of(host_.kept.bindings).size(), 1u);
-    escape();
-    EXPECT_EQ(menu_.page().rows[menu_.chosen()].value.substr(0, 2), "! ");
-    choose("Jump, swim up");
-    choose("W");  // removes it
-    EXPECT_TRUE(conflicts_of(host_.kept.bindings).empty());
-    choose("Add a key or button");
-    press("W");
-    choose("Take it from there");
-    EXPECT_TRUE(conflicts_of(host_.kept.bindings).empty());
-    EXPECT_EQ(inputs_text(host_, Action::Forward).find("W"), std::string::npos);
-}
-
 // However it was made: added, removed, taken from elsewhere, all set anew.
 TEST_F(Pages, TheLastChangeOfAKeyIsUndone) {
     open_key_pages(menu_, host_, undo_);
@@ -455,17 +417,6 @@ TEST_F(Pages, TheLastChangeOfAKeyIsUndone) {
     choose("All for the left hand");
     choose("Yes");
     undo_and_redo(at_first);
-}
-
-TEST_F(Pages, AllKeysAreSetAnewOnlyAfterAQuestion) {
-    host_.kept.bindings.unbind_all(Action::Jump);
-    open_key_pages(menu_, host_, undo_);
-    choose("All defaults");
-    choose("No");
-    EXPECT_TRUE(host_.kept.bindings.inputs_of(Action::Jump).empty());
-    choose("All defaults");
-    choose("Yes");
-    EXPECT_EQ(host_.kept.bindings, default_bindings());
 }
 
 // Every page, drawn at every size, in a canvas with a border around it.

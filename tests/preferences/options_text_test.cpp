@@ -59,7 +59,7 @@ TEST(OptionsText, NamesBrokenLinesAndKeepsAllOthers) {
         {2, "fov: 'wide', expected 1 to 179 degrees"},
         {4, "'colour' is unknown, expected a name that this version writes; the line is kept"},
         {5, "'[sounds]', expected NAME = VALUE"},
-        {7, "'x', expected NAME = VALUE"},
+        {7, "'x', expected NAME = VALUE; the line is kept"},
         {8, "mouse-sensitivity: '9', expected 10 to 1000"},
         {9, "'gamma', expected NAME = VALUE"},
         {13, "'volume' is already set in line 6, expected each name once: this line counts"},

@@ -1,9 +1,9 @@
-# oblong_room(NAME FOLDER DEPENDS ... [EXTRA_FOLDERS ...] [EXCEPT FILES]): a library oblong_NAME for a room, of all .cpp
+# oblong_room(NAME FOLDER DEPENDS ... [EXTRA_FOLDERS ...] [EXCEPT FILES] [DESKTOP FILES]): a library oblong_NAME for a room, of all .cpp
 # files directly in FOLDER and the extra folders, except FILES. A room of only headers becomes an interface library, so
 # that its dependents need not know. If files are compiled together (tools/cmake/uncached.cmake), rooms after
 # set(OBLONG_PART part) share one library oblong_PART. Fuzz targets compile some rooms in another way than the rest.
 function(oblong_room NAME FOLDER)
-    cmake_parse_arguments(ROOM "" "" "DEPENDS;EXTRA_FOLDERS;EXCEPT" ${ARGN})
+    cmake_parse_arguments(ROOM "" "" "DEPENDS;EXTRA_FOLDERS;EXCEPT;DESKTOP" ${ARGN})
     file(GLOB SOURCES CONFIGURE_DEPENDS ${FOLDER}/*.cpp)
     foreach(EXTRA ${ROOM_EXTRA_FOLDERS})
         file(GLOB MORE CONFIGURE_DEPENDS ${EXTRA}/*.cpp)

@@ -166,7 +166,6 @@ class SdlPlatform final : public Platform {
     std::uint64_t now_us() override;
     WindowSize window_size() const override;
     void set_title(const char* title) override { set_title_of(window_.get(), title); }
-    bool shows_icon() const override { return true; }
     void set_icon(std::span<const std::uint8_t> rgba, WindowSize size) override;
     void capture_mouse(bool is_captured) override { input_.capture_mouse(is_captured); }
     std::string local_name_of(Input input) const override { return input_.local_name_of(input); }

@@ -123,8 +123,12 @@ std::int32_t write_kept(std::uint16_t handle) {
 
 }  // namespace
 
+bool is_in_kept_folder(const char* name) {
+    return name_in(kFolder, name) != nullptr;
+}
+
 bool is_kept(const File& file) {
-    if (file.is_folder || file.size == 0 || name_in(kFolder, file.name) == nullptr) return false;
+    if (file.is_folder || file.size == 0 || !is_in_kept_folder(file.name)) return false;
     std::uint32_t length = 0, same = 0;
     while (file.name[length] != 0) ++length;
     constexpr std::uint32_t kEnd = sizeof kUnfinished - 1;

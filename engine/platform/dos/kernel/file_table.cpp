@@ -92,7 +92,6 @@ int make_file(const Path& path, bool is_folder) {
 void remove_file(int number) {
     File& file = files[number];
     if (file.room > 1) free_pages(file.bytes, file.room);
-    if (file.room == 0) free_archived(file);
     file.name[0] = 0;
 }
 

@@ -55,6 +55,8 @@ void remove_file(int number);
 /// Empties a file of the archive, and frees its memory but for pages that it shares with other files.
 void free_archived(File& file);
 void rename_file(int number, const Path& path);
+/// Whether a name is in the only folder in which files can be made.
+bool is_in_kept_folder(const char* name);
 /// Whether a file is stored in DOS (dos_files.cpp).
 bool is_kept(const File& file);
 /// Gives a file room for `size` bytes; false if memory is full.

@@ -26,6 +26,7 @@ std::int32_t open(const char* name, std::uint32_t flags) {
         file = make_file(path, true);
     }
     if (file < 0 && (flags & kCreates) == 0) return kNoEntry;
+    if (file < 0 && !is_in_kept_folder(path.name)) return kReadOnly;
     if (file < 0) file = make_file(path, false);
     if (file < 0) return file;
     if ((flags & kTruncates) != 0) file_of(file).size = 0;

@@ -1,0 +1,35 @@
+# The rooms, top to bottom: a room may include only what it depends on here (tests/architecture reads this list). Parts
+# are compiled as one (tools/cmake/rooms.cmake). DESKTOP: files that the game under DOS leaves out, since they need a
+# library, integers of 128 bits or wider indices, or read what its build has prepared.
+set(OBLONG_PART engine_lower)
+oblong_room(base       base)
+oblong_room(fixed      fixed      DEPENDS base EXTRA_FOLDERS fixed/native)
+oblong_room(math       math       DEPENDS fixed)
+oblong_room(accuracy   accuracy   DEPENDS fixed)
+oblong_room(view       view       DEPENDS math accuracy)
+oblong_room(surface    surface    DEPENDS accuracy)
+oblong_room(raster     raster     DEPENDS view surface EXTRA_FOLDERS raster/kernels)
+oblong_room(draw       draw       DEPENDS view surface)
+oblong_room(level      level      DEPENDS math surface DESKTOP bsp_*.cpp)
+set(OBLONG_PART engine_upper)
+oblong_room(scene      scene      DEPENDS raster level)
+oblong_room(visibility visibility DEPENDS scene)
+oblong_room(effects    effects    DEPENDS visibility)
+oblong_room(mesh       mesh       DEPENDS scene)
+oblong_room(frame      frame      DEPENDS visibility effects mesh)
+oblong_room(costs      costs      DEPENDS frame)
+set(OBLONG_PART "")
+oblong_room(methods    methods    DEPENDS frame)
+
+# What every program shares. The models' loader uses doubles, so that coordinates are rounded once.
+oblong_room(io         io         DEPENDS level)
+oblong_room(pictures   pictures   DEPENDS io view DESKTOP png.cpp picture.cpp)
+oblong_room(models     models     DEPENDS pictures effects mesh DESKTOP obj*.cpp level_models.cpp)
+oblong_room(sound      sound      DEPENDS io effects)
+oblong_room(reference  reference  DESKTOP *)
+oblong_room(measure    measure    DEPENDS io frame reference DESKTOP texel_error.cpp)
+oblong_room(programs   programs   DEPENDS io frame draw EXCEPT command_line.cpp game_definition.cpp)
+oblong_room(platform   platform   DEPENDS view surface sound)
+oblong_room(platform_sdl platform/sdl DEPENDS platform DESKTOP *)
+# oblong.h, the header for other programs; the library of all rooms is made there.
+oblong_room(library    library    DEPENDS methods models programs platform_sdl DESKTOP *)
