@@ -17,7 +17,8 @@ namespace {
 constexpr View kMapWidth = View::from_int(2048), kMapFarthest = View::from_int(1 << 21);
 constexpr int kPictureBrightness = 56;  // of 256, behind the map
 constexpr World kBeside = World::from_int(2), kStepHeight = World::from_int(18), kFlatWithin = World::from_int(1);
-constexpr World kRim = World::from_int(700), kMark = World::from_int(36);  // of the diamonds of missing lenses
+constexpr World kRim = World::from_int(700), kMark = World::from_int(36),
+                kFarMark = World::from_int(14);  // of missing lenses' diamonds
 constexpr World kArrowLength = World::from_int(64), kArrowHead = World::from_int(40);
 constexpr Unit kRootOfHalf = Unit::from_raw(759'250'125);
 
@@ -179,8 +180,10 @@ void Automap::draw_lenses(const Plotter& plotter, const GameView& view) const {
         Vec3<World> way = level_.items[lens].position - eye;
         way.z = {};
         const World distance = length_of(way);
-        if (distance > kRim) way = scaled(way, kRim, distance);
-        const Vec3<World> middle = eye + way, across{kMark, {}, {}}, along{{}, kMark, {}};
+        const bool is_beyond = distance > kRim;
+        if (is_beyond) way = scaled(way, kRim, distance);
+        const World half = is_beyond ? kFarMark : kMark;
+        const Vec3<World> middle = eye + way, across{half, {}, {}}, along{{}, half, {}};
         const std::array corners{middle + across, middle + along, middle - across, middle - along};
         for (std::size_t i = 0; i < 4; ++i) plotter.draw(corners[i], corners[(i + 1) % 4], lens_);
     }

@@ -27,8 +27,8 @@ struct MapLine {
 std::vector<MapLine> map_lines_of(const Level& level, FaceIndex face);
 
 /// A map of the level around the player: an orthographic view from above, as lines over the darkened picture. Steps are
-/// broken lines; doors that may shut a way and other models have crosses; the last missing lenses are diamonds, at the
-/// map's rim if they are beyond it. It exists only while it is shown.
+/// broken lines; doors that may shut a way and other models have crosses; the last missing lenses are diamonds, small
+/// ones on the way to those beyond the map's rim. It exists only while it is shown.
 class Automap {
   public:
     /// `data` and `level` outlive it.
