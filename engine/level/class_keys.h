@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "engine/level/entity_classes.h"
@@ -92,6 +93,14 @@ inline constexpr std::array kCounterFlags{KeyValue{"1", "no message with the num
 inline constexpr std::array kPushFlags{KeyValue{"1", "once"}};
 inline constexpr std::array kExitFlags{KeyValue{"1", "no intermission (Quake)"}};
 
+template <std::size_t... Sizes>
+constexpr auto joined(const std::array<EntityKey, Sizes>&... groups) {
+    std::array<EntityKey, (Sizes + ...)> all;
+    auto next = all.begin();
+    ((next = std::copy(groups.begin(), groups.end(), next)), ...);
+    return all;
+}
+
 // Keys of every entity.
 inline constexpr std::array kOfAll{
     EntityKey{"classname", Text, "", "its class"},
@@ -111,32 +120,31 @@ inline constexpr std::array kFires{
     number("delay", "0", "seconds until it activates its targets"),
     EntityKey{"message", Text, "", "text shown to the player, in UTF-8; {jump} stands for the key of that action"},
 };
-inline constexpr std::array kLitBrushes{
+inline constexpr std::array kSmooth{
     number("_phong", "0", "1: light is interpolated across edges, as on a round surface"),
     number("_phong_angle", "89", "largest angle in degrees between faces that `_phong` smooths"),
     number("_phong_group", "0", "`_phong` smooths within groups of one number"),
-    number("_minlight", "0", "least light on it, 0 to 255"),
-    numbers("_minlight_color", 3, 3, "", "colour of that; of it, only the luminance is used"),
-    number("_lightignore", "0", "1: no light but the least"),
-    number("_dirt", "0", "-1: no dirt on it"),
 };
+inline constexpr std::array kLeastColour{
+    numbers("_minlight_color", 3, 3, "", "colour of the least light; of it, only the luminance is used"),
+};
+inline constexpr auto kLitBrushes = joined(kSmooth, kLeastColour,
+                                           std::array{
+                                               number("_minlight", "0", "least light on it, 0 to 255"),
+                                               number("_lightignore", "0", "1: no light but the least"),
+                                               number("_dirt", "0", "-1: no dirt on it"),
+                                           });
 inline constexpr std::array kNoise{
     EntityKey{"noise", Text, "",
               "a FLAC or WAV file in place of the usual sound: path below the game's or the level's folder"},
 };
-inline constexpr std::array kMadeOfBrushes{
-    kLitBrushes[0],
-    kLitBrushes[1],
-    kLitBrushes[2],
-    kLitBrushes[3],
-    kLitBrushes[4],
-    kLitBrushes[5],
-    kLitBrushes[6],
-    number("_shadow", "0", "1: it casts shadows, from where it begins"),
-    number("alpha", "1", "opacity, above 0 to 1"),
-    number("dmg", "", kNoEffect),
-    EntityKey{"sounds", Whole, "", kNoEffect},
-};
+inline constexpr auto kMadeOfBrushes =
+    joined(kLitBrushes, std::array{
+                            number("_shadow", "0", "1: it casts shadows, from where it begins"),
+                            number("alpha", "1", "opacity, above 0 to 1"),
+                            number("dmg", "", kNoEffect),
+                            EntityKey{"sounds", Whole, "", kNoEffect},
+                        });
 
 inline constexpr std::array kWorld{
     EntityKey{"message", Text, "", "the level's title"},
@@ -148,10 +156,6 @@ inline constexpr std::array kWorld{
     EntityKey{"sounds", Whole, "", kNoEffect},
     numbers("light", 1, 4, "0", "least light everywhere, 0 to 255"),
     number("_minlight", "0", "the same; overrides `light`"),
-    kLitBrushes[4],
-    kLitBrushes[0],
-    kLitBrushes[1],
-    kLitBrushes[2],
     number("_sunlight", "0", "brightness of the sun: parallel light from sky faces"),
     number("_sunlight_penumbra", "0", "diameter of the sun in degrees, up to 90: softens edges of its shadows"),
     number("_sunlight2", "0", "brightness of the sky's upper half, as on an overcast day"),

@@ -77,7 +77,7 @@ constexpr EntityClass pickup(std::string_view name, std::span<const ClassModel> 
 
 // The first match is used, so families come after their members.
 constexpr auto kClasses = std::to_array<EntityClass>({
-    {"worldspawn", WorldModel, Worldspawn, "the world", {kWorld}},
+    {"worldspawn", WorldModel, Worldspawn, "the world", {kWorld, kSmooth, kLeastColour}},
     {"info_player_start", Point, Start, "the player's start", {kTurned}, kPlayerBox},
     {"info_player_deathmatch",
      Point,

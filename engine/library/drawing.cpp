@@ -139,6 +139,32 @@ void draw_picture(Framebuffer canvas, const Picture& picture, std::int32_t x, st
     draw_part(canvas, picture, {0, 0, picture.width_px, picture.height_px}, x, y);
 }
 
+namespace {
+
+/// The way through a picture's rows or columns from one canvas pixel to the next, without a division for each.
+class PartSteps {
+  public:
+    /// `beside`: of the first canvas pixel, from the part's corner.
+    PartSteps(std::int64_t beside, std::int32_t first, std::int32_t side_px, bool is_backwards, std::int32_t scale)
+        : at_(is_backwards ? std::int64_t{first} + side_px - 1 - beside / scale : first + beside / scale),
+          step_(is_backwards ? -1 : 1),
+          left_(scale - static_cast<std::int32_t>(beside % scale)),
+          scale_(scale) {}
+
+    std::int64_t at() const { return at_; }
+    void advance() {
+        if (--left_ > 0) return;
+        left_ = scale_;
+        at_ += step_;
+    }
+
+  private:
+    std::int64_t at_;
+    std::int32_t step_, left_, scale_;
+};
+
+}  // namespace
+
 void draw_part(Framebuffer canvas, const Picture& picture, const PicturePart& part, std::int32_t x, std::int32_t y) {
     checked(picture);
     const std::int32_t scale = std::clamp(part.scale, 1, kLargestMode_px);
@@ -146,16 +172,16 @@ void draw_part(Framebuffer canvas, const Picture& picture, const PicturePart& pa
         return static_cast<std::int32_t>(std::clamp<std::int64_t>(std::int64_t{side_px} * scale, 0, 1 << 28));
     };
     const Area shown = clipped(area_of(x, y, scaled(part.width_px), scaled(part.height_px)), canvas);
-    for (std::int32_t row = shown.y; row < shown.y + shown.height; ++row) {
-        const std::int64_t below = (std::int64_t{row} - y) / scale,
-                           v = part.y + (part.is_upside_down ? part.height_px - 1 - below : below);
-        if (v < 0 || v >= picture.height_px) continue;
-        const std::uint8_t* const from = picture.pixels.data() + v * picture.width_px;
-        for (std::int32_t column = shown.x; column < shown.x + shown.width; ++column) {
-            const std::int64_t aside = (std::int64_t{column} - x) / scale,
-                               u = part.x + (part.is_mirrored ? part.width_px - 1 - aside : aside);
-            if (u < 0 || u >= picture.width_px) continue;
-            if (part.is_opaque || from[u] != kTransparent) canvas.row(row)[column] = from[u];
+    if (shown.width <= 0 || shown.height <= 0) return;
+    PartSteps v(std::int64_t{shown.y} - y, part.y, part.height_px, part.is_upside_down, scale);
+    for (std::int32_t row = shown.y; row < shown.y + shown.height; ++row, v.advance()) {
+        if (v.at() < 0 || v.at() >= picture.height_px) continue;
+        const std::uint8_t* const from = picture.pixels.data() + v.at() * picture.width_px;
+        std::uint8_t* to = canvas.row(row) + shown.x;
+        PartSteps u(std::int64_t{shown.x} - x, part.x, part.width_px, part.is_mirrored, scale);
+        for (std::int32_t i = 0; i < shown.width; ++i, ++to, u.advance()) {
+            if (u.at() < 0 || u.at() >= picture.width_px) continue;
+            if (part.is_opaque || from[u.at()] != kTransparent) *to = from[u.at()];
         }
     }
 }

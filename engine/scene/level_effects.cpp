@@ -7,6 +7,7 @@
 #include "engine/base/table.h"
 #include "engine/base/text.h"
 #include "engine/level/entity_classes.h"
+#include "engine/level/left_out.h"
 #include "engine/scene/placed_models.h"
 
 namespace oblong {
@@ -134,10 +135,10 @@ void read_world_key(const std::string& key, const std::string& value, LevelEffec
     if (key == "skyfog" || key == "_skyfog") return read_sky_fog(value, effects);
     if (is_cycle) return read_palette_cycle(key, value, effects);
     if (const auto kind = kind_of_alpha_key(key)) return read_alpha(*kind, key, value, effects);
-    if (key == "sky" || key == "skyname")
-        return warn(effects.warnings, "worldspawn key " + in_quotes(key) + ": sky boxes are not supported");
     const bool is_known = find_entity_key(*find_entity_class("worldspawn"), key) != nullptr;  // read elsewhere
-    if (!is_known && !key.starts_with('_')) warn(effects.warnings, "worldspawn key " + in_quotes(key) + " is unknown");
+    if (is_known || key.starts_with('_')) return;
+    const std::string reason(reason_left_out(key));
+    warn(effects.warnings, "worldspawn key " + in_quotes(key) + (reason.empty() ? " is unknown" : ": " + reason));
 }
 
 void read_world(const Level& level, LevelEffects& effects) {

@@ -152,7 +152,8 @@ TEST(LevelEffects, UnknownKeysAreReportedOnce) {
     EXPECT_EQ(effects.warnings,
               (std::vector<std::string>{
                   "worldspawn key 'fogg' is unknown", "worldspawn key 'palette_cycles' is unknown",
-                  "worldspawn key 'sky': sky boxes are not supported", "worldspawn key 'x??[31m' is unknown"}));
+                  "worldspawn key 'sky': a sky is a texture of two layers; there are no boxes of six pictures",
+                  "worldspawn key 'x??[31m' is unknown"}));
 }
 
 TEST(LevelEffects, WarningsAreFewAndShort) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "tools/map/vis/visibility.h"
 
@@ -36,12 +35,12 @@ double light_from(const LightSource& source, double range, const Point& point, c
     return source.is_subtracted ? -light : light;
 }
 
-// The direction to a point of the sun's disc: of each `count`, evenly spread in a sunflower's spiral (Vogel).
+// The direction to the i-th of `count` points of the sun's disc.
 Point towards_sun(const Sun& sun, std::size_t i, std::size_t count) {
     if (sun.penumbra_radius <= 0 || count < 2) return sun.direction * -1;
     const auto [right, up] = tangents(sun.direction);
     const double radius = sun.penumbra_radius * std::sqrt((static_cast<double>(i) + 0.5) / static_cast<double>(count)),
-                 angle = static_cast<double>(i) * std::numbers::pi * (3 - std::sqrt(5.0));
+                 angle = static_cast<double>(i) * kGoldenAngle;
     const Point towards = right * (radius * std::cos(angle)) + up * (radius * std::sin(angle)) - sun.direction;
     return towards * (1 / length(towards));
 }

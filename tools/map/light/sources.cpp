@@ -225,7 +225,7 @@ void spread_deviant_lights(std::vector<LightSource>& sources) {
             part.luminance /= count;
             if (count == 1) continue;
             const double height = 1 - (2 * i + 1.0) / count, ring = std::sqrt(1 - height * height),
-                         angle = i * std::numbers::pi * (3 - std::sqrt(5.0));
+                         angle = i * kGoldenAngle;
             part.origin =
                 source.origin + Point{ring * std::cos(angle), ring * std::sin(angle), height} * source.deviance;
         }

@@ -79,7 +79,7 @@ struct Lights {
 /// The entities must outlive the result.
 Lights lights_of(const std::vector<MapEntity>& entities);
 
-/// Replaces each light with a deviance by lights on a spiral over its ball (Vogel), which share its luminance.
+/// Replaces each light with a deviance by lights all over its ball, which share its luminance.
 void spread_deviant_lights(std::vector<LightSource>& sources);
 
 /// Sets the light of brush sides from the keys of their entities ("_phong", "_minlight" ...) and of the worldspawn.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,6 +16,9 @@ namespace oblong::map {
 
 /// A point or direction of the world in doubles, in world units: the compiler's arithmetic.
 using Point = reference::Vec;
+
+/// Between neighbours of a sunflower's spiral, whose points are spread evenly over a disc or a ball (Vogel 1979).
+inline const double kGoldenAngle = std::numbers::pi * (3 - std::sqrt(5.0));
 
 /// With six digits.
 std::string number_text(double number);
