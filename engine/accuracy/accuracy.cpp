@@ -19,6 +19,7 @@ Accuracy of_1991() {
     accuracy.edges = EdgeStepping::Accumulated;
     accuracy.sine = SineMethod::Lerp256;
     accuracy.textures_floors = false;
+    accuracy.colour_levels = 0;
     return accuracy;
 }
 
@@ -26,12 +27,14 @@ Accuracy of_1991() {
 Accuracy within_a_pixel() {
     Accuracy accuracy;
     accuracy.pixel_bound_256 = 256;
+    accuracy.colour_levels = 16;
     return accuracy;
 }
 
-Accuracy textured_by(Texturing texturing) {
+Accuracy textured_by(Texturing texturing, std::int32_t colour_levels) {
     Accuracy accuracy;
     accuracy.texturing = texturing;
+    accuracy.colour_levels = colour_levels;
     return accuracy;
 }
 
@@ -85,6 +88,7 @@ constexpr std::array kLights{named("nearest", LightSampling::Nearest),
                              named("interpolated", LightSampling::Interpolated)};
 constexpr std::array kShades{named("16", 16), named("32", 32), named("64", 64)};
 constexpr std::array kFloors{named("flat", false), named("textured", true)};
+constexpr std::array kColourLevels{named("off", 0), named("16", 16), named("32", 32), named("64", 64)};
 constexpr std::array kDithers{named("off", false), named("on", true)};
 
 template <auto Field>
@@ -131,6 +135,10 @@ constexpr std::array kDials{
     dial<&Accuracy::dithers_light>("dither", "dithered light",
                                    "Mixes two shades in a pattern of 4x4 texels where the light lies between them.", "",
                                    "engine/scene/face_surface.cpp", true, kDithers),
+    dial<&Accuracy::colour_levels>(
+        "colours", "coloured light",
+        "Steps of red, green and blue in coloured light, each shown as the palette's nearest colour; off: grey light.",
+        "steps", "engine/scene/face_surface.cpp", true, kColourLevels),
     dial<&Accuracy::inverse_z_bits>("inverse-z-bits", "1/z bits", "Fraction bits of 1/z.", "fraction bits",
                                     "engine/frame/surface_pass.cpp", false, kInverseZBits, 12, 44),
     dial<&Accuracy::over_z_bits>("over-z-bits", "u/z, v/z bits", "Fraction bits of u/z and v/z.", "fraction bits",
@@ -171,15 +179,15 @@ Accuracy accuracy_of(Preset preset) {
         case Preset::Year1991:
             return of_1991();
         case Preset::Year1994:
-            return textured_by(Texturing::Affine);
+            return textured_by(Texturing::Affine, 0);
         case Preset::Year1996:
-            return textured_by(Texturing::Every16);
+            return textured_by(Texturing::Every16, 0);
         case Preset::Pixel:
             return within_a_pixel();
         case Preset::Bounded:
             break;
         case Preset::Exact:
-            return textured_by(Texturing::Exact);
+            return textured_by(Texturing::Exact, 64);
     }
     return {};
 }

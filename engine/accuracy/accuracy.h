@@ -58,9 +58,10 @@ struct Accuracy {
     MipSelection mip = MipSelection::Face;
     std::int32_t mip_bias = 0;  ///< added to mip levels, -3 to 3: above 0 blurs, below 0 sharpens and flickers
     LightSampling light = LightSampling::Interpolated;
-    std::int32_t shades = 64;     ///< steps of light, half of them up to full light: 16, 32 or 64
-    bool textures_floors = true;  ///< false: floors and ceilings of faces are of one colour each
-    bool dithers_light = false;   ///< between two shades, by a pattern of 4x4 texels
+    std::int32_t shades = 64;         ///< steps of light, half of them up to full light: 16, 32 or 64
+    bool textures_floors = true;      ///< false: floors and ceilings of faces are of one colour each
+    bool dithers_light = false;       ///< between two shades, by a pattern of 4x4 texels
+    std::int32_t colour_levels = 32;  ///< steps of red, green and blue in coloured light, 16 to 64; 0: its luminance
     bool operator==(const Accuracy&) const = default;
 };
 

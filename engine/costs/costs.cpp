@@ -75,10 +75,12 @@ void add_effects(const FrameCounts& counts, EventList& list) {
     list.add(counts.stages.particles);
 }
 
-void add_lit_texels(std::int64_t texels, const Accuracy& accuracy, EventList& list) {
+void add_lit_texels(const StageCounts& stages, const Accuracy& accuracy, EventList& list) {
+    const std::int64_t texels = stages.lit_texels - stages.coloured_texels;
     list.add_if(accuracy.light == LightSampling::Interpolated, texels);
     list.add_if(accuracy.light == LightSampling::Nearest, texels);
     list.add_if(accuracy.dithers_light, texels);
+    list.add(stages.coloured_texels);
 }
 
 }  // namespace
@@ -89,7 +91,7 @@ Events events_of(const FrameCounts& counts, const Accuracy& accuracy) {
     add_blocks(counts.stages, accuracy.texturing, list);
     add_texels(counts, accuracy, list);
     add_effects(counts, list);
-    add_lit_texels(counts.stages.lit_texels, accuracy, list);
+    add_lit_texels(counts.stages, accuracy, list);
     return list.events();
 }
 

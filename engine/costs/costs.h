@@ -14,7 +14,7 @@ namespace oblong {
 enum class Currency { Instructions, Instructions486, Cycles386, Cycles486, CyclesPentium };
 inline constexpr std::size_t kCurrencyCount = 5;
 
-inline constexpr std::size_t kEventCount = 34;
+inline constexpr std::size_t kEventCount = 35;
 
 /// The events of one frame, or their sums of several.
 using Events = std::array<std::int64_t, kEventCount>;

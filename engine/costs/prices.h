@@ -99,6 +99,7 @@ inline constexpr std::array<EventPrice, kEventCount> kPrices{{
     {"lit texels", {74, 128, 449, 194, 167}},
     {"nearest lit texels", {44, 68, 243, 105, 91}},
     {"dithered texels", {74, 60, 281, 164, 92}},
+    {"coloured texels", {460, 600, 2500, 1500, 900}},
 }};
 
 }  // namespace oblong

@@ -73,8 +73,10 @@ void start_observers(const FrameWorkspace& work, Framebuffer out) {
 }
 
 void end_observers(const FrameWorkspace& work) {
-    if (FrameCounts* const counts = work.observers.counts)
-        counts->stages.lit_texels += work.cache.surfaces.built_texels();
+    FrameCounts* const counts = work.observers.counts;
+    if (!counts) return;
+    counts->stages.lit_texels += work.cache.surfaces.built_texels();
+    if (work.cache.surfaces.colour_cube()) counts->stages.coloured_texels = counts->stages.lit_texels;
 }
 
 /// Other threads draw from here on: walls as soon as they are claimed, if their light is already known.

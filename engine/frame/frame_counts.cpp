@@ -46,7 +46,8 @@ std::vector<NamedCount> named_counts(const FrameCounts& counts) {
             {"sky_directions", stages.sky_directions},
             {"sky_texels", stages.sky_texels},
             {"particles", stages.particles},
-            {"lit_texels", stages.lit_texels}};
+            {"lit_texels", stages.lit_texels},
+            {"coloured_texels", stages.coloured_texels}};
 }
 
 std::int64_t pixels_of(std::span<const Span> spans) {

@@ -35,6 +35,7 @@ struct StageCounts {
     std::int64_t exact_divisions = 0;                 ///< for these, in `divisions`; fewer, as it shares divisions
     std::int64_t particles = 0;                       ///< computed, including those out of view
     std::int64_t lit_texels = 0;                      ///< built, as they were not in the cache
+    std::int64_t coloured_texels = 0;                 ///< of these, in coloured light
 };
 
 /// Statistics of one frame, collected on request (FrameObservers).

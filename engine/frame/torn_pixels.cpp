@@ -1,6 +1,7 @@
 #include "engine/frame/torn_pixels.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"
@@ -12,7 +13,7 @@
 #include "engine/level/side.h"
 #include "engine/raster/perspective.h"
 #include "engine/scene/light_styles.h"
-#include "engine/surface/lit_surface.h"
+#include "engine/surface/coloured_surface.h"
 #include "engine/view/gradients.h"
 
 namespace oblong {
@@ -121,6 +122,7 @@ class TornDrawing {
           texture_(level_.texture_of(face_)),
           styles_(scratch.light.styles),
           colormap_(frame.cache.surfaces.colormap()),
+          cube_(frame.cache.surfaces.colour_cube()),
           brightness_100_(frame.settings.brightness_100) {
         const TexInfo& texinfo = level_.texinfos[face_.texinfo];
         surface_.origin_u = origin_near(texinfo.s, texinfo.s_offset, torn.place, texture_.width);
@@ -141,19 +143,22 @@ class TornDrawing {
         const int mip = surface_.mip;
         const std::int64_t width = texture_.width >> mip, height = texture_.height >> mip;
         const std::uint8_t texel = oblong::item(oblong::item(texture_.mips, mip), v % height * width + u % width);
-        return oblong::item(oblong::item(colormap_.shades, shade_at(u << mip, v << mip)), texel);
+        const auto light_8 = [&](std::optional<int> channel) { return light_at(u << mip, v << mip, channel); };
+        if (cube_) return coloured_texel(*cube_, texel, {light_8(0), light_8(1), light_8(2)});
+        const std::int32_t shade =
+            level_.lighting.empty() ? Colormap::kOwnShade : shade_of(light_8(std::nullopt)) >> 16;
+        return oblong::item(oblong::item(colormap_.shades, shade), texel);
     }
 
   private:
-    std::int32_t shade_at(std::int64_t u, std::int64_t v) const {
-        if (level_.lighting.empty()) return Colormap::kOwnShade;
+    std::int32_t light_at(std::int64_t u, std::int64_t v, std::optional<int> channel) const {
         const auto within = [](std::int64_t texel, std::int32_t extent) {
             return std::clamp<std::int64_t>(texel, 0, extent);
         };
-        const std::int32_t light_8 =
-            light_8_of_sample(level_, face_, within(u + surface_.origin_u - face_.texel_min_u, face_.texel_extent_u),
-                              within(v + surface_.origin_v - face_.texel_min_v, face_.texel_extent_v), styles_);
-        return shade_of(brightened(light_8, brightness_100_)) >> 16;
+        const std::int32_t light_8 = light_8_of_sample(
+            level_, face_, within(u + surface_.origin_u - face_.texel_min_u, face_.texel_extent_u),
+            within(v + surface_.origin_v - face_.texel_min_v, face_.texel_extent_v), styles_, channel);
+        return brightened(light_8, brightness_100_);
     }
 
     const Level& level_;
@@ -161,6 +166,7 @@ class TornDrawing {
     const MipTexture& texture_;
     const LightStyles& styles_;
     const Colormap& colormap_;
+    const ColourCube* cube_;
     std::int32_t brightness_100_;
     FaceSurface surface_;
     TextureGradients gradients_;

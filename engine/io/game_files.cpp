@@ -7,6 +7,7 @@
 #include "engine/base/little_endian.h"
 #include "engine/base/table.h"
 #include "engine/base/text.h"
+#include "engine/level/bsp_read.h"
 
 namespace oblong {
 namespace {
@@ -152,6 +153,13 @@ std::vector<std::uint8_t> read_game_file(const std::string& path) {
     const PakEntry* entry = find_entry(entries, inside->name);
     if (entry == nullptr) throw FileError(inside->pak, "directory", "no " + inside->name + ", expected it there");
     return read_file_part(inside->pak, entry->offset, entry->length);
+}
+
+void read_lit_file_beside(const std::string& level_file, Level& level) {
+    const std::string file = fs::path(level_file).replace_extension(".lit").string();
+    const auto inside = path_in_pak(file);
+    if (inside ? find_entry(read_directory(inside->pak), inside->name) == nullptr : !is_file(file)) return;
+    read_parsed_game_file(file, [&](std::span<const std::uint8_t> bytes) { read_lit_file(bytes, level); });
 }
 
 bool GameFiles::has_paks() const {

@@ -186,6 +186,10 @@ Table<Edge> read_edges(const BspFile& file);
 Table<SurfEdge> read_surf_edges(const BspFile& file);
 
 Table<MipTexture> read_textures(const BspFile& file);
+/// The lump RGBLIGHTING of later engines' files: "BSPX" and a list of lumps behind all others (name in 24 bytes,
+/// offset, size). Empty without it, and if it has other samples than the lump 'lighting' (some compilers make finer
+/// ones).
+std::vector<std::uint8_t> read_coloured_lighting(const BspFile& file);
 /// Uses the names of level.textures.
 Table<TexInfo> read_texinfos(const BspFile& file, const Level& level);
 /// Uses edges, surf_edges and texinfos.

@@ -33,6 +33,7 @@ void read_geometry(const BspFile& file, Level& level) {
     level.faces = read_faces(file, level, read_vertex_floats(file));
     light_flagged_faces(level);
     level.lighting = copy_lump(file, Lump::Lighting);
+    level.coloured_lighting = read_coloured_lighting(file);
 }
 
 void read_trees(const BspFile& file, Level& level) {

@@ -18,6 +18,10 @@ namespace oblong {
 /// in a level without lighting, and visibility offsets in one without visibility (both ignored).
 Level read_bsp(std::span<const std::uint8_t> bytes);
 
+/// The colours of a level's light from the bytes of a .lit file, which some compilers write beside it: "QLIT", version
+/// 1, then three bytes for each of Level::lighting. Throws InputError if it is not of this level.
+void read_lit_file(std::span<const std::uint8_t> bytes, Level& level);
+
 /// A warning for each texture that a checkerboard replaces.
 std::vector<std::string> texture_warnings(const Level& level);
 

@@ -270,6 +270,7 @@ struct Level {
     Table<TexInfo> texinfos;
     Table<Face> faces;
     std::vector<std::uint8_t> lighting;
+    std::vector<std::uint8_t> coloured_lighting;  ///< red, green and blue of each value of `lighting`; empty: all white
     Table<ClipNode> clip_nodes;
     Table<Leaf> leaves;  ///< the first is the solid outside
     Table<FaceIndex, MarkFace> mark_faces;

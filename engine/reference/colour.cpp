@@ -15,12 +15,13 @@ int wrapped(double texel, int size) {
     return static_cast<int>(((whole % size) + size) % size);
 }
 
-double sample(const Level& level, const Face& face, int column, int row) {
+double sample(const Level& level, const Face& face, int column, int row, std::size_t channel) {
     const std::int64_t count = std::int64_t{face.light_columns} * face.light_rows;
     int sum = 0;
-    for (int style = 0; style < face.style_count(); ++style)
-        sum += level.lighting[static_cast<std::size_t>(face.light_offset + style * count + row * face.light_columns +
-                                                       column)];
+    for (int style = 0; style < face.style_count(); ++style) {
+        const auto at = static_cast<std::size_t>(face.light_offset + style * count + row * face.light_columns + column);
+        sum += level.coloured_lighting.empty() ? level.lighting[at] : level.coloured_lighting[3 * at + channel];
+    }
     return std::min(sum / kFullLight, kBrightest);
 }
 
@@ -42,14 +43,18 @@ double between(double from, double to, double fraction) {
 
 }  // namespace
 
-double light_at(const Level& level, const Face& face, double u, double v) {
-    if (level.lighting.empty()) return 1;
-    if (face.light_offset < 0) return 0;
+Rgb light_at(const Level& level, const Face& face, double u, double v) {
+    if (level.lighting.empty()) return {1, 1, 1};
+    if (face.light_offset < 0) return {};
     const Cell across = cell_at(u, face.first_u, face.light_columns), down = cell_at(v, face.first_v, face.light_rows);
-    const auto along_row = [&](int row) {
-        return between(sample(level, face, across.from, row), sample(level, face, across.to, row), across.fraction);
+    const auto along_row = [&](int row, std::size_t channel) {
+        return between(sample(level, face, across.from, row, channel), sample(level, face, across.to, row, channel),
+                       across.fraction);
     };
-    return between(along_row(down.from), along_row(down.to), down.fraction);
+    const auto of_channel = [&](std::size_t channel) {
+        return between(along_row(down.from, channel), along_row(down.to, channel), down.fraction);
+    };
+    return {of_channel(0), of_channel(1), of_channel(2)};
 }
 
 Rgb true_colour(const Level& level, const Face& face, double u, double v, const Palette& palette) {
@@ -57,10 +62,9 @@ Rgb true_colour(const Level& level, const Face& face, double u, double v, const 
     const int column = wrapped(u, texture.width), row = wrapped(v, texture.height);
     const std::uint8_t texel = texture.texels[static_cast<std::size_t>(row * texture.width + column)];
     const bool is_lit = face.material == Material::Lit && texel < kFirstFullbright;
-    const double light = is_lit ? light_at(level, face, u, v) : 1;
-    const auto lit = [light](double channel) { return std::min(channel * light, 255.0); };
-    const Rgb& full = palette[texel];
-    return {lit(full.red), lit(full.green), lit(full.blue)};
+    const Rgb light = is_lit ? light_at(level, face, u, v) : Rgb{1, 1, 1}, &full = palette[texel];
+    return {std::min(full.red * light.red, 255.0), std::min(full.green * light.green, 255.0),
+            std::min(full.blue * light.blue, 255.0)};
 }
 
 std::vector<ColourPixel> draw_colours(const Level& level, std::span<const PlacedModel> models, const View& view,

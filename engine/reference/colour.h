@@ -15,13 +15,13 @@ struct Rgb {
 
 using Palette = std::array<Rgb, 256>;
 
-/// The light of a lit face at a texel (not wrapped), 0 to 2: interpolated between four light samples, each the sum of
-/// the face's styles as stored; 128 is 1, 256 or more is 2. Faces without a lightmap are dark, or 1 if the level has no
-/// light at all.
-double light_at(const Level& level, const Face& face, double u, double v);
+/// The light of a lit face at a texel (not wrapped), 0 to 2 a channel: interpolated between four light samples, each
+/// the sum of the face's styles as stored; 128 is 1, 256 or more is 2. Faces without a lightmap are dark, or 1 if the
+/// level has no light at all.
+Rgb light_at(const Level& level, const Face& face, double u, double v);
 
-/// The texel's colour times the light, no channel above 255. Liquids, skies and the palette's last 32 colours are not
-/// lit.
+/// The texel's colour times the light of each channel, no channel above 255. Liquids, skies and the palette's last 32
+/// colours are not lit.
 Rgb true_colour(const Level& level, const Face& face, double u, double v, const Palette& palette);
 
 struct ColourPixel {

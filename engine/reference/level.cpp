@@ -263,6 +263,21 @@ Model read_model(Reader& in, std::size_t face_count) {
     return model;
 }
 
+/// Three numbers a sample, of the lump RGBLIGHTING behind all others; nothing without it.
+std::vector<std::uint8_t> read_colours(std::span<const std::uint8_t> bytes, std::size_t samples) {
+    constexpr char kList[] = "BSPX", kName[] = "RGBLIGHTING";
+    const auto list = std::search(bytes.begin(), bytes.end(), kList, kList + 4);
+    const auto name = std::search(list, bytes.end(), kName, kName + sizeof kName);
+    if (name == bytes.end()) return {};
+    Reader whole(bytes, "lump 'RGBLIGHTING'");
+    whole.seek(name - bytes.begin() + 24);
+    const int offset = whole.i32(), size = whole.i32();
+    if (size != 3 * static_cast<std::int64_t>(samples)) return {};
+    whole.seek(offset);
+    const auto colours = whole.bytes(size);
+    return {colours.begin(), colours.end()};
+}
+
 }  // namespace
 
 int Face::style_count() const {
@@ -278,6 +293,7 @@ Level read_level(std::span<const std::uint8_t> bytes) {
         read_all(file.lump(kTexInfos, "texinfos"), [&](Reader& in) { return read_texinfo(in, level.textures.size()); });
     level.lighting =
         read_all(file.lump(kLighting, "lighting"), [](Reader& in) { return static_cast<std::uint8_t>(in.number(1)); });
+    level.coloured_lighting = read_colours(bytes, level.lighting.size());
     const Parts parts = read_parts(file, level.vertices.size());
     level.faces = read_all(file.lump(kFaces, "faces"), [&](Reader& in) { return read_face(in, file, parts, level); });
     light_special_faces(level);

@@ -60,6 +60,7 @@ struct Level {
     std::vector<Texture> textures;
     std::vector<Face> faces;
     std::vector<std::uint8_t> lighting;
+    std::vector<std::uint8_t> coloured_lighting;  ///< red, green and blue of each value of `lighting`; or empty
     std::vector<Model> models;
 
     const TexInfo& texinfo_of(const Face& face) const { return texinfos[static_cast<std::size_t>(face.texinfo)]; }

@@ -7,6 +7,7 @@
 #include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"
 #include "engine/level/side.h"
+#include "engine/surface/coloured_surface.h"
 
 namespace oblong {
 
@@ -118,19 +119,29 @@ FaceSurfaces::FaceSurfaces(const Level& level, const FaceTable& faces, const Scr
       longest_px_(mode.width_px),
       cache_(surface_cache(level, mode)),
       moving_lights_(level, faces),
-      corner_shades_(most_light_samples(level, faces)) {}
+      corners_(most_light_samples(level, faces) * (level.coloured_lighting.empty() ? 1 : 3)) {}
 
 void FaceSurfaces::start_frame(const Accuracy& accuracy, std::int32_t brightness_100, const Colormap& colormap,
                                const Kernels& kernels) {
     kernels_ = &kernels;
     cache_.start_frame();
-    const LightQuality quality{accuracy.light, accuracy.shades, accuracy.dithers_light, brightness_100};
+    const LightQuality quality{accuracy.light, accuracy.shades, accuracy.dithers_light, brightness_100,
+                               accuracy.colour_levels};
     if (colormap_ == &colormap && light_quality_ == quality) return;
     cache_.clear();
+    if (colormap_ != &colormap) cubes_.clear();
     light_quality_ = quality;
     colormap_ = &colormap;
     fewer_shades_.reset();
     if (quality.shades < Colormap::kShades) fewer_shades_ = with_shades(colormap, quality.shades);
+    cube_ = quality.colour_levels > 0 && !level_.coloured_lighting.empty() ? cube_of(quality.colour_levels) : nullptr;
+    build_surface_ = cube_ ? build_coloured_surface : build_lit_surface;
+}
+
+const ColourCube* FaceSurfaces::cube_of(std::int32_t levels) {
+    const auto known = cubes_.find(levels);
+    if (known != cubes_.end()) return &known->second;
+    return &cubes_.emplace(levels, make_colour_cube(colormap_->palette, levels)).first->second;
 }
 
 /// Mip levels 0, 1 and 2 end where the nearest texels are 1, 0.4 and 0.2 pixels wide: Quake's thresholds.
@@ -187,8 +198,9 @@ void FaceSurfaces::build(FaceIndex index, const FaceSurface& surface, TextureInd
     const int mip = surface.mip;
     const TextureView source{item(texture.mips, mip).data(), texture.width >> mip, texture.height >> mip,
                              floor_shift(face.texel_min_u, mip), floor_shift(face.texel_min_v, mip)};
-    build_lit_surface(source, light, colormap(), light_quality_, mip, 1 << surface.view.stride_log2,
-                      corner_shades_.data(), texels, kernels_->light_cells);
+    const LightTables tables{
+        colormap(), kernels_->light_cells, colour_cube(), {level_.lighting.data(), level_.coloured_lighting.data()}};
+    build_surface_(source, light, tables, light_quality_, mip, 1 << surface.view.stride_log2, corners_.data(), texels);
     built_texels_ += std::int64_t{surface.view.width} * surface.view.height;
     ++built_surfaces_;
 }

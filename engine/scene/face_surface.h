@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "engine/scene/face_table.h"
 #include "engine/scene/light_styles.h"
 #include "engine/scene/moving_lights.h"
+#include "engine/surface/lit_surface.h"
 #include "engine/surface/surface_cache.h"
 #include "engine/view/projection.h"
 #include "engine/view/texture_gradients.h"
@@ -46,6 +48,8 @@ class FaceSurfaces {
                      const Kernels& kernels);
     /// The colormap used for light: the scene's, or a copy with fewer shades.
     const Colormap& colormap() const { return fewer_shades_ ? *fewer_shades_ : *colormap_; }
+    /// Of coloured light; null: all light is white, or drawn so.
+    const ColourCube* colour_cube() const { return cube_; }
     /// The mip level of a lit or liquid face, or a part of one, whose nearest point in view has the depth `nearest_z`.
     int mip_level(FaceIndex face, View nearest_z, const ProjectionAxis& projection_x, std::int32_t bias) const;
     /// Sets the moving lights from now on; at first there are none.
@@ -66,6 +70,7 @@ class FaceSurfaces {
     const SurfaceCache& cache() const { return cache_; }
 
   private:
+    const ColourCube* cube_of(std::int32_t levels);
     FaceSurface lit(FaceIndex face, int mip, const SurfaceState& state);
     FaceSurface tiled(const Face& face, int mip, const MipTexture& texture) const;
     void build(FaceIndex face, const FaceSurface& surface, TextureIndex texture, const LightmapView& light,
@@ -82,7 +87,10 @@ class FaceSurfaces {
     LightQuality light_quality_;                ///< of the surfaces in the cache
     const Colormap* colormap_ = nullptr;        ///< the scene's
     std::optional<Colormap> fewer_shades_;      ///< used instead of `colormap_`
-    std::vector<std::int32_t> corner_shades_;   ///< scratch
+    std::map<std::int32_t, ColourCube> cubes_;  ///< by their levels, as it takes long to make one
+    const ColourCube* cube_ = nullptr;
+    decltype(&build_lit_surface) build_surface_ = build_lit_surface;
+    std::vector<std::int32_t> corners_;         ///< scratch
     std::vector<std::int32_t> moving_light_8_;  ///< scratch, allocated when a light first touches a face
     std::int64_t built_texels_ = 0, built_surfaces_ = 0;
 };

@@ -155,13 +155,15 @@ std::optional<LightAt> light_at(const Level& level, NodeIndex node, const Vec3<W
 }  // namespace
 
 std::int32_t light_8_of_sample(const Level& level, const Face& face, std::int64_t u, std::int64_t v,
-                               const LightStyles& styles) {
+                               const LightStyles& styles, std::optional<int> channel) {
     std::int32_t sum_8 = 0;
     if (face.light_offset < 0) return sum_8;
     const std::int64_t columns = face.sample_columns(), rows = face.sample_rows();
     std::int64_t sample = face.light_offset + v / 16 * columns + u / 16;
     for (const std::uint8_t style : face.used_styles()) {
-        sum_8 += item(level.lighting, sample) * styles[style % styles.size()];
+        const std::uint8_t light =
+            channel ? item(level.coloured_lighting, 3 * sample + *channel) : item(level.lighting, sample);
+        sum_8 += light * styles[style % styles.size()];
         sample += columns * rows;
     }
     return sum_8;

@@ -94,7 +94,8 @@ struct LightAt {
 std::optional<LightAt> light_below(const Level& level, const Vec3<World>& from, const LightStyles& styles);
 
 /// The light of the sample that holds texel (u, v) of a lit face, counted from the surface's first: 0 to its extents.
+/// `channel`: of coloured light, 0 to 2 for red, green or blue; none: its luminance.
 std::int32_t light_8_of_sample(const Level& level, const Face& face, std::int64_t u, std::int64_t v,
-                               const LightStyles& styles);
+                               const LightStyles& styles, std::optional<int> channel = std::nullopt);
 
 }  // namespace oblong

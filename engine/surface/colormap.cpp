@@ -180,6 +180,34 @@ Colormap make_colormap(const Palette& palette, std::size_t first_fullbright) {
     return map;
 }
 
+ColourCube make_colour_cube(const Palette& palette, std::int32_t levels) {
+    const std::vector<Candidate> sorted = sort_by_luminance(palette, kFirstFullbright);
+    const NearestColour nearest(sorted);
+    const auto channel_8 = [levels](std::int32_t level) { return level * (255 * 256) / (levels - 1); };
+    const auto level_8 = [levels](std::int32_t channel) { return (channel * (levels - 1) * 512 + 255) / 510; };
+    ColourCube cube{levels, {}, {}, {}};
+    cube.nearest.reserve(as_size(levels * levels * levels));
+    std::size_t found = 0;
+    for (std::int32_t red = 0; red < levels; ++red)
+        for (std::int32_t green = 0; green < levels; ++green)
+            for (std::int32_t blue = 0; blue < levels; ++blue) {
+                const Oklab target = oklab_of({channel_8(red), channel_8(green), channel_8(blue)});
+                found = nearest.find(0, sorted.size() - 1, target, found);
+                cube.nearest.push_back(sorted[found].index);
+            }
+    for (std::int32_t level = 0; level < 128; ++level) {
+        const std::int32_t shown = std::min(level, levels - 1);
+        item(cube.parts[0], level) = shown * levels * levels;
+        item(cube.parts[1], level) = shown * levels;
+        item(cube.parts[2], level) = shown;
+    }
+    for (std::size_t i = 0; i < 256; ++i) {
+        const Rgb8 colour = palette.colours[i];
+        cube.levels_8[i] = {level_8(colour.red), level_8(colour.green), level_8(colour.blue)};
+    }
+    return cube;
+}
+
 Colormap with_shades(const Colormap& colormap, std::int32_t count) {
     constexpr std::int32_t kOwn = Colormap::kOwnShade;
     const std::int32_t step = Colormap::kShades / count, most = count / 2 - 1;

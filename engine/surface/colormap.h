@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "engine/surface/palette.h"
 
@@ -44,6 +45,19 @@ constexpr ShadeLight light_of_shade(int shade) {
 /// keeps its hue. Colours from `first_fullbright` on (in Quake the last 32) are the same in every shade, and no other
 /// colour is mapped to them.
 Colormap make_colormap(const Palette& palette, std::size_t first_fullbright = kFirstFullbright);
+
+/// The palette's colours for texels in coloured light: red, green and blue have `levels` values each, evenly from 0 to
+/// 255.
+struct ColourCube {
+    std::int32_t levels = 0;                                  ///< 2 to 64
+    std::vector<std::uint8_t> nearest;                        ///< by (red * levels + green) * levels + blue
+    std::array<std::array<std::int32_t, 4>, 256> levels_8{};  ///< of each colour's channels, with 8 fraction bits
+    /// A channel's part of an index of `nearest`, by its level in up to twice full light.
+    std::array<std::array<std::int32_t, 128>, 3> parts{};
+};
+
+/// Each entry is the ordinary colour perceptually nearest, as in a colormap. Some milliseconds at 32 levels.
+ColourCube make_colour_cube(const Palette& palette, std::int32_t levels);
 
 /// The colormap reduced to `count` shades, 16, 32 or 64, half of them brighter than the colour itself. Each of the 64
 /// is replaced by one of these, in the brighter half by the next brighter one.

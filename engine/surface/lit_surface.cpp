@@ -38,11 +38,6 @@ void compute_corner_shades(const LightmapView& light, std::int32_t brightness_10
     for (std::int32_t& corner : corners) corner = shade_of(brightened(corner, brightness_100));
 }
 
-std::int32_t wrap(std::int32_t value, std::int32_t size) {
-    const std::int32_t rest = value % size;
-    return rest < 0 ? rest + size : rest;
-}
-
 /// Calls step(0), step(1) and so on: an unrolled loop, as a texel takes little more work than the loop itself.
 template <int Count>
 void repeat(auto step) {
@@ -52,29 +47,26 @@ void repeat(auto step) {
     (std::make_integer_sequence<int, Count>());
 }
 
-/// Ordered dithering (Bayer 1973): a fraction is rounded up in this texel if it is in more than this many of 16.
-constexpr std::array<std::uint8_t, 16> kThresholds{0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
-
 template <LightSampling Sampling, bool Dithers, int Mip>
 class SurfaceBuilder {
   public:
     SurfaceBuilder(const TextureView& texture, const Colormap& colormap, const LightQuality& quality,
                    CellKernel light_cells)
         : texture_(texture),
-          first_u_(wrap(texture.min_u, texture.width)),
+          first_u_(wrapped(texture.min_u, texture.width)),
           colormap_(colormap),
           light_cells_(light_cells),
           threshold_24_(static_cast<std::uint32_t>(Colormap::kShades / quality.shades) << 20) {}
 
     /// For a surface without extent in one direction (a texture axis perpendicular to the face): one colour.
     void build_line(std::int32_t shade_16, std::int32_t bytes, std::uint8_t* out) const {
-        const std::uint8_t texel = texels_at(wrap(texture_.min_v, texture_.height))[first_u_];
+        const std::uint8_t texel = texels_at(wrapped(texture_.min_v, texture_.height))[first_u_];
         std::fill_n(out, bytes, item(colormap_.shades, shade_16 >> 16)[texel]);
     }
 
     void build(const LightmapView& light, const std::int32_t* corner_shades, std::int32_t stride,
                std::uint8_t* out) const {
-        std::int32_t v = wrap(texture_.min_v, texture_.height);
+        std::int32_t v = wrapped(texture_.min_v, texture_.height);
         for (std::int32_t y = 0; y < lit_size(light.rows, Mip); y += kCell) {
             build_cells(y, corner_shades, light.columns, texels_at(v), stride, out + y * stride);
             corner_shades += light.columns;
@@ -121,7 +113,7 @@ class SurfaceBuilder {
 
     std::uint32_t dithered(std::uint32_t shade_24, std::int32_t x, std::int32_t y) const {
         if constexpr (!Dithers) return shade_24;
-        const std::uint32_t up = item(kThresholds, (y & 3) * 4 + (x & 3)) * threshold_24_;
+        const std::uint32_t up = item(kDitherThresholds, (y & 3) * 4 + (x & 3)) * threshold_24_;
         return std::min(shade_24 + up, (std::uint32_t{Colormap::kShades} << 24) - 1);
     }
 
@@ -184,11 +176,11 @@ std::int32_t shade_of(std::int32_t light_8) {
     return (2 * kFull_8 - light_8) * kBrighter_16;
 }
 
-void build_lit_surface(const TextureView& texture, const LightmapView& light, const Colormap& colormap,
+void build_lit_surface(const TextureView& texture, const LightmapView& light, const LightTables& tables,
                        const LightQuality& quality, int mip, std::int32_t stride, std::int32_t* corner_shades,
-                       std::uint8_t* out, CellKernel light_cells) {
+                       std::uint8_t* out) {
     compute_corner_shades(light, quality.brightness_100, corner_shades);
-    build_of(quality, mip)(texture, light, colormap, quality, stride, corner_shades, out, light_cells);
+    build_of(quality, mip)(texture, light, tables.colormap, quality, stride, corner_shades, out, tables.light_cells);
 }
 
 }  // namespace oblong

@@ -53,6 +53,7 @@ struct LightQuality {
     std::int32_t shades = Colormap::kShades;  ///< 16, 32 or 64, from the brightest to the darkest
     bool dithers = false;
     std::int32_t brightness_100 = 100;  ///< percent of the stored light
+    std::int32_t colour_levels = 0;     ///< Accuracy::colour_levels
     bool operator==(const LightQuality&) const = default;
 };
 
@@ -73,13 +74,37 @@ struct LitCells {
 /// Lights cells of mip level 0 or 1 with interpolated shades, not dithered.
 using CellKernel = void (*)(const LitCells& cells, int mip, const Colormap& colormap);
 
+/// All samples of a level, in the same order: one value each, and red, green and blue.
+struct ColouredLighting {
+    const std::uint8_t* luminance = nullptr;
+    const std::uint8_t* channels = nullptr;
+};
+
+/// What light is looked up in.
+struct LightTables {
+    const Colormap& colormap;          ///< for fewer than 64 shades from with_shades()
+    CellKernel light_cells = nullptr;  ///< of this processor
+    const ColourCube* cube = nullptr;  ///< this and the next: for build_coloured_surface() only
+    ColouredLighting coloured{};
+};
+
+/// Ordered dithering (Bayer 1973) of 4x4 texels: a fraction is rounded up in this texel if it is in more than this many
+/// of 16.
+inline constexpr std::array<std::uint8_t, 16> kDitherThresholds{0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
+
+/// A texture's coordinate from that of a surface, of any sign.
+constexpr std::int32_t wrapped(std::int32_t texel, std::int32_t size) {
+    const std::int32_t rest = texel % size;
+    return rest < 0 ? rest + size : rest;
+}
+
 /// Writes texture times light to `out`: shades are interpolated in each cell between four samples, or taken from the
 /// nearest one, and looked up in the colormap (Abrash, Black Book, ch. 68). They are rounded down, or with dithering
-/// rounded up in as many of 4x4 texels as their fraction says. For fewer than 64 shades, `colormap` is from
-/// with_shades(). `out` has lit_size(rows) rows of `stride` bytes, at least one; a surface without extent in a
-/// direction is one colour. `corner_shades` is scratch of columns * rows entries.
-void build_lit_surface(const TextureView& texture, const LightmapView& light, const Colormap& colormap,
+/// rounded up in as many of 4x4 texels as their fraction says. `out` has lit_size(rows) rows of `stride` bytes, at
+/// least one; a surface without extent in a direction is one colour. `corner_shades` is scratch of columns * rows
+/// entries.
+void build_lit_surface(const TextureView& texture, const LightmapView& light, const LightTables& tables,
                        const LightQuality& quality, int mip, std::int32_t stride, std::int32_t* corner_shades,
-                       std::uint8_t* out, CellKernel light_cells = nullptr);
+                       std::uint8_t* out);
 
 }  // namespace oblong

@@ -89,8 +89,8 @@ void visit_part_of_level(Archive& archive, Value& v) {
         static_assert(kIs<Value, Level>);
         if constexpr (!std::is_const_v<Value>) v.t_junctions.emplace();
         visit_all(archive, v.entities, v.planes, v.textures, v.vertices, v.visibility, v.nodes, v.texinfos, v.faces,
-                  v.lighting, v.clip_nodes, v.leaves, v.mark_faces, v.edges, v.surf_edges, v.models, v.sky,
-                  *v.t_junctions);
+                  v.lighting, v.coloured_lighting, v.clip_nodes, v.leaves, v.mark_faces, v.edges, v.surf_edges,
+                  v.models, v.sky, *v.t_junctions);
     }
 }
 

@@ -22,6 +22,7 @@ Accuracy with_exact_colours(Accuracy accuracy) {
     accuracy.light = exact.light;
     accuracy.shades = exact.shades;
     accuracy.dithers_light = exact.dithers_light;
+    accuracy.colour_levels = exact.colour_levels;
     accuracy.mip = exact.mip;
     accuracy.mip_bias = exact.mip_bias;
     accuracy.textures_floors = exact.textures_floors;

@@ -36,7 +36,7 @@ struct LabFigures {
     std::int32_t pixels = 0;  ///< of the picture
 };
 
-/// A setting with the dials of colour (light, shades, dither, mip levels) of the preset `exact`.
+/// A setting with the dials of colour (light, shades, dither, coloured light, mip levels) of the preset `exact`.
 Accuracy with_exact_colours(Accuracy accuracy);
 /// The distances of colours of two pictures, RGB, of the pixels that differ.
 ErrorSummary colour_errors(std::span<const std::uint8_t> picture, std::span<const std::uint8_t> exact,

@@ -53,6 +53,51 @@ TEST(TinyLevel, PointOnThePlaneBelongsToItsBack) {
     EXPECT_EQ(find_leaf(level, level.world(), p), LeafIndex(1));
 }
 
+/// The tiny level of eight light samples with a lump of this name, size and offset from its place behind its list.
+test::Bytes with_extension(std::string_view name, int size, int shift = 0, int lumps = 1) {
+    test::Bytes file = test::join_lumps(29, test::make_tiny_lumps());
+    file.resize((file.size() + 3) / 4 * 4);
+    test::ByteWriter out(file);
+    out.text("BSPX").i32(lumps).text(name).text(std::string(24 - name.size(), '\0'));
+    out.i32(static_cast<std::int64_t>(file.size()) + 8 + shift).i32(size);
+    for (int i = 0; i < 24; ++i) out.u8(10 * i);
+    return file;
+}
+
+TEST(TinyLevel, ColoursOfItsLightAreBehindTheOtherLumps) {
+    const auto colours_of = [](const test::Bytes& file) { return read_bsp(file).coloured_lighting; };
+    const auto colours = colours_of(with_extension("RGBLIGHTING", 24));
+    ASSERT_EQ(colours.size(), 3 * read_tiny().lighting.size());
+    for (std::size_t i = 0; i < colours.size(); ++i) EXPECT_EQ(colours[i], 10 * i);
+    EXPECT_TRUE(colours_of(with_extension("RGBLIGHTINGS", 24)).empty()) << "another lump";
+    EXPECT_TRUE(colours_of(with_extension("RGBLIGHTING", 21)).empty()) << "of other samples";
+    EXPECT_TRUE(read_tiny().coloured_lighting.empty());
+    for (const auto& [size, shift, lumps] :
+         {std::array{24, 1, 1}, {25, 0, 1}, {-1, 0, 1}, {24, -1000, 1}, {24, 0, 9}}) {
+        const std::string said = test::refusal([&] { read_bsp(with_extension("RGBLIGHTING", size, shift, lumps)); });
+        EXPECT_NE(said.find("BSPX"), std::string::npos) << said;
+        EXPECT_NE(said.find("expected an end within the"), std::string::npos) << said;
+    }
+}
+
+TEST(TinyLevel, ColoursOfItsLightMayBeInAFileBesideIt) {
+    Level level = read_tiny();
+    const auto file = [](int version, int colours) {
+        test::Bytes bytes;
+        test::ByteWriter out(bytes);
+        out.text("QLIT").i32(version);
+        for (int i = 0; i < colours; ++i) out.u8(5 * i);
+        return bytes;
+    };
+    read_lit_file(file(1, 24), level);
+    ASSERT_EQ(level.coloured_lighting.size(), 24u);
+    EXPECT_EQ(level.coloured_lighting[23], 115);
+    const auto said = [&](const test::Bytes& bytes) { return test::refusal([&] { read_lit_file(bytes, level); }); };
+    EXPECT_NE(said(file(2, 24)).find("version 1"), std::string::npos);
+    EXPECT_NE(said({'Q', 'L', 'I'}).find("version 1"), std::string::npos);
+    EXPECT_NE(said(file(1, 23)).find("23 bytes of colours, expected 24"), std::string::npos);
+}
+
 TEST(TinyLevel, IsTheSameInAllFormats) {
     const test::Lumps lumps = test::make_tiny_lumps();
     EXPECT_EQ(read_tiny(), read_bsp(test::join_lumps(version_from_letters("BSP2"), test::widen_lumps(lumps, true))));

@@ -37,6 +37,7 @@ VARIANTS = (PRESET_VARIANTS +
 
 CHECKED = PRESET_VARIANTS + ["bounded+perspective=every8", "bounded+perspective=bounded-texels", "bounded+reciprocal=table256-newton1",
                            "bounded+pixel-bound=0.125", "bounded+edges=accumulated", "bounded+light=nearest", "bounded+dither=on"]
+COLOURED = ["bounded", "pixel", "exact", "bounded+colours=64"]  # of a level with coloured light
 
 # Cycles of a 386, a 486 and a Pentium: of registers, more if memory is read, more if it is read and written. From Intel's
 # manuals of the 80386 and i486 as HelpPC's tables give them, and Agner Fog's of the Pentium. Products and scans take a
@@ -216,7 +217,7 @@ def read_prices(path):
 def fit_all(counter, path, levels):
     """Fits to the first, third ... cameras; errors are of these and of some of the others."""
     def frames_of(name):
-        demo = name == "demo"
+        demo = name in ("demo", "coloured")
         return [list(counter.paid(name, levels[name], which, settings)) for which, settings in (
             ((0, 2 if demo else 40), PRESET_VARIANTS), ((0, 6 if demo else 170), VARIANTS[len(PRESET_VARIANTS):]),
             ((1, 4) if demo else (21, 84), VARIANTS if demo else PRESET_VARIANTS))]
@@ -232,16 +233,31 @@ def fit_all(counter, path, levels):
     write_prices(path, prices, errors)
 
 
-def check(counter, path, level):
+def check(counter, path, levels):
     """Whether the prices are as near to counted frames as they say they are."""
     prices, (of_presets, of_any) = read_prices(path)
     failures = 0
-    for key, errors in errors_of(counter.paid("demo", level, (1, 4), CHECKED), prices).items():
+    frames = (frame for name, level in levels.items()
+              for frame in counter.paid(name, level, (1, 4), CHECKED if name == "demo" else COLOURED))
+    for key, errors in errors_of(frames, prices).items():
         said = of_presets if is_preset(key) else of_any
         is_far = any(abs(error) > most + 0.1 for error, most in zip(errors, said))  # as both are rounded
         failures += is_far
-        print(f"{key[1]:40} {key[2]:5} {numbers(errors, '+6.1f')} %{'  TOO FAR' if is_far else ''}")
+        print(f"{key[0]:9}{key[1]:40} {key[2]:5} {numbers(errors, '+6.1f')} %{'  TOO FAR' if is_far else ''}")
     sys.exit(f"{failures} settings' prices in {path} are further off than it says" if failures else 0)
+
+
+def coloured(demo, source, build):
+    """The demo level with lamps of three colours in turn."""
+    with open(f"{source}/assets/demo.map") as file:
+        parts = file.read().replace('"wad" "..', f'"wad" "{source}').split('"classname" "light')
+    colours = ['"_color" "255 90 60"\n', '"_color" "70 110 255"\n', '"_color" "90 255 120"\n']
+    text = parts[0] + "".join(f'{colours[i % 3]}"classname" "light{part}' for i, part in enumerate(parts[1:]))
+    name = f"{build}/operations/coloured"
+    with open(f"{name}.map", "w") as file:
+        file.write(text)
+    run(f"{build}/bin/oblong-map", f"{name}.map", "--fast", "--game", f"{source}/assets", "--out", f"{name}.bsp")
+    return f"{name}.bsp", *demo[1:]
 
 
 def main():
@@ -251,10 +267,11 @@ def main():
     path = f"{source}/engine/costs/prices.h"
     demo = f"{build}/assets/demo.bsp", f"{source}/assets/demo_cameras.csv", f"{build}/assets/palette.lmp"
     counter = Counter(source, build)
+    lamps = coloured(demo, source, build)
     if sys.argv[1] == "check":
-        check(counter, path, demo)
+        check(counter, path, {"demo": demo, "coloured": lamps})
     more = [sys.argv[i:i + 3] for i in range(4, len(sys.argv), 3)]
-    fit_all(counter, path, {"demo": demo, **{os.path.basename(level[0])[:-4]: level for level in more}})
+    fit_all(counter, path, {"demo": demo, "coloured": lamps, **{os.path.basename(level[0])[:-4]: level for level in more}})
 
 
 if __name__ == "__main__":

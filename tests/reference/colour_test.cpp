@@ -28,7 +28,7 @@ struct LitFace {
         face.light_offset = 0;
         face.styles = {0, 255, 255, 255};
     }
-    double at(double u, double v) const { return light_at(level, face, u, v); }
+    double at(double u, double v) const { return light_at(level, face, u, v).green; }
 };
 
 TEST(ReferenceLight, IsInterpolatedBetweenSamples) {

@@ -40,7 +40,7 @@ struct Patch {
         light.style_scale_256[0] = scale;
         const std::int32_t stride = lit_size(columns, mip);
         std::vector<std::uint8_t> out(static_cast<std::size_t>(stride * lit_size(rows, mip)));
-        build_lit_surface(texture, light, map, quality, mip, stride, scratch.data(), out.data());
+        build_lit_surface(texture, light, {map}, quality, mip, stride, scratch.data(), out.data());
         return out;
     }
 };
@@ -88,8 +88,8 @@ TEST(LitSurface, ALevelWithoutLightShowsItsOwnColours) {
     light.columns = light.rows = 2;
     light.has_no_lightmaps = true;
     std::vector<std::uint8_t> out(256);
-    build_lit_surface({patch.texels.data(), 64, 64, 0, 0}, light, numbered_shades(), {}, 0, 16, patch.scratch.data(),
-                      out.data());
+    const Colormap map = numbered_shades();
+    build_lit_surface({patch.texels.data(), 64, 64, 0, 0}, light, {map}, {}, 0, 16, patch.scratch.data(), out.data());
     EXPECT_EQ(std::count(out.begin(), out.end(), std::uint8_t{Colormap::kOwnShade}), 256);
 }
 
@@ -106,7 +106,7 @@ TEST(LitSurface, WithoutExtentIsOneColourAndWritesAllOfIt) {
         light.style_scale_256[0] = 256;
         const std::int32_t stride = std::max(lit_size(columns, 0), 1), height = std::max(lit_size(rows, 0), 1);
         std::vector<std::uint8_t> out(static_cast<std::size_t>(stride * height), 0xa5);
-        build_lit_surface({patch.texels.data(), 64, 64, 16, 16}, light, map, {}, 0, stride, patch.scratch.data(),
+        build_lit_surface({patch.texels.data(), 64, 64, 16, 16}, light, {map}, {}, 0, stride, patch.scratch.data(),
                           out.data());
         const int shade = static_cast<int>(shade_in_doubles(patch.samples[0]));
         EXPECT_EQ(std::count(out.begin(), out.end(), static_cast<std::uint8_t>(shade)), stride * height);
@@ -171,8 +171,8 @@ TEST(LitSurface, EachTexelIsWhatTheFormulaSays) {
         const std::int32_t width = lit_size(light.columns, mip), height = lit_size(light.rows, mip), stride = width + 3;
         for (const Kernels& kernels : all_kernels()) {
             std::vector<std::uint8_t> out(static_cast<std::size_t>(stride * height), 77);
-            build_lit_surface(texture, light, map, quality, mip, stride, patch.scratch.data(), out.data(),
-                              kernels.light_cells);
+            build_lit_surface(texture, light, {map, kernels.light_cells}, quality, mip, stride, patch.scratch.data(),
+                              out.data());
             for (std::int32_t y = 0; y < height; ++y)
                 for (std::int32_t x = 0; x < stride; ++x)
                     ASSERT_EQ(item(out, y * stride + x),

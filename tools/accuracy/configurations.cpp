@@ -49,13 +49,14 @@ Measure measure_of(const Dial& dial) {
     if (is_one_of({"subpixel-bits"})) return Measure::WrongPixels;
     if (is_one_of({"edges"})) return Measure::EdgePixels;
     if (is_one_of({"t-junctions"})) return Measure::FreePixels;
-    if (is_one_of({"light", "shades", "dither"})) return Measure::LightColour;
+    if (is_one_of({"light", "shades", "dither", "colours"})) return Measure::LightColour;
     if (is_one_of({"mip", "mip-bias", "floors"})) return Measure::PixelColour;
     return Measure::Displacement;
 }
 
 bool has_same_surfaces(const Accuracy& a, const Accuracy& b) {
-    return a.light == b.light && a.shades == b.shades && a.dithers_light == b.dithers_light;
+    return a.light == b.light && a.shades == b.shades && a.dithers_light == b.dithers_light &&
+           a.colour_levels == b.colour_levels;
 }
 
 Configurations make_configurations(std::span<const Dial> dials) {

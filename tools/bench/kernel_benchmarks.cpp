@@ -120,8 +120,8 @@ void time_lit_surface(benchmark::State& state) {
     std::vector<std::int32_t> corner_shades(kSamples * kSamples);
     std::vector<std::uint8_t> out(pixel_count(kSize, kSize));
     for (auto _ : state) {
-        build_lit_surface({texels.data(), kTexture, kTexture, 0, 0}, light, colormap, {}, 0, kSize,
-                          corner_shades.data(), out.data(), best_kernels().light_cells);
+        build_lit_surface({texels.data(), kTexture, kTexture, 0, 0}, light, {colormap, best_kernels().light_cells}, {},
+                          0, kSize, corner_shades.data(), out.data());
         benchmark::ClobberMemory();
     }
     show_time_per("texel", std::ssize(out), state);

@@ -4,7 +4,7 @@
 
 #include "engine/base/text.h"
 #include "engine/effects/palette_effects.h"
-#include "engine/io/files.h"
+#include "engine/io/game_files.h"
 #include "engine/level/bsp_read.h"
 #include "engine/models/level_models.h"
 #include "engine/pictures/picture.h"
@@ -180,7 +180,8 @@ void render(const Options& options) {
     check_hidden_surfaces(hidden_surfaces.method(), views);
 
     const auto start = std::chrono::steady_clock::now();
-    const Level level = read_parsed(options.level, read_bsp);
+    Level level = read_parsed(options.level, read_bsp);
+    read_lit_file_beside(options.level, level);
     const std::vector<PlacedModel> models = models_at_rest(level);
     const LevelModels level_models = read_level_models(level, palette, {options.level, options.models});
     WorkerThreads workers(static_cast<int>(options.threads));

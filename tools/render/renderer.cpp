@@ -75,6 +75,7 @@ class ViewRenderer {
         draw(view);
         work_.observers.counts = nullptr;
         counts.stages.lit_texels = work_.cache.surfaces.built_texels() - lit_before;
+        if (work_.cache.surfaces.colour_cube()) counts.stages.coloured_texels = counts.stages.lit_texels;
         for (const std::uint8_t writes : counts.writes)
             ++(writes == 0 ? report.pixels_never : writes == 1 ? report.pixels_once : report.pixels_twice);
         report.counts = named_counts(counts);
