@@ -126,7 +126,7 @@ inline constexpr std::array kSmooth{
     number("_phong_group", "0", "`_phong` smooths within groups of one number"),
 };
 inline constexpr std::array kLeastColour{
-    numbers("_minlight_color", 3, 3, "", "colour of the least light; of it, only the luminance is used"),
+    numbers("_minlight_color", 3, 3, "", "colour of the least light"),
 };
 inline constexpr auto kLitBrushes = joined(kSmooth, kLeastColour,
                                            std::array{
@@ -160,7 +160,7 @@ inline constexpr std::array kWorld{
     number("_sunlight_penumbra", "0", "diameter of the sun in degrees, up to 90: softens edges of its shadows"),
     number("_sunlight2", "0", "brightness of the sky's upper half, as on an overcast day"),
     number("_sunlight3", "0", "the same for the lower half"),
-    numbers("_sunlight_color", 3, 3, "", "colour of the sun; of it, only the luminance is used"),
+    numbers("_sunlight_color", 3, 3, "", "colour of the sun"),
     numbers("_sunlight2_color", 3, 3, "", "likewise, of the sky's upper half"),
     numbers("_sunlight3_color", 3, 3, "", "likewise, of the lower half"),
     number("_dirt", "0", "1: corners are darker (ambient occlusion), as with `--dirt`"),
@@ -188,9 +188,7 @@ inline constexpr std::array kExternalMap{
     numbers("_external_map_scale", 1, 3, "1", "scale, or one for each axis"),
 };
 inline constexpr std::array kLight{
-    numbers("light", 1, 4, "300",
-            "brightness, or red green blue brightness; negative subtracts light; of the colour, only its luminance is "
-            "used"),
+    numbers("light", 1, 4, "300", "brightness, or red green blue brightness; negative subtracts light"),
     number("wait", "1", "factor of the distance: larger fades faster"),
     EntityKey{"delay", Choice, "0", "how light fades with distance", kFalloffs},
     EntityKey{"style", Whole, "0", "flicker: 0 to 11 are Quake's; 32 to 63 for switched lights or a `pattern`",
@@ -202,7 +200,7 @@ inline constexpr std::array kLight{
     number("_softangle", "0", "angle of the cone within which it is at its full"),
     number("_deviance", "0", "radius in units of a ball that shines, for soft edges of shadows"),
     number("_samples", "16", "lights all over that ball, up to 64"),
-    numbers("_color", 3, 3, "", "colour, 0 to 255 or 0 to 1; only its luminance is used, as lightmaps hold shades"),
+    numbers("_color", 3, 3, "", "colour, 0 to 255 or 0 to 1"),
     EntityKey{"_surface", Text, "", "a texture: all faces with it emit this light, in place of this entity"},
     number("_surface_offset", "2", "distance in units from those faces to their lights"),
     number("_surface_spotlight", "0", "1: those lights are spotlights that point away from the face"),

@@ -74,6 +74,81 @@ TEST(LightKeys, ColoursOfSunAndLeastLightCountByTheirLuminance) {
     EXPECT_EQ(light_of({{"_minlight", "100"}, {"_minlight_color", "0 0 1"}}), 5) << "half of 100 * 0.114";
 }
 
+using Rgb = std::array<int, 3>;
+
+/// As floor_light(), of each channel: samples have the same places.
+Rgb floor_colour(const map::BspFile& bsp, int x, int y) {
+    map::BspFile of_channel = bsp;
+    Rgb colour{};
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        for (std::size_t i = 0; i < bsp.lighting.size(); ++i)
+            of_channel.lighting[i] = bsp.coloured_lighting.at(3 * i + channel);
+        colour[channel] = floor_light(of_channel, x, y);
+    }
+    return colour;
+}
+
+TEST(LightKeys, ColouredLightHasRedGreenAndBlueBesideItsLuminance) {
+    const auto lit_by = [](const Keys& keys) {
+        return compile(entity("worldspawn", {}, hall()) + entity_at("light", kLamp, keys), {true});
+    };
+    const int full = static_cast<int>(linear_light(300, kHeight));
+    const auto red = lit_by({{"light", "300"}, {"_color", "255 0 0"}});
+    EXPECT_EQ(floor_colour(red, 64, 64), (Rgb{full, 0, 0}));
+    EXPECT_EQ(floor_light(red, 64, 64), static_cast<int>(linear_light(300, kHeight) * 0.299));
+    const auto mixed = lit_by({{"light", "255 128 51 300"}});
+    const auto part = [](double of_255) { return static_cast<int>(linear_light(300, kHeight) * of_255 / 255); };
+    EXPECT_EQ(floor_colour(mixed, 64, 64), (Rgb{full, part(128), part(51)}));
+    for (const Keys& white : {Keys{{"light", "300"}}, Keys{{"light", "300"}, {"_color", "0.7 0.7 0.7"}}})
+        EXPECT_TRUE(lit_by(white).coloured_lighting.empty());
+}
+
+TEST(LightKeys, AllOfWorldspawnsLightHasColours) {
+    const auto colour_of = [](const Keys& keys) {
+        return floor_colour(compile(entity("worldspawn", keys, hall("sky")), {true}), 64, 64);
+    };
+    const Keys sun{{"_sunlight", "200"}, {"_sun_mangle", "0 -90 0"}, {"_sunlight_color", "0 1 0.5"}};
+    EXPECT_EQ(colour_of(sun), (Rgb{0, 100, 50}));
+    EXPECT_EQ(colour_of({{"_minlight", "100"}, {"_minlight_color", "0 0 255"}}), (Rgb{0, 0, 50}));
+    const Rgb sky = colour_of({{"_sunlight2", "100"}, {"_sunlight2_color", "1 0.5 0"}});
+    EXPECT_GT(sky[0], 20);
+    EXPECT_NEAR(sky[1], sky[0] / 2, 1);
+    EXPECT_EQ(sky[2], 0);
+}
+
+TEST(LightKeys, BouncedLightHasTheColoursOfLampsAndTextures) {
+    Palette palette;
+    palette.colours.fill({200, 100, 50});
+    map::CompileOptions options{true};
+    options.palette = &palette;
+    const auto floor_beside_shade = [&](const char* colour) {
+        // The slab keeps the lamp's own light from half of the floor.
+        return compile(entity("worldspawn", {{"_bounce", "1"}}, hall() + box({96, 0, 40}, {224, 224, 44})) +
+                           entity_at("light", {48, 112, 90}, {{"light", "900"}, {"_color", colour}}),
+                       options);
+    };
+    const Rgb red = floor_colour(floor_beside_shade("255 0 0"), 192, 112),
+              violet = floor_colour(floor_beside_shade("255 0 255"), 192, 112);
+    EXPECT_GT(red[0], 2);
+    EXPECT_EQ(red[1] + red[2], 0);
+    EXPECT_EQ(violet[0], red[0]);
+    EXPECT_EQ(violet[1], 0);
+    EXPECT_NEAR(violet[2], violet[0] / 4, 1) << "its texture reflects 50 of blue for 200 of red";
+}
+
+TEST(LightKeys, ColoursAreInTheFileAndReadFromIt) {
+    const auto bsp = compile(
+        entity("worldspawn", {}, hall()) + entity_at("light", kLamp, {{"light", "300"}, {"_color", "255 90 20"}}),
+        {true});
+    const std::string bytes = map::to_bytes(bsp);
+    EXPECT_EQ(map::from_bytes(bytes).coloured_lighting, bsp.coloured_lighting);
+    const Level level = engine_level(bytes);
+    ASSERT_EQ(level.coloured_lighting.size(), bsp.coloured_lighting.size());
+    EXPECT_TRUE(std::equal(level.coloured_lighting.begin(), level.coloured_lighting.end(),
+                           bsp.coloured_lighting.begin(),
+                           [](std::uint8_t a, char b) { return a == static_cast<std::uint8_t>(b); }));
+}
+
 TEST(LightKeys, AGroupHasALeastLightOfItsOwn) {
     const auto bsp = compile(entity("worldspawn", {{"_minlight", "20"}}, hall()) +
                                  entity("func_group", {{"_minlight", "60"}}, box({96, 96, 0}, {128, 128, 32})) +

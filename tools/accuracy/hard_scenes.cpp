@@ -148,6 +148,21 @@ HardScene make_rotating_sphere() {
     return {"rotating sphere", "A sphere of 24 by 12 facets, seen from five sides.", std::move(room), std::move(eyes)};
 }
 
+HardScene make_coloured_lamps() {
+    SceneMap room({{0, 0, 0}, {512, 512, 256}});
+    room.add_start({256, 24, 32});
+    for (const auto& [place, colour] : {std::pair{Point{60, 450, 100}, "255 40 20"},
+                                        {{256, 470, 40}, "40 255 60"},
+                                        {{450, 400, 180}, "50 80 255"},
+                                        {{256, 60, 220}, "255 230 180"}})
+        room.add_light(place, 420, colour);
+    room.add(make_sphere({256, 330, 100}, "stone", "tiles"));
+    return {"coloured lamps",
+            "Red, green, blue and warm white lamps, on a sphere and on walls: more hues than the palette has.",
+            std::move(room),
+            {{{256, 60, 90}, 90, 4}, {{420, 120, 140}, 120, 10, 12}, {{90, 200, 60}, 40, -8}}};
+}
+
 Camera camera_of(const Eye& eye) {
     const auto world = [](double value) {
         return World::from_raw(static_cast<std::int32_t>(std::lround(value * 4096)));
@@ -178,7 +193,7 @@ std::vector<MeasuredLevel> make_hard_scenes(const Palette& palette, std::size_t 
     const map::Wad wad(make_scene_wad(palette));
     std::vector<MeasuredLevel> levels;
     for (const auto make : {make_wall_1_to_10, make_wall_1_to_1000, make_close_wall, make_horizon, make_tilted_plane,
-                            make_slivers, make_far_tower, make_rotating_sphere})
+                            make_slivers, make_far_tower, make_rotating_sphere, make_coloured_lamps})
         levels.push_back(compiled(make(), wad, most_cameras));
     return levels;
 }

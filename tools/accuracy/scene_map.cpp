@@ -176,8 +176,8 @@ SceneMap::SceneMap(const map::Box& room) {
     add(make_box({{outer_low.x, low.y, low.z}, {low.x, high.y, high.z}}, "stone"));
 }
 
-void SceneMap::add_light(const Point& origin, int brightness) {
-    add_point("light", origin, {{"light", std::to_string(brightness)}, {"wait", "1.5"}});
+void SceneMap::add_light(const Point& origin, int brightness, const std::string& colour) {
+    add_point("light", origin, {{"light", std::to_string(brightness)}, {"wait", "1.5"}, {"_color", colour}});
 }
 
 void SceneMap::add_point(const std::string& classname, const Point& origin, std::vector<map::MapPair> more) {

@@ -29,7 +29,7 @@ class SceneMap {
 
     void add(map::MapBrush brush) { entities_.front().brushes.push_back(std::move(brush)); }
     void add_start(const map::Point& origin) { add_point("info_player_start", origin, {}); }
-    void add_light(const map::Point& origin, int brightness);
+    void add_light(const map::Point& origin, int brightness, const std::string& colour = "255 255 255");
 
     const std::vector<map::MapEntity>& entities() const { return entities_; }
 

@@ -222,6 +222,7 @@ BspFile changed_level(const std::vector<MapEntity>& entities, const LevelBrushes
     bsp.entities = entities_text(entities);
     if (options.part == CompilePart::Entities) return bsp;
     bsp.lighting.clear();
+    bsp.coloured_lighting.clear();
     for (FileFace& face : bsp.faces) {
         face.styles = FileFace{}.styles;
         face.light_offset = -1;
@@ -245,6 +246,7 @@ void take_light(BspFile& bsp, const BspFile& former) {
         bsp.faces[i].light_offset = former.faces[i].light_offset;
     }
     bsp.lighting = former.lighting;
+    bsp.coloured_lighting = former.coloured_lighting;
 }
 
 }  // namespace

@@ -69,14 +69,14 @@ class PointsOfSamples {
 
     std::size_t per_sample() const { return per_sample_; }
 
-    // `light_at`: the light at a point, which is the k-th of its sample.
+    // `light_at`: the luminance at a point, which is the k-th of its sample.
     template <class LightAt>
-    void add_light(Samples& sums, LightAt light_at) const {
-        sums.resize(points_.size() / per_sample_, 0);
+    void add_light(Samples& sums, const Hue& hue, LightAt light_at) const {
+        sums.resize(points_.size() / per_sample_);
         for (std::size_t i = 0; i < sums.size(); ++i) {
             double sum = 0;
             for (std::size_t k = 0; k < per_sample_; ++k) sum += light_at(points_[i * per_sample_ + k], k);
-            sums[i] += sum / static_cast<double>(per_sample_);
+            sums[i] += hue.of(sum / static_cast<double>(per_sample_));
         }
     }
 
@@ -130,7 +130,7 @@ StyleSamples direct_light(const FaceSampler& sampler, const std::vector<const Li
     for (const LightSource* source : sources) {
         double brightest = 0;
         const double range = source->range();
-        samples.add_light(styles[source->style], [&](const LitPoint& lit, std::size_t) {
+        samples.add_light(styles[source->style], source->hue, [&](const LitPoint& lit, std::size_t) {
             const double light = light_from(*source, range, lit.point, lit.normal, tracer);
             brightest = std::max(brightest, std::abs(light));
             return light;
@@ -138,7 +138,7 @@ StyleSamples direct_light(const FaceSampler& sampler, const std::vector<const Li
         if (brightest >= kLeastShade) is_seen(*source);
     }
     if (sun.brightness > 0)
-        samples.add_light(styles[0], [&](const LitPoint& lit, std::size_t k) {
+        samples.add_light(styles[0], sun.hue, [&](const LitPoint& lit, std::size_t k) {
             return light_from_sun(sun, k, samples.per_sample(), lit, tracer);
         });
     return styles;

@@ -35,7 +35,7 @@ std::vector<const LightSource*> sources_near(const std::vector<LightSource>& sou
 inline constexpr double kRangeScale = 0.5;
 
 /// A face's light by sample, of one style; and of all its styles.
-using Samples = std::vector<double>;
+using Samples = std::vector<Light>;
 using StyleSamples = std::map<int, Samples>;
 
 /// The light at a face's samples from each source visible there. `is_fast`: one ray a sample and source instead of

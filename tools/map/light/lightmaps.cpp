@@ -20,7 +20,8 @@ constexpr std::size_t kMaxStyles = 4;
 constexpr int kNudge = 2;  // units by which a lamp in a wall is moved
 
 double sum_of(const Samples& samples) {
-    return std::accumulate(samples.begin(), samples.end(), 0.0);
+    return std::accumulate(samples.begin(), samples.end(), 0.0,
+                           [](double sum, const Light& sample) { return sum + sample.luminance; });
 }
 
 // A face can store four: removes the dimmest.
@@ -31,14 +32,20 @@ void keep_brightest(StyleSamples& styles) {
         }));
 }
 
+char stored(double light) {
+    return static_cast<char>(static_cast<int>(std::clamp(light * kRangeScale, 0.0, 255.0)));
+}
+
 void store_styles(BspFile& bsp, FileFace& face, const StyleSamples& styles) {
     if (styles.empty()) return;
     face.light_offset = static_cast<int>(bsp.lighting.size());
     std::size_t next = 0;
     for (const auto& [style, samples] : styles) {
         face.styles[next++] = static_cast<std::uint8_t>(style);
-        for (const double sample : samples)
-            bsp.lighting.push_back(static_cast<char>(static_cast<int>(std::clamp(sample * kRangeScale, 0.0, 255.0))));
+        for (const Light& sample : samples) {
+            bsp.lighting.push_back(stored(sample.luminance));
+            for (const double channel : sample.channels) bsp.coloured_lighting.push_back(stored(channel));
+        }
     }
 }
 
@@ -67,23 +74,29 @@ void move_out_of_walls(std::vector<LightSource>& sources, const Tracer& tracer, 
 }
 
 // A model's faces are consecutive.
-std::vector<double> least_light_of_faces(const BspFile& bsp, const std::vector<double>& of_models) {
-    std::vector<double> least;
+std::vector<Light> least_light_of_faces(const BspFile& bsp, const std::vector<Light>& of_models) {
+    std::vector<Light> least;
     for (std::size_t model = 0; model < bsp.models.size(); ++model)
         least.insert(least.end(), as_size(bsp.models[model].face_count), of_models[model]);
     return least;
 }
 
-// The share of light that each texture reflects: the mean luminance of its texels.
-std::vector<double> reflectances(const BspFile& bsp, const Palette* palette) {
-    std::vector<double> shares;
+Light reflected_by(const Rgb8& colour) {
+    return {luminance_1000(colour) / 255'000.0, {colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0}};
+}
+
+// The share of light that each texture reflects: the mean of its texels.
+std::vector<Light> reflectances(const BspFile& bsp, const Palette* palette) {
+    constexpr Light kHalf{0.5, {0.5, 0.5, 0.5}};
+    std::vector<Light> shares;
     for (const std::string& miptex : bsp.textures) {
         const MipTexture texture = parse_miptex({reinterpret_cast<const std::uint8_t*>(miptex.data()), miptex.size()});
         const auto& texels = texture.mips.back();
-        double sum = 0;
+        Light sum;
         for (const std::uint8_t texel : texels)
-            sum += palette == nullptr ? 0.5 : luminance_1000(item(palette->colours, texel)) / 255'000.0;
-        shares.push_back(texels.empty() ? 0.5 : sum / static_cast<double>(texels.size()));
+            sum += palette == nullptr ? kHalf : reflected_by(item(palette->colours, texel));
+        sum /= static_cast<double>(texels.size());
+        shares.push_back(texels.empty() ? kHalf : sum);
     }
     return shares;
 }
@@ -155,7 +168,7 @@ class LightPass {
         std::vector<StyleSamples> last = styles_;
         if (!settings.is_bounce_styled)
             for (StyleSamples& styles : last) std::erase_if(styles, [](const auto& style) { return style.first != 0; });
-        const std::vector<double> reflected = reflectances(bsp_, options_.palette);
+        const std::vector<Light> reflected = reflectances(bsp_, options_.palette);
         for (int bounce = 0; bounce < std::max(settings.bounces, 1); ++bounce) {
             const AddLight add_reflected = [&](const Point& point, const RayHit& hit, const Point& direction,
                                                double share, StyleLight& light) {
@@ -179,9 +192,9 @@ class LightPass {
         }
     }
 
-    static double& sample_of(StyleSamples& styles, int style, std::size_t sample, std::size_t count) {
+    static Light& sample_of(StyleSamples& styles, int style, std::size_t sample, std::size_t count) {
         Samples& samples = styles[style];
-        samples.resize(count, 0);
+        samples.resize(count);
         return samples[sample];
     }
 
@@ -189,8 +202,10 @@ class LightPass {
         const HemisphereSettings& settings = lights_.hemisphere;
         for (std::size_t k = 0; k < seen.size(); ++k) {
             darken(face, k, seen[k]);
-            sample_of(styles_[face], 0, k, seen.size()) +=
-                settings.sunlight2 * seen[k].sky_above + settings.sunlight3 * seen[k].sky_below;
+            Light above = settings.sunlight2, below = settings.sunlight3;
+            above *= seen[k].sky_above;
+            above += below *= seen[k].sky_below;
+            sample_of(styles_[face], 0, k, seen.size()) += above;
         }
     }
 
@@ -243,8 +258,8 @@ class LightPass {
 
     // Adds the light that the face at a ray's end reflects, times `share`.
     void add_light_of_surface(const Point& point, const RayHit& hit, const Point& direction,
-                              const std::vector<StyleSamples>& light, const std::vector<double>& reflected,
-                              double share, StyleLight& sum) const {
+                              const std::vector<StyleSamples>& light, const std::vector<Light>& reflected, double share,
+                              StyleLight& sum) const {
         if (hit.node < 0) return;
         const FileNode& node = item(bsp_.nodes, hit.node);
         const bool is_back = dot(to_point(item(bsp_.planes, node.plane).normal), direction) > 0;
@@ -253,29 +268,35 @@ class LightPass {
             if ((face.is_back != 0) != is_back || !item(samplers_, i)) continue;
             const auto sample = item(samplers_, i)->sample_at(point);
             if (!sample) continue;
-            const double reflectance = item(reflected, item(bsp_.texinfos, face.texinfo).texture);
-            for (const auto& [style, samples] : item(light, i))
-                sum[style] += share * (samples[*sample] * reflectance * lights_.hemisphere.bounce_scale);
+            const Light& reflectance = item(reflected, item(bsp_.texinfos, face.texinfo).texture);
+            for (const auto& [style, samples] : item(light, i)) {
+                Light part = samples[*sample];
+                part *= reflectance;
+                part *= lights_.hemisphere.bounce_scale;
+                sum[style] += part *= share;
+            }
             return;
         }
     }
 
     void store() {
-        const std::vector<double> least_of_models = least_light_of_faces(bsp_, lights_.least);
+        const std::vector<Light> least_of_models = least_light_of_faces(bsp_, lights_.least);
         for (std::size_t i = 0; i < styles_.size(); ++i) {
             if (!samplers_[i]) continue;
-            const double least = std::max(least_of_models[i], surface_of(i).least);
-            if (least > 0) {
+            const Light least = surface_of(i).least.raise_to(least_of_models[i]);
+            if (least.luminance > 0) {
                 Samples& steady = styles_[i][0];
-                steady.resize(as_size(samplers_[i]->grid().count[0] * samplers_[i]->grid().count[1]), 0);
-                for (double& sample : steady) sample = std::max(sample, least);
+                steady.resize(as_size(samplers_[i]->grid().count[0] * samplers_[i]->grid().count[1]));
+                for (Light& sample : steady) sample.raise_to(least);
             }
             std::erase_if(styles_[i], [](const auto& style) {
-                return std::all_of(style.second.begin(), style.second.end(), [](double sample) { return sample < 1; });
+                return std::all_of(style.second.begin(), style.second.end(),
+                                   [](const Light& sample) { return sample.brightest() < 1; });
             });
             keep_brightest(styles_[i]);
             store_styles(bsp_, bsp_.faces[i], styles_[i]);
         }
+        if (!lights_.is_coloured) bsp_.coloured_lighting.clear();
     }
 
     BspFile& bsp_;

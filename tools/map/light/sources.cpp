@@ -78,46 +78,61 @@ std::optional<Point> spot_direction(const MapEntity& entity, const Point& origin
     return towards * (1 / distance);
 }
 
-// "red green blue", 0 to 255 or 0 to 1: a level has only shades, so that a colour is reduced to its luminance (BT.601).
-double luminance_of_colour(const std::vector<double>& colour) {
-    const double luminance = (299 * colour[0] + 587 * colour[1] + 114 * colour[2]) / 1000;
-    return std::max(0.0, *std::max_element(colour.begin(), colour.end()) > 1 ? luminance / 255 : luminance);
+struct Colour {
+    double luminance = 1;
+    Hue hue;
+};
+
+// "red green blue", 0 to 255 or 0 to 1.
+Colour colour_of(const std::vector<double>& channels) {
+    const double luminance = (299 * channels[0] + 587 * channels[1] + 114 * channels[2]) / 1000;
+    const bool is_of_255 = *std::max_element(channels.begin(), channels.end()) > 1;
+    Colour colour{std::max(0.0, is_of_255 ? luminance / 255 : luminance), {}};
+    for (std::size_t i = 0; i < 3 && luminance > 0; ++i)
+        colour.hue.channels[i] = std::max(0.0, channels[i]) / luminance;
+    return colour;
 }
 
-// The luminance of a colour, 1 without one.
-double colour_of(const MapEntity& entity, std::string_view key) {
-    const auto colour = numbers_of(entity, key, 3);
-    return colour.empty() ? 1 : luminance_of_colour(colour);
+// White without the key.
+Colour colour_of(const MapEntity& entity, std::string_view key, const Colour& otherwise = {}) {
+    const auto channels = numbers_of(entity, key, 3);
+    return channels.empty() ? otherwise : colour_of(channels);
 }
 
-double own_least_of(const MapEntity& entity) {
-    return number_of(entity, "_minlight", 0) * colour_of(entity, "_minlight_color");
+Light light_of(double brightness, const Colour& colour) {
+    return colour.hue.of(brightness * colour.luminance);
+}
+
+Light own_least_of(const MapEntity& entity) {
+    return light_of(number_of(entity, "_minlight", 0), colour_of(entity, "_minlight_color"));
 }
 
 struct Brightness {
-    double brightness = 0, luminance = 1;  // LightSource
+    double brightness = 0;
+    Colour colour;
 };
 
 // "light" and "_light" may be a number, or a colour with an optional number: "red green blue brightness".
 Brightness brightness_of(const MapEntity& entity, double otherwise) {
     const std::string key = entity.has("light") ? "light" : "_light";
     auto numbers = numbers_of(entity, key, std::min<std::size_t>(count_words(entity.value(key)), 4));
-    if (numbers.empty()) return {otherwise};
-    if (numbers.size() < 3) return {numbers.front()};
+    if (numbers.empty()) return {otherwise, {}};
+    if (numbers.size() < 3) return {numbers.front(), {}};
     const double brightness = numbers.size() == 4 ? numbers.back() : otherwise;
     numbers.resize(3);
-    return {brightness, luminance_of_colour(numbers)};
+    return {brightness, colour_of(numbers)};
 }
 
 LightSource source_of(const MapEntity& entity, const Point& origin, const std::vector<MapEntity>& entities) {
     LightSource source;
     source.origin = origin;
     source.entity = &entity;
-    auto [brightness, luminance] = brightness_of(entity, usual("light"));
+    auto [brightness, colour] = brightness_of(entity, usual("light"));
     if (brightness == 0 && is_light(entity)) brightness = usual("light");  // as in id's compiler and its successors
     source.brightness = std::abs(brightness);
-    const auto colour = numbers_of(entity, "_color", 3);
-    source.luminance = colour.empty() ? luminance : luminance_of_colour(colour);
+    colour = colour_of(entity, "_color", colour);
+    source.luminance = colour.luminance;
+    source.hue = colour.hue;
     source.is_subtracted = brightness < 0;
     if (!is_light(entity)) return source;  // its other keys have other meanings
     source.wait = value_of(entity, "wait");
@@ -164,8 +179,8 @@ HemisphereSettings hemisphere_of(const MapEntity& world) {
     // In ericw-tools these are suns all over the sky, which share the brightness and are weighted by (1 + cosine) / 2
     // like lamps: the mean over an open hemisphere is 3/4.
     constexpr double kDome = 0.75;
-    settings.sunlight2 = kDome * std::max(value("_sunlight2"), 0.0) * colour_of(world, "_sunlight2_color");
-    settings.sunlight3 = kDome * std::max(value("_sunlight3"), 0.0) * colour_of(world, "_sunlight3_color");
+    settings.sunlight2 = light_of(kDome * std::max(value("_sunlight2"), 0.0), colour_of(world, "_sunlight2_color"));
+    settings.sunlight3 = light_of(kDome * std::max(value("_sunlight3"), 0.0), colour_of(world, "_sunlight3_color"));
     settings.has_dirt = value("_dirt") > 0;
     settings.dirt_depth = std::max(value("_dirtdepth"), 1.0);
     settings.dirt_scale = std::max(value("_dirtscale"), 0.0);
@@ -233,6 +248,24 @@ void spread_deviant_lights(std::vector<LightSource>& sources) {
     sources = std::move(spread);
 }
 
+namespace {
+
+bool is_white(const Light& light) {
+    return light.luminance == 0 || light == Hue{}.of(light.luminance);
+}
+
+bool has_colours(const Lights& lights, const std::vector<MapEntity>& entities) {
+    const HemisphereSettings& hemisphere = lights.hemisphere;
+    return !lights.sun.hue.is_white() || !is_white(hemisphere.sunlight2) || !is_white(hemisphere.sunlight3) ||
+           !is_white(lights.least.front()) ||
+           !std::all_of(entities.begin(), entities.end(),
+                        [](const MapEntity& entity) { return is_white(own_least_of(entity)); }) ||
+           !std::all_of(lights.sources.begin(), lights.sources.end(),
+                        [](const LightSource& source) { return source.hue.is_white(); });
+}
+
+}  // namespace
+
 Lights lights_of(const std::vector<MapEntity>& entities) {
     Lights lights;
     for (const MapEntity& entity : entities) {
@@ -242,20 +275,24 @@ Lights lights_of(const std::vector<MapEntity>& entities) {
         if (source.brightness > 0 && source.luminance > 0) lights.sources.push_back(source);
     }
     const MapEntity& world = entities.front();
-    const auto [brightness, luminance] = brightness_of(world, 0);
-    lights.least = {number_of(world, "_minlight", brightness * luminance) * colour_of(world, "_minlight_color")};
+    const auto [brightness, colour] = brightness_of(world, 0);
+    lights.least = {light_of(number_of(world, "_minlight", brightness),
+                             colour_of(world, "_minlight_color", world.has("_minlight") ? Colour{} : colour))};
     for (const MapEntity& entity : entities) {
         if (entity.brushes.empty() || belongs_to_world(entity)) continue;
         if (number_of(entity, "_shadow", 0) > 0) lights.shadow_models.push_back(static_cast<int>(lights.least.size()));
-        lights.least.push_back(std::max(lights.least.front(), own_least_of(entity)));
+        lights.least.push_back(own_least_of(entity).raise_to(lights.least.front()));
     }
     lights.hemisphere = hemisphere_of(world);
-    lights.sun.brightness = number_of(world, "_sunlight", 0) * colour_of(world, "_sunlight_color");
+    const Colour of_sun = colour_of(world, "_sunlight_color");
+    lights.sun.brightness = number_of(world, "_sunlight", 0) * of_sun.luminance;
+    lights.sun.hue = of_sun.hue;
     for (const char* const key : {"_sun_mangle", "_sunlight_mangle", "_sun_angle"})
         lights.sun.direction = direction_of_mangle(world, key).value_or(lights.sun.direction);
     constexpr double kMostPenumbra = 90;
     const double penumbra = std::clamp(number_of(world, "_sunlight_penumbra", 0), 0.0, kMostPenumbra);
     lights.sun.penumbra_radius = std::tan(radians(penumbra) / 2);
+    lights.is_coloured = has_colours(lights, entities);
     return lights;
 }
 

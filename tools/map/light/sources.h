@@ -23,8 +23,9 @@ enum class Falloff {
 /// their defaults see engine/level/entity_classes.
 struct LightSource {
     Point origin;
-    double brightness = 0;       ///< at least 0: also determines its range
-    double luminance = 1;        ///< of its colour: a factor of its light
+    double brightness = 0;  ///< at least 0: also determines its range
+    double luminance = 1;   ///< of its colour: a factor of its light
+    Hue hue;
     bool is_subtracted = false;  ///< the key was negative: subtracts light
     double wait = 1;
     Falloff falloff = Falloff::kLinear;
@@ -51,29 +52,31 @@ struct LightSource {
 /// Parallel light from the sky: worldspawn's _sunlight and _sun_mangle ("yaw pitch roll", pitch -90 shines straight
 /// down).
 struct Sun {
-    double brightness = 0;
+    double brightness = 0;  ///< the luminance of its light
+    Hue hue;
     Point direction{0, 0, -1};   ///< in which the light travels
     double penumbra_radius = 0;  ///< of its disc at distance 1
 };
 
 /// Light from the hemisphere over a surface: worldspawn's keys that begin with "_".
 struct HemisphereSettings {
-    double sunlight2 = 0, sunlight3 = 0;  ///< if only sky is visible: above the horizon, and below
-    bool has_dirt = false;                ///< corners are darker
+    Light sunlight2, sunlight3;  ///< if only sky is visible: above the horizon, and below
+    bool has_dirt = false;       ///< corners are darker
     double dirt_depth = 128, dirt_scale = 1, dirt_gain = 1;
     int bounces = 0;  ///< of light from surface to surface
     double bounce_scale = 1;
     bool is_bounce_styled = false;  ///< light of other styles than 0 is reflected, too
 
-    bool is_needed() const { return sunlight2 > 0 || sunlight3 > 0 || has_dirt || bounces > 0; }
+    bool is_needed() const { return sunlight2.luminance > 0 || sunlight3.luminance > 0 || has_dirt || bounces > 0; }
 };
 
 struct Lights {
     std::vector<LightSource> sources;
     Sun sun;
     HemisphereSettings hemisphere;
-    std::vector<double> least;  ///< by model: worldspawn's _minlight (or light), the brush entity's if that is more
+    std::vector<Light> least;  ///< by model: worldspawn's _minlight (or light), the brush entity's if that is more
     std::vector<int> shadow_models;  ///< numbers of brush models that shade as the world does: "_shadow"
+    bool is_coloured = false;        ///< some of the light is not white
 };
 
 /// The entities must outlive the result.

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "tools/map/source/brush.h"
+#include "tools/map/source/light.h"
 #include "tools/map/tree/bsp_file.h"
 
 namespace oblong::map {
@@ -74,7 +75,7 @@ class Tracer {
 };
 
 /// Light by its style.
-using StyleLight = std::map<int, double>;
+using StyleLight = std::map<int, Light>;
 
 /// The view from a surface point over its hemisphere, a mean over rays weighted by the cosine of their angle to the
 /// normal (Lambert's law).

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tools/map/source/geometry.h"
+#include "tools/map/source/light.h"
 
 namespace oblong::map {
 
@@ -13,7 +14,7 @@ namespace oblong::map {
 struct SurfaceLight {
     double smooth_degrees = 0;   ///< above 0: lit as if round between faces at smaller angles
     int smooth_group = 0;        ///< but not between those of two groups
-    double least = 0;            ///< 0 to 255, of a part of the world
+    Light least;                 ///< 0 to 255, of a part of the world
     bool ignores_light = false;  ///< there is only the least
     bool has_no_dirt = false;
     bool operator==(const SurfaceLight&) const = default;

@@ -145,6 +145,20 @@ std::string summary_of(const BspFile& bsp) {
     return text + (needs_bsp2(bsp) ? ", so BSP2" : "");
 }
 
+namespace {
+
+constexpr std::string_view kExtension{"BSPX\1\0\0\0RGBLIGHTING\0\0\0\0\0\0\0\0\0\0\0\0\0", 32};
+
+// One lump behind all others, as engines since Quake's have it: its name in 24 bytes, offset and size.
+std::string coloured_light_lump(const BspFile& bsp, std::size_t offset) {
+    Lump place("lump RGBLIGHTING", false);
+    place.i32(static_cast<int>(offset + kExtension.size() + 8));
+    place.i32(static_cast<int>(bsp.coloured_lighting.size()));
+    return std::string(kExtension) + place.take() + bsp.coloured_lighting;
+}
+
+}  // namespace
+
 void check_size(const BspFile& bsp) {
     lumps_of(bsp, needs_bsp2(bsp));
 }
@@ -162,6 +176,7 @@ std::string to_bytes(const BspFile& bsp) {
         body += lump;
         body.resize((body.size() + 3) / 4 * 4);  // every lump begins at a multiple of 4
     }
+    if (!bsp.coloured_lighting.empty()) body += coloured_light_lump(bsp, offset + body.size());
     return header.take() + body;
 }
 
@@ -243,6 +258,8 @@ BspFile from_bytes(const std::string& bytes) {
     bsp.textures = read_textures(lump(2));
     bsp.visibility = lump(4).bytes();
     bsp.lighting = lump(8).bytes();
+    if (const auto extension = bytes.find(kExtension); extension != std::string::npos)
+        bsp.coloured_lighting = bytes.substr(extension + kExtension.size() + 8);
     visit_rows(bsp, [&](std::size_t place, const char*, auto& rows, auto fields) {
         for (LumpReader in = lump(place); !in.is_end();) fields(in, rows.emplace_back());
     });

@@ -91,6 +91,7 @@ struct BspFile {
     std::vector<FileTexInfo> texinfos;
     std::vector<FileFace> faces;
     std::string lighting;
+    std::string coloured_lighting;  ///< red, green and blue of each sample; empty: all are white
     std::vector<FileClipNode> clip_nodes;
     std::vector<FileLeaf> leaves;
     std::vector<int> mark_faces;
