@@ -20,7 +20,7 @@ std::string message_of(const GameLevel& level, const GameState& before, const Ga
     const bool is_new = after.message.shown != before.message.shown || after.message.tick != before.message.tick;
     std::string text;
     if (is_new && after.message.shown >= 0) text = item(level.messages, after.message.shown);
-    if (after.has_ended && !before.has_ended && level.intermission && level.intermission->message != kNoMessage)
+    if (after.exit != before.exit && level.intermission && level.intermission->message != kNoMessage)
         text = item(level.messages, level.intermission->message);
     if (after.items != before.items) text += (text.empty() ? "" : "\n") + found_text(level, before, after);
     return text;
@@ -104,8 +104,9 @@ void Session::open_page(Action command, MenuPages& pages) {
 }
 
 // An ended walk shows a page, after the level's intermission.
-void Session::open_due_page(MenuPages& pages) {
-    if (state().has_ended && ticks_since_end() >= intermission_ticks() && !input().is_replaying()) pages.open_end();
+void Session::open_due_page(MenuPages& menu) {
+    if (!pages_.empty()) return menu.open_pages(std::exchange(pages_, {}));
+    if (state().has_ended && ticks_since_end() >= intermission_ticks() && !input().is_replaying()) menu.open_end();
 }
 
 // The second half of an intermission is a 386's.
@@ -152,10 +153,21 @@ void Session::note_tick(const GameState& before, const GameState& after, const T
     if (after.has_ended && !before.has_ended) ended_tick_ = after.tick;
     if (settings_.sound) settings_.sound->note_tick(before, after, report, is_last);
     const std::string message = message_of(loaded_->level, before, after);
-    if (!message.empty()) show(message);
+    if (!message.empty()) tell(message);
     if (input().replayed_view()) return;  // who watches a demo keeps the machine of his own
     const std::string machine = pulled_machine(loaded_->level, before, after);
     if (!machine.empty()) show(choose_machine(machine, view_options_.preferences));
+}
+
+// Who watches a demo is not asked to turn pages.
+void Session::tell(std::string message) {
+    const bool has_pages = message.find(kNewPage) != std::string::npos && !input().replayed_view();
+    if (has_pages) pages_ = view_options_.key_names(platform_).in(message);
+    std::replace(message.begin(), message.end(), kNewPage, '\n');
+    if (has_pages)
+        messages_.keep(view_options_.key_names(platform_).in(message));
+    else
+        show(message);
 }
 
 // Warns once of each kind.
@@ -181,7 +193,7 @@ GameView Session::shown_view() const {
     const PicturePreferences picture = picture_in(platform_.window_size(), preferences);
     Camera camera = ticks_.camera(picture.field_of_view);
     if (preferences.view_bob_100 != 0 || preferences.view_roll_100 != 0) sway(state, preferences, camera);
-    if (state.after.has_ended && loaded_->level.intermission)
+    if (state.after.exit >= 0 && loaded_->level.intermission)
         show_intermission(*loaded_->level.intermission, ticks_since_end(), camera);
     const Overlays& on = overlays_.on();
     return {state, camera, on.has_torch,
@@ -221,6 +233,9 @@ ShownPicture Session::draw_all(bool is_behind_menu) {
     overlays_.draw_lines(view, drawn, *renderer_);
     PanelText panels;
     if (!is_behind_menu) panels = overlays_.draw_panels(view, settings, last_us_, canvas);
+    const bool has_counts = loaded_->files.game && loaded_->files.game->has_counts;
+    if (std::string status = status_text(loaded_->level, state(), has_counts); !status.empty())
+        panels.notes.push_back(std::move(status));
     if (const auto shown = machine()) panels.notes.push_back(describe_rate(*shown, cycles_));
     const Palette& palette = shown_colours_ = palette_of(view.state, effects);
     if (std::exchange(wants_screenshot_, false)) show(save_screenshots(canvas, palette, renderer_->picture_mode()));

@@ -86,7 +86,7 @@ class Session final : public GameScreen {
     std::optional<ShownPicture> recoloured() override;
     const MenuLook& menu_look() const override { return menu_look_; }
     void open_page(Action command, MenuPages& pages) override;
-    void open_due_page(MenuPages& pages) override;
+    void open_due_page(MenuPages& menu) override;
     const std::shared_ptr<const LoadedLevel>& shared_level() const override { return loaded_; }
     std::vector<KeyHelp> key_help(const KeyNames& names) const override;
     /// The time and the error of the picture that is shown.
@@ -119,11 +119,12 @@ class Session final : public GameScreen {
     std::string turn_exhibit();
     std::string map_key() const;
     std::int64_t intermission_ticks() const {
-        return loaded_->level.intermission ? loaded_->level.intermission->wait_ticks : 0;
+        return loaded_->level.intermission && !state().is_lost() ? loaded_->level.intermission->wait_ticks : 0;
     }
     std::optional<Processor> machine() const;
     GameView shown_view() const;
     Palette palette_of(const InterpolatedState& state, const PaletteEffects& effects) const;
+    void tell(std::string message);
     void note_tick(const GameState& before, const GameState& after, const TickReport& report, bool is_last);
     void warn_of(const TickReport& report);
     void handle_commands(const Controls& controls);
@@ -143,6 +144,7 @@ class Session final : public GameScreen {
     ShownOverlays overlays_;
     const MenuLook menu_look_;
     Messages messages_;
+    std::string pages_;      // of a message that the menu shows next
     std::uint64_t last_us_;  // the platform's time up to which the game was played
     std::uint64_t shows_until_us_ = 0;
     std::int64_t ended_tick_ = 0;           // after which the level's intermission is shown

@@ -21,7 +21,14 @@ constexpr std::int64_t kFirstSwitchable = 32;  // light style
 constexpr std::int32_t kFastestTurn = 360;     // of an intermission, degrees a second
 constexpr std::int32_t kExitHeight = 27;       // of the player's origin over an info_teleport_destination
 
+constexpr std::int32_t kMostHealth = 999;
+constexpr std::size_t kMostKeys = 31;
+
 using Kind = EntityRef::Kind;
+
+std::string needed_lenses(std::int32_t count) {
+    return count == 1 ? "You need a lens" : "You need " + std::to_string(count) + " lenses";
+}
 
 std::uint32_t number_of_last(std::size_t size) {
     return static_cast<std::uint32_t>(size - 1);
@@ -49,7 +56,8 @@ GameLevel LevelBuilder::build() {
     connect_triggers();
     connect_lightning();
     for (Item& item : level_.items)
-        item.fires = firing_of(level_.bsp->entities[item.entity], default_message(item.item_class));
+        item.fires = firing_of(level_.bsp->entities[item.entity], default_message(level_, item));
+    if (level_.health != 0) level_.died = message("You did not survive.");
     connect_doors();
     add_counter_messages();
     make_trees();
@@ -62,7 +70,10 @@ std::size_t LevelBuilder::index_of(const Entity& entity) const {
 
 void LevelBuilder::add_entity(const Entity& entity) {
     const ClassRole role = role_of(entity);
-    if (role == ClassRole::Worldspawn) level_.title = level_text(entity.value("message"));
+    if (role == ClassRole::Worldspawn) {
+        level_.title = level_text(entity.value("message"));
+        level_.health = std::min(kMostHealth, whole_number_of(entity, "health"));
+    }
     if (is_of_brushes(role) && !add_mover(entity)) add_wall(entity, role);
     add_trigger(entity);
     add_item(entity);
@@ -77,6 +88,7 @@ bool LevelBuilder::add_mover(const Entity& entity) {
     if (level_.movers.size() == kMostMovers)
         throw InputError("entities", "more than 16,384 doors, lifts, buttons and trains, expected no more");
     mover->entity = index_of(entity);
+    if (mover->touch.keys == 0) mover->touch.keys = key_named(entity.value("keyname"));
     level_.movers.push_back(std::move(*mover));
     mover_entities_.push_back(&entity);
     name(entity, Kind::Mover, level_.movers.size());
@@ -96,11 +108,14 @@ void LevelBuilder::add_wall(const Entity& entity, ClassRole role) {
 void LevelBuilder::add_trigger(const Entity& entity) {
     auto trigger = trigger_of(entity, *level_.bsp);
     if (!trigger || (trigger->kind == TriggerKind::Teleport && !find_exit(entity, *trigger))) return;
+    if (trigger->kind == TriggerKind::Hurt && level_.health == 0) return;
     if (trigger->view) trigger->view->point = place_named(entity.value("look_at"));
     level_.secrets += trigger->is_secret;
     trigger->entity = index_of(entity);
     level_.triggers.push_back(std::move(*trigger));
     trigger_entities_.push_back(&entity);
+    if (level_.triggers.back().kind == TriggerKind::Timer)
+        level_.timers.push_back(number_of_last(level_.triggers.size()));
     name(entity, Kind::Trigger, level_.triggers.size());
 }
 
@@ -121,7 +136,8 @@ bool LevelBuilder::find_exit(const Entity& entity, Trigger& trigger) const {
 
 void LevelBuilder::add_item(const Entity& entity) {
     std::optional<Item> item = item_of(entity);
-    if (!item) return;
+    if (!item || (item->item_class == ItemClass::Health && level_.health == 0)) return;
+    if (item->item_class == ItemClass::Key && item->key == 0) item->key = key_named(entity.value("keyname"));
     item->entity = index_of(entity);
     level_.items.push_back(*item);
     name(entity, Kind::Item, level_.items.size());
@@ -153,6 +169,7 @@ void LevelBuilder::add_light(const Entity& entity) {
 
 void LevelBuilder::add_what_monsters_leave() {
     for (const Entity* entity : present_) {
+        if (level_.health != 0 && role_of(*entity) == ClassRole::Health) continue;
         auto trigger = trigger_left_of(*entity, level_.triggers);
         if (!trigger || (trigger->kind != TriggerKind::Exit && firing_of(*entity).is_empty())) continue;
         trigger->entity = index_of(*entity);
@@ -185,8 +202,10 @@ void LevelBuilder::connect_movers() {
         const MessageIndex said =
             std::exchange(mover.fires.message, kNoMessage);  // doors show it when they are touched
         if (said != kNoMessage) level_.movers[mover.group].touch.message = said;
-        if (mover.touch.keys == kSilverKey) mover.touch.keys_message = message("You need the silver key");
-        if (mover.touch.keys == kGoldKey) mover.touch.keys_message = message("You need the gold key");
+        if (mover.touch.keys != 0)
+            mover.touch.keys_message = message("You need the " + name_of_key(level_, mover.touch.keys));
+        else if (mover.touch.lenses != 0 && said == kNoMessage)
+            mover.touch.keys_message = message(needed_lenses(mover.touch.lenses));
     }
 }
 
@@ -320,11 +339,24 @@ Firing LevelBuilder::firing_of(const Entity& entity, std::string_view usual_mess
     return firing;
 }
 
-// Equal messages are stored once. As in Quake, backslash n is a new line.
+// The bit of a key's name; a new one if no key or door had it yet, 0 for an empty one.
+std::uint32_t LevelBuilder::key_named(const std::string& its_name) {
+    const std::string name = level_text(its_name);
+    if (name.empty()) return 0;
+    std::vector<std::string>& names = level_.key_names;
+    const auto found = std::find(names.begin(), names.end(), name);
+    const auto bit = found - names.begin();
+    if (found == names.end()) names.push_back(name);
+    if (names.size() > kMostKeys) throw InputError("entities", "more than 31 names of keys, expected no more");
+    return std::uint32_t{1} << bit;
+}
+
+// Equal messages are stored once. As in Quake, backslash n is a new line; backslash p begins a page.
 MessageIndex LevelBuilder::message(std::string text) {
     if (text.empty()) return kNoMessage;
-    for (std::size_t end = text.find("\\n"); end != std::string::npos; end = text.find("\\n", end))
-        text.replace(end, 2, "\n");
+    for (const auto& [written, meant] : {std::pair{"\\n", '\n'}, {"\\p", kNewPage}})
+        for (std::size_t at = text.find(written); at != std::string::npos; at = text.find(written, at))
+            text.replace(at, 2, 1, meant);
     const auto [found, is_new] = message_of_.emplace(text, static_cast<MessageIndex>(level_.messages.size()));
     if (is_new) level_.messages.push_back(std::move(text));
     return found->second;

@@ -166,7 +166,7 @@ void SoundStarts::note_messages(const GameState& before, const GameState& after,
     for (std::size_t i = 0; i < after.items.size(); ++i) {
         if (before.items[i] != ItemState::There || after.items[i] != ItemState::Taken) continue;
         const Item& taken = level_.items[i];
-        tell(taken.item_class == ItemClass::Lens ? Sound::Lens : Sound::Key, own_of(taken.entity));
+        tell(taken.item_class == ItemClass::Key ? Sound::Key : Sound::Lens, own_of(taken.entity));
     }
     std::set<std::int32_t> own_of_fired;
     for (const std::uint32_t i : report.fired_triggers) own_of_fired.insert(own_of_trigger(level_.triggers[i], after));
