@@ -15,17 +15,6 @@
 namespace oblong {
 namespace {
 
-// A tick's message to the player; usually empty.
-std::string message_of(const GameLevel& level, const GameState& before, const GameState& after) {
-    const bool is_new = after.message.shown != before.message.shown || after.message.tick != before.message.tick;
-    std::string text;
-    if (is_new && after.message.shown >= 0) text = item(level.messages, after.message.shown);
-    if (after.exit != before.exit && level.intermission && level.intermission->message != kNoMessage)
-        text = item(level.messages, level.intermission->message);
-    if (after.items != before.items) text += (text.empty() ? "" : "\n") + found_text(level, before, after);
-    return text;
-}
-
 // The part of a picture that has a thumbnail's shape: of one that is narrower, the rows in the middle.
 Framebuffer thumbnail_part(Framebuffer picture, const ScreenMode& mode) {
     const Ratio part = mode.display * Ratio{3, 4};
@@ -153,21 +142,10 @@ void Session::note_tick(const GameState& before, const GameState& after, const T
     if (after.has_ended && !before.has_ended) ended_tick_ = after.tick;
     if (settings_.sound) settings_.sound->note_tick(before, after, report, is_last);
     const std::string message = message_of(loaded_->level, before, after);
-    if (!message.empty()) tell(message);
+    if (!message.empty()) show(message);
     if (input().replayed_view()) return;  // who watches a demo keeps the machine of his own
     const std::string machine = pulled_machine(loaded_->level, before, after);
     if (!machine.empty()) show(choose_machine(machine, view_options_.preferences));
-}
-
-// Who watches a demo is not asked to turn pages.
-void Session::tell(std::string message) {
-    const bool has_pages = message.find(kNewPage) != std::string::npos && !input().replayed_view();
-    if (has_pages) pages_ = view_options_.key_names(platform_).in(message);
-    std::replace(message.begin(), message.end(), kNewPage, '\n');
-    if (has_pages)
-        messages_.keep(view_options_.key_names(platform_).in(message));
-    else
-        show(message);
 }
 
 // Warns once of each kind.
@@ -314,8 +292,13 @@ void Session::restore(const GameState& state) {
     has_drawn_ = false;
 }
 
+// Who watches a demo is not asked to turn pages.
 void Session::show(const std::string& message) {
-    messages_.show(view_options_.key_names(platform_).in(message));
+    std::string text = view_options_.key_names(platform_).in(message);
+    const bool has_pages = text.find(kNewPage) != std::string::npos && !input().replayed_view();
+    if (has_pages) pages_ = text;
+    std::replace(text.begin(), text.end(), kNewPage, '\n');
+    has_pages ? messages_.keep(text) : messages_.show(text);
 }
 
 }  // namespace oblong

@@ -96,7 +96,7 @@ class Session final : public GameScreen {
     void visit() { ticks_.input().visit(); }
     /// Continues from another state of the level.
     void restore(const GameState& state);
-    /// Shows the player a message, with the names of keys in it (KeyNames::in()).
+    /// Shows the player a message, or its pages, with the names of keys in it (KeyNames::in()).
     void show(const std::string& message);
     /// Saves the view without overlays, with a text under it; what to tell the player, for KeyNames::in().
     std::string save_picture(const std::string& text);
@@ -124,7 +124,6 @@ class Session final : public GameScreen {
     std::optional<Processor> machine() const;
     GameView shown_view() const;
     Palette palette_of(const InterpolatedState& state, const PaletteEffects& effects) const;
-    void tell(std::string message);
     void note_tick(const GameState& before, const GameState& after, const TickReport& report, bool is_last);
     void warn_of(const TickReport& report);
     void handle_commands(const Controls& controls);

@@ -140,4 +140,14 @@ std::string found_text(const GameLevel& level, const GameState& before, const Ga
     return goal.title + ": " + goal.count + (goal.hint.empty() ? "" : ". " + goal.hint);
 }
 
+std::string message_of(const GameLevel& level, const GameState& before, const GameState& after) {
+    const bool is_new = after.message.shown != before.message.shown || after.message.tick != before.message.tick;
+    std::string text;
+    if (is_new && after.message.shown >= 0) text = item(level.messages, after.message.shown);
+    if (after.exit != before.exit && level.intermission && level.intermission->message != kNoMessage)
+        text = item(level.messages, level.intermission->message);
+    if (after.items != before.items) text += (text.empty() ? "" : "\n") + found_text(level, before, after);
+    return text;
+}
+
 }  // namespace oblong

@@ -51,6 +51,9 @@ std::string status_text(const GameLevel& level, const GameState& state, bool has
 /// The message after a tick that has taken lenses: "Lenses: 9 of 12. Missing: ..."; empty if none was taken.
 std::string found_text(const GameLevel& level, const GameState& before, const GameState& after);
 
+/// A tick's message to the player; usually empty.
+std::string message_of(const GameLevel& level, const GameState& before, const GameState& after);
+
 /// The missing lenses, if they are so few that the player gets hints; empty before that.
 std::vector<std::size_t> last_lenses(const GameLevel& level, const GameState& state);
 

@@ -12,12 +12,10 @@ namespace {
 
 using Phase = MoverState::Phase;
 
-constexpr std::int64_t kDoorRest_ticks = kTicksPerSecond;  // after a touch, until the next one counts
-constexpr std::int64_t kMessageRest_ticks =
-    2 * kTicksPerSecond;                                        // likewise, for doors that need a key or have a message
-constexpr std::int32_t kRiderWait_ticks = kTicksPerSecond;      // of a lift at its upper end after the last touch
-constexpr std::int32_t kTurn_ticks = kTicksPerSecond;           // of a secret door between its two legs
-constexpr std::int64_t kTrainRest_ticks = kTicksPerSecond / 2;  // until a blocked train hurts again
+constexpr std::int64_t kDoorRest_ticks = kTicksPerSecond;         // after a touch, until the next one counts
+constexpr std::int64_t kMessageRest_ticks = 2 * kTicksPerSecond;  // likewise, of doors with a lock or a message
+constexpr std::int32_t kRiderWait_ticks = kTicksPerSecond;        // of a lift at its upper end after the last touch
+constexpr std::int32_t kTurn_ticks = kTicksPerSecond;             // of a secret door between its two legs
 
 EntityRef mover_ref(std::uint32_t mover) {
     return {EntityRef::Kind::Mover, mover};
@@ -150,7 +148,8 @@ bool step_mover(const GameLevel& level, GameState& state, std::uint32_t i, TickR
         return false;
     }
     if (!move(level, state, i, report)) {
-        if (mover.kind != MoverKind::Train || state.tick % kTrainRest_ticks == 0) hurt(level, state, mover.damage);
+        if (state.tick % (mover.kind == MoverKind::Train ? kTicksPerSecond / 2 : 1) == 0)
+            hurt(level, state, mover.damage);
         return turn_back(mover, mover_state);
     }
     return mover.kind == MoverKind::Button && mover_state.phase == Phase::AtEnd;
@@ -198,8 +197,6 @@ void touch_shut_door(const GameLevel& level, GameState& state, std::uint32_t i, 
     state.progress.keys &= ~door.touch.keys;
     activations.activate(mover_ref(i));
 }
-
-// --- Others ---
 
 void activate_secret_door(GameState& state, std::uint32_t i, Activations& activations) {
     if (state.movers[i].phase != Phase::AtStart) return;
