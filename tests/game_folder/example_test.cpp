@@ -335,7 +335,7 @@ TEST_F(ExampleGame, ACaptionOfNoSoundIsNamed) {
 
 TEST_F(ExampleGame, HasALabOnlyIfItAsksForOne) {
     for (const bool has_lab : {false, true}) {
-        if (has_lab) replace_in_definition("\"title\"", "\"shows\": [\"lab\"], \"title\"");
+        if (has_lab) replace_in_definition("[\"counts\"]", "[\"lab\"]");
         LevelFiles files = level_files_of(options(), assets_);
         files.level = level_file_of(*files.game, "first");
         const auto first = std::make_shared<const LoadedLevel>(files);
