@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::int64_t kLastTick = std::int64_t{1} << 40;  // a thousand years
 constexpr World kFastestSaved = World::from_int(4096);     // along an axis; the player's own bound is half of that
-constexpr std::int32_t kLongestWait_ticks = 2'000'000;     // above the largest value of a key
+constexpr std::int32_t kLongestWait_ticks = 3'000'000;     // above the largest values of two keys: of a timer
 
 // Keeps the first error.
 class Check {

@@ -173,7 +173,8 @@ void SoundStarts::note_messages(const GameState& before, const GameState& after,
     own_of_fired.erase(kStandard);
     for (const std::int32_t own : own_of_fired) tell(Sound::Message, own);
     if (!own_of_fired.empty()) return;
-    if (!before.has_ended && after.has_ended) tell(Sound::LevelEnd, kStandard);
+    if (after.harm.damage > before.harm.damage) tell(Sound::Hurt, kStandard);
+    if (before.exit < 0 && after.exit >= 0) tell(Sound::LevelEnd, kStandard);
     if (after.progress.found_secrets > before.progress.found_secrets) tell(Sound::Secret, kStandard);
     if (before.message.tick != after.message.tick && !is_told) add(Sound::Message, kStandard, sources);
 }

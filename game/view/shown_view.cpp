@@ -146,7 +146,7 @@ void sway(const InterpolatedState& state, const ComfortPreferences& preferences,
 
 namespace {
 
-constexpr Tint kTeleportFlash{{215, 220, 255}, 150}, kHurtFlash{{170, 0, 0}, 110};
+constexpr Tint kTeleportFlash{{215, 220, 255}, 150}, kHurtFlash{{170, 0, 0}, 80};
 constexpr std::int64_t kFlash_ms = 400;
 
 // Order: the colours of a tube, then the gamma of the display, then the VGA's 6 bits.

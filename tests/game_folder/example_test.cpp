@@ -395,7 +395,7 @@ TEST_F(ExampleGame, ABookIsReadPageByPageWhileTheWalkWaits) {
         texts.push_back(screens.menu().page().text);
     }
     ASSERT_EQ(texts.size(), 2u);
-    EXPECT_TRUE(texts[0].ends_with("sorry.\n\nSparks burn. An apple helps, if you are hurt.")) << texts[0];
+    EXPECT_TRUE(texts[0].ends_with("sorry.\n\nSparks burn. A red cross heals who is hurt.")) << texts[0];
     EXPECT_TRUE(texts[1].starts_with("My red key")) << texts[1];
     EXPECT_EQ(screens.messages().front(), "The keeper's book\n" + texts[0] + "\n" + texts[1]) << "to read again";
 }
