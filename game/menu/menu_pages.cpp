@@ -78,7 +78,7 @@ void MenuPages::open_page_of(const std::vector<std::string>& pages, std::size_t 
             if (other < pages.size()) open_page_of(pages, other);
         };
     };
-    menu_.open([this, pages, number, turning_to] {
+    menu_.open([pages, number, turning_to] {
         const std::size_t last = pages.size() - 1;
         MenuPage page{pages[0], pages[number]};
         page.rows.push_back(menu_row(number < last ? "Next" : "OK", turning_to(number + 1)));

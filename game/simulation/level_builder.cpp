@@ -6,6 +6,7 @@
 #include "engine/base/input_error.h"
 #include "engine/base/table.h"
 #include "engine/base/text.h"
+#include "engine/level/entities.h"
 #include "engine/level/entity_classes.h"
 #include "engine/scene/light_styles.h"
 #include "engine/scene/placed_models.h"

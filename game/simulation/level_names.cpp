@@ -21,7 +21,7 @@ Target& LevelBuilder::target_named(const std::string& its_name) {
 }
 
 // Registers the last of `count` things of a kind under an entity's targetname.
-void LevelBuilder::name(const Entity& entity, Kind kind, std::size_t count) {
+void LevelBuilder::name(const Entity& entity, EntityRef::Kind kind, std::size_t count) {
     if (const std::string its_name = entity.value("targetname"); !its_name.empty())
         target_named(its_name).entities.push_back({kind, static_cast<std::uint32_t>(count - 1)});
 }
