@@ -91,6 +91,9 @@ inline constexpr std::array kRotatingFlags{KeyValue{"4", "about the x axis"}, Ke
 inline constexpr std::array kTriggerFlags{KeyValue{"1", "not activated by touch"}};
 inline constexpr std::array kCounterFlags{KeyValue{"1", "no message with the number left"}};
 inline constexpr std::array kPushFlags{KeyValue{"1", "once"}};
+inline constexpr std::array kHurtFlags{KeyValue{"1", "starts off"}};
+inline constexpr std::array kTimerFlags{KeyValue{"1", "starts on"}};
+inline constexpr std::array kHealthFlags{KeyValue{"1", "15"}, KeyValue{"2", "100"}};
 inline constexpr std::array kExitFlags{KeyValue{"1", "no intermission (Quake)"}};
 
 template <std::size_t... Sizes>
@@ -118,7 +121,9 @@ inline constexpr std::array kFires{
     EntityKey{"target2", Target, "", "of more that it activates"},
     EntityKey{"killtarget", Target, "", "the `targetname` of what it removes"},
     number("delay", "0", "seconds until it activates its targets"),
-    EntityKey{"message", Text, "", "text shown to the player, in UTF-8; {jump} stands for the key of that action"},
+    EntityKey{
+        "message", Text, "",
+        "text shown to the player, in UTF-8; {jump} stands for the key of that action; backslash and p begin a page"},
 };
 inline constexpr std::array kSmooth{
     number("_phong", "0", "1: light is interpolated across edges, as on a round surface"),
@@ -152,6 +157,7 @@ inline constexpr std::array kWorld{
     EntityKey{"wad", Text, "", "WAD files and folders of pictures with its textures, separated by `;`"},
     EntityKey{"worldtype", Whole, "0", "0 to 2: which of Quake's key models are shown"},
     EntityKey{"mapversion", Whole, "", "220: the source is in Valve's format"},
+    number("health", "0", "the player's, up to 999; without it nothing hurts"),
     number("angle", "", kNoEffect),
     EntityKey{"sounds", Whole, "", kNoEffect},
     numbers("light", 1, 4, "0", "least light everywhere, 0 to 255"),
@@ -207,7 +213,13 @@ inline constexpr std::array kLight{
     number("radius", "0", "surfaces within this distance cast no shadow in this light, such as the lamp's body"),
     flags(kLightFlags),
 };
+inline constexpr EntityKey kLenses = number("count", "0", "lenses that the player must have taken"),
+                           kKeyName{"keyname", Text, "", "name of a key, as `red key`"},
+                           kCrushes = number("dmg", "2", "what it takes of the health of a player in its way");
 inline constexpr std::array kDoor{
+    kKeyName,
+    kLenses,
+    kCrushes,
     number("speed", "100", "units a second"),
     number("wait", "3", "seconds until it closes; -1: never"),
     number("lip", "8", "units that stay visible when it is open"),
@@ -216,6 +228,9 @@ inline constexpr std::array kDoor{
 };
 inline constexpr std::array kTurningDoor{
     required(numbers("origin", 3, 3, "", "position of the hinge: x y z")),
+    kKeyName,
+    kLenses,
+    kCrushes,
     number("distance", "90", "angle to turn in degrees, up to 360"),
     number("speed", "100", "degrees a second"),
     number("wait", "3", "seconds until it closes; -1: never"),
@@ -223,6 +238,7 @@ inline constexpr std::array kTurningDoor{
     flags(kTurningDoorFlags),
 };
 inline constexpr std::array kSecretDoor{
+    kCrushes,
     number("wait", "5", "seconds until it closes"),
     number("t_width", "", "length of the first move; usually its width"),
     number("t_length", "", "length of the second move; usually its length"),
@@ -240,10 +256,12 @@ inline constexpr std::array kButton{
 inline constexpr std::array kLift{
     number("speed", "150", "units a second"),
     number("height", "", "how far it moves down; usually its height less 8"),
+    number("dmg", "1", kCrushes.does),
     flags(kLiftFlags),
 };
 inline constexpr std::array kTrain{
     required({"target", Place, "", "the first `path_corner`"}),
+    kCrushes,
     number("speed", "100", "units a second"),
 };
 inline constexpr std::array kRotating{
@@ -256,6 +274,7 @@ inline constexpr std::array kCorner{
 };
 inline constexpr std::array kTriggerOnce{
     number("health", "0", "above 0: fires when the player comes near, as there are no shots"),
+    kLenses,
     number("wait", "", kNoEffect),
     EntityKey{"sounds", Whole, "", kNoEffect},
     flags(kTriggerFlags),
@@ -263,6 +282,7 @@ inline constexpr std::array kTriggerOnce{
 inline constexpr std::array kSecret{EntityKey{"netname", Text, "", "what the end calls it if it was missed"}};
 inline constexpr std::array kTriggerMultiple{
     number("health", "0", "as in `trigger_once`"),
+    kLenses,
     number("wait", "0.2", "seconds until it can fire again"),
     EntityKey{"sounds", Whole, "", kNoEffect},
     flags(kTriggerFlags),
@@ -289,7 +309,17 @@ inline constexpr std::array kCounter{
     EntityKey{"sounds", Whole, "", kNoEffect},
     flags(kCounterFlags),
 };
+inline constexpr std::array kHurt{
+    number("dmg", "5", "what it takes of the player's health each second"),
+    flags(kHurtFlags),
+};
+inline constexpr std::array kTimer{
+    number("wait", "1", "seconds between two firings"),
+    number("random", "0", "seconds that they may be off"),
+    flags(kTimerFlags),
+};
 inline constexpr std::array kRelay{
+    kLenses,
     number("found", "", "plays the sound of the item taken first (1), second (2) ..., none if fewer are"),
 };
 inline constexpr std::array kTeleport{
@@ -314,6 +344,11 @@ inline constexpr std::array kLens{
     number("scale", "9", "units of the level for one of its model's"),
 };
 inline constexpr std::array kKeyModel{kItemModel, number("scale", "12", "units of the level for one of its model's")};
+inline constexpr std::array kCustomKey{
+    required(kKeyName),
+    EntityKey{"glass", Text, "glass", "its material in `models.mtl`"},
+};
+inline constexpr std::array kHealthItem{flags(kHealthFlags)};
 inline constexpr std::array kIntermission{
     numbers("mangle", 3, 3, "", "pitch yaw roll in degrees, in place of `angle`"),
     number("speed", "0", "degrees a second that it turns to the left"),

@@ -47,16 +47,18 @@ constexpr std::string_view kLamp = "a light; with `target` or `mangle`, a spotli
                            kPickup = "shown if Quake's models are there; fires when touched",
                            kBox = "not shown; fires when touched", kOpen = "open, so not shown";
 
-constexpr OwnModel kOwnSilverKey{"models/key_silver.obj", 28}, kOwnGoldKey{"models/key_gold.obj", 28};
+constexpr OwnModel kOwnSilverKey{"models/key_silver.obj", 28}, kOwnGoldKey{"models/key_gold.obj", 28},
+    kOwnKey{"models/key_glass.obj", 28}, kOwnHealth{"models/health.obj", 16};
 
 constexpr EntityClass sounding(EntityClass row, std::string_view sound) {
     row.sound = sound;
     return row;
 }
-constexpr EntityClass shown(EntityClass row, std::span<const ClassModel> models, const OwnModel& own) {
-    row.box = kPlayerBox;
+constexpr EntityClass taken(EntityClass row, std::span<const ClassModel> models, const OwnModel& own,
+                            const ClassBox& box = kPlayerBox, std::int32_t over_floor = 24) {
+    row.box = box;
     row.models = models;
-    row.over_floor = 24;
+    row.over_floor = over_floor;
     row.own_model = own;
     return row;
 }
@@ -188,12 +190,20 @@ constexpr auto kClasses = std::to_array<EntityClass>({
      TriggerView,
      "fires while the player's picture takes a 486 as long as its keys say",
      {kBudget, kFires, kNoise}},
+    {"trigger_hurt",
+     Brush,
+     TriggerHurt,
+     "hurts the player inside, if the world has `health`; activation switches it",
+     {kHurt, kFires, kNoise, kOfQuake}},
+    {"func_timer", Either, Timer, "fires again and again; activation switches it", {kTimer, kFires, kNoise}},
     {"event_lightning", Either, Lightning, "Chthon's lightning (Quake's e1m7)", {kFires}},
-    shown({"item_lens", Point, Lens, "a lens to collect; fires when taken", {kFires, kNoise, kLens}}, {},
+    taken({"item_lens", Point, Lens, "a lens to collect; fires when taken", {kFires, kNoise, kLens}}, {},
           {"models/lens.obj"}),
-    shown({"item_key1", Point, SilverKey, "the silver key", {kFires, kNoise, kSounds, kKeyModel}}, kSilverKeys,
+    taken({"item_key1", Point, SilverKey, "the silver key", {kFires, kNoise, kSounds, kKeyModel}}, kSilverKeys,
           kOwnSilverKey),
-    shown({"item_key2", Point, GoldKey, "the gold key", {kFires, kNoise, kSounds, kKeyModel}}, kGoldKeys, kOwnGoldKey),
+    taken({"item_key2", Point, GoldKey, "the gold key", {kFires, kNoise, kSounds, kKeyModel}}, kGoldKeys, kOwnGoldKey),
+    taken({"item_key_custom", Point, CustomKey, "a key of another name", {kCustomKey, kFires, kNoise, kKeyModel}}, {},
+          kOwnKey),
     {"misc_rain", Point, Rain, "rain in a box", {kRain}},
     {"misc_dust", Point, Dust, "dust in a box", {kDust}},
     {"misc_sparks", Point, Sparks, "sparks in a box", {kSparks}},
@@ -234,7 +244,12 @@ constexpr auto kClasses = std::to_array<EntityClass>({
     pickup("item_artifact_invulnerability", kInvulnerability, 24),
     pickup("item_artifact_super_damage", kSuperDamage, 24),
     pickup("item_cells", kCells),
-    pickup("item_health", kHealth),
+    taken({"item_health",
+           Point,
+           Health,
+           "gives 25 of the health that the player has lost; where nothing hurts, as `item_spikes`",
+           {kHealthItem, kFires, kNoise, kKeyModel, kOfQuake}},
+          kHealth, kOwnHealth, kPickupBox, 0),
     pickup("item_rockets", kRockets),
     pickup("item_shells", kShells),
     pickup("item_sigil", kSigils, 24),
@@ -255,7 +270,6 @@ constexpr auto kClasses = std::to_array<EntityClass>({
     {"func_bossgate", Brush, OpenGate, kOpen, {kMadeOfBrushes}},
     {"func_dm_only", Brush, PlainWall, "a wall", {kMadeOfBrushes}},
     {"func_*", Brush, PlainWall, "a wall", {kMadeOfBrushes}},
-    {"trigger_hurt", Brush, OtherTrigger, kNoEffect, {kOfQuake}},
     {"trigger_setskill", Brush, OtherTrigger, kNoEffect, {kFires, kOfQuake}},
     {"trigger_monsterjump", Brush, OtherTrigger, kNoEffect, {kTurned, kOfQuake}},
     {"trigger_*", Brush, OtherTrigger, kNoEffect, {kFires, kOfQuake}},

@@ -80,11 +80,14 @@ enum class ClassRole : std::uint8_t {
     TriggerPush,
     TriggerExit,
     TriggerView,
+    TriggerHurt,
+    Timer,
     OtherTrigger,
     Lightning,
     Lens,
     SilverKey,
     GoldKey,
+    CustomKey,
     Rain,
     Dust,
     Sparks,
@@ -96,6 +99,7 @@ enum class ClassRole : std::uint8_t {
     Monster,
     Boss,         ///< killed by Lightning
     LastBoss,     ///< its death ends the game
+    Health,       ///< a Pickup where nothing hurts
     Pickup,       ///< Quake's weapons, health ...
     ExternalMap,  ///< the brushes of another map source; the compiler turns it into another class
 };

@@ -93,8 +93,10 @@ class LevelModelReader {
 
     LevelModels read() {
         for (const Entity& entity : level_.entities) {
-            if (role_of(entity) == ClassRole::Worldspawn)
+            if (role_of(entity) == ClassRole::Worldspawn) {
                 world_type_ = parse_decimal(entity.value("worldtype"), 0).value_or(0);
+                has_health_ = !entity.value("health").empty();
+            }
             if (std::string glass = entity.value("glass"); !glass.empty()) glasses_.push_back(std::move(glass));
         }
         std::sort(glasses_.begin(), glasses_.end());
@@ -111,7 +113,8 @@ class LevelModelReader {
         const bool is_model = its_class->role == ClassRole::TriangleModel;
         const std::int64_t flags = parse_decimal(entity.value("spawnflags"), 0).value_or(0);
         const ClassModel* quakes = shows_classes_ ? find_class_model(*its_class, flags, world_type_) : nullptr;
-        const bool is_own = !quakes && !its_class->own_model.file.empty();
+        const OwnModel own = its_class->role == ClassRole::Health && !has_health_ ? OwnModel{} : its_class->own_model;
+        const bool is_own = !quakes && !own.file.empty();
         const bool is_brushes = its_class->role == ClassRole::TurningDoor || its_class->role == ClassRole::Rotating;
         if (!is_model && !quakes && !is_own && !is_brushes) return;
         if (models_.models.size() >= kMostLevelModels) {
@@ -124,8 +127,8 @@ class LevelModelReader {
         if (is_brushes) {
             if (auto model = turning_.read(level_, entity, values, models_.meshes)) models_.models.push_back(*model);
         }
-        if (is_own) read_own_item(its_class->own_model, values);
-        if (quakes) read_item(*quakes, *its_class, entity, index, values);
+        if (is_own) read_own_item(own, values);
+        if (quakes) read_item(*quakes, *its_class, own, index, values);
         if (models_.models.size() > before) models_.models.back().entity = index;
     }
 
@@ -192,13 +195,14 @@ class LevelModelReader {
         placed.least_light = values.whole_number("least_light", 0, 255);
     }
 
-    void read_item(const ClassModel& quakes, const EntityClass& its_class, const Entity& entity, std::size_t index,
+    void read_item(const ClassModel& quakes, const EntityClass& its_class, const OwnModel& own, std::size_t index,
                    const EntityValues& values) {
+        const Entity& entity = level_.entities[index];
         const std::optional<Vec3<World>> origin = parse_world_vector(entity.value("origin"));
         if (!origin) return;
         const std::optional<std::string> file = finder_.find(fs::path(quakes.file).replace_extension(".mdl"));
         if (!file) {
-            if (!its_class.own_model.file.empty()) return read_own_item(its_class.own_model, values);
+            if (!own.file.empty()) return read_own_item(own, values);
             return report_missing(quakes, entity, index);
         }
         const Mesh* const mesh = mesh_of({*file}, values);
@@ -302,6 +306,7 @@ class LevelModelReader {
     ModelFinder finder_;
     bool shows_classes_;
     std::int64_t world_type_ = 0;
+    bool has_health_ = false;
     LevelModels models_;
     std::map<ModelFile, const Mesh*> meshes_;
     std::size_t bytes_read_ = 0;  ///< see kMostModels_bytes

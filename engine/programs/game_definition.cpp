@@ -128,8 +128,11 @@ class DefinitionReader {
     void read_shows(const Value& list) {
         for (const Value& value : list.elements()) {
             const std::string name = value.text();
-            if (name != "gallery" && name != "lab") value.refuse("\"" + name + "\", expected gallery or lab");
-            (name == "lab" ? game_.has_lab : game_.has_gallery) = true;
+            const std::map<std::string, bool*> parts{
+                {"counts", &game_.has_counts}, {"gallery", &game_.has_gallery}, {"lab", &game_.has_lab}};
+            const auto part = parts.find(name);
+            if (part == parts.end()) value.refuse("\"" + name + "\", expected counts, gallery or lab");
+            *part->second = true;
         }
     }
 
@@ -216,13 +219,15 @@ const std::array<DefinitionReader::Member, 10> DefinitionReader::kMembers{{
     {{"icon", "the window's: a picture (PNG, TGA, JPEG, BMP) of up to 256x256 pixels"}, &DefinitionReader::read_icon},
     {{"captions",
       "other words: for sounds, by the names of the museum's files or the path of a `noise`; for `a lens`, `lenses`, "
-      "`You need the silver key`, `You have the gold key` and their like, and `You have reached the end.`"},
+      "`You need the silver key`, `You have the gold key`, `You receive 25 health` and their like, `You did not "
+      "survive.` and `You have reached the end.`"},
      &DefinitionReader::read_captions},
     {{"classes",
       "of entities, by their names: `is`, a class of the engine, and `keys`, their values where an entity "
       "has none; `does` is for readers"},
      &DefinitionReader::read_classes},
-    {{"shows", "a list of what else it has of the museum: `gallery`, `lab`"}, &DefinitionReader::read_shows},
+    {{"shows", "a list of what else it has: `gallery`, `lab` of the museum, `counts`, a line with what was taken"},
+     &DefinitionReader::read_shows},
     {{"credits", "what the page of credits says first"}, &DefinitionReader::read_credits},
 }};
 

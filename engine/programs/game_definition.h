@@ -29,11 +29,13 @@ struct GameDefinition {
     std::map<std::string, std::string> captions;  ///< by the names of sound files, and the museum's own words
     std::map<std::string, OwnClass> classes;      ///< by name
     bool has_gallery = true, has_lab = true;      ///< as the museum: other games name what they want
+    bool has_counts = false;                      ///< a line with what the player has taken
     std::uint64_t rules_hash = 0;                 ///< of the classes; 0: there are none
 };
 
 /// The museum's words that a caption of game.json may replace.
-inline constexpr const char *kOneLens = "a lens", *kLenses = "lenses", *kReachedEnd = "You have reached the end.";
+inline constexpr const char *kOneLens = "a lens", *kLenses = "lenses", *kYouNeed = "You need ",
+                            *kReachedEnd = "You have reached the end.";
 bool is_replaceable(const std::string& words);
 /// The game's caption for one of those; else the words themselves.
 std::string own_words(const GameDefinition& game, const std::string& words);

@@ -10,14 +10,11 @@ namespace oblong {
 namespace fs = std::filesystem;
 
 bool is_replaceable(const std::string& words) {
-    constexpr std::array kWords{kOneLens,
-                                kLenses,
-                                kReachedEnd,
-                                "You need the silver key",
-                                "You need the gold key",
-                                "You have the silver key",
-                                "You have the gold key"};
-    return std::find(kWords.begin(), kWords.end(), words) != kWords.end();
+    constexpr std::array<std::string_view, 4> kWords{kOneLens, kLenses, kReachedEnd, "You did not survive."};
+    constexpr std::array<std::string_view, 3> kBeginnings{kYouNeed, "You have the ", "You receive "};
+    return std::find(kWords.begin(), kWords.end(), words) != kWords.end() ||
+           std::any_of(kBeginnings.begin(), kBeginnings.end(),
+                       [&](std::string_view beginning) { return words.starts_with(beginning); });
 }
 
 std::string own_words(const GameDefinition& game, const std::string& words) {

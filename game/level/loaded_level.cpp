@@ -27,8 +27,13 @@ std::vector<Position> leak_path_beside(const std::string& level_file) {
 // The game's own words for the museum's.
 void put_words(const GameDefinition& game, GameLevel& level) {
     level.lens_names = {own_words(game, kOneLens), own_words(game, kLenses)};
-    for (std::string& text : level.messages)
-        if (is_replaceable(text)) text = own_words(game, text);
+    for (std::string& text : level.messages) {
+        if (!is_replaceable(text)) continue;
+        text = own_words(game, text);
+        for (const std::string_view lens : {kOneLens, kLenses})
+            if (text.starts_with(kYouNeed) && text.ends_with(lens))
+                text.replace(text.size() - lens.size(), lens.size(), own_words(game, std::string(lens)));
+    }
 }
 
 }  // namespace

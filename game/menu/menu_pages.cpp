@@ -66,6 +66,28 @@ void MenuPages::open_message(std::string title, std::string text) {
     });
 }
 
+void MenuPages::open_pages(const std::string& text) {
+    open_page_of(split(text, std::string_view(&kNewPage, 1)), 1);
+}
+
+// Page 0 is the heading.
+void MenuPages::open_page_of(const std::vector<std::string>& pages, std::size_t number) {
+    const auto turning_to = [this, pages](std::size_t other) {
+        return [this, pages, other] {
+            menu_.close();
+            if (other < pages.size()) open_page_of(pages, other);
+        };
+    };
+    menu_.open([pages, number, turning_to] {
+        const std::size_t last = pages.size() - 1;
+        MenuPage page{pages[0], pages[number]};
+        page.rows.push_back(menu_row(number < last ? "Next" : "OK", turning_to(number + 1)));
+        if (number > 1) page.rows.push_back(menu_row("Back", turning_to(number - 1)));
+        if (last > 1) page.help = "Page " + std::to_string(number) + " of " + std::to_string(last);
+        return page;
+    });
+}
+
 MenuPage MenuPages::title_page() {
     MenuPage page{host_.game_title()};
     page.is_title = true;
@@ -129,6 +151,7 @@ MenuPage MenuPages::end_page(const EndFigures& figures) {
     if (!figures.next_level.empty())
         page.rows.push_back(menu_row("On to " + figures.next_level, closing([this] { host_.play_next(); })));
     page.rows.push_back(menu_row("Again", closing([this] { host_.restart(); })));
+    if (figures.is_lost) page.rows.push_back(menu_row("Load", [this] { open_load(); }));
     page.rows.push_back(menu_row(
         "Picture",
         [this, text = lines_of_end(figures)] {

@@ -41,6 +41,7 @@ struct EndFigures {
     std::string picture;     ///< time and error of the last picture; may be empty
     std::string next_level;  ///< "e1m2"; empty if there is none
     std::string fault;       ///< why the next level, which it names, cannot be played; may be empty
+    bool is_lost = false;    ///< the player died
 };
 
 /// The interface of the program for the menu's pages.
@@ -118,6 +119,8 @@ class MenuPages {
     void open_end();      ///< after a walk
     void open_light();    ///< a test picture, to set the light of the game that is played
     void open_restart();  ///< asks first, if there is unsaved progress
+    /// A text whose pages the player turns: a heading, and pages that each begin with kNewPage.
+    void open_pages(const std::string& text);
     /// A text with one row, "OK".
     void open_message(std::string title, std::string text);
     /// Shows why a walk could not be saved, and asks whether to leave it anyway; if so, calls `go`.
@@ -130,6 +133,7 @@ class MenuPages {
     void open_delete();
     void open_save();
     void open_messages();
+    void open_page_of(const std::vector<std::string>& pages, std::size_t number);
     void open_text(std::string title, std::string text, std::optional<Action> closed_by);
 
     MenuPage title_page();

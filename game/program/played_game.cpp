@@ -113,7 +113,8 @@ EndFigures PlayedGame::end_figures(const LoadedLevel& played, const GameState& s
                           std::to_string(played.level.secrets);
     if (const std::string missed = missed_secrets(played.level, state); !missed.empty())
         figures.missed = "Missed: " + missed;
-    const std::string next = next_level(played, state);
+    figures.is_lost = state.is_lost();
+    const std::string next = figures.is_lost ? "" : next_level(played, state);
     if (!next.empty()) find_next(next, places(played), figures);
     if (const Goal goal = goal_of(played.level, state); !goal.count.empty())
         figures.lenses = goal.title + " found: " + goal.count;

@@ -15,17 +15,6 @@
 namespace oblong {
 namespace {
 
-// A tick's message to the player; usually empty.
-std::string message_of(const GameLevel& level, const GameState& before, const GameState& after) {
-    const bool is_new = after.message.shown != before.message.shown || after.message.tick != before.message.tick;
-    std::string text;
-    if (is_new && after.message.shown >= 0) text = item(level.messages, after.message.shown);
-    if (after.has_ended && !before.has_ended && level.intermission && level.intermission->message != kNoMessage)
-        text = item(level.messages, level.intermission->message);
-    if (after.items != before.items) text += (text.empty() ? "" : "\n") + found_text(level, before, after);
-    return text;
-}
-
 // The part of a picture that has a thumbnail's shape: of one that is narrower, the rows in the middle.
 Framebuffer thumbnail_part(Framebuffer picture, const ScreenMode& mode) {
     const Ratio part = mode.display * Ratio{3, 4};
@@ -104,8 +93,9 @@ void Session::open_page(Action command, MenuPages& pages) {
 }
 
 // An ended walk shows a page, after the level's intermission.
-void Session::open_due_page(MenuPages& pages) {
-    if (state().has_ended && ticks_since_end() >= intermission_ticks() && !input().is_replaying()) pages.open_end();
+void Session::open_due_page(MenuPages& menu) {
+    if (!pages_.empty()) return menu.open_pages(std::exchange(pages_, {}));
+    if (state().has_ended && ticks_since_end() >= intermission_ticks() && !input().is_replaying()) menu.open_end();
 }
 
 // The second half of an intermission is a 386's.
@@ -181,7 +171,7 @@ GameView Session::shown_view() const {
     const PicturePreferences picture = picture_in(platform_.window_size(), preferences);
     Camera camera = ticks_.camera(picture.field_of_view);
     if (preferences.view_bob_100 != 0 || preferences.view_roll_100 != 0) sway(state, preferences, camera);
-    if (state.after.has_ended && loaded_->level.intermission)
+    if (state.after.exit >= 0 && loaded_->level.intermission)
         show_intermission(*loaded_->level.intermission, ticks_since_end(), camera);
     const Overlays& on = overlays_.on();
     return {state, camera, on.has_torch,
@@ -221,6 +211,9 @@ ShownPicture Session::draw_all(bool is_behind_menu) {
     overlays_.draw_lines(view, drawn, *renderer_);
     PanelText panels;
     if (!is_behind_menu) panels = overlays_.draw_panels(view, settings, last_us_, canvas);
+    const bool has_counts = loaded_->files.game && loaded_->files.game->has_counts;
+    if (std::string status = status_text(loaded_->level, state(), has_counts); !status.empty())
+        panels.notes.push_back(std::move(status));
     if (const auto shown = machine()) panels.notes.push_back(describe_rate(*shown, cycles_));
     const Palette& palette = shown_colours_ = palette_of(view.state, effects);
     if (std::exchange(wants_screenshot_, false)) show(save_screenshots(canvas, palette, renderer_->picture_mode()));
@@ -299,8 +292,13 @@ void Session::restore(const GameState& state) {
     has_drawn_ = false;
 }
 
+// Who watches a demo is not asked to turn pages.
 void Session::show(const std::string& message) {
-    messages_.show(view_options_.key_names(platform_).in(message));
+    std::string text = view_options_.key_names(platform_).in(message);
+    const bool has_pages = text.find(kNewPage) != std::string::npos && !input().replayed_view();
+    if (has_pages) pages_ = text;
+    std::replace(text.begin(), text.end(), kNewPage, '\n');
+    has_pages ? messages_.keep(text) : messages_.show(text);
 }
 
 }  // namespace oblong

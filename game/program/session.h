@@ -86,7 +86,7 @@ class Session final : public GameScreen {
     std::optional<ShownPicture> recoloured() override;
     const MenuLook& menu_look() const override { return menu_look_; }
     void open_page(Action command, MenuPages& pages) override;
-    void open_due_page(MenuPages& pages) override;
+    void open_due_page(MenuPages& menu) override;
     const std::shared_ptr<const LoadedLevel>& shared_level() const override { return loaded_; }
     std::vector<KeyHelp> key_help(const KeyNames& names) const override;
     /// The time and the error of the picture that is shown.
@@ -96,7 +96,7 @@ class Session final : public GameScreen {
     void visit() { ticks_.input().visit(); }
     /// Continues from another state of the level.
     void restore(const GameState& state);
-    /// Shows the player a message, with the names of keys in it (KeyNames::in()).
+    /// Shows the player a message, or its pages, with the names of keys in it (KeyNames::in()).
     void show(const std::string& message);
     /// Saves the view without overlays, with a text under it; what to tell the player, for KeyNames::in().
     std::string save_picture(const std::string& text);
@@ -119,7 +119,7 @@ class Session final : public GameScreen {
     std::string turn_exhibit();
     std::string map_key() const;
     std::int64_t intermission_ticks() const {
-        return loaded_->level.intermission ? loaded_->level.intermission->wait_ticks : 0;
+        return loaded_->level.intermission && !state().is_lost() ? loaded_->level.intermission->wait_ticks : 0;
     }
     std::optional<Processor> machine() const;
     GameView shown_view() const;
@@ -143,6 +143,7 @@ class Session final : public GameScreen {
     ShownOverlays overlays_;
     const MenuLook menu_look_;
     Messages messages_;
+    std::string pages_;      // of a message that the menu shows next
     std::uint64_t last_us_;  // the platform's time up to which the game was played
     std::uint64_t shows_until_us_ = 0;
     std::int64_t ended_tick_ = 0;           // after which the level's intermission is shown

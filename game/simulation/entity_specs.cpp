@@ -31,10 +31,6 @@ const Vec3<World> kReach = world_vector(32, 32, 32);  // from a monster
 constexpr std::size_t kElectrodes = 2;
 constexpr World kLargestCell = World::from_int(256);  // of a teleporter that holds one monster
 
-Box box_of_class(const ClassBox& box) {
-    return {world_vector(box.mins[0], box.mins[1], box.mins[2]), world_vector(box.maxs[0], box.maxs[1], box.maxs[2])};
-}
-
 bool is_monster(ClassRole role) {
     return role == ClassRole::Monster || role == ClassRole::Boss || role == ClassRole::LastBoss;
 }
@@ -52,7 +48,7 @@ Position meeting_place(const Position& origin, const std::vector<Trigger>& trigg
     return origin;
 }
 
-constexpr int kNotTouched = 1, kCounterIsQuiet = 1, kPushesOnce = 1;  // spawnflags
+constexpr int kNotTouched = 1, kCounterIsQuiet = 1, kPushesOnce = 1, kHurtIsOff = 1, kTimerIsOn = 1;  // spawnflags
 constexpr std::int32_t kPushFactor = 10;
 constexpr std::int32_t kStrokes = 3;                      // of lightning; Chthon's health at normal skill
 const Vec3<World> kShotReach = world_vector(32, 32, 64);  // from a trigger that Quake activates by a shot
@@ -75,6 +71,10 @@ std::optional<TriggerKind> trigger_kind(ClassRole role) {
             return TriggerKind::Push;
         case ClassRole::TriggerExit:
             return TriggerKind::Exit;
+        case ClassRole::TriggerHurt:
+            return TriggerKind::Hurt;
+        case ClassRole::Timer:
+            return TriggerKind::Timer;
         case ClassRole::Checkpoint:
             return TriggerKind::Checkpoint;
         case ClassRole::Lightning:
@@ -119,10 +119,23 @@ void read_multiple(const Entity& entity, ClassRole role, Trigger& trigger) {
 }
 
 void read_counter(const Entity& entity, Trigger& trigger) {
-    const World count = number_of(entity, "count");
-    trigger.count = std::max(1, floor_of(count));
+    trigger.count = std::max(1, whole_number_of(entity, "count"));
     trigger.wait_ticks = kForever;
     trigger.is_quiet = has_flag(entity, kCounterIsQuiet);
+}
+
+void read_hurt(const Entity& entity, Trigger& trigger) {
+    trigger.damage = whole_number_of(entity, "dmg");
+    trigger.wait_ticks = kTicksPerSecond;
+    trigger.count = 1;
+    trigger.starts_off = has_flag(entity, kHurtIsOff);
+}
+
+void read_timer(const Entity& entity, Trigger& trigger) {
+    trigger.wait_ticks = std::max(1, ticks_of(entity, "wait"));
+    trigger.random_ticks = std::max(0, ticks_of(entity, "random"));
+    trigger.count = 1;
+    trigger.starts_off = !has_flag(entity, kTimerIsOn);
 }
 
 void read_push(const Entity& entity, Trigger& trigger) {
@@ -143,6 +156,10 @@ bool read_checkpoint(const Entity& entity, Trigger& trigger) {
 }
 
 }  // namespace
+
+Box box_of_class(const ClassBox& box) {
+    return {world_vector(box.mins[0], box.mins[1], box.mins[2]), world_vector(box.maxs[0], box.maxs[1], box.maxs[2])};
+}
 
 std::optional<Position> origin_of(const Entity& entity) {
     const auto origin = parse_world_vector(entity.value("origin"));
@@ -175,6 +192,10 @@ World number_of(const Entity& entity, const char* key, std::int32_t largest) {
     return parse_world_number(usual_text(entity.value("classname"), key)).value_or(World{});
 }
 
+std::int32_t whole_number_of(const Entity& entity, const char* key) {
+    return std::max(0, floor_of(number_of(entity, key)));
+}
+
 World speed_per_tick_of(const Entity& entity) {
     const World speed = number_of(entity, "speed");
     return scaled(std::clamp(speed, World::from_int(kSlowest), World::from_int(kFastestMover)), 1, kTicksPerSecond);
@@ -199,7 +220,7 @@ std::optional<Trigger> trigger_left_of(const Entity& entity, const std::vector<T
     const auto origin = origin_of(entity);
     if (!its_class || !origin) return {};
     const bool is_met = is_monster(its_class->role);
-    if (!is_met && its_class->role != ClassRole::Pickup) return {};
+    if (!is_met && its_class->role != ClassRole::Pickup && its_class->role != ClassRole::Health) return {};
     Trigger trigger;
     if (its_class->role == ClassRole::LastBoss) trigger.kind = TriggerKind::Exit;
     trigger.wait_ticks = kForever;
@@ -228,7 +249,11 @@ std::optional<Trigger> trigger_of(const Entity& entity, const Level& bsp) {
     }
     if (trigger.kind == TriggerKind::Multiple) read_multiple(entity, its_class->role, trigger);
     if (trigger.kind == TriggerKind::Counter) read_counter(entity, trigger);
-    if (trigger.kind == TriggerKind::Relay) trigger.found = std::max(0, floor_of(number_of(entity, "found")));
+    if (trigger.kind == TriggerKind::Multiple || trigger.kind == TriggerKind::Relay)
+        trigger.lenses = whole_number_of(entity, "count");
+    if (trigger.kind == TriggerKind::Relay) trigger.found = whole_number_of(entity, "found");
+    if (trigger.kind == TriggerKind::Hurt) read_hurt(entity, trigger);
+    if (trigger.kind == TriggerKind::Timer) read_timer(entity, trigger);
     if (trigger.kind == TriggerKind::Push) read_push(entity, trigger);
     if (trigger.kind == TriggerKind::Checkpoint && !read_checkpoint(entity, trigger)) return {};
     if (trigger.kind == TriggerKind::Exit) trigger.next_map = entity.value("map");

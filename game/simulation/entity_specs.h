@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "engine/level/entity_classes.h"
 #include "game/simulation/game_level.h"
 
 namespace oblong {
@@ -29,6 +30,9 @@ Vec3<Unit> direction_of(const Entity& entity);
 /// Quake's game code, 0 counts as absent.
 World number_of(const Entity& entity, const char* key, std::int32_t largest = kWorldEnd);
 
+/// The same rounded down, 0 for what is negative.
+std::int32_t whole_number_of(const Entity& entity, const char* key);
+
 /// The key "speed" in world units a second, 1 to 4000, as units in a tick.
 World speed_per_tick_of(const Entity& entity);
 
@@ -37,6 +41,9 @@ std::int32_t ticks_of(const Entity& entity, const char* key);
 
 /// True where one of the bits of "spawnflags" is set.
 bool has_flag(const Entity& entity, int flags);
+
+/// The box of a class around its origin.
+Box box_of_class(const ClassBox& box);
 
 /// True for an entity that is absent in single-player games at Quake's normal skill (spawnflag 512).
 inline bool is_left_out(const Entity& entity) {
@@ -83,8 +90,8 @@ void make_doors_touchable(std::vector<Mover>& movers, const std::vector<const En
                           const std::vector<bool>& is_activated, const Level& bsp);
 
 /// The trigger that an entity describes, as in Quake's game: trigger_ once, multiple, secret, onlyregistered, counter,
-/// relay, teleport, push, changelevel, and info_checkpoint, event_lightning; nothing for any other entity. Links to
-/// other entities (targets, messages, a teleporter's exit) are left out.
+/// relay, teleport, push, changelevel, hurt, and func_timer, info_checkpoint, event_lightning; nothing for any other
+/// entity. Links to other entities (targets, messages, a teleporter's exit) are left out.
 std::optional<Trigger> trigger_of(const Entity& entity, const Level& bsp);
 
 /// The message of a secret that has none.

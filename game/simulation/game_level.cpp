@@ -44,7 +44,9 @@ GameState start_of(const GameLevel& level) {
     }
     state.walls.resize(level.walls.size());
     state.triggers.resize(level.triggers.size());
-    for (std::size_t i = 0; i < level.triggers.size(); ++i) state.triggers[i].left = level.triggers[i].count;
+    for (std::size_t i = 0; i < level.triggers.size(); ++i)
+        if (!level.triggers[i].starts_off) state.triggers[i].left = level.triggers[i].count;
+    for (const std::uint32_t i : level.timers) state.triggers[i].ready_tick = level.triggers[i].wait_ticks;
     state.items.resize(level.items.size());
     state.dark_styles = level.dark_styles;
     return state;
@@ -80,7 +82,9 @@ std::string_view next_map(const GameLevel& level, const GameState& state) {
 }
 
 std::string_view end_message(const GameLevel& level, const GameState& state) {
-    const MessageIndex message = state.exit < 0 ? kNoMessage : item(level.triggers, state.exit).fires.message;
+    const MessageIndex message = state.is_lost()  ? level.died
+                                 : state.exit < 0 ? kNoMessage
+                                                  : item(level.triggers, state.exit).fires.message;
     return message == kNoMessage ? std::string_view{} : item(level.messages, message);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -23,6 +24,9 @@ inline constexpr TargetIndex kNoTarget = -1;
 using MessageIndex = std::int32_t;
 inline constexpr MessageIndex kNoMessage = -1;
 
+/// Begins a page of a message: its text before the first page is their heading.
+inline constexpr char kNewPage = '\f';
+
 /// In place of a number of ticks: for ever.
 inline constexpr std::int32_t kForever = -1;
 
@@ -36,16 +40,18 @@ struct Firing {
     bool is_empty() const { return target == kNoTarget && removed == kNoTarget && message == kNoMessage; }
 };
 
-enum class ItemClass : std::uint8_t { Lens, SilverKey, GoldKey };
+enum class ItemClass : std::uint8_t { Lens, Key, Health };
 
-/// Bits of Progress::keys.
-inline constexpr std::uint8_t kSilverKey = 1, kGoldKey = 2;
+/// Bits of Progress::keys, whatever the level.
+inline constexpr std::uint32_t kSilverKey = 1, kGoldKey = 2;
 
 /// An item that the player takes by touching it.
 struct Item {
     ItemClass item_class = ItemClass::Lens;
     Position position;
     Box box;                 ///< the player in here takes it
+    std::uint32_t key = 0;   ///< its bit of Progress::keys
+    std::int32_t heals = 0;  ///< the damage that it undoes
     std::size_t entity = 0;  ///< into Level::entities
     Firing fires;            ///< when it is taken
 };
@@ -65,9 +71,12 @@ struct Leg {
 struct MoverTouch {
     std::optional<Box> box;                  ///< the player in here touches the mover
     bool opens = false;                      ///< a door, if the player has its keys
-    std::uint8_t keys = 0;                   ///< that opening a door needs
+    std::uint32_t keys = 0;                  ///< that opening a door needs
+    std::int32_t lenses = 0;                 ///< likewise
     MessageIndex message = kNoMessage;       ///< shown when the player touches the door before it opens
-    MessageIndex keys_message = kNoMessage;  ///< shown to a player without the keys
+    MessageIndex keys_message = kNoMessage;  ///< shown to a player without the keys or lenses
+
+    bool is_locked() const { return keys != 0 || lenses != 0; }
 };
 
 /// A brush model that travels: doors, lifts and buttons between the two ends of one leg, secret doors there and back
@@ -80,6 +89,7 @@ struct Mover {
     World speed_per_tick;           ///< units; degrees for a door that turns, as its leg's length
     std::int32_t turns = 0;         ///< a door: 1 counter-clockwise, -1 clockwise (solid while shut); 0: no turning
     std::int32_t wait_ticks = 0;    ///< at the far end; kForever: it stays there
+    std::int32_t damage = 0;        ///< to a player in its way: in each tick, a train's each half second
     bool turns_back = false;        ///< when the player is in its way; others wait for room
     bool starts_at_end = false;     ///< a lift that waits above until it is activated
     bool starts_by_itself = false;  ///< a train
@@ -98,6 +108,8 @@ enum class TriggerKind : std::uint8_t {
     Push,        ///< gives the player a velocity
     Checkpoint,  ///< the player respawns here
     Exit,        ///< ends the level
+    Hurt,        ///< takes health, each second
+    Timer,       ///< fires again and again
     Lightning,   ///< Chthon's: see entity_specs.h
 };
 
@@ -120,7 +132,11 @@ struct Trigger {
     std::optional<Box> box;  ///< none: it can't be touched
     Firing fires;
     std::int32_t wait_ticks = 0;        ///< between two firings; kForever: it fires once
-    std::int32_t count = 0;             ///< a counter's, or the strokes of lightning
+    std::int32_t random_ticks = 0;      ///< by which a timer's wait varies up or down
+    std::int32_t damage = 0;            ///< of what hurts
+    std::int32_t lenses = 0;            ///< that the player must have taken
+    std::int32_t count = 0;             ///< a counter's, or the strokes of lightning; of what can be switched: 1
+    bool starts_off = false;            ///< of what can be switched
     std::int32_t found = 0;             ///< above 0: it sounds as the item that was taken as number `found`
     std::optional<Vec3<Unit>> facing;   ///< fires only if the player looks this way, within a quarter turn
     std::optional<ViewCondition> view;  ///< fires only if it holds
@@ -178,8 +194,12 @@ struct GameLevel {
     std::vector<Wall> walls;
     std::vector<Trigger> triggers;
     std::vector<Item> items;
+    std::vector<std::uint32_t> timers;  ///< into `triggers`
     std::vector<Target> targets;
     std::vector<std::string> messages;
+    std::vector<std::string> key_names = {"silver key", "gold key"};
+    std::int32_t health = 0;                     ///< the player's at the start; 0: nothing hurts
+    MessageIndex died = kNoMessage;              ///< shown to who has lost it
     std::vector<MessageIndex> counter_messages;  ///< [n]: n more activations to go, for counters of this level
     std::int32_t secrets = 0;                    ///< how many there are to be found
     std::uint64_t dark_styles = 0;               ///< GameState::dark_styles at the start
@@ -202,14 +222,17 @@ struct GameLevel {
 ///   activates;
 /// - func_wall, func_illusionary; func_episodegate and func_bossgate are open; any other func_ stands still;
 /// - trigger_once, trigger_multiple, trigger_secret, trigger_onlyregistered (every copy is), trigger_counter,
-///   trigger_relay, trigger_push, trigger_teleport, trigger_changelevel; trigger_hurt, trigger_setskill and
-///   trigger_monsterjump do nothing: the player has no health and there are no monsters;
+///   trigger_relay, trigger_push, trigger_teleport, trigger_changelevel; trigger_setskill and trigger_monsterjump do
+///   nothing, as there are no monsters;
+/// - trigger_hurt, item_health, lava, slime and what shuts on the player, only if worldspawn has "health";
 /// - lights with a targetname and a style from 32 on;
-/// - item_key1, item_key2; of monsters and other items only what they fire is left: see entity_specs.h. Of Oblong's
-///   own there are item_lens and info_checkpoint ("origin", "angle", "size" of its volume, 128 128 112): the respawn
-///   button leads back to the one passed last.
+/// - item_key1, item_key2; of monsters and other items only what they fire is left: see entity_specs.h. From Quake's
+///   successors there are func_timer and item_key_custom, and of Oblong's own item_lens and info_checkpoint ("origin",
+///   "angle", "size" of its volume, 128 128 112): the respawn button leads back to the one passed last, and so does
+///   death. Who dies before any has lost.
 ///
-/// Throws InputError for more than kMostMovers movers: doors that overlap are compared in pairs.
+/// Throws InputError for more than kMostMovers movers: doors that overlap are compared in pairs; and for more than 31
+/// names of keys.
 GameLevel make_game_level(const Level& bsp);
 
 /// The state in which a level begins.
@@ -223,10 +246,15 @@ bool asks_for_work(const GameLevel& level, const GameState& state);
 /// "machine" of a button that reached its end in the tick between two states: a lever; may be empty.
 std::string pulled_machine(const GameLevel& level, const GameState& before, const GameState& after);
 
+/// The name of the first of some keys: bits of Progress::keys, one or more.
+inline const std::string& name_of_key(const GameLevel& level, std::uint32_t keys) {
+    return item(level.key_names, std::countr_zero(keys));
+}
+
 /// The map that follows the ended level, as "e1m2"; empty if its exit names none or the level has not ended.
 std::string_view next_map(const GameLevel& level, const GameState& state);
 
-/// The message of the exit that ended the level; may be empty.
+/// The message of the exit that ended the level, or of the player's death; may be empty.
 std::string_view end_message(const GameLevel& level, const GameState& state);
 
 /// The level's names of secrets that were not found: "NAME, NAME"; may be empty.

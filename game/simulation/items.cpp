@@ -14,20 +14,18 @@ namespace {
 struct ItemClassRow {
     ClassRole role;
     ItemClass item_class;
-    std::string_view message;
+    std::uint32_t key = 0;
 };
 
 constexpr std::array kItemClasses{
-    ItemClassRow{ClassRole::Lens, ItemClass::Lens, ""},
-    ItemClassRow{ClassRole::SilverKey, ItemClass::SilverKey, "You have the silver key"},
-    ItemClassRow{ClassRole::GoldKey, ItemClass::GoldKey, "You have the gold key"},
+    ItemClassRow{ClassRole::Lens, ItemClass::Lens},
+    ItemClassRow{ClassRole::SilverKey, ItemClass::Key, kSilverKey},
+    ItemClassRow{ClassRole::GoldKey, ItemClass::Key, kGoldKey},
+    ItemClassRow{ClassRole::CustomKey, ItemClass::Key},
+    ItemClassRow{ClassRole::Health, ItemClass::Health},
 };
 
-std::uint8_t key_of(ItemClass item_class) {
-    if (item_class == ItemClass::SilverKey) return kSilverKey;
-    return item_class == ItemClass::GoldKey ? kGoldKey : std::uint8_t{0};
-}
-
+constexpr int kHealsLittle = 1, kHealsAll = 2;  // spawnflags
 constexpr std::int32_t kFew = 4;
 constexpr std::int64_t kTangent_12 = 29;  // 12 times that of 67.5 degrees
 
@@ -51,13 +49,16 @@ std::optional<Item> item_of(const Entity& entity) {
     item.item_class = row->item_class;
     item.position = *origin;
     item.box = player_box(*origin);  // Quake's box of keys
+    item.key = row->key;
+    if (item.item_class != ItemClass::Health) return item;
+    item.box = box_of_class(find_entity_class(entity.value("classname"))->box).moved(*origin);
+    item.heals = has_flag(entity, kHealsAll) ? 100 : has_flag(entity, kHealsLittle) ? 15 : 25;
     return item;
 }
 
-std::string_view default_message(ItemClass item_class) {
-    const auto row = std::find_if(kItemClasses.begin(), kItemClasses.end(),
-                                  [&](const ItemClassRow& each) { return each.item_class == item_class; });
-    return row->message;
+std::string default_message(const GameLevel& level, const Item& item) {
+    if (item.item_class == ItemClass::Health) return "You receive " + std::to_string(item.heals) + " health";
+    return item.key == 0 ? "" : "You have the " + name_of_key(level, item.key);
 }
 
 ItemCount count_items(const GameLevel& level, const GameState& state, ItemClass item_class) {
@@ -73,10 +74,12 @@ ItemCount count_items(const GameLevel& level, const GameState& state, ItemClass 
 void touch_items(const GameLevel& level, GameState& state, Activations& activations) {
     const Box player = player_box(state.player.position);
     for (const std::uint32_t i : activations.touched(level.boxes.items, player, state.backlog.next_item_box)) {
-        if (!is_there(state, i)) continue;
+        const Item& item = level.items[i];
+        if (!is_there(state, i) || (item.heals > 0 && state.harm.damage == 0)) continue;
         state.items[i] = ItemState::Taken;
         state.progress.taken.push_back(i);
-        state.progress.keys |= key_of(level.items[i].item_class);
+        state.progress.keys |= item.key;
+        state.harm.damage = std::max(0, state.harm.damage - item.heals);
         activations.fire({EntityRef::Kind::Item, i});
     }
 }
@@ -119,11 +122,32 @@ Goal goal_of(const GameLevel& level, const GameState& state) {
     return goal;
 }
 
+std::string status_text(const GameLevel& level, const GameState& state, bool has_counts) {
+    std::string text;
+    const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "  ") + part; };
+    if (level.health != 0) add("Health " + std::to_string(level.health - state.harm.damage));
+    if (!has_counts) return text;
+    if (const Goal goal = goal_of(level, state); !goal.count.empty()) add(goal.title + " " + goal.count);
+    for (std::size_t i = 0; i < level.key_names.size(); ++i)
+        if ((state.progress.keys >> i & 1) != 0) add(level.key_names[i]);
+    return text;
+}
+
 std::string found_text(const GameLevel& level, const GameState& before, const GameState& after) {
     const ItemCount count = count_items(level, after, ItemClass::Lens);
     if (count.taken <= count_items(level, before, ItemClass::Lens).taken) return "";
     const Goal goal = goal_of(level, after);
     return goal.title + ": " + goal.count + (goal.hint.empty() ? "" : ". " + goal.hint);
+}
+
+std::string message_of(const GameLevel& level, const GameState& before, const GameState& after) {
+    const bool is_new = after.message.shown != before.message.shown || after.message.tick != before.message.tick;
+    std::string text;
+    if (is_new && after.message.shown >= 0) text = item(level.messages, after.message.shown);
+    if (after.exit != before.exit && level.intermission && level.intermission->message != kNoMessage)
+        text = item(level.messages, level.intermission->message);
+    if (after.items != before.items) text += (text.empty() ? "" : "\n") + found_text(level, before, after);
+    return text;
 }
 
 }  // namespace oblong

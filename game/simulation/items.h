@@ -10,12 +10,12 @@
 
 namespace oblong {
 
-/// The item that an entity describes: item_lens, item_key1 (silver), item_key2 (gold), each with an origin; nothing for
-/// any other. `fires` is left empty.
+/// The item that an entity describes: item_lens, item_key1 (silver), item_key2 (gold), item_key_custom, item_health,
+/// each with an origin; nothing for any other. `fires`, and `key` of an item_key_custom, are left empty.
 std::optional<Item> item_of(const Entity& entity);
 
-/// The message of a class of items, for items without their own; may be empty.
-std::string_view default_message(ItemClass item_class);
+/// The message for an item without its own; may be empty.
+std::string default_message(const GameLevel& level, const Item& item);
 
 /// How many items of a class a level has, and how many of them the player has taken.
 struct ItemCount {
@@ -24,6 +24,11 @@ struct ItemCount {
     bool operator==(const ItemCount&) const = default;
 };
 ItemCount count_items(const GameLevel& level, const GameState& state, ItemClass item_class);
+
+/// Whether the player has taken so many lenses.
+inline bool has_lenses(const GameLevel& level, const GameState& state, std::int32_t count) {
+    return count == 0 || count_items(level, state, ItemClass::Lens).taken >= count;
+}
 
 /// True while an item is in its place: it is drawn and can be taken.
 inline bool is_there(const GameState& state, std::size_t item) {
@@ -39,8 +44,15 @@ struct Goal {
 };
 Goal goal_of(const GameLevel& level, const GameState& state);
 
+/// A line of what the player has: "Health 75  Coins 1 of 3  red key". Health only where something hurts, the rest if
+/// `has_counts`; may be empty.
+std::string status_text(const GameLevel& level, const GameState& state, bool has_counts);
+
 /// The message after a tick that has taken lenses: "Lenses: 9 of 12. Missing: ..."; empty if none was taken.
 std::string found_text(const GameLevel& level, const GameState& before, const GameState& after);
+
+/// A tick's message to the player; usually empty.
+std::string message_of(const GameLevel& level, const GameState& before, const GameState& after);
 
 /// The missing lenses, if they are so few that the player gets hints; empty before that.
 std::vector<std::size_t> last_lenses(const GameLevel& level, const GameState& state);

@@ -6,6 +6,7 @@
 #include "engine/base/input_error.h"
 #include "engine/base/table.h"
 #include "engine/base/text.h"
+#include "engine/level/entities.h"
 #include "engine/level/entity_classes.h"
 #include "engine/scene/light_styles.h"
 #include "engine/scene/placed_models.h"
@@ -21,7 +22,13 @@ constexpr std::int64_t kFirstSwitchable = 32;  // light style
 constexpr std::int32_t kFastestTurn = 360;     // of an intermission, degrees a second
 constexpr std::int32_t kExitHeight = 27;       // of the player's origin over an info_teleport_destination
 
+constexpr std::int32_t kMostHealth = 999;
+
 using Kind = EntityRef::Kind;
+
+std::string needed_lenses(std::int32_t count) {
+    return count == 1 ? "You need a lens" : "You need " + std::to_string(count) + " lenses";
+}
 
 std::uint32_t number_of_last(std::size_t size) {
     return static_cast<std::uint32_t>(size - 1);
@@ -49,7 +56,8 @@ GameLevel LevelBuilder::build() {
     connect_triggers();
     connect_lightning();
     for (Item& item : level_.items)
-        item.fires = firing_of(level_.bsp->entities[item.entity], default_message(item.item_class));
+        item.fires = firing_of(level_.bsp->entities[item.entity], default_message(level_, item));
+    if (level_.health != 0) level_.died = message("You did not survive.");
     connect_doors();
     add_counter_messages();
     make_trees();
@@ -62,7 +70,10 @@ std::size_t LevelBuilder::index_of(const Entity& entity) const {
 
 void LevelBuilder::add_entity(const Entity& entity) {
     const ClassRole role = role_of(entity);
-    if (role == ClassRole::Worldspawn) level_.title = level_text(entity.value("message"));
+    if (role == ClassRole::Worldspawn) {
+        level_.title = level_text(entity.value("message"));
+        level_.health = std::min(kMostHealth, whole_number_of(entity, "health"));
+    }
     if (is_of_brushes(role) && !add_mover(entity)) add_wall(entity, role);
     add_trigger(entity);
     add_item(entity);
@@ -77,6 +88,7 @@ bool LevelBuilder::add_mover(const Entity& entity) {
     if (level_.movers.size() == kMostMovers)
         throw InputError("entities", "more than 16,384 doors, lifts, buttons and trains, expected no more");
     mover->entity = index_of(entity);
+    if (mover->touch.keys == 0) mover->touch.keys = key_named(entity.value("keyname"));
     level_.movers.push_back(std::move(*mover));
     mover_entities_.push_back(&entity);
     name(entity, Kind::Mover, level_.movers.size());
@@ -96,11 +108,14 @@ void LevelBuilder::add_wall(const Entity& entity, ClassRole role) {
 void LevelBuilder::add_trigger(const Entity& entity) {
     auto trigger = trigger_of(entity, *level_.bsp);
     if (!trigger || (trigger->kind == TriggerKind::Teleport && !find_exit(entity, *trigger))) return;
+    if (trigger->kind == TriggerKind::Hurt && level_.health == 0) return;
     if (trigger->view) trigger->view->point = place_named(entity.value("look_at"));
     level_.secrets += trigger->is_secret;
     trigger->entity = index_of(entity);
     level_.triggers.push_back(std::move(*trigger));
     trigger_entities_.push_back(&entity);
+    if (level_.triggers.back().kind == TriggerKind::Timer)
+        level_.timers.push_back(number_of_last(level_.triggers.size()));
     name(entity, Kind::Trigger, level_.triggers.size());
 }
 
@@ -121,7 +136,8 @@ bool LevelBuilder::find_exit(const Entity& entity, Trigger& trigger) const {
 
 void LevelBuilder::add_item(const Entity& entity) {
     std::optional<Item> item = item_of(entity);
-    if (!item) return;
+    if (!item || (item->item_class == ItemClass::Health && level_.health == 0)) return;
+    if (item->item_class == ItemClass::Key && item->key == 0) item->key = key_named(entity.value("keyname"));
     item->entity = index_of(entity);
     level_.items.push_back(*item);
     name(entity, Kind::Item, level_.items.size());
@@ -153,6 +169,7 @@ void LevelBuilder::add_light(const Entity& entity) {
 
 void LevelBuilder::add_what_monsters_leave() {
     for (const Entity* entity : present_) {
+        if (level_.health != 0 && role_of(*entity) == ClassRole::Health) continue;
         auto trigger = trigger_left_of(*entity, level_.triggers);
         if (!trigger || (trigger->kind != TriggerKind::Exit && firing_of(*entity).is_empty())) continue;
         trigger->entity = index_of(*entity);
@@ -185,8 +202,10 @@ void LevelBuilder::connect_movers() {
         const MessageIndex said =
             std::exchange(mover.fires.message, kNoMessage);  // doors show it when they are touched
         if (said != kNoMessage) level_.movers[mover.group].touch.message = said;
-        if (mover.touch.keys == kSilverKey) mover.touch.keys_message = message("You need the silver key");
-        if (mover.touch.keys == kGoldKey) mover.touch.keys_message = message("You need the gold key");
+        if (mover.touch.keys != 0)
+            mover.touch.keys_message = message("You need the " + name_of_key(level_, mover.touch.keys));
+        else if (mover.touch.lenses != 0 && said == kNoMessage)
+            mover.touch.keys_message = message(needed_lenses(mover.touch.lenses));
     }
 }
 
@@ -270,64 +289,6 @@ void LevelBuilder::make_trees() {
     level_.boxes.triggers = BoxTree(std::move(trigger_boxes));
     level_.boxes.items = BoxTree(std::move(item_boxes));
     level_.boxes.obstacles = BoxTree(std::move(obstacles));
-}
-
-// The target of a name; a new one if the name has none yet.
-Target& LevelBuilder::target_named(const std::string& its_name) {
-    const auto [found, is_new] = target_of_.emplace(its_name, static_cast<TargetIndex>(level_.targets.size()));
-    if (is_new) level_.targets.emplace_back();
-    return item(level_.targets, found->second);
-}
-
-// Registers the last of `count` things of a kind under an entity's targetname.
-void LevelBuilder::name(const Entity& entity, Kind kind, std::size_t count) {
-    if (const std::string its_name = entity.value("targetname"); !its_name.empty())
-        target_named(its_name).entities.push_back({kind, number_of_last(count)});
-}
-
-TargetIndex LevelBuilder::target_of(const Entity& entity, const char* key) const {
-    const auto found = target_of_.find(entity.value(key));
-    return found == target_of_.end() ? kNoTarget : found->second;
-}
-
-// What has two targets activates a third one, of the first's entities and then of the second's, which is made once.
-// Beyond a million entities in all of these, second targets are left out.
-TargetIndex LevelBuilder::both_targets_of(const Entity& entity) {
-    const TargetIndex first = target_of(entity, "target"), second = target_of(entity, "target2");
-    if (first == kNoTarget || second == kNoTarget) return std::max(first, second);
-    const auto [found, is_new] =
-        both_of_.emplace(std::pair(first, second), static_cast<TargetIndex>(level_.targets.size()));
-    if (!is_new) return found->second;
-    Target both = item(level_.targets, first);
-    const Target& other = item(level_.targets, second);
-    constexpr std::size_t kMost = std::size_t{1} << 20;
-    targets_of_both_ += both.entities.size() + other.entities.size();
-    if (targets_of_both_ > kMost) return found->second = first;
-    both.entities.insert(both.entities.end(), other.entities.begin(), other.entities.end());
-    both.light_styles ^= other.light_styles;
-    level_.targets.push_back(std::move(both));
-    return found->second;
-}
-
-// Needs all names, so it is called after all entities are added.
-Firing LevelBuilder::firing_of(const Entity& entity, std::string_view usual_message) {
-    Firing firing;
-    firing.target = both_targets_of(entity);
-    firing.removed = target_of(entity, "killtarget");
-    firing.delay_ticks = std::max(0, ticks_of(entity, "delay"));
-    std::string text = level_text(entity.value("message"));
-    firing.message = message(text.empty() ? std::string(usual_message) : std::move(text));
-    return firing;
-}
-
-// Equal messages are stored once. As in Quake, backslash n is a new line.
-MessageIndex LevelBuilder::message(std::string text) {
-    if (text.empty()) return kNoMessage;
-    for (std::size_t end = text.find("\\n"); end != std::string::npos; end = text.find("\\n", end))
-        text.replace(end, 2, "\n");
-    const auto [found, is_new] = message_of_.emplace(text, static_cast<MessageIndex>(level_.messages.size()));
-    if (is_new) level_.messages.push_back(std::move(text));
-    return found->second;
 }
 
 }  // namespace oblong

@@ -48,6 +48,7 @@ class LevelBuilder {
     TargetIndex both_targets_of(const Entity& entity);
     Firing firing_of(const Entity& entity, std::string_view usual_message = {});
     MessageIndex message(std::string text);
+    std::uint32_t key_named(const std::string& its_name);
     std::vector<bool> activated_movers() const;
 
     GameLevel level_;

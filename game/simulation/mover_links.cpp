@@ -77,7 +77,7 @@ Group group_of(const Mover& first, const std::vector<Mover>& movers, const std::
     Group group{model_box(bsp, first.model)};
     for (const std::uint32_t i : first.group_members) {
         group.whole = group.whole.united(model_box(bsp, movers[i].model));
-        group.has_keys |= movers[i].touch.keys != 0;
+        group.has_keys |= movers[i].touch.is_locked();
         group.is_shot |= is_shot(*entities[i]);
         group.is_activated |= is_activated[i];
         group.starts_open |= has_flag(*entities[i], kStartsOpen);
@@ -110,9 +110,9 @@ void make_doors_touchable(std::vector<Mover>& movers, const std::vector<const En
         }
         for (const std::uint32_t i : movers[first].group_members) {
             Mover& door = movers[i];
-            if (door.touch.keys == 0 && !group.is_shot && movers[first].touch.message == kNoMessage) continue;
+            if (!door.touch.is_locked() && !group.is_shot && movers[first].touch.message == kNoMessage) continue;
             door.touch.box = contact_box(model_box(bsp, door.model)).moved(door.legs.front().from);
-            door.touch.opens = door.touch.keys != 0 || group.is_shot;
+            door.touch.opens = door.touch.is_locked() || group.is_shot;
         }
     }
 }
@@ -189,6 +189,7 @@ std::optional<Mover> train_of(const Entity& entity, const EntitiesByName& by_nam
     Mover mover;
     mover.kind = MoverKind::Train;
     mover.model = *model;
+    mover.damage = whole_number_of(entity, "dmg");
     mover.legs = legs_of(path);
     mover.speed_per_tick = speed_per_tick_of(entity);
     mover.starts_by_itself = entity.value("targetname").empty();

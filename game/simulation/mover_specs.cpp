@@ -42,17 +42,18 @@ Mover sliding_mover(const Entity& entity, const Box& box) {
     return mover;
 }
 
-std::uint8_t keys_of(const Entity& entity) {
+std::uint32_t keys_of(const Entity& entity) {
     if (has_flag(entity, kDoorNeedsGoldKey)) return kGoldKey;  // also if both flags are set, as in Quake
-    return has_flag(entity, kDoorNeedsSilverKey) ? kSilverKey : std::uint8_t{0};
+    return has_flag(entity, kDoorNeedsSilverKey) ? kSilverKey : 0;
 }
 
 // What all doors have in common.
 void make_door(const Entity& entity, Mover& mover) {
-    mover.turns_back = mover.wait_ticks != kForever;
     mover.touch.keys = keys_of(entity);
-    if (mover.touch.keys != 0) mover.turns_back = false;
-    if (mover.touch.keys != 0 || has_flag(entity, kDoorToggles)) mover.wait_ticks = kForever;
+    mover.touch.lenses = whole_number_of(entity, "count");
+    const bool is_locked = mover.touch.is_locked() || !entity.value("keyname").empty();
+    mover.turns_back = mover.wait_ticks != kForever && !is_locked;
+    if (is_locked || has_flag(entity, kDoorToggles)) mover.wait_ticks = kForever;
     mover.toggles = has_flag(entity, kDoorToggles);
 }
 
@@ -172,6 +173,7 @@ std::optional<Mover> mover_of(const Entity& entity, const Level& bsp, World long
     if (role == ClassRole::Lift) mover = lift(entity, box);
     if (!mover || !keeps_within(*mover, longest)) return {};
     mover->model = *model;
+    mover->damage = whole_number_of(entity, "dmg");
     return mover;
 }
 

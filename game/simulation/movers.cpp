@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "game/simulation/collision.h"
+#include "game/simulation/items.h"
 #include "game/simulation/step.h"
 
 namespace oblong {
@@ -11,11 +12,10 @@ namespace {
 
 using Phase = MoverState::Phase;
 
-constexpr std::int64_t kDoorRest_ticks = kTicksPerSecond;  // after a touch, until the next one counts
-constexpr std::int64_t kMessageRest_ticks =
-    2 * kTicksPerSecond;                                    // likewise, for doors that need a key or have a message
-constexpr std::int32_t kRiderWait_ticks = kTicksPerSecond;  // of a lift at its upper end after the last touch
-constexpr std::int32_t kTurn_ticks = kTicksPerSecond;       // of a secret door between its two legs
+constexpr std::int64_t kDoorRest_ticks = kTicksPerSecond;         // after a touch, until the next one counts
+constexpr std::int64_t kMessageRest_ticks = 2 * kTicksPerSecond;  // likewise, of doors with a lock or a message
+constexpr std::int32_t kRiderWait_ticks = kTicksPerSecond;        // of a lift at its upper end after the last touch
+constexpr std::int32_t kTurn_ticks = kTicksPerSecond;             // of a secret door between its two legs
 
 EntityRef mover_ref(std::uint32_t mover) {
     return {EntityRef::Kind::Mover, mover};
@@ -147,7 +147,11 @@ bool step_mover(const GameLevel& level, GameState& state, std::uint32_t i, TickR
         --mover_state.wait_ticks;
         return false;
     }
-    if (!move(level, state, i, report)) return turn_back(mover, mover_state);
+    if (!move(level, state, i, report)) {
+        if (state.tick % (mover.kind == MoverKind::Train ? kTicksPerSecond / 2 : 1) == 0)
+            hurt(level, state, mover.damage);
+        return turn_back(mover, mover_state);
+    }
     return mover.kind == MoverKind::Button && mover_state.phase == Phase::AtEnd;
 }
 
@@ -180,20 +184,19 @@ void touch_open_door(const GameLevel& level, GameState& state, std::uint32_t i, 
     activations.activate(mover_ref(i));
 }
 
-// A door that needs a key, or has a message.
+// A door that needs a key or lenses, or has a message.
 void touch_shut_door(const GameLevel& level, GameState& state, std::uint32_t i, Activations& activations) {
     const Mover& door = level.movers[i];
     MoverState& group = state.movers[door.group];
     if (state.tick < group.next_touch || group.has_been_fired) return;
     group.next_touch = state.tick + kMessageRest_ticks;
     show(state, level.movers[door.group].touch.message);
-    if (door.touch.keys == 0) return;
-    if ((state.progress.keys & door.touch.keys) != door.touch.keys) return show(state, door.touch.keys_message);
-    state.progress.keys = static_cast<std::uint8_t>(state.progress.keys & ~door.touch.keys);
+    if (!door.touch.is_locked()) return;
+    if ((state.progress.keys & door.touch.keys) != door.touch.keys || !has_lenses(level, state, door.touch.lenses))
+        return show(state, door.touch.keys_message);
+    state.progress.keys &= ~door.touch.keys;
     activations.activate(mover_ref(i));
 }
-
-// --- Others ---
 
 void activate_secret_door(GameState& state, std::uint32_t i, Activations& activations) {
     if (state.movers[i].phase != Phase::AtStart) return;
@@ -240,7 +243,7 @@ void touch_mover(const GameLevel& level, GameState& state, std::uint32_t i, Acti
     if (mover.kind == MoverKind::Button) return activations.activate(mover_ref(i));
     if (mover.kind == MoverKind::Lift) return touch_lift(state, i);
     if (mover.kind == MoverKind::SecretDoor) return touch_secret_door(level, state, i, activations);
-    if (mover.touch.opens && mover.touch.keys == 0) return touch_open_door(level, state, i, activations);
+    if (mover.touch.opens && !mover.touch.is_locked()) return touch_open_door(level, state, i, activations);
     touch_shut_door(level, state, i, activations);
 }
 

@@ -25,12 +25,14 @@ void turn(Player& player, const TickInput& input) {
     player.pitch = std::clamp(player.pitch + input.pitch, -Player::kSteepestPitch, Player::kSteepestPitch);
 }
 
+constexpr std::int32_t kAboveFeet = -23;
+
 Depth depth_at(const GameLevel& level, const Position& position) {
     const auto is_wet = [&](std::int32_t z) {
         const std::int32_t filling = contents_at(level, position + world_vector(0, 0, z));
         return filling == contents::kWater || filling == contents::kSlime || filling == contents::kLava;
     };
-    if (!is_wet(-23)) return Depth::Dry;
+    if (!is_wet(kAboveFeet)) return Depth::Dry;
     if (!is_wet(4)) return Depth::Feet;
     return is_wet(kEyeHeight) ? Depth::Eyes : Depth::Waist;
 }
@@ -163,6 +165,13 @@ Position eye_of(const Player& player) {
 bool was_teleported(const Player& before, const Player& after) {
     static constexpr World kLongestMotion = World::from_int(128);
     return !is_within(eye_of(after) - eye_of(before), kLongestMotion);
+}
+
+void hurt_in_liquid(const GameLevel& level, GameState& state) {
+    const std::int32_t liquid = contents_at(level, state.player.position + world_vector(0, 0, kAboveFeet));
+    const auto depth = static_cast<std::int32_t>(state.player.depth);
+    if (liquid == contents::kLava && state.tick % (kTicksPerSecond / 5) == 0) hurt(level, state, 10 * depth);
+    if (liquid == contents::kSlime && state.tick % kTicksPerSecond == 0) hurt(level, state, 4 * depth);
 }
 
 void step_player(const GameLevel& level, GameState& state, const TickInput& input) {

@@ -15,9 +15,11 @@ struct Hash {
     }
     void operator()(World number) { add(number.raw); }
     void operator()(Angle angle) { add(angle.bam); }
-    void operator()(const HasFields auto& each) { visit_fields(each, *this); }
-    void operator()(const Backlog& backlog) {
-        if (!backlog.is_empty()) visit_fields(backlog, *this);
+    template <HasFields Struct>
+    void operator()(const Struct& each) {
+        if constexpr (requires { each.is_empty(); })
+            if (each.is_empty()) return;
+        visit_fields(each, *this);
     }
     template <class Element>
     void operator()(const std::vector<Element>& list) {

@@ -39,7 +39,7 @@ struct Player {
 struct Progress {
     std::int32_t found_secrets = 0;    ///< of GameLevel::secrets
     std::vector<std::uint32_t> taken;  ///< items, in the order in which they were taken
-    std::uint8_t keys = 0;             ///< kSilverKey, kGoldKey
+    std::uint32_t keys = 0;            ///< a bit for each of GameLevel::key_names
     Place respawn;                     ///< where kRespawnButton leads
 
     bool operator==(const Progress&) const = default;
@@ -61,7 +61,7 @@ struct MoverState {
 struct TriggerState {
     std::int64_t ready_tick = 0;  ///< the first tick in which it may fire again; kNever: it is gone
     std::int64_t open_until = 0;  ///< the tick in which an activated teleporter closes
-    std::int32_t left = 0;        ///< activations until a counter fires; strokes of lightning left
+    std::int32_t left = 0;        ///< activations until a counter fires; strokes of lightning left; 1: it is on
 
     static constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
     bool operator==(const TriggerState&) const = default;
@@ -109,6 +109,14 @@ struct Backlog {
     bool is_empty() const { return *this == Backlog{}; }
 };
 
+/// What the player has suffered.
+struct Harm {
+    std::int32_t damage = 0;  ///< 0 to GameLevel::health, at which the player dies
+
+    bool operator==(const Harm&) const = default;
+    bool is_empty() const { return *this == Harm{}; }
+};
+
 /// The last message that the player was shown.
 struct MessageState {
     std::int32_t shown = -1;  ///< into GameLevel::messages; -1: none yet
@@ -133,11 +141,13 @@ struct GameState {
     bool has_ended = false;
     std::int32_t exit = -1;  ///< the trigger that ended the level: into GameLevel::triggers
     Backlog backlog;
+    Harm harm;
 
     bool operator==(const GameState&) const = default;
+    bool is_lost() const { return has_ended && exit < 0; }  ///< it ended by the player's death
 };
 
-/// FNV-1a over the fields in order, without an empty backlog; equal states have equal hashes on every machine.
+/// FNV-1a over the fields in order, without an empty backlog or harm; equal states have equal hashes on every machine.
 std::uint64_t hash_of(const GameState& state);
 
 template <class Field, class Struct>
@@ -159,7 +169,7 @@ void visit_fields(MaybeConst<GameState> auto& state, auto& visit) {
                player.depth, player.holds_jump, state.movers, state.active_movers, state.walls, state.triggers,
                state.items, state.delayed, state.dark_styles, state.progress.found_secrets, state.progress.taken,
                state.progress.keys, respawn.position.x, respawn.position.y, respawn.position.z, respawn.yaw,
-               state.message.shown, state.message.tick, state.has_ended, state.exit, state.backlog);
+               state.message.shown, state.message.tick, state.has_ended, state.exit, state.backlog, state.harm);
 }
 
 void visit_fields(MaybeConst<MoverState> auto& mover, auto& visit) {
@@ -173,6 +183,10 @@ void visit_fields(MaybeConst<TriggerState> auto& trigger, auto& visit) {
 
 void visit_fields(MaybeConst<DelayedFiring> auto& delayed, auto& visit) {
     visit_each(visit, delayed.tick, delayed.by.kind, delayed.by.index);
+}
+
+void visit_fields(MaybeConst<Harm> auto& harm, auto& visit) {
+    visit_each(visit, harm.damage);
 }
 
 void visit_fields(MaybeConst<WaitingFiring> auto& waiting, auto& visit) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::int64_t kLastTick = std::int64_t{1} << 40;  // a thousand years
 constexpr World kFastestSaved = World::from_int(4096);     // along an axis; the player's own bound is half of that
-constexpr std::int32_t kLongestWait_ticks = 2'000'000;     // above the largest value of a key
+constexpr std::int32_t kLongestWait_ticks = 3'000'000;     // above the largest values of two keys: of a timer
 
 // Keeps the first error.
 class Check {
@@ -106,7 +106,8 @@ void check_others(const GameLevel& level, const GameState& state, Check& check) 
         "message " + std::to_string(state.message.shown) + ", which the level does not have");
     check.expect(state.exit >= -1 && state.exit < static_cast<std::int64_t>(level.triggers.size()),
                  "exit " + std::to_string(state.exit) + ", which the level does not have");
-    check.expect((state.progress.keys & ~(kSilverKey | kGoldKey)) == 0, "unknown keys");
+    check.expect(state.progress.keys >> level.key_names.size() == 0, "unknown keys");
+    check.expect(state.harm.damage >= 0 && state.harm.damage <= level.health, "more damage than health");
     check.expect(is_within(state.progress.respawn.position, kFarthestPlayer), "a place to come in outside the world");
 }
 

@@ -26,6 +26,15 @@ void respawn_outside(GameState& state) {
     if (!is_within(state.player.position, kFarthestPlayer)) respawn(state);
 }
 
+// Back to the last checkpoint, with all health; before any, the walk is lost.
+void die(const GameLevel& level, GameState& state) {
+    state.has_ended = state.progress.respawn == level.start;
+    if (state.has_ended) return;
+    respawn(state);
+    state.harm = {};
+    show(state, level.died);
+}
+
 }  // namespace
 
 TickReport step(const GameLevel& level, GameState& state, const TickInput& input) {
@@ -34,14 +43,17 @@ TickReport step(const GameLevel& level, GameState& state, const TickInput& input
     Activations activations(level, state);
     if ((input.buttons & kRespawnButton) != 0) respawn(state);
     activations.begin_tick();
+    run_timers(level, state, activations);
     if ((input.buttons & kVisitButton) != 0) visit(level, activations);
     step_movers(level, state, activations);
     activations.report().has_left_obstacles = has_too_many_obstacles(level, state.player.position);
     step_player(level, state, input);
+    if (level.health != 0) hurt_in_liquid(level, state);
     respawn_outside(state);
     touch_movers(level, state, activations);
     touch_items(level, state, activations);
     touch_triggers(level, state, input, activations);
+    if (level.health != 0 && state.harm.damage == level.health && !state.has_ended) die(level, state);
     activations.end_tick();
     end_tick_of_movers(state);
     return activations.report();

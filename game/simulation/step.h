@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "game/simulation/activations.h"
@@ -40,6 +41,18 @@ void touch_movers(const GameLevel& level, GameState& state, Activations& activat
 
 /// Takes the items that the player touches.
 void touch_items(const GameLevel& level, GameState& state, Activations& activations);
+
+/// Takes health, where the level's player has any.
+inline void hurt(const GameLevel& level, GameState& state, std::int32_t damage) {
+    state.harm.damage = std::min(level.health, state.harm.damage + damage);
+}
+
+/// Lava and slime hurt by how deep the player is in them, as Quake's: lava 10 to 30 each fifth of a second, slime 4 to
+/// 12 each second.
+void hurt_in_liquid(const GameLevel& level, GameState& state);
+
+/// Fires the timers that are due.
+void run_timers(const GameLevel& level, GameState& state, Activations& activations);
 
 /// Handles the triggers that the player is in.
 void touch_triggers(const GameLevel& level, GameState& state, const TickInput& input, Activations& activations);

@@ -1,6 +1,8 @@
 #include <algorithm>
 
+#include "engine/base/checksum.h"
 #include "engine/fixed/trig.h"
+#include "game/simulation/items.h"
 #include "game/simulation/step.h"
 
 namespace oblong {
@@ -87,6 +89,23 @@ void end_level(GameState& state, std::uint32_t trigger) {
     state.exit = static_cast<std::int32_t>(trigger);
 }
 
+void hurt_by(const GameLevel& level, GameState& state, std::uint32_t i, Activations& activations) {
+    if (state.triggers[i].left == 0 || state.tick < state.triggers[i].ready_tick) return;
+    begin_wait(level.triggers[i], state, i);
+    hurt(level, state, level.triggers[i].damage);
+    activations.fire(trigger_ref(i));
+}
+
+// A timer's wait, the same on every machine: what varies depends on the tick and the timer alone.
+std::int64_t wait_of(const Trigger& timer, std::int64_t tick, std::uint32_t i) {
+    Fnv1a hash;
+    hash.add_number(static_cast<std::uint64_t>(tick));
+    hash.add_number(i);
+    const std::int64_t random = timer.random_ticks;
+    const auto any = static_cast<std::int64_t>(hash.value() >> 32);
+    return std::max<std::int64_t>(1, timer.wait_ticks - random + any % (2 * random + 1));
+}
+
 void push(const Trigger& trigger, GameState& state, std::uint32_t i) {
     state.player.velocity = trigger.push;
     if (trigger.wait_ticks == kForever) begin_wait(trigger, state, i);
@@ -98,7 +117,11 @@ bool touch(const GameLevel& level, GameState& state, const TickInput& input, std
     const Trigger& trigger = level.triggers[i];
     switch (trigger.kind) {
         case TriggerKind::Multiple:
-            if (may_fire(trigger, state.player, input)) fire_unless_waiting(trigger, state, i, activations);
+            if (has_lenses(level, state, trigger.lenses) && may_fire(trigger, state.player, input))
+                fire_unless_waiting(trigger, state, i, activations);
+            return false;
+        case TriggerKind::Hurt:
+            hurt_by(level, state, i, activations);
             return false;
         case TriggerKind::Teleport:
             if (trigger.needs_activation && state.tick >= state.triggers[i].open_until) return false;
@@ -118,12 +141,22 @@ bool touch(const GameLevel& level, GameState& state, const TickInput& input, std
         case TriggerKind::Relay:
         case TriggerKind::Counter:
         case TriggerKind::Lightning:
+        case TriggerKind::Timer:
             return false;
     }
     return false;
 }
 
 }  // namespace
+
+void run_timers(const GameLevel& level, GameState& state, Activations& activations) {
+    for (const std::uint32_t i : level.timers) {
+        TriggerState& timer = state.triggers[i];
+        if (timer.left == 0 || state.tick < timer.ready_tick) continue;
+        timer.ready_tick = state.tick + wait_of(level.triggers[i], state.tick, i);
+        activations.fire(trigger_ref(i));
+    }
+}
 
 // In their order. After a teleport, those at the old place are skipped.
 void touch_triggers(const GameLevel& level, GameState& state, const TickInput& input, Activations& activations) {
@@ -148,7 +181,7 @@ void touch_triggers(const GameLevel& level, GameState& state, const TickInput& i
 
 void activate_trigger(const GameLevel& level, GameState& state, std::uint32_t i, Activations& activations) {
     const Trigger& trigger = level.triggers[i];
-    if (is_gone(state.triggers[i])) return;
+    if (is_gone(state.triggers[i]) || !has_lenses(level, state, trigger.lenses)) return;
     switch (trigger.kind) {
         case TriggerKind::Multiple:
             return fire_unless_waiting(trigger, state, i, activations);
@@ -160,6 +193,12 @@ void activate_trigger(const GameLevel& level, GameState& state, std::uint32_t i,
             return strike(level, state, i, activations);
         case TriggerKind::Teleport:
             state.triggers[i].open_until = state.tick + kTeleporterTicks;
+            return;
+        case TriggerKind::Timer:
+            state.triggers[i].ready_tick = state.tick;
+            [[fallthrough]];
+        case TriggerKind::Hurt:
+            state.triggers[i].left = 1 - state.triggers[i].left;
             return;
         case TriggerKind::Push:
         case TriggerKind::Checkpoint:

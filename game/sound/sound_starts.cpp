@@ -166,14 +166,15 @@ void SoundStarts::note_messages(const GameState& before, const GameState& after,
     for (std::size_t i = 0; i < after.items.size(); ++i) {
         if (before.items[i] != ItemState::There || after.items[i] != ItemState::Taken) continue;
         const Item& taken = level_.items[i];
-        tell(taken.item_class == ItemClass::Lens ? Sound::Lens : Sound::Key, own_of(taken.entity));
+        tell(taken.item_class == ItemClass::Key ? Sound::Key : Sound::Lens, own_of(taken.entity));
     }
     std::set<std::int32_t> own_of_fired;
     for (const std::uint32_t i : report.fired_triggers) own_of_fired.insert(own_of_trigger(level_.triggers[i], after));
     own_of_fired.erase(kStandard);
     for (const std::int32_t own : own_of_fired) tell(Sound::Message, own);
     if (!own_of_fired.empty()) return;
-    if (!before.has_ended && after.has_ended) tell(Sound::LevelEnd, kStandard);
+    if (after.harm.damage > before.harm.damage) tell(Sound::Hurt, kStandard);
+    if (before.exit < 0 && after.exit >= 0) tell(Sound::LevelEnd, kStandard);
     if (after.progress.found_secrets > before.progress.found_secrets) tell(Sound::Secret, kStandard);
     if (before.message.tick != after.message.tick && !is_told) add(Sound::Message, kStandard, sources);
 }

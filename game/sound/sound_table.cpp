@@ -39,6 +39,7 @@ constexpr auto kRows = std::to_array<SoundRow>({
     {"train_stop", 1, "it stops", 1000, 210, 28},
     {"button", 1, "button", 700, 230, 14},
     {"teleport", 1, "you are somewhere else", 0, 200, 56},
+    {"hurt", 1, "that hurts", 0, 200, 8},
     {"lens", 1, "a lens rings", 0, 220, 105},
     {"key", 1, "keys jingle", 0, 210, 42},
     {"message", 1, "", 0, 130, 28},

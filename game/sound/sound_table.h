@@ -41,6 +41,7 @@ enum class Sound : std::uint8_t {
     TrainStop,
     Button,
     Teleport,
+    Hurt,
     Lens,
     Key,
     Message,

@@ -170,10 +170,14 @@ void FrameCost::note(const GameView& view, const Settings& settings, const Palet
         text_.effects.push_back({"palette", 0, palette_time_ns(palette, effects, time_ms_at(view.state))});
 }
 
-void Messages::show(std::string text) {
+void Messages::keep(const std::string& text) {
     std::erase(all_, text);
     all_.insert(all_.begin(), text);
     if (all_.size() > kMostKept) all_.pop_back();
+}
+
+void Messages::show(std::string text) {
+    keep(text);
     const std::uint64_t time_us = reading_time_us(text);
     parts_.assign(1, {std::move(text), time_us});
     is_up_ = false;

@@ -58,6 +58,8 @@ class Messages {
   public:
     /// Replaces the current message.
     void show(std::string text);
+    /// Keeps a text that is shown elsewhere.
+    void keep(const std::string& text);
 
     /// The lines to show from `now_us` on, at most `most_lines` of `columns` letters. Until then, the time of the lines
     /// returned last passes. A longer message is shown in parts.
@@ -66,7 +68,7 @@ class Messages {
     /// Whether no message is shown.
     bool is_empty() const { return parts_.empty(); }
 
-    /// All messages, the newest first, each text once; only the last 32 are kept.
+    /// All texts, the newest first, each text once; only the last 32 are kept.
     const std::vector<std::string>& all() const { return all_; }
 
   private:

@@ -146,8 +146,8 @@ void sway(const InterpolatedState& state, const ComfortPreferences& preferences,
 
 namespace {
 
-constexpr Tint kTeleportFlash{{215, 220, 255}, 150};
-constexpr std::int64_t kTeleportFlash_ms = 400;
+constexpr Tint kTeleportFlash{{215, 220, 255}, 150}, kHurtFlash{{170, 0, 0}, 80};
+constexpr std::int64_t kFlash_ms = 400;
 
 // Order: the colours of a tube, then the gamma of the display, then the VGA's 6 bits.
 std::optional<GammaTable> channels_of(const Light& light, bool has_dac6) {
@@ -166,7 +166,10 @@ std::optional<GammaTable> channels_of(const Light& light, bool has_dac6) {
 }  // namespace
 
 void ShownPalette::note_tick(const GameState& before, const GameState& after) {
-    if (was_teleported(before.player, after.player)) teleport_ms_ = time_ms_at({before, after});
+    const bool is_hurt = after.harm.damage > before.harm.damage;
+    if (!is_hurt && !was_teleported(before.player, after.player)) return;
+    flash_ = is_hurt ? kHurtFlash : kTeleportFlash;
+    flash_ms_ = time_ms_at({before, after});
 }
 
 PaletteEffects ShownPalette::effects_at(const GameView& view, Flashes flashes, const Light& light, bool has_dac6) {
@@ -174,8 +177,8 @@ PaletteEffects ShownPalette::effects_at(const GameView& view, Flashes flashes, c
     light_ = light;
     has_dac6_ = has_dac6;
     PaletteEffects effects = palette_effects_at(data_.level, data_.effects, data_.palette, view.camera.eye, flashes);
-    if (teleport_ms_ && flashes == Flashes::Full)
-        effects.flash = faded(kTeleportFlash, time_ms_at(view.state) - *teleport_ms_, kTeleportFlash_ms);
+    if (flash_ms_ && flashes == Flashes::Full)
+        effects.flash = faded(flash_, time_ms_at(view.state) - *flash_ms_, kFlash_ms);
     effects.gamma = channels_;
     return effects;
 }

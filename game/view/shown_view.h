@@ -60,14 +60,14 @@ std::optional<ViewSpec> other_view(bool is_isometric, std::int32_t zoom_degrees,
 /// their preferences.
 void sway(const InterpolatedState& state, const ComfortPreferences& preferences, Camera& camera);
 
-/// The palette with which a game's pictures are shown: colour cycles, the tint of a liquid, a flash after a teleporter,
-/// gamma, and a VGA's 6 bits.
+/// The palette with which a game's pictures are shown: colour cycles, the tint of a liquid, a flash when the player
+/// is teleported or hurt, gamma, and a VGA's 6 bits.
 class ShownPalette {
   public:
     /// `data` outlives it.
     explicit ShownPalette(const GameData& data) : data_(data) {}
 
-    /// Notes a tick: one that teleports the player starts a flash.
+    /// Notes a tick: one that teleports or hurts the player starts a flash.
     void note_tick(const GameState& before, const GameState& after);
     /// The effects on the palette. The flash needs Flashes::Full.
     PaletteEffects effects_at(const GameView& view, Flashes flashes, const Light& light, bool has_dac6);
@@ -76,8 +76,9 @@ class ShownPalette {
     const GameData& data_;
     Light light_;
     bool has_dac6_ = false;
-    std::optional<GammaTable> channels_;       // of these settings; nothing if they change no colour
-    std::optional<std::int64_t> teleport_ms_;  // when the player was teleported last
+    std::optional<GammaTable> channels_;  // of these settings; nothing if they change no colour
+    Tint flash_;
+    std::optional<std::int64_t> flash_ms_;  // when the player was teleported or hurt last
 };
 
 }  // namespace oblong

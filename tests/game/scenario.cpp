@@ -42,21 +42,27 @@ struct EntityLine {
 };
 
 ToyLevel level_of(const std::vector<EntityLine>& lines) {
-    std::int32_t water_z = -30'000;
+    std::int32_t water_z = -30'000, liquid = contents::kWater;
+    const std::map<std::string, std::int32_t> liquids{
+        {"water", contents::kWater}, {"slime", contents::kSlime}, {"lava", contents::kLava}};
     std::vector<Solid> world = floor_and({});
     for (const EntityLine& line : lines) {
-        if (line.its_class == "water") water_z = line.numbers.at(0);
+        if (const auto found = liquids.find(line.its_class); found != liquids.end()) {
+            water_z = line.numbers.at(0);
+            liquid = found->second;
+        }
         if (line.its_class == "no_floor") world.erase(world.begin());
         if (line.its_class == "solid") world.push_back(line.box());
     }
     ToyLevel toy(water_z);
+    toy.level.leaves[LeafIndex(2)].contents = liquid;
     if (!lines.empty() && lines[0].its_class.ends_with(".bsp")) {
         toy.level = read_bsp(read_shared_file(lines[0].its_class));
         return toy;
     }
     toy.add_model(world);
     for (const EntityLine& line : lines) {
-        if (line.its_class == "water" || line.its_class == "no_floor" || line.its_class == "solid") continue;
+        if (liquids.contains(line.its_class) || line.its_class == "no_floor" || line.its_class == "solid") continue;
         Pairs pairs{{"classname", line.its_class}};
         pairs.insert(pairs.end(), line.pairs.begin(), line.pairs.end());
         if (!line.numbers.empty()) {
@@ -115,6 +121,8 @@ const std::map<std::string, Number> kNumbers{
     {"keys", [](const LogicGame& game, std::size_t) { return game.state.progress.keys; }},
     {"lenses",
      [](const LogicGame& game, std::size_t) { return count_items(game.level, game.state, ItemClass::Lens).taken; }},
+    {"health", [](const LogicGame& game, std::size_t) { return game.level.health - game.state.harm.damage; }},
+    {"lost", [](const LogicGame& game, std::size_t) { return game.state.is_lost(); }},
     {"secrets", [](const LogicGame& game, std::size_t) { return game.state.progress.found_secrets; }},
     {"ended", [](const LogicGame& game, std::size_t) { return game.state.has_ended; }},
     {"said_at", [](const LogicGame& game, std::size_t) { return static_cast<double>(game.state.message.tick); }},
@@ -161,6 +169,8 @@ std::string dark_styles(std::uint64_t bits) {
 using Text = std::function<std::string(const LogicGame&, std::size_t which)>;
 const std::map<std::string, Text> kTexts{
     {"message", [](const LogicGame& game, std::size_t) { return game.message(); }},
+    {"status", [](const LogicGame& game, std::size_t) { return status_text(game.level, game.state, true); }},
+    {"at_end", [](const LogicGame& game, std::size_t) { return std::string(end_message(game.level, game.state)); }},
     {"next", [](const LogicGame& game, std::size_t) { return std::string(next_map(game.level, game.state)); }},
     {"dark", [](const LogicGame& game, std::size_t) { return dark_styles(game.state.dark_styles); }},
     {"phase", [](const LogicGame& game, std::size_t mover) { return name_in(kPhases, game.phase(mover)); }},

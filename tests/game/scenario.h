@@ -9,7 +9,7 @@ namespace oblong::test {
 ///     + func_door 200 -64 0 216 64 128 angle=-1 wait=2      an entity: its class, the box of its brush if it has one,
 ///                                                           its keys
 ///     + e1m7.bsp                                            one of Quake's own levels, without any other entity
-///     + solid 0 0 0 100 100 18                              a block of the world; no_floor, water Z
+///     + solid 0 0 0 100 100 18                              a block of the world; no_floor, water Z (lava, slime)
 ///     stand 150 0; wait 34: phase0 = end, message = "Hm"    what is done, then what must hold
 ///     each 70 ahead: feet >= travelled0+8                   what must hold after each of so many ticks
 ///     # a note

@@ -13,8 +13,10 @@
 #include "game/program/played_game.h"
 #include "game/program/program.h"
 #include "game/program/program_files.h"
+#include "game/program/screens.h"
 #include "game/program/session.h"
 #include "game/simulation/items.h"
+#include "game/simulation/step.h"
 #include "tests/support/programs.h"
 #include "tests/support/refusal.h"
 #include "tests/support/scripted_input.h"
@@ -335,7 +337,7 @@ TEST_F(ExampleGame, ACaptionOfNoSoundIsNamed) {
 
 TEST_F(ExampleGame, HasALabOnlyIfItAsksForOne) {
     for (const bool has_lab : {false, true}) {
-        if (has_lab) replace_in_definition("\"title\"", "\"shows\": [\"lab\"], \"title\"");
+        if (has_lab) replace_in_definition("[\"counts\"]", "[\"lab\"]");
         LevelFiles files = level_files_of(options(), assets_);
         files.level = level_file_of(*files.game, "first");
         const auto first = std::make_shared<const LoadedLevel>(files);
@@ -355,7 +357,7 @@ TEST_F(ExampleGame, HasALabOnlyIfItAsksForOne) {
     }
     replace_in_definition("[\"lab\"]", "[\"labs\"]");
     EXPECT_EQ(run("oblong --game " + folder_ + " --headless 1 --out " + temporary_.path("out")), 1);
-    EXPECT_NE(said_.find("/shows/0: \"labs\", expected gallery or lab"), std::string::npos) << said_;
+    EXPECT_NE(said_.find("/shows/0: \"labs\", expected counts, gallery or lab"), std::string::npos) << said_;
 }
 
 TEST_F(ExampleGame, HasItsOwnWordsForLockedDoorsAndForItsEnd) {
@@ -369,6 +371,68 @@ TEST_F(ExampleGame, HasItsOwnWordsForLockedDoorsAndForItsEnd) {
     EXPECT_EQ(std::count(messages.begin(), messages.end(), "You need the gold key"), 0);
     const Options own = options();
     EXPECT_EQ(PlayedGame(own, second).end_figures(second, start_of(second.level)).message, "Home.");
+}
+
+TEST_F(ExampleGame, ABookIsReadPageByPageWhileTheWalkWaits) {
+    Options played = options();
+    played.map = "third";
+    PreferencesStore store;
+    HeadlessPlatform platform(
+        200, kTicksPerSecond, [](std::int64_t) { return PlatformInput{}; }, [](Framebuffer, const Palette&) {});
+    Screens screens(played, load_program_files(played, assets_), store, platform, {});
+    for (int tick = 0; tick < 60 && !screens.menu().is_open(); ++tick) {
+        Controls controls;
+        controls.moves.set(tick < 11 ? Action::TurnLeft : Action::Forward);  // 44 degrees, to the book
+        platform.poll();
+        screens.up().advance(controls, platform.now_us());
+        screens.up().open_due_page(screens.pages());
+    }
+    std::vector<std::string> texts;
+    Controls accept;
+    accept.menu = {MenuAction::Accept};
+    for (; screens.menu().is_open(); screens.menu().handle(accept, {320, 200}, 1, {0, 0, 320, 200})) {
+        EXPECT_EQ(screens.menu().page().title, "The keeper's book");
+        texts.push_back(screens.menu().page().text);
+    }
+    ASSERT_EQ(texts.size(), 2u);
+    EXPECT_TRUE(texts[0].ends_with("sorry.\n\nSparks burn. A red cross heals who is hurt.")) << texts[0];
+    EXPECT_TRUE(texts[1].starts_with("My red key")) << texts[1];
+    EXPECT_EQ(screens.messages().front(), "The keeper's book\n" + texts[0] + "\n" + texts[1]) << "to read again";
+}
+
+TEST_F(ExampleGame, TheThirdRoomCanBeLost) {
+    const LoadedLevel third = loaded("third");
+    GameState state = start_of(third.level);
+    EXPECT_EQ(status_text(third.level, state, true), "Health 100  Coins 0 of 4");
+    for (int second = 0; second < 4; ++second) {
+        state.player.position = world_vector(224, 160, 24);  // the sparks: 20 a second
+        EXPECT_FALSE(state.has_ended);
+        for (int tick = 0; tick < (second == 0 ? 1 : 35); ++tick) step(third.level, state, {});
+    }
+    EXPECT_EQ(status_text(third.level, state, false), "Health 20");
+    for (int tick = 0; tick < 35; ++tick) step(third.level, state, {});
+    EXPECT_TRUE(state.is_lost());
+    const Options own = options();
+    const EndFigures figures = PlayedGame(own, third).end_figures(third, state);
+    EXPECT_TRUE(figures.is_lost);
+    EXPECT_EQ(figures.message, "That was too much.");
+    EXPECT_EQ(figures.lenses, "Coins found: 0 of 4");
+}
+
+TEST_F(ExampleGame, WhoHasLostIsOfferedNoNextLevel) {
+    const LoadedLevel first = loaded("first");
+    const Options own = options();
+    GameState state = start_of(first.level);
+    EXPECT_EQ(PlayedGame(own, first).end_figures(first, state).next_level, "second");
+    state.has_ended = true;
+    EXPECT_EQ(PlayedGame(own, first).end_figures(first, state).next_level, "");
+}
+
+TEST_F(ExampleGame, TheGateOfTheFirstRoomWantsACoin) {
+    const LoadedLevel first = loaded("first");
+    EXPECT_EQ(first.level.movers[0].touch.lenses, 1);
+    const std::vector<std::string>& said = first.level.messages;
+    EXPECT_EQ(std::count(said.begin(), said.end(), "You need a coin"), 1);
 }
 
 TEST(GameName, IsOfPlainLettersAndDiffersWhereFoldersDo) {

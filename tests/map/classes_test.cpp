@@ -41,7 +41,7 @@ TEST(EntityClasses, HaveSoundsAndModelsThatAreThere) {
         EXPECT_TRUE(fs::exists(source_folder() + "/assets/" + std::string(row.own_model.file))) << row.name;
         ++models;
     }
-    EXPECT_EQ(models, 3);
+    EXPECT_EQ(models, 5);
 }
 
 TEST(EntityClasses, AreNotLeftOutToo) {

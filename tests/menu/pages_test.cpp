@@ -46,7 +46,7 @@ class FakeHost final : public MenuHost {
     EndFigures end_figures() const override {
         return {"You have seen the museum.",     "12:34",          "Lenses found: 12 of 12",
                 "Secrets found: 1 of 4",         "Missed: an egg", "Picture (bounded): 486",
-                end_fault.empty() ? "e1m2" : "", end_fault};
+                end_fault.empty() ? "e1m2" : "", end_fault,        is_lost};
     }
     std::string credits() const override { return std::string(2000, 'c'); }
     bool can_save() const override { return has_folder; }
@@ -83,7 +83,7 @@ class FakeHost final : public MenuHost {
     std::string end_fault, save_fault;
     std::vector<std::string> done;
     int lists = 0;  // how often they were asked for
-    bool is_of_museum = true;
+    bool is_of_museum = true, is_lost = false;
     bool has_folder = true, is_unsaved = true;
 };
 
@@ -123,11 +123,10 @@ class Pages : public testing::Test {
 
 /// What a player does on the pages, and what they show and have the program do:
 ///
-///     open title              the pages of title, game, end or keys; `without saves`, `saved`: of the program
-///     Load; Slot 1            rows that are chosen, by the keys; `escape`, `press KEY`, `go to ROW`, `left`, `right`
-///     : title = Load, row0 = Walk 2, help0 = "", rows = 4, chosen = No, text has 12:34, closed
-///     : did = load 0, all = 2 what the program did last, and how many things in all
-///     : jump has J, conflicts = 1, scale = 2
+///     open title              the pages of title, game, end or keys, a book, a note; `lost`, `without saves`, `saved`:
+///     of the program Load; Slot 1            rows that are chosen, by the keys; `escape`, `press KEY`, `go to ROW`,
+///     `left`, `right` : title = Load, row0 = Walk 2, help0 = "", rows = 4, chosen = No, text has 12:34, closed : did =
+///     load 0, all = 2 what the program did last, and how many things in all : jump has J, conflicts = 1, scale = 2
 class PageScript : private Pages {
   public:
     void run(const Script& script) {
@@ -144,9 +143,12 @@ class PageScript : private Pages {
         const std::string what = joined(words), rest = joined(words, 1);
         if (words[0] == "open") {
             menu_.close_all();
+            host_.is_lost = what == "open lost end";
             if (rest == "title") pages_.open_title();
             if (rest == "game") pages_.open_game();
-            if (rest == "end") pages_.open_end();
+            if (rest == "end" || rest == "lost end") pages_.open_end();
+            if (rest == "book") pages_.open_pages("The diary\fMonday.\fTuesday.\fToday.");
+            if (rest == "note") pages_.open_pages("\fOne page.");
             if (rest == "keys") open_key_pages(menu_, host_, undo_);
         } else if (what == "without saves")
             host_.has_folder = false;
@@ -272,6 +274,19 @@ constexpr Script kPageScripts[] = {
     )"},
     {"TheEndSaysWhichLevelIsMissing", R"(
         fault "e1m2.bsp: open: no such level in maps, expected one"; open end: text has "e1m2.bsp: open: no such level in maps, expected one"
+    )"},
+    {"WhoHasLostMayLoad", R"(
+        open lost end; Load; Slot 2: did = load 2
+    )"},
+    {"PagesAreTurned", R"(
+        open book: title = The diary, text = Monday., rows = 1
+        Next: text = Tuesday., rows = 2
+        Back: text = Monday.
+        Next; Next: title = The diary, text = Today.
+        OK: closed
+        open book; Next; escape: closed
+        open note: title = , text = One page., rows = 1
+        OK: closed
     )"},
     {"PreferencesChangeAtOnce", R"(
         open game; Options; Comfort; go to Text size; right: scale = 2

@@ -285,6 +285,23 @@ TEST(OwnSounds, OfATriggerAreHeardEachTimeItFires) {
     EXPECT_EQ(exit.count(Sound::LevelEnd), 0);
 }
 
+TEST(SoundScene, WhoIsHurtHearsItAndWhoDiesHearsNoEnd) {
+    ToyLevel toy = plain();
+    toy.add_model({{200, -64, 0, 240, 64, 128}});
+    toy.add_entity({{"classname", "worldspawn"}, {"health", "50"}});
+    toy.add_entity({{"classname", "trigger_hurt"}, {"model", "*1"}, {"dmg", "25"}});
+    HeardGame heard(std::move(toy));
+    heard.play(45, kAhead);
+    EXPECT_EQ(heard.game.state.harm.damage, 25);
+    EXPECT_EQ(heard.count(Sound::Hurt), 1);
+    heard.game.state.player.position = world_vector(220, 0, 24);
+    heard.game.state.player.velocity = {};
+    heard.play(40, kStand);
+    EXPECT_TRUE(heard.game.state.is_lost());
+    EXPECT_EQ(heard.count(Sound::Hurt), 2);
+    EXPECT_EQ(heard.count(Sound::LevelEnd), 0);
+}
+
 // However it is fired: one that fires once, a relay, a counter, by what the player walks into.
 TEST(OwnSounds, OfATriggerAreHeardWhereAnotherFiresIt) {
     using Pairs = std::vector<std::pair<std::string, std::string>>;

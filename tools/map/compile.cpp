@@ -102,8 +102,8 @@ void check_arrivals(const Tree& player_hull, const PlaneList& planes, const std:
 // A train goes where its path begins; a trigger that others activate need not be where players are.
 bool may_be_outside(const MapEntity& entity) {
     const ClassRole role = role_of(entity);
-    const bool is_never_touched =
-        role == ClassRole::TriggerRelay || role == ClassRole::TriggerCounter || role == ClassRole::Lightning;
+    const bool is_never_touched = role == ClassRole::TriggerRelay || role == ClassRole::TriggerCounter ||
+                                  role == ClassRole::Timer || role == ClassRole::Lightning;
     return role == ClassRole::Train || is_never_touched || (is_trigger(role) && !entity.value("targetname").empty());
 }
 

@@ -136,7 +136,7 @@ std::string palette_of_game(const std::string& folder) {
     return "";
 }
 
-// With the classes' meanings in the game; the level keeps the original classes.
+// With the classes' meanings and values in the game; the level keeps the original classes.
 std::vector<map::MapEntity> with_known_classes(std::vector<map::MapEntity> entities, const std::string& folder) {
     const GameDefinition game = read_game_definition(folder);
     for (map::MapEntity& entity : entities) {
@@ -144,6 +144,8 @@ std::vector<map::MapEntity> with_known_classes(std::vector<map::MapEntity> entit
         if (own == game.classes.end()) continue;
         for (auto& pair : entity.pairs)
             if (pair.key == "classname") pair.value = own->second.is;
+        for (const auto& [key, value] : own->second.values)
+            if (!entity.has(key)) entity.pairs.push_back({key, value, entity.line});
     }
     return entities;
 }
