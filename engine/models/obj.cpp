@@ -329,8 +329,8 @@ ObjModel read_obj(const std::string& path, const Palette& palette, const ObjOpti
 
 ObjModel read_obj(std::span<const std::uint8_t> bytes, const std::string& path, const Palette& palette,
                   const ObjOptions& options) {
-    return parse_obj(simple_obj({reinterpret_cast<const char*>(bytes.data()), bytes.size()}),
-                     std::filesystem::path(path).parent_path(), palette, options);
+    return parse_obj(simple_obj({bytes.begin(), bytes.end()}), std::filesystem::path(path).parent_path(), palette,
+                     options);
 }
 
 }  // namespace oblong

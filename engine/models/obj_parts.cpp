@@ -163,7 +163,9 @@ std::string as_word(std::string_view name) {
     return word;
 }
 
-std::string simple_obj(std::string_view text) {
+std::string simple_obj(std::string file) {
+    const std::string whole = plain_text(std::move(file));
+    std::string_view text = whole;
     std::string simple;
     simple.reserve(text.size());
     std::size_t lines = 1;

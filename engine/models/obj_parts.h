@@ -36,10 +36,10 @@ std::string as_word(std::string_view name);
 std::string name_of_word(std::string word);
 inline constexpr char kBlankInWord = '\x1f', kBlankInName = '\x1e';  ///< the second: one behind a backslash
 
-/// An OBJ file's text for check_obj() and tinyobjloader: with LF line ends, without comments, and with lines that a
-/// backslash continues joined; then empty lines follow, so that the others keep their numbers. Names of materials are
-/// words: as_word().
-std::string simple_obj(std::string_view text);
+/// An OBJ file's text for check_obj() and tinyobjloader: without a byte order mark, with LF line ends, without
+/// comments, and with lines that a backslash continues joined; then empty lines follow, so that the others keep their
+/// numbers. Names of materials are words: as_word().
+std::string simple_obj(std::string file);
 
 /// Checks what tinyobjloader does not: that the words of v, vt, vn and f lines are numbers in range, and that the
 /// corners of faces exist, of which normals may be missing. Throws InputError with the line.

@@ -14,7 +14,6 @@
 #include "engine/view/screen.h"
 
 // Only this file uses stb: for JPEGs.
-#define STB_IMAGE_IMPLEMENTATION
 #define STBI_ONLY_JPEG
 #define STBI_NO_STDIO
 #define STBI_NO_SIMD               // the same colours on every machine
@@ -23,7 +22,20 @@
 #define STBI_MALLOC(size) std::calloc(1, size)
 #define STBI_REALLOC std::realloc
 #define STBI_FREE std::free
+#include <stb/stb_image.h>  // its types
+
+// Where a row has half of the colours, stb gives the last column but one three parts of the column before, instead of
+// its own. So its function gets another name, and its own for blocks of 2x2 does the work.
+static stbi_uc* stbi__resample_row_h_2(stbi_uc* out, stbi_uc* row, stbi_uc* far_row, int width, int);
+[[maybe_unused]] static stbi_uc* unused_row_h_2(stbi_uc*, stbi_uc*, stbi_uc*, int, int);
+#define stbi__resample_row_h_2(...) unused_row_h_2(__VA_ARGS__)
+#define STB_IMAGE_IMPLEMENTATION
 #include <stb/stb_image.h>
+#undef stbi__resample_row_h_2
+
+static stbi_uc* stbi__resample_row_h_2(stbi_uc* out, stbi_uc* row, stbi_uc*, int width, int) {
+    return stbi__resample_row_hv_2(out, row, row, width, 2);
+}
 
 namespace oblong {
 namespace {

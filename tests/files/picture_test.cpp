@@ -25,6 +25,14 @@ constexpr std::string_view kTwoColoursJpeg =
     "080010001003011100021101031101ffc4001500010100000000000000000000000000000607ffc40014100100000000000000000000"
     "000000000000ffc400160101010100000000000000000000000000080906ffc40014110100000000000000000000000000000000ffda"
     "000c03010002110311003f008d32468101c09283e0fab5901c0928ffd9";
+// 18x1, its first 16 columns (200, 40, 60), the others (20, 120, 220); half the columns of hue.
+constexpr std::string_view kHalfColumnsJpeg =
+    "ffd8ffe000104a46494600010100000100010000ffdb0043000201010101010201010102020202020403020202020504040304060506"
+    "060605060606070908060709070606080b08090a0a0a0a0a06080b0c0b0a0c090a0a0affdb004301020202020202050303050a070607"
+    "0a0a0a0a0a0a0a0a0a0a0a0a0a0a0a0a0a0a0a0a0a0a0a0a0a0a0a0a0a0a0a0a0a0a0a0a0a0a0a0a0a0a0a0a0a0a0a0a0a0affc00011"
+    "080001001203012100021101031101ffc400160001010100000000000000000000000000000608ffc400141001000000000000000000"
+    "00000000000000ffc40016010101010000000000000000000000000009070affc40014110100000000000000000000000000000000ff"
+    "da000c03010002110311003f00cce2764e160150677dffd9";
 // 32x32, grey 255 at the top, evenly to 0 at the bottom; progressive.
 constexpr std::string_view kGradientJpeg =
     "ffd8ffe000104a46494600010100000100010000ffdb0043000d090a0b0a080d0b0a0b0e0e0d0f13201513121213271c1e17202e2931"
@@ -266,6 +274,23 @@ TEST(Picture, JpegIsNearItsColours) {
     ASSERT_EQ(gradient.colours.size(), 1024u);
     for (std::size_t i = 0; i < 1024; ++i)
         EXPECT_NEAR(gradient.pixel(i).colour.green, 255 - static_cast<double>(i / 32) * 255 / 31, 6) << i;
+}
+
+// Between two values of hue, columns have 3 quarters of their own and 1 of the next (ISO/IEC 10918-5, triangle filter).
+TEST(Picture, HueOfHalfTheColumnsIsInterpolatedUpToTheLast) {
+    const PngImage image = decode_picture(bytes_of(kHalfColumnsJpeg));
+    const double left[3] = {200, 40, 60}, right[3] = {20, 120, 220};
+    const auto luma = [](const double(&c)[3]) { return 0.299 * c[0] + 0.587 * c[1] + 0.114 * c[2]; };
+    ASSERT_EQ(image.colours.size(), 18u);
+    for (std::size_t x = 0; x < 18; ++x) {
+        const double share = x < 15 ? 0 : x == 15 ? 0.25 : x == 16 ? 0.75 : 1;
+        const Rgb8 is = image.pixel(x).colour;
+        for (int i = 0; i < 3; ++i) {
+            const double hue = (left[i] - luma(left)) * (1 - share) + (right[i] - luma(right)) * share;
+            const double value = hue + (x < 16 ? luma(left) : luma(right));
+            EXPECT_NEAR((i == 0 ? is.red : i == 1 ? is.green : is.blue), value, 3) << x << ", " << i;
+        }
+    }
 }
 
 // What stb decodes by, tables of codes and of factors, is read even where the file has none.

@@ -193,11 +193,12 @@ TEST_F(ObjFiles, OptionsOfAPictureAreObeyedOrNamed) {
 TEST_F(ObjFiles, MaterialsBecomeSkins) {
     std::vector<std::uint8_t> texels = {10, 20, 30, 40, 50, 60, 70, 80};
     write_file(path("wood.png"), encode_indexed_png(texels, 4, 2, grey_palette()));
-    write_file(path("m.mtl"),
-               std::string("newmtl wood\r\nmap_Kd wood.png\r\nnewmtl red\r\nKd 0.5 0.5 0.5\r\nnewmtl gone\r\n"
-                           "Kd 1 1 1\r\nmap_Kd none.png\r\nnewmtl unused\r\nmap_Kd unused.png\r\n"));
+    write_file(
+        path("m.mtl"),
+        std::string("\xef\xbb\xbfnewmtl wood\r\nmap_Kd wood.png\r\nnewmtl red\r\nKd 0.5 0.5 0.5\r\nnewmtl gone\r\n"
+                    "Kd 1 1 1\r\nmap_Kd none.png\r\nnewmtl unused\r\nmap_Kd unused.png\r\n"));
     const ObjModel model =
-        read("mtllib m.mtl\r\n" + kSquare +
+        read("\xef\xbb\xbfmtllib m.mtl\r\n" + kSquare +
              "vt 0.25 0\r\nvt 1 0\r\nvt 1 1\r\nusemtl wood\r\nf 1/1 2/2 3/3\r\nusemtl red\r\nf 1/1 2/2 3/3\r\n"
              "usemtl gone\r\nf 1 2 3\r\n");
     const Mesh& mesh = model.mesh;

@@ -228,12 +228,11 @@ Figures draw_depth(const RowInput& input, Framebuffer canvas) {
     const InverseZ inverse_z = item(frame.by.depths(), checked.row * canvas.width_px + checked.column);
     const double z = 1 / number_of(inverse_z);
     const double by_tree = depth_by_tree(input.assets.demo_level, camera_in_hall(), input.mode, checked);
-    const bool is_whole = input.values[0] == InverseZ::kFractionBits;
+    const bool is_finest = is_exact(HiddenSurfaces::ZBuffer, rounded.settings.accuracy);
     return {measured("pixels that go to another face than by the tree", wrong),
-            wrong_pixels("of them not equally deep", count_unlike(frame, right),
-                         is_whole && is_exact(HiddenSurfaces::ZBuffer, rounded.settings.accuracy)),
-            is_whole ? number_figure("z on the left wall, units", by_tree, z, 0.01, 2)
-                     : measured("z on the left wall, units", decimal_text(z, "%.2f")),
+            wrong_pixels("of them not equally deep", count_unlike(frame, right), is_finest),
+            is_finest ? number_figure("z on the left wall, units", by_tree, z, 0.01, 2)
+                      : measured("z on the left wall, units", decimal_text(z, "%.2f")),
             measured("pixels written and then hidden", frame.counts().pixels_written - std::ssize(frame.pixels))};
 }
 

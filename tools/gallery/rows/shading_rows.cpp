@@ -92,6 +92,7 @@ Figures draw_shadings(const RowInput& input, Framebuffer canvas) {
     std::vector<std::uint8_t> numbers(pixel_count(canvas.width_px, canvas.height_px));
     MeshScene numbered(input, {numbers.data(), canvas.width_px, canvas.height_px, canvas.width_px}, kBallsFieldOfView);
     const Colormap by_number = shade_numbers();
+    const bool has_rounded_corners = input.settings.accuracy.subpixel_bits < Screen::kFractionBits;
     Figures figures;
     for (std::size_t kind = 0; kind < kShadings.size(); ++kind) {
         const PlacedMesh placed = shaded_ball(ball, kind);
@@ -100,8 +101,10 @@ Figures draw_shadings(const RowInput& input, Framebuffer canvas) {
         const Mark mark = mark_at(scene, placed.position + world_point(-25, -3, 7));
         const auto hit = exact_hit(placed, input, kBallsFieldOfView, mark.column + 0.5, mark.row + 0.5);
         const double found = item(numbers, mark.row * canvas.width_px + mark.column);
-        figures.push_back(number_figure(std::string("shade at the mark, ") + kShadingNames[kind],
-                                        hit ? expected_shade(kind, placed, *hit, toward) : -1, found, 1.6, 1));
+        const std::string name = std::string("shade at the mark, ") + kShadingNames[kind];
+        const double expected = hit ? expected_shade(kind, placed, *hit, toward) : -1;
+        figures.push_back(has_rounded_corners ? measured(name, decimal_text(found, "%.1f"))
+                                              : number_figure(name, expected, found, 1.6, 1));
         draw_mark(canvas, mark, assets.colour(255, 255, 255));
         const Mark label = mark_at(scene, placed.position + world_point(0, 0, -kBallRadius - 6));
         draw_text(canvas, label.column - text_width_px(kShadingNames[kind]) / 2, label.row, kShadingNames[kind],
