@@ -79,7 +79,7 @@ void add_lit_texels(const StageCounts& stages, const Accuracy& accuracy, EventLi
     const std::int64_t texels = stages.lit_texels - stages.coloured_texels;
     list.add_if(accuracy.light == LightSampling::Interpolated, texels);
     list.add_if(accuracy.light == LightSampling::Nearest, texels);
-    list.add_if(accuracy.dithers_light, texels);
+    list.add_if(accuracy.dithers_light, stages.lit_texels);
     list.add(stages.coloured_texels);
 }
 

@@ -55,12 +55,9 @@ TEST(TinyLevel, PointOnThePlaneBelongsToItsBack) {
 
 /// The tiny level of eight light samples with a lump of this name, size and offset from its place behind its list.
 test::Bytes with_extension(std::string_view name, int size, int shift = 0, int lumps = 1) {
-    test::Bytes file = test::join_lumps(29, test::make_tiny_lumps());
-    file.resize((file.size() + 3) / 4 * 4);
-    test::ByteWriter out(file);
-    out.text("BSPX").i32(lumps).text(name).text(std::string(24 - name.size(), '\0'));
-    out.i32(static_cast<std::int64_t>(file.size()) + 8 + shift).i32(size);
-    for (int i = 0; i < 24; ++i) out.u8(10 * i);
+    test::Bytes file = test::join_lumps(29, test::make_tiny_lumps()), colours;
+    for (int i = 0; i < 24; ++i) test::ByteWriter(colours).u8(10 * i);
+    test::append_extension(file, name, colours, size, shift, lumps);
     return file;
 }
 

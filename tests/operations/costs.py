@@ -37,7 +37,7 @@ VARIANTS = (PRESET_VARIANTS +
 
 CHECKED = PRESET_VARIANTS + ["bounded+perspective=every8", "bounded+perspective=bounded-texels", "bounded+reciprocal=table256-newton1",
                            "bounded+pixel-bound=0.125", "bounded+edges=accumulated", "bounded+light=nearest", "bounded+dither=on"]
-COLOURED = ["bounded", "pixel", "exact", "bounded+colours=64"]  # of a level with coloured light
+COLOURED = ["bounded", "pixel", "exact", "bounded+light=nearest", "bounded+dither=on"]  # of a level with coloured light
 
 # Cycles of a 386, a 486 and a Pentium: of registers, more if memory is read, more if it is read and written. From Intel's
 # manuals of the 80386 and i486 as HelpPC's tables give them, and Agner Fog's of the Pentium. Products and scans take a
@@ -217,7 +217,9 @@ def read_prices(path):
 def fit_all(counter, path, levels):
     """Fits to the first, third ... cameras; errors are of these and of some of the others."""
     def frames_of(name):
-        demo = name in ("demo", "coloured")
+        if name == "coloured":  # else what it shares with the demo level would count twice
+            return [list(counter.paid(name, levels[name], which, COLOURED)) for which in ((0, 6), (3, 6), (1, 4))]
+        demo = name == "demo"
         return [list(counter.paid(name, levels[name], which, settings)) for which, settings in (
             ((0, 2 if demo else 40), PRESET_VARIANTS), ((0, 6 if demo else 170), VARIANTS[len(PRESET_VARIANTS):]),
             ((1, 4) if demo else (21, 84), VARIANTS if demo else PRESET_VARIANTS))]

@@ -72,6 +72,16 @@ inline Bytes join_lumps(std::uint32_t version, const Lumps& lumps) {
     return file;
 }
 
+/// Appends a lump of later engines behind all others; its place says `size` bytes, `shift` from where they are.
+inline void append_extension(Bytes& file, std::string_view name, const Bytes& lump, std::int64_t size,
+                             std::int64_t shift = 0, int said_lumps = 1) {
+    file.resize((file.size() + 3) / 4 * 4);
+    ByteWriter out(file);
+    out.text("BSPX").i32(said_lumps).text(name).text(std::string(24 - name.size(), '\0'));
+    out.i32(static_cast<std::int64_t>(file.size()) + 8 + shift).i32(size);
+    file.insert(file.end(), lump.begin(), lump.end());
+}
+
 inline Lumps split_lumps(const Bytes& file) {
     Lumps lumps;
     for (std::size_t i = 0; i < lumps.size(); ++i) {

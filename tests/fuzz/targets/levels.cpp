@@ -84,7 +84,13 @@ Bytes altered(const Bytes& file, std::minstd_rand& random) {
             alter_field(lump, std::min(std::max<std::size_t>(record, 4), lump.size()), random);
         }
     }
-    return test::join_lumps(kBspFormats[version].version, lumps);
+    Bytes changed = test::join_lumps(kBspFormats[version].version, lumps);
+    if (below(3, random) != 0) return changed;
+    Bytes colours(3 * lumps[static_cast<std::size_t>(Lump::Lighting)].size());
+    for (std::uint8_t& colour : colours) colour = static_cast<std::uint8_t>(random());
+    const std::int64_t shift = below(8, random) == 0 ? odd_number(random) : 0;
+    test::append_extension(changed, "RGBLIGHTING", colours, static_cast<std::int64_t>(colours.size()), shift);
+    return changed;
 }
 
 }  // namespace
@@ -95,7 +101,11 @@ void mutate(Bytes& input, std::minstd_rand& random) {
 }
 
 void read(Input input) {
-    read_bsp(input);
+    Level level = read_bsp(input);
+    Bytes colours{'Q', 'L', 'I', 'T', 1, 0, 0, 0};
+    colours.insert(colours.end(), input.begin(), input.end());
+    colours.resize(std::min(colours.size(), 8 + 3 * level.lighting.size()));
+    if (colours.size() == 8 + 3 * level.lighting.size()) read_lit_file(colours, level);
 }
 
 void run(Input input) {
