@@ -22,7 +22,7 @@ void step(Channels& light, const Channels& by) {
     for (std::size_t i = 0; i < 3; ++i) light[i] += by[i];
 }
 
-/// Fills `corners` with the light at the samples, one channel after the other.
+/// Fills `corners` with the light at the samples: red, green and blue of each.
 void add_up_light(const LightmapView& light, const ColouredLighting& lighting, std::int32_t brightness_100,
                   std::int32_t* corners) {
     const std::size_t count = as_size(light.columns * light.rows);
