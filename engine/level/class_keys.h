@@ -145,14 +145,16 @@ inline constexpr std::array kNoise{
     EntityKey{"noise", Text, "",
               "a FLAC or WAV file in place of the usual sound: path below the game's or the level's folder"},
 };
-inline constexpr auto kMadeOfBrushes =
-    joined(kLitBrushes, std::array{
-                            number("_mirrorinside", "0", "1: its faces are seen from inside, too"),
-                            number("_shadow", "0", "1: it casts shadows, from where it begins"),
-                            number("alpha", "1", "opacity, above 0 to 1"),
-                            number("dmg", "", kNoEffect),
-                            EntityKey{"sounds", Whole, "", kNoEffect},
-                        });
+inline constexpr std::array kInside{
+    number("_mirrorinside", "0", "1: its faces are seen from inside, too"),
+};
+inline constexpr auto kMadeOfBrushes = joined(kLitBrushes, kInside,
+                                              std::array{
+                                                  number("_shadow", "0", "1: it casts shadows, from where it begins"),
+                                                  number("alpha", "1", "opacity, above 0 to 1"),
+                                                  number("dmg", "", kNoEffect),
+                                                  EntityKey{"sounds", Whole, "", kNoEffect},
+                                              });
 
 inline constexpr std::array kWorld{
     EntityKey{"message", Text, "", "the level's title"},

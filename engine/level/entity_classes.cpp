@@ -117,7 +117,7 @@ constexpr auto kClasses = std::to_array<EntityClass>({
      Brush,
      Detail,
      "as `func_detail`; brushes with `{` textures become a `func_wall`",
-     {kLitBrushes, kWorldShadow}},
+     {kLitBrushes, kWorldShadow, kInside}},
     {"func_detail_illusionary", Brush, PassableDetail, "becomes a `func_illusionary`", {kMadeOfBrushes}},
     {"misc_external_map",
      Point,

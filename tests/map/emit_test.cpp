@@ -112,6 +112,12 @@ TEST(Emit, ABrushEntityIsDrawnFromInsideIfItIsAskedTo) {
     EXPECT_EQ(faces_of(without, true).size(), 0u);
     EXPECT_EQ(faces_of(with, false), faces_of(without, false));
     EXPECT_EQ(faces_of(with, true), faces_of(with, false));
+    const auto fence =
+        compile(level(room({-256, -256, 0}, {256, 256, 256}),
+                      entity("func_detail_fence", {{"_mirrorinside", "1"}}, box({0, 0, 32}, {64, 64, 96}, "{bars")) +
+                          entity_at("light", {32, 32, 65})),
+                {true});
+    EXPECT_EQ(fence.models[1].face_count, 12) << "as the func_wall that it becomes";
     // The lamp is at a distance of 32 over the floor's samples, which are lifted by 1, and lights no outer face.
     EXPECT_EQ(light_at(with, {{0, 0, 1}, 32}, {32, 32, 32}), (300 - 32) / 2);
     EXPECT_LE(light_at(with, {{0, 0, -1}, -32}, {32, 32, 32}), 0);
