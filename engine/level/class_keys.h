@@ -139,17 +139,22 @@ inline constexpr auto kLitBrushes = joined(kSmooth, kLeastColour,
                                                number("_lightignore", "0", "1: no light but the least"),
                                                number("_dirt", "0", "-1: no dirt on it"),
                                            });
+// Of what belongs to the world: it always casts shadows.
+inline constexpr std::array kWorldShadow{number("_shadow", "", kNoEffect)};
 inline constexpr std::array kNoise{
     EntityKey{"noise", Text, "",
               "a FLAC or WAV file in place of the usual sound: path below the game's or the level's folder"},
 };
-inline constexpr auto kMadeOfBrushes =
-    joined(kLitBrushes, std::array{
-                            number("_shadow", "0", "1: it casts shadows, from where it begins"),
-                            number("alpha", "1", "opacity, above 0 to 1"),
-                            number("dmg", "", kNoEffect),
-                            EntityKey{"sounds", Whole, "", kNoEffect},
-                        });
+inline constexpr std::array kInside{
+    number("_mirrorinside", "0", "1: its faces are seen from inside, too"),
+};
+inline constexpr auto kMadeOfBrushes = joined(kLitBrushes, kInside,
+                                              std::array{
+                                                  number("_shadow", "0", "1: it casts shadows, from where it begins"),
+                                                  number("alpha", "1", "opacity, above 0 to 1"),
+                                                  number("dmg", "", kNoEffect),
+                                                  EntityKey{"sounds", Whole, "", kNoEffect},
+                                              });
 
 inline constexpr std::array kWorld{
     EntityKey{"message", Text, "", "the level's title"},
@@ -175,7 +180,9 @@ inline constexpr std::array kWorld{
     number("_dirtgain", "1", "exponent of that darkening"),
     number("_bounce", "0", "how many times light is reflected; `--bounce`: once"),
     number("_bouncescale", "1", "factor of reflected light"),
+    number("_bouncecolorscale", "1", "share of a texture's colour in the light that it reflects, 0 to 1"),
     number("_bouncestyled", "0", "1: flickering and switchable light is reflected, too"),
+    number("_anglescale", "0.5", "how much slanting light loses, 0 to 1: at 1 it follows Lambert's law"),
     numbers("_sun_mangle", 2, 3, "0 -90 0", "direction of the sun's light: yaw pitch roll; negative pitch is down"),
     numbers("fog", 4, 9, "", "density red green blue [alpha mindist maxdist [top fadedepth]]"),
     number("skyfog", "0.5", "share of fog on the sky, 0 to 1"),
@@ -204,6 +211,7 @@ inline constexpr std::array kLight{
     numbers("mangle", 2, 3, "", "makes it a spotlight: yaw pitch roll; negative pitch is down"),
     number("angle", "40", "angle of a spotlight's cone in degrees"),
     number("_softangle", "0", "angle of the cone within which it is at its full"),
+    number("_anglescale", "", "the same for this light, in place of the world's"),
     number("_deviance", "0", "radius in units of a ball that shines, for soft edges of shadows"),
     number("_samples", "16", "lights all over that ball, up to 64"),
     numbers("_color", 3, 3, "", "colour, 0 to 255 or 0 to 1"),
@@ -317,6 +325,15 @@ inline constexpr std::array kTimer{
     number("wait", "1", "seconds between two firings"),
     number("random", "0", "seconds that they may be off"),
     flags(kTimerFlags),
+};
+inline constexpr std::array kPlayed{
+    number("speed", "", kNoEffect),
+    number("volume", "", kNoEffect),
+    number("impulse", "", kNoEffect),
+};
+inline constexpr std::array kPlayedAgain{
+    number("delay", "2", "least seconds between two times"),
+    number("wait", "20", "most seconds between two times"),
 };
 inline constexpr std::array kRelay{
     kLenses,

@@ -61,6 +61,7 @@ enum class ClassRole : std::uint8_t {
     Detail,
     PassableDetail,
     PlainWall,
+    Breakable,
     Passable,  ///< visible, not solid
     OpenGate,
     Door,
@@ -81,7 +82,9 @@ enum class ClassRole : std::uint8_t {
     TriggerExit,
     TriggerView,
     TriggerHurt,
+    TriggerLadder,
     Timer,
+    TimedSound,
     OtherTrigger,
     Lightning,
     Lens,
@@ -172,7 +175,7 @@ ClassRole role_of(const Entity& entity) {
 const ClassModel* find_class_model(const EntityClass& its_class, std::int64_t flags, std::int64_t world_type);
 
 /// The row of a key of a class; null if it is unknown. "_light" is "light", "_wateralpha" is "wateralpha" ...; other
-/// names of "_sun_mangle" are "_sun_angle" and "_sunlight_mangle".
+/// names of "_sun_mangle" are "_sun_angle" and "_sunlight_mangle", of "_anglescale" "_anglesense".
 const EntityKey* find_entity_key(const EntityClass& its_class, std::string_view key);
 
 /// What a value of a key should be, such as "a whole number"; empty if it is. Values that name other entities, files or

@@ -12,16 +12,12 @@ struct LeftOut {
 };
 
 inline constexpr std::array kLeftOut{
-    LeftOut{"_anglescale", "light falls off by half with the angle, as in id's compiler"},
-    LeftOut{"_anglesense", "light falls off by half with the angle, as in id's compiler"},
-    LeftOut{"_bouncecolorscale", "lightmaps hold shades, not colours"},
     LeftOut{"_lightmap_scale", "a face has a sample every 16 texels"},
     LeftOut{"_lmscale", "a face has a sample every 16 texels"},
     LeftOut{"_maxlight", "light has no upper bound but that of a lightmap"},
     LeftOut{"_minlight_dirt", "the least light is never darkened"},
     LeftOut{"_minlight_mottle", "the least light is even"},
     LeftOut{"_minlightMottle", "the least light is even"},
-    LeftOut{"_mirrorinside", "a brush entity has faces outside only"},
     LeftOut{"_noclipfaces", "liquids that meet keep their faces"},
     LeftOut{"_nofill", "what is outside is filled; a draft that leaks keeps it"},
     LeftOut{"_project_*", "lamps shine evenly: no pictures are projected"},
@@ -30,18 +26,16 @@ inline constexpr std::array kLeftOut{
     LeftOut{"_switchableshadow", "shadows stay where a thing begins"},
     LeftOut{"_sun2*", "there is one sun; `_sunlight2` and `_sunlight3` are the sky's light"},
     LeftOut{"_surflight_*", "`_surface` of a `light` makes all faces of a texture shine"},
+    LeftOut{"ambient_general", "sounds without an end are the game's: `ambient_drip` and its like"},
     LeftOut{"fog_color", "worldspawn's `fog` has density and colour"},
     LeftOut{"fog_density", "worldspawn's `fog` has density and colour"},
     LeftOut{"func_bob*", "things go from path_corner to path_corner: a `func_train`"},
-    LeftOut{"func_breakable", "there are no weapons; `killtarget` removes a `func_wall`"},
-    LeftOut{"func_ladder", "the player walks, swims and rides; a `func_plat` goes up"},
     LeftOut{"func_rotate_*", "`func_rotating` turns for ever, `func_door_rotating` by an angle"},
     LeftOut{"rotate_object", "`func_rotating` turns for ever, `func_door_rotating` by an angle"},
     LeftOut{"sky", "a sky is a texture of two layers; there are no boxes of six pictures"},
     LeftOut{"skyname", "a sky is a texture of two layers; there are no boxes of six pictures"},
     LeftOut{"target_autosave", "the game saves by itself"},
     LeftOut{"target_items", "the player carries keys alone"},
-    LeftOut{"trigger_ladder", "the player walks, swims and rides; a `func_plat` goes up"},
 };
 
 /// The reason of a key or class; empty for others.

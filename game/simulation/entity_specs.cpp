@@ -60,6 +60,7 @@ std::optional<TriggerKind> trigger_kind(ClassRole role) {
         case ClassRole::TriggerSecret:
         case ClassRole::TriggerOnlyRegistered:
         case ClassRole::TriggerView:
+        case ClassRole::Breakable:
             return TriggerKind::Multiple;
         case ClassRole::TriggerRelay:
             return TriggerKind::Relay;
@@ -73,7 +74,10 @@ std::optional<TriggerKind> trigger_kind(ClassRole role) {
             return TriggerKind::Exit;
         case ClassRole::TriggerHurt:
             return TriggerKind::Hurt;
+        case ClassRole::TriggerLadder:
+            return TriggerKind::Ladder;
         case ClassRole::Timer:
+        case ClassRole::TimedSound:
             return TriggerKind::Timer;
         case ClassRole::Checkpoint:
             return TriggerKind::Checkpoint;
@@ -107,6 +111,11 @@ void read_multiple(const Entity& entity, ClassRole role, Trigger& trigger) {
     const bool fires_again = role == ClassRole::TriggerMultiple || role == ClassRole::TriggerView;
     trigger.wait_ticks = fires_again ? ticks_of(entity, "wait") : kForever;
     if (role == ClassRole::TriggerOnlyRegistered) return;
+    if (role == ClassRole::Breakable) {
+        trigger.box = contact_box(*trigger.box);
+        if (!entity.value("targetname").empty()) trigger.box.reset();
+        return;
+    }
     if (role == ClassRole::TriggerView) {
         trigger.view = view_condition_of(entity);
         return;
@@ -136,6 +145,20 @@ void read_timer(const Entity& entity, Trigger& trigger) {
     trigger.random_ticks = std::max(0, ticks_of(entity, "random"));
     trigger.count = 1;
     trigger.starts_off = !has_flag(entity, kTimerIsOn);
+}
+
+// Any time between the least and the most.
+void read_timed_sound(const Entity& entity, Trigger& trigger) {
+    const std::int32_t least = std::max(1, ticks_of(entity, "delay")), most = std::max(least, ticks_of(entity, "wait"));
+    trigger.random_ticks = (most - least) / 2;
+    trigger.wait_ticks = least + trigger.random_ticks;
+    trigger.count = 1;
+}
+
+// Who stands on a platform at its top does not hang on it.
+void read_ladder(const Entity& entity, Trigger& trigger) {
+    trigger.box->maxs.z -= World::from_int(2);
+    if (has_direction(entity)) trigger.facing = direction_of(entity);
 }
 
 void read_push(const Entity& entity, Trigger& trigger) {
@@ -253,7 +276,11 @@ std::optional<Trigger> trigger_of(const Entity& entity, const Level& bsp) {
         trigger.lenses = whole_number_of(entity, "count");
     if (trigger.kind == TriggerKind::Relay) trigger.found = whole_number_of(entity, "found");
     if (trigger.kind == TriggerKind::Hurt) read_hurt(entity, trigger);
-    if (trigger.kind == TriggerKind::Timer) read_timer(entity, trigger);
+    if (its_class->role == ClassRole::Timer) read_timer(entity, trigger);
+    if (its_class->role == ClassRole::TimedSound) read_timed_sound(entity, trigger);
+    if (trigger.kind == TriggerKind::Ladder) read_ladder(entity, trigger);
+    if (its_class->shape == ClassShape::Point && trigger.kind != TriggerKind::Checkpoint)
+        trigger.sounds_from = origin_of(entity);
     if (trigger.kind == TriggerKind::Push) read_push(entity, trigger);
     if (trigger.kind == TriggerKind::Checkpoint && !read_checkpoint(entity, trigger)) return {};
     if (trigger.kind == TriggerKind::Exit) trigger.next_map = entity.value("map");

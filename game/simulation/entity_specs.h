@@ -90,8 +90,9 @@ void make_doors_touchable(std::vector<Mover>& movers, const std::vector<const En
                           const std::vector<bool>& is_activated, const Level& bsp);
 
 /// The trigger that an entity describes, as in Quake's game: trigger_ once, multiple, secret, onlyregistered, counter,
-/// relay, teleport, push, changelevel, hurt, and func_timer, info_checkpoint, event_lightning; nothing for any other
-/// entity. Links to other entities (targets, messages, a teleporter's exit) are left out.
+/// relay, teleport, push, changelevel, hurt, ladder, and func_timer, func_breakable, play_sound, info_checkpoint,
+/// event_lightning; nothing for any other entity. Links to other entities (targets, messages, a teleporter's exit) are
+/// left out.
 std::optional<Trigger> trigger_of(const Entity& entity, const Level& bsp);
 
 /// The message of a secret that has none.

@@ -110,6 +110,7 @@ enum class TriggerKind : std::uint8_t {
     Exit,        ///< ends the level
     Hurt,        ///< takes health, each second
     Timer,       ///< fires again and again
+    Ladder,      ///< the player climbs in it
     Lightning,   ///< Chthon's: see entity_specs.h
 };
 
@@ -131,19 +132,21 @@ struct Trigger {
     std::size_t entity = 0;  ///< into Level::entities
     std::optional<Box> box;  ///< none: it can't be touched
     Firing fires;
-    std::int32_t wait_ticks = 0;        ///< between two firings; kForever: it fires once
-    std::int32_t random_ticks = 0;      ///< by which a timer's wait varies up or down
-    std::int32_t damage = 0;            ///< of what hurts
-    std::int32_t lenses = 0;            ///< that the player must have taken
-    std::int32_t count = 0;             ///< a counter's, or the strokes of lightning; of what can be switched: 1
-    bool starts_off = false;            ///< of what can be switched
-    std::int32_t found = 0;             ///< above 0: it sounds as the item that was taken as number `found`
-    std::optional<Vec3<Unit>> facing;   ///< fires only if the player looks this way, within a quarter turn
-    std::optional<ViewCondition> view;  ///< fires only if it holds
-    bool is_secret = false;             ///< counts in Progress::found_secrets
-    bool is_quiet = false;              ///< a counter that doesn't say how many are left
-    bool needs_activation = false;      ///< a teleporter that works for 0.2 s after it was activated
-    Place place;                        ///< of a teleporter's exit, or a checkpoint
+    std::int32_t wait_ticks = 0;          ///< between two firings; kForever: it fires once
+    std::int32_t random_ticks = 0;        ///< by which a timer's wait varies up or down
+    std::int32_t damage = 0;              ///< of what hurts
+    std::int32_t lenses = 0;              ///< that the player must have taken
+    std::int32_t count = 0;               ///< a counter's, or the strokes of lightning; of what can be switched: 1
+    bool starts_off = false;              ///< of what can be switched
+    std::int32_t found = 0;               ///< above 0: it sounds as the item that was taken as number `found`
+    std::optional<Vec3<Unit>> facing;     ///< fires only if the player looks this way, within a quarter turn
+    std::optional<ViewCondition> view;    ///< fires only if it holds
+    bool is_secret = false;               ///< counts in Progress::found_secrets
+    bool is_quiet = false;                ///< a counter that doesn't say how many are left
+    std::optional<std::uint32_t> breaks;  ///< the wall that goes when it fires: into GameLevel::walls
+    std::optional<Position> sounds_from;  ///< of a sound at a place; none: it is heard everywhere
+    bool needs_activation = false;        ///< a teleporter that works for 0.2 s after it was activated
+    Place place;                          ///< of a teleporter's exit, or a checkpoint
     Velocity push;
     std::string next_map;                   ///< where an exit leads, as "e1m2"; may be empty
     std::vector<std::uint32_t> electrodes;  ///< of lightning: movers
@@ -194,7 +197,7 @@ struct GameLevel {
     std::vector<Wall> walls;
     std::vector<Trigger> triggers;
     std::vector<Item> items;
-    std::vector<std::uint32_t> timers;  ///< into `triggers`
+    std::vector<std::uint32_t> timers, ladders;  ///< into `triggers`
     std::vector<Target> targets;
     std::vector<std::string> messages;
     std::vector<std::string> key_names = {"silver key", "gold key"};
@@ -220,16 +223,17 @@ struct GameLevel {
 /// - func_door, func_door_rotating, func_door_secret, func_button, func_plat, func_train with its path_corners; what
 ///   would have to be shot ("health", an untargeted secret door) answers to touch; so does a door whose name nothing
 ///   activates;
-/// - func_wall, func_illusionary; func_episodegate and func_bossgate are open; any other func_ stands still;
+/// - func_wall, func_breakable (answers to touch, or to its name), func_illusionary; func_episodegate and func_bossgate
+/// are open; any other func_ stands still;
 /// - trigger_once, trigger_multiple, trigger_secret, trigger_onlyregistered (every copy is), trigger_counter,
 ///   trigger_relay, trigger_push, trigger_teleport, trigger_changelevel; trigger_setskill and trigger_monsterjump do
 ///   nothing, as there are no monsters;
 /// - trigger_hurt, item_health, lava, slime and what shuts on the player, only if worldspawn has "health";
 /// - lights with a targetname and a style from 32 on;
 /// - item_key1, item_key2; of monsters and other items only what they fire is left: see entity_specs.h. From Quake's
-///   successors there are func_timer and item_key_custom, and of Oblong's own item_lens and info_checkpoint ("origin",
-///   "angle", "size" of its volume, 128 128 112): the respawn button leads back to the one passed last, and so does
-///   death. Who dies before any has lost.
+///   successors there are func_timer, item_key_custom, trigger_ladder, play_sound and play_sound_triggered, and of
+///   Oblong's own item_lens and info_checkpoint ("origin", "angle", "size" of its volume, 128 128 112): the respawn
+///   button leads back to the one passed last, and so does death. Who dies before any has lost.
 ///
 /// Throws InputError for more than kMostMovers movers: doors that overlap are compared in pairs; and for more than 31
 /// names of keys.

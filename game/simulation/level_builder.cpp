@@ -114,8 +114,10 @@ void LevelBuilder::add_trigger(const Entity& entity) {
     trigger->entity = index_of(entity);
     level_.triggers.push_back(std::move(*trigger));
     trigger_entities_.push_back(&entity);
-    if (level_.triggers.back().kind == TriggerKind::Timer)
-        level_.timers.push_back(number_of_last(level_.triggers.size()));
+    const std::uint32_t number = number_of_last(level_.triggers.size());
+    if (level_.triggers.back().kind == TriggerKind::Timer) level_.timers.push_back(number);
+    if (level_.triggers.back().kind == TriggerKind::Ladder) level_.ladders.push_back(number);
+    if (role_of(entity) == ClassRole::Breakable) level_.triggers.back().breaks = number_of_last(level_.walls.size());
     name(entity, Kind::Trigger, level_.triggers.size());
 }
 
@@ -212,7 +214,9 @@ void LevelBuilder::connect_movers() {
 void LevelBuilder::connect_triggers() {
     for (std::size_t i = 0; i < level_.triggers.size(); ++i) {
         Trigger& trigger = level_.triggers[i];
-        if (trigger.kind == TriggerKind::Push || trigger.kind == TriggerKind::Checkpoint) continue;
+        if (trigger.kind == TriggerKind::Push || trigger.kind == TriggerKind::Checkpoint ||
+            role_of(*trigger_entities_[i]) == ClassRole::TimedSound)  // its "delay" means something else
+            continue;
         const Entity& entity = *trigger_entities_[i];
         trigger.fires = firing_of(entity, trigger.is_secret ? kSecretMessage : std::string_view{});
         if (role_of(entity) == ClassRole::TriggerOnlyRegistered) trigger.fires.message = kNoMessage;

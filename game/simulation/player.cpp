@@ -12,6 +12,7 @@ namespace {
 constexpr World kGravity = World::from_int(800), kTopSpeed = World::from_int(320), kJumpSpeed = World::from_int(270);
 constexpr World kStopSpeed = World::from_int(100), kAirWish = World::from_int(30), kSinkSpeed = World::from_int(60);
 constexpr World kSwimUpSpeed = World::from_int(100), kLeaveWaterSpeed = World::from_int(310);
+constexpr World kClimbSpeed = World::from_int(160);
 constexpr World kRising = World::from_int(180);    // a player who rises faster is not on the ground
 constexpr World kEyeSpeed = World::from_int(160);  // of the eye, after a step
 constexpr std::int32_t kFriction = 4, kAccelerate = 10;
@@ -86,6 +87,24 @@ void swim(const GameLevel& level, GameState& state, const TickInput& input) {
     if (jumps) velocity.z = std::max(velocity.z, kSwimUpSpeed);
     if (can_leave_water(level, player, input)) velocity.z = kLeaveWaterSpeed;
     const Motion after = step_slide_move(level, state, {player.position, bounded(velocity)});
+    player.position = after.position;
+    player.velocity = after.velocity;
+    player.ground = Player::kNoGround;
+}
+
+// Whether what the player wants leads up a ladder from the ground.
+bool climbs_up(const Player& player, const TickInput& input) {
+    return (input.buttons & kJumpButton) != 0 || wish_of(player, input, true).z > kSinkSpeed;
+}
+
+// Rubicon 2's ladder, on which who does nothing stays where he is; here it leads along the view, too.
+void climb(const GameLevel& level, GameState& state, const TickInput& input) {
+    Player& player = state.player;
+    const Velocity wish = wish_of(player, input, true);
+    Velocity velocity = accelerated(with_friction(player.velocity, kStopSpeed), {wish.x, wish.y, World{}}, kTopSpeed);
+    player.holds_jump = (input.buttons & kJumpButton) != 0;
+    velocity.z = player.holds_jump ? kClimbSpeed : std::clamp(wish.z, -kClimbSpeed, kClimbSpeed);
+    const Motion after = slide_move(level, state, {player.position, bounded(velocity)});
     player.position = after.position;
     player.velocity = after.velocity;
     player.ground = Player::kNoGround;
@@ -183,6 +202,11 @@ void step_player(const GameLevel& level, GameState& state, const TickInput& inpu
         swim(level, state, input);
     } else {
         find_footing(level, state);
+        const bool is_up = player.ground == Player::kNoGround;
+        if ((is_up || climbs_up(player, input)) && is_on_ladder(level, state)) {
+            climb(level, state, input);
+            return raise_eye(player);
+        }
         jump(player, input);
         if (player.ground == Player::kNoGround)
             fly(level, state, input);

@@ -33,7 +33,7 @@ void step_movers(const GameLevel& level, GameState& state, Activations& activati
 /// Sorts the list of active movers, after others have started or removed movers.
 void end_tick_of_movers(GameState& state);
 
-/// Moves the player as Quake does: walks, climbs steps of up to 18 units, jumps, falls, swims.
+/// Moves the player as Quake does: walks, climbs steps of up to 18 units and ladders, jumps, falls, swims.
 void step_player(const GameLevel& level, GameState& state, const TickInput& input);
 
 /// Handles the touch boxes of movers that the player is in.
@@ -53,6 +53,9 @@ void hurt_in_liquid(const GameLevel& level, GameState& state);
 
 /// Fires the timers that are due.
 void run_timers(const GameLevel& level, GameState& state, Activations& activations);
+
+/// Whether the player is in a ladder, and looks its way.
+bool is_on_ladder(const GameLevel& level, const GameState& state);
 
 /// Handles the triggers that the player is in.
 void touch_triggers(const GameLevel& level, GameState& state, const TickInput& input, Activations& activations);

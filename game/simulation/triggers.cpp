@@ -30,6 +30,7 @@ void fire_unless_waiting(const Trigger& trigger, GameState& state, std::uint32_t
     if (state.tick < state.triggers[i].ready_tick) return;
     begin_wait(trigger, state, i);
     state.progress.found_secrets += trigger.is_secret;
+    if (trigger.breaks) item(state.walls, *trigger.breaks) = WallState::Removed;
     activations.fire(trigger_ref(i));
 }
 
@@ -142,6 +143,7 @@ bool touch(const GameLevel& level, GameState& state, const TickInput& input, std
         case TriggerKind::Counter:
         case TriggerKind::Lightning:
         case TriggerKind::Timer:
+        case TriggerKind::Ladder:
             return false;
     }
     return false;
@@ -156,6 +158,15 @@ void run_timers(const GameLevel& level, GameState& state, Activations& activatio
         timer.ready_tick = state.tick + wait_of(level.triggers[i], state.tick, i);
         activations.fire(trigger_ref(i));
     }
+}
+
+bool is_on_ladder(const GameLevel& level, const GameState& state) {
+    const Box player = player_box(state.player.position);
+    return std::any_of(level.ladders.begin(), level.ladders.end(), [&](std::uint32_t i) {
+        const Trigger& ladder = level.triggers[i];
+        return !is_gone(state.triggers[i]) && ladder.box->overlaps(player) &&
+               (!ladder.facing || looks_along(state.player, *ladder.facing));
+    });
 }
 
 // In their order. After a teleport, those at the old place are skipped.
@@ -203,6 +214,7 @@ void activate_trigger(const GameLevel& level, GameState& state, std::uint32_t i,
         case TriggerKind::Push:
         case TriggerKind::Checkpoint:
         case TriggerKind::Exit:
+        case TriggerKind::Ladder:
             return;
     }
 }

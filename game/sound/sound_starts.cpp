@@ -169,7 +169,16 @@ void SoundStarts::note_messages(const GameState& before, const GameState& after,
         tell(taken.item_class == ItemClass::Key ? Sound::Key : Sound::Lens, own_of(taken.entity));
     }
     std::set<std::int32_t> own_of_fired;
-    for (const std::uint32_t i : report.fired_triggers) own_of_fired.insert(own_of_trigger(level_.triggers[i], after));
+    for (const std::uint32_t i : report.fired_triggers) {
+        const Trigger& trigger = level_.triggers[i];
+        const std::int32_t own = own_of_trigger(trigger, after);
+        if (!trigger.sounds_from)
+            own_of_fired.insert(own);
+        else if (own != kStandard) {
+            add(Sound::Played, own, sources);
+            sources.back().box = {*trigger.sounds_from, *trigger.sounds_from};
+        }
+    }
     own_of_fired.erase(kStandard);
     for (const std::int32_t own : own_of_fired) tell(Sound::Message, own);
     if (!own_of_fired.empty()) return;

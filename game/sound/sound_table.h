@@ -45,6 +45,7 @@ enum class Sound : std::uint8_t {
     Lens,
     Key,
     Message,
+    Played,
     Secret,
     LevelEnd,
     MenuMove,

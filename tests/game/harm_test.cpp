@@ -209,6 +209,24 @@ TEST(Timer, VariesByItsRandomSecondsUpAndDown) {
     EXPECT_NEAR(static_cast<double>(fired), 1000, 30) << "four standard deviations";
 }
 
+TEST(PlayedSounds, BeginAnyTimeBetweenTheirLeastAndTheirMost) {
+    test::LogicLevel level;
+    level.add("play_sound", {{"origin", "0 0 64"}, {"delay", "1"}, {"wait", "1.4"}});
+    test::LogicGame game(level);
+    std::set<std::int64_t> waits;
+    std::int64_t last = 0;
+    while (game.state.tick < 35'000) {
+        while (step(game.level, game.state, {}).fired_triggers.empty()) {
+        }
+        waits.insert(game.state.tick - last);
+        last = game.state.tick;
+    }
+    waits.erase(1);  // the first, at once
+    EXPECT_EQ(waits.size(), 15u);
+    EXPECT_EQ(*waits.begin(), 35);
+    EXPECT_EQ(*waits.rbegin(), 49);
+}
+
 TEST(KeyNames, AreUpTo31) {
     test::LogicLevel level;
     const auto add = [&](int i) {

@@ -46,6 +46,31 @@ constexpr Scenario kPlayers[] = {
         + solid -500 -100 0 500 -80 300
         play 105 askew: x = 184 +- 0.2, y = -64 +- 0.2
     )"},
+    {"ClimbsALadderAsRubicon2HasIt", R"(
+        + solid 100 -500 0 300 500 200
+        + trigger_ladder 84 -32 0 100 32 200
+        at 83 0; play 35 jump: feet = 160 +- 5
+        play 35: feet = 160 +- 5, vz = 0
+        play 30 leap: x > 84, feet = 200 +- 0.1, flies = 0
+        play 35 ahead: x > 200
+    )"},
+    {"ClimbsALadderTheWayOfItsLook", R"(
+        + solid 100 -500 0 300 500 200
+        + trigger_ladder 84 -32 0 100 32 200
+        at 83 0; play 35 ahead: feet < 1
+        look 0 -20; play 35 ahead: feet = 109.4 +- 5    # 320 sin 20
+        look 0 20; play 17 ahead: feet = 56.3 +- 5
+        play 35 ahead: feet < 1
+    )"},
+    {"ClimbsNoLadderThatIsElsewhere", R"(
+        + solid 100 -500 0 300 500 200
+        + trigger_ladder 84 -32 0 100 32 200 angle=180
+        + trigger_ladder 84 100 0 100 164 200 targetname=rope
+        + trigger_once 84 100 100 100 164 120 killtarget=rope
+        at 83 0; play 35 jump: feet < 60
+        at 83 132; each 10 jump: feet < 80
+        play 35 jump: feet < 80                         # taken away when the head was at 100
+    )"},
     {"ClimbsAStepOf18", R"(
         + solid 100 -500 0 900 500 18
         play 35 ahead: x > 150, feet = 18 +- 0.1

@@ -44,6 +44,27 @@ constexpr test::Scenario kTriggers[] = {
         stand 51 0: counted = 0     # 100 - 32 - 17
         stand 52 0: counted = 1
     )"},
+    {"ABreakableGoesWhenItIsTouched", R"(
+        + func_breakable 100 -64 0 116 64 128 target=count
+        + trigger_counter targetname=count count=100
+        play 10 ahead: wall0 = there, counted = 0
+        play 60 ahead: wall0 = removed, counted = 1, x > 116
+    )"},
+    {"ANamedBreakableGoesWhenItIsActivated", R"(
+        + func_breakable 100 -64 0 116 64 128 target=count targetname=glass
+        + trigger_once 500 -50 0 550 50 64 target=glass
+        + trigger_once 500 500 0 550 550 64 target=glass
+        + trigger_counter targetname=count count=100
+        play 60 ahead: wall0 = there, counted = 0, x = 84 +- 0.1
+        stand 520 0: wall0 = removed, counted = 1
+        stand 520 520: counted = 1
+    )"},
+    {"ABreakableCanBeTakenAwayInSilence", R"(
+        + func_breakable 100 -64 0 116 64 128 target=count targetname=glass
+        + trigger_once 500 -50 0 550 50 64 killtarget=glass
+        + trigger_counter targetname=count count=100
+        stand 520 0: wall0 = removed, counted = 0
+    )"},
     {"WithAnAngleFiresOnlyForWhoLooksThatWay", R"(
         + trigger_once 100 -50 0 150 50 64 angle=90 target=count
         + trigger_counter targetname=count count=100

@@ -66,9 +66,10 @@ TEST(Checks, NameUnknownClassesAndKeysByTheirLines) {
     EXPECT_EQ(warnings_of(entity_at("light", {1, 2, 3}, {{"_project_texture", "x"}})),
               Said{"line 6: nothing reads the key '_project_texture' of a light: lamps shine evenly: no pictures are "
                    "projected"});
-    EXPECT_EQ(warnings_of(entity("func_breakable", {{"angle", "90"}}, kBrush)),
-              Said{"line 4: the class 'func_breakable' is left out (there are no weapons; `killtarget` removes a "
-                   "`func_wall`): the entity is kept unchanged"});
+    EXPECT_EQ(warnings_of(entity("func_bobbing", {{"angle", "90"}}, kBrush)),
+              Said{"line 4: the class 'func_bobbing' is left out (things go from path_corner to path_corner: a "
+                   "`func_train`): the entity is kept unchanged"});
+    EXPECT_EQ(warnings_of(entity("func_wall", {{"_shadowself", "0"}}, kBrush)), Said{}) << "it asks for nothing";
     EXPECT_EQ(warnings_of("{\n\"origin\" \"1 2 3\"\n}\n"), Said{"line 4: an entity without a classname, expected one"});
 }
 

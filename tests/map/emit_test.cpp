@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -81,6 +82,45 @@ TEST(Emit, LiquidsAreDrawnFromBothSides) {
     EXPECT_EQ(contents_at(bsp, 0, 0, {-200, 0, 20}), contents::kWater);
     EXPECT_EQ(contents_at(bsp, 0, 0, {-200, 0, 60}), contents::kEmpty);
     EXPECT_EQ(contents_at(bsp, 0, 1, {-200, 0, 30}), contents::kEmpty) << "liquids stop no one";
+}
+
+// A cage of two brushes that touch, one of a lamp inside it: each face outside has one inside with its corners and
+// light.
+TEST(Emit, ABrushEntityIsDrawnFromInsideIfItIsAskedTo) {
+    const auto cage_with = [](const char* mirror) {
+        const std::string cage = box({0, 0, 32}, {64, 64, 96}) + box({64, 0, 32}, {128, 64, 96});
+        return compile(
+            level(room({-256, -256, 0}, {256, 256, 256}),
+                  entity("func_illusionary", {{"_mirrorinside", mirror}}, cage) + entity_at("light", {32, 32, 65})),
+            {true});
+    };
+    using Corners = std::set<std::array<double, 3>>;
+    const auto faces_of = [](const map::BspFile& bsp, bool is_inside) {
+        std::multiset<Corners> found;
+        for (int i = 0; i < bsp.models[1].face_count; ++i) {
+            const map::FileFace& face = bsp.faces.at(static_cast<std::size_t>(bsp.models[1].first_face + i));
+            const FacingPlane plane = facing_plane(bsp, face);
+            if ((dot(plane.normal, {64, 32, 64}) > plane.distance) != is_inside) continue;
+            Corners corners;
+            for (const Point& corner : corners_of(bsp, face)) corners.insert({corner.x, corner.y, corner.z});
+            found.insert(corners);
+        }
+        return found;
+    };
+    const auto with = cage_with("1"), without = cage_with("0");
+    EXPECT_EQ(faces_of(without, false).size(), 6u);
+    EXPECT_EQ(faces_of(without, true).size(), 0u);
+    EXPECT_EQ(faces_of(with, false), faces_of(without, false));
+    EXPECT_EQ(faces_of(with, true), faces_of(with, false));
+    const auto fence =
+        compile(level(room({-256, -256, 0}, {256, 256, 256}),
+                      entity("func_detail_fence", {{"_mirrorinside", "1"}}, box({0, 0, 32}, {64, 64, 96}, "{bars")) +
+                          entity_at("light", {32, 32, 65})),
+                {true});
+    EXPECT_EQ(fence.models[1].face_count, 12) << "as the func_wall that it becomes";
+    // The lamp is at a distance of 32 over the floor's samples, which are lifted by 1, and lights no outer face.
+    EXPECT_EQ(light_at(with, {{0, 0, 1}, 32}, {32, 32, 32}), (300 - 32) / 2);
+    EXPECT_LE(light_at(with, {{0, 0, -1}, -32}, {32, 32, 32}), 0);
 }
 
 TEST(Emit, ADoorIsAModelOfItsOwn) {

@@ -121,9 +121,10 @@ TEST(LightKeys, BouncedLightHasTheColoursOfLampsAndTextures) {
     palette.colours.fill({200, 100, 50});
     map::CompileOptions options{true};
     options.palette = &palette;
-    const auto floor_beside_shade = [&](const char* colour) {
+    const auto floor_beside_shade = [&](const char* colour, const char* share = "1") {
         // The slab keeps the lamp's own light from half of the floor.
-        return compile(entity("worldspawn", {{"_bounce", "1"}}, hall() + box({96, 0, 40}, {224, 224, 44})) +
+        return compile(entity("worldspawn", {{"_bounce", "1"}, {"_bouncecolorscale", share}},
+                              hall() + box({96, 0, 40}, {224, 224, 44})) +
                            entity_at("light", {48, 112, 90}, {{"light", "900"}, {"_color", colour}}),
                        options);
     };
@@ -134,6 +135,11 @@ TEST(LightKeys, BouncedLightHasTheColoursOfLampsAndTextures) {
     EXPECT_EQ(violet[0], red[0]);
     EXPECT_EQ(violet[1], 0);
     EXPECT_NEAR(violet[2], violet[0] / 4, 1) << "its texture reflects 50 of blue for 200 of red";
+    const Rgb grey = floor_colour(floor_beside_shade("255 0 255", "0"), 192, 112),
+              half = floor_colour(floor_beside_shade("255 0 255", "0.5"), 192, 112);
+    EXPECT_EQ(grey[2], grey[0]);
+    EXPECT_NEAR(half[0], (grey[0] + violet[0]) / 2.0, 1);
+    EXPECT_NEAR(half[2], (grey[2] + violet[2]) / 2.0, 1);
 }
 
 TEST(LightKeys, ColoursAreInTheFileAndReadFromIt) {
@@ -219,6 +225,31 @@ TEST(LightKeys, ASpotlightFadesFromItsSoftAngleOn) {
     EXPECT_NEAR(light_with({}), full, 1);
     EXPECT_NEAR(light_with({{"_softangle", "40"}}), full * (at - cosine(30)) / (cosine(20) - cosine(30)), 1);
     EXPECT_NEAR(light_with({{"_softangle", "90"}}), full, 1) << "wider than its cone";
+}
+
+// A lamp 96 above and 48 beside a point of the floor; a sun from 45 degrees; the whole hemisphere of a sky.
+TEST(LightKeys, TheAngleCountsAsMuchAsItIsTold) {
+    const auto lamp_light = [](const Keys& of_world, const Keys& of_lamp) {
+        return floor_light(compile(entity("worldspawn", of_world, hall()) + entity_at("light", kLamp, of_lamp), {true}),
+                           112, 64);
+    };
+    const double distance = std::hypot(48, kHeight), cosine = kHeight / distance;
+    const auto lamp = [&](double share) { return (300 - distance) * (1 - share + share * cosine) / 2; };
+    EXPECT_NEAR(lamp_light({}, {}), lamp(0.5), 1);
+    for (const char* key : {"_anglescale", "_anglesense"}) {
+        EXPECT_NEAR(lamp_light({}, {{key, "1"}}), lamp(1), 1);
+        EXPECT_NEAR(lamp_light({{key, "0"}}, {}), lamp(0), 1);
+        EXPECT_NEAR(lamp_light({{key, "0"}}, {{key, "0.8"}}), lamp(0.8), 1) << "its own comes first";
+    }
+    EXPECT_NEAR(lamp_light({}, {{"_anglescale", "7"}}), lamp(0.5), 1);
+    const auto sky_light = [](const char* key, const char* share) {
+        const Keys keys{{key, "200"}, {"_sun_mangle", "0 -45 0"}, {"_anglescale", share}};
+        return floor_light(compile(entity("worldspawn", keys, hall("sky")), {true}), 192, 112);
+    };
+    EXPECT_NEAR(sky_light("_sunlight", "0"), 100, 1);
+    EXPECT_NEAR(sky_light("_sunlight", "0.5"), 50 + 50 * std::sqrt(0.5), 1);
+    EXPECT_NEAR(sky_light("_sunlight", "1"), 100 * std::sqrt(0.5), 1);
+    EXPECT_NEAR(sky_light("_sunlight2", "0"), sky_light("_sunlight2", "1") * 2, 2) << "the mean cosine is a half";
 }
 
 // As a sum over the ball's surface in rings.

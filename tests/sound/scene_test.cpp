@@ -324,6 +324,31 @@ TEST(OwnSounds, OfATriggerAreHeardWhereAnotherFiresIt) {
     }
 }
 
+// Quieter with the distance, from its side, and not beyond 900 units; a relay is heard everywhere.
+TEST(OwnSounds, OfAPlaceAreHeardFromThere) {
+    const auto levels_from = [](const char* class_name, const char* origin) {
+        ToyLevel toy = with_trigger("trigger_once", {{"target", "next"}});
+        toy.add_entity({{"classname", class_name}, {"targetname", "next"}, {"origin", origin}});
+        HeardGame heard(std::move(toy), 0, "");
+        VoiceLevels loudest;
+        for (int tick = 0; tick < 60; ++tick) {
+            heard.play(1, kAhead);
+            for (const AudibleSound& sound : heard.scene.audible().sounds)
+                if (sound.own != LevelSounds::kNone && sound.levels.left_256 > loudest.left_256) loudest = sound.levels;
+        }
+        return loudest;
+    };
+    const VoiceLevels near = levels_from("play_sound_triggered", "200 200 46"),
+                      far = levels_from("play_sound_triggered", "200 700 46"),
+                      relay = levels_from("trigger_relay", "200 2000 46");
+    EXPECT_GT(near.left_256, 2 * near.right_256);
+    EXPECT_GT(near.left_256, 2 * far.left_256);
+    EXPECT_GT(far.left_256, 0);
+    EXPECT_EQ(levels_from("play_sound_triggered", "200 1500 46").left_256, 0);
+    EXPECT_EQ(relay.left_256, relay.right_256);
+    EXPECT_GT(relay.left_256, 0);
+}
+
 // A relay with `found` plays the sound of an item by its number in the order of taking.
 TEST(OwnSounds, OfItemsAreHeardInTheOrderFound) {
     for (const bool is_first : {false, true})

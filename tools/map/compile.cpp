@@ -56,6 +56,7 @@ LevelBrushes make_brushes(const std::vector<MapEntity>& entities, Warnings* warn
             started.push_back({model, level.models[model].size(), brush.line});
             level.models[model].push_back(start_brush(brush, level.planes, level.textures));
             level.models[model].back().is_detail = is_detail_entity(entity);
+            level.models[model].back().shows_inside = model > 0 && number_of(entity, "_mirrorinside", 0) > 0;
             // As with id's compiler: an entity of liquid or sky stops players; what it looks like goes by its texture.
             if (model > 0) level.models[model].back().contents = contents::kSolid;
         }

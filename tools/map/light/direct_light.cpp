@@ -16,8 +16,8 @@ bool is_sky(const BspFile& bsp, const FileFace& face) {
 constexpr double kSkyDistance = 8192;
 constexpr double kLeastShade = 4 / kRangeScale;  // one of the 64 shades of drawn light
 
-double incidence(double cosine) {
-    return (1 + cosine) / 2;
+double incidence(double cosine, double angle_share) {
+    return 1 - angle_share + angle_share * cosine;
 }
 
 // `range`: the source's.
@@ -29,7 +29,7 @@ double light_from(const LightSource& source, double range, const Point& point, c
     const double cosine = -dot(towards, normal) / distance;
     const double share = source.share_towards(towards * (1 / distance));
     if (cosine <= 0 || share <= 0) return 0;
-    const double light = source.at_distance(distance) * share * incidence(cosine);
+    const double light = source.at_distance(distance) * share * incidence(cosine, source.angle_share);
     const Point edge_of_lamp = source.origin + towards * std::min(source.radius / distance, 1.0);
     if (light <= 0 || !tracer.is_lit(point, edge_of_lamp)) return 0;
     return source.is_subtracted ? -light : light;
@@ -50,7 +50,7 @@ double light_from_sun(const Sun& sun, std::size_t i, std::size_t count, const Li
     const double cosine = -dot(sun.direction, lit.normal);
     if (cosine <= 0) return 0;
     const int met = tracer.first_opaque(lit.point, lit.point + towards_sun(sun, i, count) * kSkyDistance);
-    return met == contents::kSky ? sun.brightness * incidence(cosine) : 0;
+    return met == contents::kSky ? sun.brightness * incidence(cosine, sun.angle_share) : 0;
 }
 
 // A face's samples: each is the mean at some points of a square, one step wide.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <numeric>
 #include <set>
 
@@ -85,8 +86,8 @@ Light reflected_by(const Rgb8& colour) {
     return {luminance_1000(colour) / 255'000.0, {colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0}};
 }
 
-// The share of light that each texture reflects: the mean of its texels.
-std::vector<Light> reflectances(const BspFile& bsp, const Palette* palette) {
+// The share of light that each texture reflects: the mean of its texels. `colour`: HemisphereSettings::bounce_colour.
+std::vector<Light> reflectances(const BspFile& bsp, const Palette* palette, double colour) {
     constexpr Light kHalf{0.5, {0.5, 0.5, 0.5}};
     std::vector<Light> shares;
     for (const std::string& miptex : bsp.textures) {
@@ -96,6 +97,7 @@ std::vector<Light> reflectances(const BspFile& bsp, const Palette* palette) {
         for (const std::uint8_t texel : texels)
             sum += palette == nullptr ? kHalf : reflected_by(item(palette->colours, texel));
         sum /= static_cast<double>(texels.size());
+        for (double& channel : sum.channels) channel = std::lerp(sum.luminance, channel, colour);
         shares.push_back(texels.empty() ? kHalf : sum);
     }
     return shares;
@@ -168,7 +170,7 @@ class LightPass {
         std::vector<StyleSamples> last = styles_;
         if (!settings.is_bounce_styled)
             for (StyleSamples& styles : last) std::erase_if(styles, [](const auto& style) { return style.first != 0; });
-        const std::vector<Light> reflected = reflectances(bsp_, options_.palette);
+        const std::vector<Light> reflected = reflectances(bsp_, options_.palette, settings.bounce_colour);
         for (int bounce = 0; bounce < std::max(settings.bounces, 1); ++bounce) {
             const AddLight add_reflected = [&](const Point& point, const RayHit& hit, const Point& direction,
                                                double share, StyleLight& light) {

@@ -123,6 +123,12 @@ Brightness brightness_of(const MapEntity& entity, double otherwise) {
     return {brightness, colour_of(numbers)};
 }
 
+// The entity's, or else the world's.
+double angle_share_of(const MapEntity& entity, double otherwise) {
+    const double share = number_of(entity, "_anglescale", number_of(entity, "_anglesense", otherwise));
+    return share < 0 || share > 1 ? otherwise : share;
+}
+
 LightSource source_of(const MapEntity& entity, const Point& origin, const std::vector<MapEntity>& entities) {
     LightSource source;
     source.origin = origin;
@@ -134,6 +140,7 @@ LightSource source_of(const MapEntity& entity, const Point& origin, const std::v
     source.luminance = colour.luminance;
     source.hue = colour.hue;
     source.is_subtracted = brightness < 0;
+    source.angle_share = angle_share_of(entity, angle_share_of(entities.front(), kAngleShare));
     if (!is_light(entity)) return source;  // its other keys have other meanings
     source.wait = value_of(entity, "wait");
     if (source.wait <= 0) source.wait = usual("wait");
@@ -178,9 +185,9 @@ HemisphereSettings hemisphere_of(const MapEntity& world) {
     HemisphereSettings settings;
     // In ericw-tools these are suns all over the sky, which share the brightness and are weighted by (1 + cosine) / 2
     // like lamps: the mean over an open hemisphere is 3/4.
-    constexpr double kDome = 0.75;
-    settings.sunlight2 = light_of(kDome * std::max(value("_sunlight2"), 0.0), colour_of(world, "_sunlight2_color"));
-    settings.sunlight3 = light_of(kDome * std::max(value("_sunlight3"), 0.0), colour_of(world, "_sunlight3_color"));
+    const double dome = 1 - angle_share_of(world, kAngleShare) / 2;
+    settings.sunlight2 = light_of(dome * std::max(value("_sunlight2"), 0.0), colour_of(world, "_sunlight2_color"));
+    settings.sunlight3 = light_of(dome * std::max(value("_sunlight3"), 0.0), colour_of(world, "_sunlight3_color"));
     settings.has_dirt = value("_dirt") > 0;
     settings.dirt_depth = std::max(value("_dirtdepth"), 1.0);
     settings.dirt_scale = std::max(value("_dirtscale"), 0.0);
@@ -188,6 +195,7 @@ HemisphereSettings hemisphere_of(const MapEntity& world) {
     constexpr double kMostBounces = 8;
     settings.bounces = static_cast<int>(std::clamp(value("_bounce"), 0.0, kMostBounces));
     settings.bounce_scale = std::max(value("_bouncescale"), 0.0);
+    settings.bounce_colour = std::clamp(value("_bouncecolorscale"), 0.0, 1.0);
     settings.is_bounce_styled = value("_bouncestyled") > 0;
     return settings;
 }
@@ -287,6 +295,7 @@ Lights lights_of(const std::vector<MapEntity>& entities) {
     const Colour of_sun = colour_of(world, "_sunlight_color");
     lights.sun.brightness = number_of(world, "_sunlight", 0) * of_sun.luminance;
     lights.sun.hue = of_sun.hue;
+    lights.sun.angle_share = angle_share_of(world, kAngleShare);
     for (const char* const key : {"_sun_mangle", "_sunlight_mangle", "_sun_angle"})
         lights.sun.direction = direction_of_mangle(world, key).value_or(lights.sun.direction);
     constexpr double kMostPenumbra = 90;

@@ -19,6 +19,9 @@ enum class Falloff {
     kFarther = 5,        ///< light / ((d + 128) / 128)^2
 };
 
+/// The usual share of light that depends on the cosine of its angle to the normal of a surface: "_anglescale".
+inline constexpr double kAngleShare = 0.5;
+
 /// An entity `light...`, or another entity with a key "light" that has no other meaning for its class. For the keys and
 /// their defaults see engine/level/entity_classes.
 struct LightSource {
@@ -28,6 +31,7 @@ struct LightSource {
     Hue hue;
     bool is_subtracted = false;  ///< the key was negative: subtracts light
     double wait = 1;
+    double angle_share = kAngleShare;
     Falloff falloff = Falloff::kLinear;
     int style = 0;
     const MapEntity* entity = nullptr;
@@ -56,6 +60,7 @@ struct Sun {
     Hue hue;
     Point direction{0, 0, -1};   ///< in which the light travels
     double penumbra_radius = 0;  ///< of its disc at distance 1
+    double angle_share = kAngleShare;
 };
 
 /// Light from the hemisphere over a surface: worldspawn's keys that begin with "_".
@@ -65,6 +70,7 @@ struct HemisphereSettings {
     double dirt_depth = 128, dirt_scale = 1, dirt_gain = 1;
     int bounces = 0;  ///< of light from surface to surface
     double bounce_scale = 1;
+    double bounce_colour = 1;       ///< 0: surfaces reflect all colours alike
     bool is_bounce_styled = false;  ///< light of other styles than 0 is reflected, too
 
     bool is_needed() const { return sunlight2.luminance > 0 || sunlight3.luminance > 0 || has_dirt || bounces > 0; }

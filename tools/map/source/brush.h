@@ -22,8 +22,9 @@ struct BrushSide {
 struct Brush {
     std::vector<BrushSide> sides;
     int contents = contents::kSolid;
-    bool is_clip = false;    ///< stops only players, and is invisible
-    bool is_detail = false;  ///< hides too little to be considered in visible sets, which makes them faster
+    bool is_clip = false;       ///< stops only players, and is invisible
+    bool is_detail = false;     ///< hides too little to be considered in visible sets, which makes them faster
+    bool shows_inside = false;  ///< its faces are drawn on both sides
     Box box;
 
     bool has_side(PlaneSide plane) const {

@@ -143,6 +143,7 @@ class Checker {
         if (row == nullptr) {
             if (pair.key.starts_with("_tb_") || pair.key == "angle") return;  // editors give them to everything
             const std::string_view reason = reason_left_out(pair.key);
+            if (!reason.empty() && pair.value == "0") return;  // asks for nothing
             warnings_.add(pair.line,
                           "nothing reads the key " + as_quoted(pair.key) + " of " + with_article(class_name) +
                               (reason.empty() ? nearest_key(its_class, pair.key) : ": " + std::string(reason)),

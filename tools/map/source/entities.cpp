@@ -90,8 +90,11 @@ void split_off_fences(std::vector<MapEntity>& entities) {
     for (MapEntity& entity : entities) {
         if (!belongs_to_world(entity)) continue;
         const auto first = std::stable_partition(entity.brushes.begin(), entity.brushes.end(), is_no_fence);
-        for (auto brush = first; brush != entity.brushes.end(); ++brush)
+        const std::string mirror = entity.value("_mirrorinside");
+        for (auto brush = first; brush != entity.brushes.end(); ++brush) {
             fences.push_back({{{"classname", "func_wall", brush->line}}, {*brush}, brush->line});
+            if (!mirror.empty()) fences.back().pairs.push_back({"_mirrorinside", mirror, brush->line});
+        }
         entity.brushes.erase(first, entity.brushes.end());
     }
     std::move(fences.begin(), fences.end(), std::back_inserter(entities));

@@ -51,6 +51,7 @@ const BrushSide& side_facing_most(const Brush& brush, const PlaneList& planes, c
 struct TexturedPiece {
     int texinfo = -1;
     Winding winding;
+    bool shows_inside = false;
 };
 
 // Finds the brush sides whose textures cover parts of a polygon on their plane.
@@ -92,7 +93,8 @@ std::vector<TexturedPiece> Texturing::cover(const Winding& winding, PlaneSide fa
         std::vector<Winding> still_bare;
         for (const Winding& piece : bare) {
             Cover cover = cut_by_brush(piece, *owner.brush, facing, planes_);
-            if (!cover.inside.empty()) covered.push_back({owner.side->texinfo, std::move(cover.inside)});
+            if (!cover.inside.empty())
+                covered.push_back({owner.side->texinfo, std::move(cover.inside), owner.brush->shows_inside});
             for (Winding& rest : cover.outside) still_bare.push_back(std::move(rest));
         }
         bare = std::move(still_bare);
@@ -198,7 +200,8 @@ void add_portal(SurfaceGroups& groups, const Tree& tree, const Portal& portal, c
     const Winding outward = is_owner_front ? reversed(portal.winding) : portal.winding;
     for (TexturedPiece& piece : texturing.cover(outward, facing, owner)) {
         if (piece.texinfo < 0) continue;
-        if (is_liquid(owner)) groups[{portal.node, !facing.is_back, piece.texinfo}].push_back(reversed(piece.winding));
+        const bool is_double = is_liquid(owner) || piece.shows_inside;
+        if (is_double) groups[{portal.node, !facing.is_back, piece.texinfo}].push_back(reversed(piece.winding));
         groups[{portal.node, facing.is_back, piece.texinfo}].push_back(std::move(piece.winding));
     }
 }

@@ -19,7 +19,8 @@ struct Surface {
 std::vector<BoundaryPiece> boundaries(const Tree& tree, const Portals& portals);
 
 /// The drawn polygons: each portal between different contents is covered completely and once by the textures of the
-/// brush sides there (liquids: on both sides), so the surfaces have no gaps where the tree has none.
+/// brush sides there (liquids, and brushes that say so: on both sides), so the surfaces have no gaps where the tree has
+/// none.
 std::vector<Surface> make_surfaces(const Tree& tree, const PlaneList& planes, const Portals& portals,
                                    const std::vector<Brush>& brushes);
 
