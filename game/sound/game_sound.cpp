@@ -22,6 +22,7 @@ std::string file_in(const std::vector<std::string>& folders, const std::string& 
 SoundPlayer::SoundPlayer(SoundOutput& output, const std::vector<std::string>& folders) : output_(output) {
     for (std::size_t i = 0; i < kSoundCount; ++i) {
         const Sound which = static_cast<Sound>(i);
+        if (row_of(which).variants == 0) first_numbers_.emplace_back();
         for (std::int32_t variant = 0; variant < row_of(which).variants; ++variant) {
             const std::string path = file_in(folders, file_of(which, variant));
             const SoundSamples sound = read_parsed(path, decode_sound);

@@ -77,7 +77,8 @@ void SoundStarts::add(Sound sound, std::int32_t own, std::vector<SoundSource>& s
     source.sound = sound;
     source.own = own;
     source.serial = ++last_serial_;
-    source.variant = static_cast<std::int32_t>(last_serial_ % static_cast<std::uint32_t>(row_of(sound).variants));
+    source.variant =
+        static_cast<std::int32_t>(last_serial_ % static_cast<std::uint32_t>(std::max(row_of(sound).variants, 1)));
     sources.push_back(source);
 }
 

@@ -43,7 +43,7 @@ constexpr auto kRows = std::to_array<SoundRow>({
     {"lens", 1, "a lens rings", 0, 220, 105},
     {"key", 1, "keys jingle", 0, 210, 42},
     {"message", 1, "", 0, 130, 28},
-    {"message", 1, "", 900, 200, 28},  // of a level, at a place
+    {"played", 0, "", 900, 200, 28},  // always a level's own file, at a place
     {"secret", 1, "a secret", 0, 200, 70},
     {"level_end", 1, "a closing chord", 0, 220, 140},
     {"menu_move", 1, "", 0, 110, 4},

@@ -73,11 +73,11 @@ enum class CaptionRule : std::uint8_t {
 
 /// The properties of a sound.
 struct SoundRow {
-    const char* file;           ///< in the folder of sounds, without a variant's number and ".flac"
-    std::int32_t variants;      ///< files, numbered from 1 if there are several; played in turn
-    const char* caption;        ///< "": none
-    std::int32_t range;         ///< beyond which it is not heard, in world units; 0: it is at the listener
-    std::int32_t gain_256;      ///< its volume at distance 0, up to 256
+    const char* file;       ///< in the folder of sounds, without a variant's number and ".flac"
+    std::int32_t variants;  ///< files, numbered from 1 if there are several, played in turn; 0: always a level's own
+    const char* caption;    ///< "": none
+    std::int32_t range;     ///< beyond which it is not heard, in world units; 0: it is at the listener
+    std::int32_t gain_256;  ///< its volume at distance 0, up to 256
     std::int32_t length_ticks;  ///< of the longest variant, rounded up; 0: it is a loop
     CaptionRule caption_rule = CaptionRule::Always;
 
