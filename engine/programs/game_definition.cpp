@@ -159,7 +159,9 @@ class DefinitionReader {
                 if (!base) part.refuse("\"" + own.is + "\", expected a class of the engine");
             } else if (member == "keys") {
                 keys.emplace(part);
-            } else if (member != "does") {
+            } else if (member == "does") {
+                own.does = part.text();
+            } else {
                 part.refuse("is unknown, expected is, keys or does");
             }
         });

@@ -14,7 +14,7 @@ namespace oblong {
 /// A class of entities that a game defines: a class of the engine (engine/level/entity_classes.h) with its own default
 /// values of keys.
 struct OwnClass {
-    std::string is;
+    std::string is, does;  ///< does: for readers
     std::vector<std::pair<std::string, std::string>> values;
 };
 

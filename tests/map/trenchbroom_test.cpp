@@ -149,6 +149,17 @@ TEST(Fgd, NoFlagIsSetInANewEntity) {
     EXPECT_GT(flags.size(), 20u);
 }
 
+TEST(Fgd, HasAGamesOwnClassesWithTheirValues) {
+    const map::OwnClasses own{{"func_slow_door", {"func_door", "takes its time", {{"speed", "30"}}}}};
+    std::map<std::string, EditorClass> classes;
+    for (const EditorClass& row : read_fgd(map::fgd_text(own))) classes[row.name] = row;
+    EXPECT_EQ(classes.at("func_slow_door").keys, classes.at("func_door").keys);
+    const std::string text = map::fgd_text(own), added = text.substr(map::fgd_text().size());
+    EXPECT_NE(added.find("= func_slow_door : \"takes its time\""), std::string::npos) << added;
+    EXPECT_NE(added.find("speed(float) : \"units a second\" : \"30\""), std::string::npos) << added;
+    EXPECT_NE(added.find("wait(float) : \"seconds until it closes; -1: never\" : \"3\""), std::string::npos);
+}
+
 TEST_F(TrenchBroom, ClassesAreReadWithTheirModels) {
     const std::vector<EditorClass> classes = read_fgd(text("Oblong.fgd"));
     std::set<std::string_view> names, expected;

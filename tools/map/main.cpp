@@ -305,9 +305,11 @@ int main(int argc, char** argv) {
     CommandLine line("oblong-map", "Compiles the source of a level to a Quake BSP file (version 29).");
     declare(line, arguments);
     return line.run(argc, argv, [&] {
-        if (!arguments.trenchbroom.empty()) return map::install_trenchbroom(arguments.trenchbroom, argv[0]);
-        if (arguments.fgd.empty()) return compile_to_file(arguments, argv[0]);
+        if (arguments.fgd.empty() && arguments.trenchbroom.empty()) return compile_to_file(arguments, argv[0]);
+        const map::OwnClasses own =
+            arguments.game.empty() ? map::OwnClasses{} : read_game_definition(arguments.game).classes;
+        if (!arguments.trenchbroom.empty()) return map::install_trenchbroom(arguments.trenchbroom, argv[0], own);
         check_replaces_only("--fgd", arguments.fgd, "FGD of Oblong", {map::kFgdBeginning});
-        write_file(arguments.fgd, map::fgd_text());
+        write_file(arguments.fgd, map::fgd_text(own));
     });
 }

@@ -94,16 +94,27 @@ std::string head_of(const EntityClass& row) {
     return text + " = " + std::string(row.name) + " : " + described(row.does, row.since) + "\n[\n";
 }
 
-std::string class_text(const EntityClass& row) {
+// `own`: of the game's class that the row is for.
+std::string class_text(const EntityClass& row, const OwnClass& own = {}) {
     std::string text = head_of(row);
     std::set<std::string_view> seen{"classname", "origin"};
     const auto add = [&](std::span<const EntityKey> keys) {
-        for (const EntityKey& key : keys)
+        for (EntityKey key : keys) {
+            for (const auto& [name, value] : own.values)
+                if (name == key.name) key.usual = value;
             if (seen.insert(key.name).second) text += key_text(key);
+        }
     };
     for (const auto& keys : row.keys) add(keys);
     add(keys_of_all());
     return text + "]\n";
+}
+
+std::string own_class_text(const std::string& name, const OwnClass& own) {
+    EntityClass row = *find_entity_class(own.is);
+    row.name = name;
+    if (!own.does.empty()) row.does = own.does;
+    return class_text(row, own);
 }
 
 namespace fs = std::filesystem;
@@ -154,14 +165,15 @@ void write_kept(const fs::path& path, const std::string& text) {
 
 }  // namespace
 
-std::string fgd_text() {
+std::string fgd_text(const OwnClasses& own) {
     std::string text = std::string(kFgdBeginning) + ", written by `oblong-map --fgd`.\n";
     for (const EntityClass& row : entity_classes())
         if (!row.is_family()) text += "\n" + class_text(row);
+    for (const auto& [name, its_class] : own) text += "\n" + own_class_text(name, its_class);
     return text;
 }
 
-void install_trenchbroom(const std::string& folder, const char* called_as) {
+void install_trenchbroom(const std::string& folder, const char* called_as, const OwnClasses& own) {
     const fs::path to = fs::absolute(without_tilde(folder)), assets = fs::absolute(assets_folder(called_as)),
                    programs = fs::absolute(program_folder(called_as));
     make_folder((to / "assets" / "gfx").string());
@@ -174,7 +186,7 @@ void install_trenchbroom(const std::string& folder, const char* called_as) {
         write_kept(to / name, text);
     }
     write_file((to / "Icon.png").string(), read_file((assets / "trenchbroom" / "Icon.png").string()));
-    write_file((to / "Oblong.fgd").string(), fgd_text());
+    write_file((to / "Oblong.fgd").string(), fgd_text(own));
     write_file((to / "assets" / "gfx" / "palette.lmp").string(), read_file((assets / "palette.lmp").string()));
     copy_folder(assets / "models", to / "assets" / "models");
     std::cout << "TrenchBroom's configuration for Oblong is in " << to.string()
