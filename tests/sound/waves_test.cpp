@@ -60,6 +60,7 @@ TEST(Waves, AreThoseThatTheGameAsksForAndNoOthers) {
 TEST(Waves, LastAsLongAsTheTableSays) {
     for (std::size_t i = 0; i < kSoundCount; ++i) {
         const SoundRow& row = row_of(static_cast<Sound>(i));
+        if (row.variants == 0) continue;
         double longest = 0;
         for (const std::string& name : files_of(static_cast<Sound>(i)))
             longest = std::max(longest, static_cast<double>(waves().at(name).size()) / kRate_hz);
