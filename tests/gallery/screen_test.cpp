@@ -5,7 +5,7 @@
 namespace oblong {
 namespace {
 
-Figures draw_nothing(const RowInput&, Framebuffer) {
+Figures draw_nothing(const RowInput&, Canvas&) {
     return {};
 }
 

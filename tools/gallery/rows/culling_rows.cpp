@@ -1,15 +1,9 @@
 // Seed 5 (Abrash): back faces by a dot product, and why normals alone mislead.
 
-#include <array>
-#include <cmath>
-#include <numbers>
-
 #include "engine/methods/polygons.h"
 #include "engine/raster/scan.h"
 #include "engine/view/project.h"
-#include "engine/view/views.h"
 #include "tools/gallery/counted.h"
-#include "tools/gallery/row.h"
 #include "tools/gallery/sketch.h"
 
 namespace oblong {
@@ -22,12 +16,11 @@ struct BallFace {
     Vec3<Unit> normal;
 };
 
-std::vector<BallFace> make_ball(double x, double y, double z, double radius) {
+std::vector<BallFace> make_ball(const Vec& middle, double radius) {
     constexpr int kAcross = 16, kUp = 8;
     const auto at = [&](int column, int row) {
         const double a = column * 2 * std::numbers::pi / kAcross, b = (row - kUp / 2) * std::numbers::pi / kUp;
-        return world_point(x + radius * std::cos(a) * std::cos(b), y + radius * std::sin(a) * std::cos(b),
-                           z + radius * std::sin(b));
+        return world_point(middle + Vec{std::cos(a) * std::cos(b), std::sin(a) * std::cos(b), std::sin(b)} * radius);
     };
     std::vector<BallFace> faces;
     for (int row = 0; row < kUp; ++row)
@@ -65,49 +58,37 @@ bool faces_eye_in_double(const BallFace& face, const Vec3<World>& eye) {
     return dot(cross(vec_of(d - b), vec_of(c - a)), vec_of(b - eye)) < 0;
 }
 
-Figures draw_culling(const RowInput& input, Framebuffer canvas) {
-    fill(canvas, input.colour(18, 22, 34));
-    const auto rule = static_cast<CullRule>(input.values[0]);
-    const SketchEye from{world_point(0, 0, 0), world_point(100, 0, 0), static_cast<int>(input.values[1])};
-    Sketch sketch(input, canvas, scene_area(canvas), from);
-    const std::uint8_t right = input.colour(90, 110, 150), edge = input.colour(30, 34, 50);
-    const std::uint8_t kept = input.colour(220, 60, 50), missing = input.colour(240, 200, 60);
+Figures draw_culling(const RowInput& input, Canvas& canvas) {
+    canvas.fill(kGround);
+    const Vec3<World> eye;
+    Sketch sketch(canvas, canvas.scene(), {vec_of(eye), {100, 0, 0}, static_cast<int>(input.values[1])});
     int faces = 0;
     std::array<int, 3> wrong{};  // by rule
     for (int column = -2; column <= 2; ++column)
         for (int row = -1; row <= 1; ++row)
-            for (const BallFace& face : make_ball(60, column * 26.0, row * 26.0, 11)) {
-                const bool faces_eye = faces_eye_in_double(face, from.eye);
+            for (const BallFace& face : make_ball({60, column * 26.0, row * 26.0}, 11)) {
+                const bool faces_eye = faces_eye_in_double(face, eye);
                 ++faces;
                 for (std::size_t by = 0; by < wrong.size(); ++by)
                     wrong[by] += is_drawn(face, static_cast<CullRule>(by), sketch.view()) != faces_eye;
-                const bool draws = is_drawn(face, rule, sketch.view());
-                if (faces_eye) {
-                    sketch.polygon(face.corners, draws ? right : missing);
-                    sketch.outline(face.corners, edge);
-                } else if (draws) {
-                    sketch.outline(face.corners, kept);
-                }
+                const bool draws = is_drawn(face, static_cast<CullRule>(input.values[0]), sketch.view());
+                if (faces_eye) sketch.polygon(face.corners, draws ? kGrey : Rgb8{240, 200, 60});
+                if (faces_eye || draws) sketch.outline(face.corners, faces_eye ? kSlate : kScarlet);
             }
     const Vec3<Counted<double>> u{1, 2, 3}, v{4, -5, 6};
     const CountedOperations whole = operations_of([&] { cross_by_components(u, v); }),
                             third = operations_of([&] { cross_z(u, v); });
-    draw_note(canvas, std::array{"cross product  " + whole.text(), "z of it alone  " + third.text()},
-              input.assets.text);
+    canvas.note(std::array{"cross product  " + whole.text(), "z of it alone  " + third.text()});
     // Errata A9: (10, 0, 10), (11, 0, 12), (10, 1, 10) in viewspace has the normal (-2, 0, 1) and faces the eye.
     const Vec3<World> a = world_point(10, 0, 10), b = world_point(11, 0, 12), c = world_point(10, 1, 10);
-    const auto normal = cross(b - a, c - a);
-    return {count_figure("wrong by normal . (vertex - eye), in object space", 0, wrong[0]),
-            measured("wrong by the normal's z in viewspace", std::to_string(wrong[1]) + " of " + std::to_string(faces)),
-            count_figure("wrong by the sign of the area on the screen", 0, wrong[2]),
+    const Vec normal = vec_of(cross(b - a, c - a));
+    return {{"wrong by normal . (vertex - eye), in object space", 0, wrong[0]},
+            {"wrong by the normal's z in viewspace", std::to_string(wrong[1]) + " of " + std::to_string(faces)},
+            {"wrong by the sign of the area on the screen", 0, wrong[2]},
             {"z of a cross product of edges: a third of 6 * 0 / 3 +", "2 * 0 / 1 +", third.text(),
              third == CountedOperations{2, 0, 1} && whole == CountedOperations{6, 0, 3}},
-            number_figure(
-                "normal . vertex of the seed's triangle, below 0: faces the eye", -10,
-                number_of(dot(convert<WorldWide>(a), Vec3<Unit>{Unit::from_int(1), {}, {}})) * number_of(normal.x) +
-                    number_of(a.z) * number_of(normal.z),
-                1e-9),
-            number_figure("its normal's z, above 0: points away", 1, number_of(normal.z), 1e-9)};
+            {"normal . vertex of the seed's triangle, below 0: faces the eye", -10, dot(vec_of(a), normal), 1e-9},
+            {"its normal's z, above 0: points away", 1, normal.z, 1e-9}};
 }
 
 }  // namespace

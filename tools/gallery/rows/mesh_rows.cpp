@@ -1,15 +1,7 @@
 // Seeds 3 and 5: a model in the pipeline, and among the surfaces of a level.
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-
-#include "engine/draw/drawing.h"
-#include "engine/fixed/trig.h"
 #include "engine/frame/frame_counts.h"
 #include "tools/gallery/mesh_scene.h"
-#include "tools/gallery/row.h"
 #include "tools/gallery/sketch.h"
 
 namespace oblong {
@@ -17,7 +9,7 @@ namespace oblong {
 namespace {
 
 MeshLight light_from_above() {
-    return {50, {unit_vector(-1, -1, 2), 90}, {}, 100};
+    return {50, {unit_vector({-1, -1, 2}), 90}, {}, 100};
 }
 
 constexpr double kHalfCube = 30;
@@ -31,35 +23,30 @@ std::int64_t sides_in_front(double distance, double yaw, double pitch) {
                          [distance](double x) { return distance * std::abs(x) > kHalfCube; });
 }
 
-Figures draw_cube(const RowInput& input, Framebuffer canvas) {
-    const GalleryAssets& assets = input.assets;
-    fill(canvas, assets.colour(20, 24, 36));
-    const Mesh cube =
-        cube_mesh(kHalfCube, checkered_skin(64, lit_colour(assets, 190, 150, 90), lit_colour(assets, 120, 60, 40)));
+Figures draw_cube(const RowInput& input, Canvas& canvas) {
+    canvas.fill(kGround);
+    const Mesh cube = cube_mesh(kHalfCube, checkered_skin(64, lit_colour(input.assets, {190, 150, 90}),
+                                                          lit_colour(input.assets, {120, 60, 40})));
     PlacedMesh placed;
     placed.mesh = &cube;
     placed.shading = Shading::Flat;
     placed.position = world_point(input.number(1), 0, 0);
     placed.yaw = input.angle(0);
     placed.pitch = degrees_to_angle(Degrees::from_int(-kPitchDegrees));
-    std::vector<std::uint8_t> covered(pixel_count(canvas.width_px, canvas.height_px), 255);
-    MeshScene scene(input, canvas),
-        counted(input, {covered.data(), canvas.width_px, canvas.height_px, canvas.width_px});
-    scene.draw(placed, light_from_above());
+    const Picture covered(canvas.width_px, canvas.height_px, 255);
+    MeshScene(input, canvas).draw(placed, light_from_above());
     const Colormap numbers = shade_numbers();
-    const MeshCounts counts = counted.draw(placed, light_from_above(), &numbers);
-    const std::int64_t sides =
-        sides_in_front(input.number(1), input.radians(0), -kPitchDegrees * std::numbers::pi / 180);
-    return {count_figure("triangles that face the eye, of 12", 2 * sides, counts.facing),
-            count_figure("pixels drawn: each once",
-                         std::ssize(covered) - std::count(covered.begin(), covered.end(), 255), counts.pixels),
-            measured("triangles with pixels, after clipping to the view", counts.triangles)};
+    const MeshCounts counts = MeshScene(input, covered).draw(placed, light_from_above(), &numbers);
+    const std::vector<std::uint8_t> none(covered.indices.size(), 255);
+    return {{"triangles that face the eye, of 12",
+             2 * sides_in_front(input.number(1), input.radians(0), -kPitchDegrees * kDegree), counts.facing},
+            {"pixels drawn: each once", count_differences(covered.indices, none), counts.pixels},
+            {"triangles with pixels, after clipping to the view", counts.triangles}};
 }
 
-Figures draw_in_level(const RowInput& input, Framebuffer canvas) {
-    const GalleryAssets& assets = input.assets;
-    const Mesh ball =
-        ball_mesh(30, 16, checkered_skin(64, lit_colour(assets, 200, 190, 170), lit_colour(assets, 60, 80, 130)));
+Figures draw_in_level(const RowInput& input, Canvas& canvas) {
+    const Mesh ball = ball_mesh(
+        30, 16, checkered_skin(64, lit_colour(input.assets, {200, 190, 170}), lit_colour(input.assets, {60, 80, 130})));
     PlacedMesh placed;
     placed.mesh = &ball;
     placed.shading = static_cast<Shading>(input.values[1]);
@@ -69,21 +56,19 @@ Figures draw_in_level(const RowInput& input, Framebuffer canvas) {
     DemoFrame frame(input, input.mode);
     FrameCounts counts;
     frame.work.observers.counts = &counts;
-    const Camera camera = camera_at(0, 120, 70, 90, 0, 70);
-    std::vector<std::uint8_t> without(pixel_count(canvas.width_px, canvas.height_px));
-    frame.draw(camera, {without.data(), canvas.width_px, canvas.height_px, canvas.width_px});
-    const auto wanted = [&frame] {
+    const auto drawn_with_depth = [&](Framebuffer picture) {
+        frame.draw(camera_at(0, 120, 70, 90, 0, 70), picture);
         std::int64_t pixels = 0;
         for (const ScreenRectangle& part : frame.work.view.depth.rectangles())
             pixels += std::int64_t{part.end_column - part.first_column} * (part.end_row - part.first_row);
         return pixels;
     };
-    const std::int64_t before = wanted();
+    const std::int64_t before = drawn_with_depth(Picture(canvas.width_px, canvas.height_px));
     frame.scene.meshes = {&placed, 1};
-    frame.draw(camera, canvas);
-    return {count_figure("pixels with depth in a frame without it", 0, before),
-            measured("pixels with depth: the rectangle around it", wanted()),
-            measured("pixels that it owns", counts.of(Effect::Meshes))};
+    const std::int64_t after = drawn_with_depth(canvas);
+    return {{"pixels with depth in a frame without it", 0, before},
+            {"pixels with depth: the rectangle around it", after},
+            {"pixels that it owns", counts.of(Effect::Meshes)}};
 }
 
 }  // namespace

@@ -1,13 +1,7 @@
 // Seed 3 (Notes): pictures on surfaces, in 256 colours.
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
-#include "engine/base/table.h"
-#include "engine/draw/drawing.h"
 #include "engine/pictures/picture.h"
-#include "tools/gallery/row.h"
+#include "tools/gallery/canvas.h"
 
 namespace oblong {
 
@@ -68,29 +62,26 @@ double block_error(const PngImage& image, const std::vector<std::uint8_t>& indic
 }
 
 /// The same picture with the nearest colours and dithered, side by side.
-Figures draw_quantisation(const RowInput& input, Framebuffer canvas) {
+Figures draw_quantisation(const RowInput& input, Canvas& canvas) {
     const Palette& palette = input.assets.colormap.palette;
     const bool is_grey = input.values[0] == 1;
-    const ColourRange range = is_grey ? kGreys : kOrdinaryColours;
-    fill(canvas, input.assets.colour(20, 24, 36));
+    canvas.fill(kGround);
     const std::int32_t width = canvas.width_px / 2 - 6, top = kHeader_px + 4;
     const Area left{4, top, width, canvas.height_px - kFooter_px - top - 14};
     if (std::min(width, left.height) < kBlock) return {};
     const PngImage image = make_picture(left, input.mode.pixel(), is_grey);
-    std::array<double, 2> errors{};
-    for (const Dither dither : {Dither::None, Dither::FloydSteinberg}) {
-        const bool is_right = dither == Dither::FloydSteinberg;
-        const std::int32_t x = is_right ? canvas.width_px - 4 - width : left.x;
-        const std::vector<std::uint8_t> indices = indices_of(image, palette, range, dither);
+    const auto error_by = [&](Dither dither, std::int32_t x, const char* name) {
+        const auto indices = indices_of(image, palette, is_grey ? kGreys : kOrdinaryColours, dither);
         for (std::int32_t i = 0; i < image.width_px * image.height_px; ++i)
             set_pixel(canvas, x + i % width, top + i / width, item(indices, i));
-        errors[is_right] = block_error(image, indices, palette);
-        draw_text(canvas, x, top + left.height + 4, is_right ? "Floyd-Steinberg" : "nearest colour", input.assets.text);
-    }
-    const double nearest = errors[0], dithered = errors[1];
+        canvas.write(x, top + left.height + 4, name);
+        return block_error(image, indices, palette);
+    };
+    const double nearest = error_by(Dither::None, left.x, "nearest colour"),
+                 dithered = error_by(Dither::FloydSteinberg, canvas.width_px - 4 - width, "Floyd-Steinberg");
     return {{"mean error, dithered", "below half of " + decimal_text(nearest, "%.2f"), decimal_text(dithered, "%.2f"),
              dithered < nearest / 2},
-            measured("mean error, nearest colours", decimal_text(nearest, "%.2f"))};
+            {"mean error, nearest colours", decimal_text(nearest, "%.2f")}};
 }
 
 }  // namespace

@@ -1,24 +1,15 @@
 // Transforms: model matrices (seed 3), rotations (2, 3, 5), the cube of seed 3.
 
-#include <array>
-#include <cmath>
 #include <map>
 #include <set>
 
-#include "engine/base/table.h"
-#include "engine/fixed/trig.h"
-#include "engine/math/matrix.h"
-#include "engine/math/vec.h"
 #include "engine/methods/polygons.h"
 #include "engine/methods/transforms.h"
-#include "tools/gallery/row.h"
 #include "tools/gallery/sketch.h"
 
 namespace oblong {
 
 namespace {
-
-constexpr int kTextColumn_320 = 204;
 
 /// The course notes' cube: eight corners, numbered from 1.
 constexpr std::array<std::array<int, 3>, 8> kCubeCorners{
@@ -36,70 +27,48 @@ constexpr std::array<std::array<int, 3>, 12> kCubeTriangles{{{1, 2, 3},
                                                              {2, 5, 3},
                                                              {6, 8, 1},
                                                              {6, 1, 4}}};
-constexpr std::array<std::array<int, 2>, 12> kCubeEdges{
-    {{1, 2}, {2, 3}, {3, 4}, {4, 1}, {8, 7}, {7, 5}, {5, 6}, {6, 8}, {1, 8}, {2, 7}, {3, 5}, {4, 6}}};
-
 /// A corner in the world: the notes' axes are x right, y up, z ahead; the engine's x east, y north, z up.
 Vec3<World> cube_corner(int number) {
     const auto& [x, y, z] = item(kCubeCorners, number - 1);
     return world_point(x, z, y);
 }
 
-const std::array kAxisEnds{world_point(4, 0, 0), world_point(0, 4, 0), world_point(0, 0, 3)};
+const std::array<Place, 3> kAxisEnds{{{4, 0, 0}, {0, 4, 0}, {0, 0, 3}}};
 
-void draw_cube(Sketch& sketch, const Matrix4& model, std::uint8_t colour) {
-    for (const auto& [from, to] : kCubeEdges)
-        sketch.line(transformed_point(model, cube_corner(from)), transformed_point(model, cube_corner(to)), colour);
-}
-
-Area fill_scene(const RowInput& input, Framebuffer canvas, std::int32_t width_of_320) {
-    fill(canvas, input.assets.colour(18, 22, 34));
-    return scene_area(canvas, width_of_320);
+void draw_cube(Sketch& sketch, const Matrix4& model, Rgb8 colour) {
+    const Cube cube{{-1, -1, -1}, 2};
+    draw_edges(
+        sketch, [&](int i) { return transformed_point(model, world_point(cube.corner(i))); }, colour);
 }
 
 /// Scaled, then turned, then moved: shown after each step.
-Figures draw_model_to_world(const RowInput& input, Framebuffer canvas) {
-    const GalleryAssets& assets = input.assets;
+Figures draw_model_to_world(const RowInput& input, Canvas& canvas) {
     const auto step = input.values[0];
     const Matrix3 turn = rotation_matrix(EulerAngles{input.angle(1), {}, {}});
-    const Vec3<Entry> scale{entry_of(1.5), entry_of(0.5), entry_of(0.5)};
-    const Vec3<World> position = step >= 2 ? world_point(2, 1.5, 0.5) : world_point(0, 0, 0);
-    const Matrix4 model = model_matrix(position, step >= 1 ? turn : Matrix3::identity(), scale);
-
-    Sketch sketch(input, canvas, fill_scene(input, canvas, 176), {world_point(5, -9, 6), world_point(1, 0.8, 0.3), 34});
-    sketch.axes(kAxisEnds, assets);
-    draw_cube(sketch, Matrix4::identity(), assets.colour(70, 78, 100));
-    draw_cube(sketch, model, assets.colour(240, 190, 90));
-    std::vector<std::string> lines{"model to world:"};
-    for (const auto& row : model.rows) lines.push_back(row_text(row, "%5.2f"));
-    draw_column(canvas, canvas.width_px * 178 / 320, kHeader_px + 8, lines, assets.text);
+    const Vec position = step >= 2 ? Vec{2, 1.5, 0.5} : Vec{};
+    const Matrix4 model =
+        model_matrix(world_point(position), step >= 1 ? turn : Matrix3::identity(), entries_of({1.5, 0.5, 0.5}));
+    canvas.fill(kGround);
+    Sketch sketch(canvas, canvas.scene(176), {{5, -9, 6}, {1, 0.8, 0.3}, 34});
+    sketch.axes(kAxisEnds);
+    draw_cube(sketch, Matrix4::identity(), kSteel);
+    draw_cube(sketch, model, kOrange);
+    canvas.column(canvas.width_px * 178 / 320, 8, matrix_lines("model to world:", model, "%5.2f", "%5.2f"));
 
     const double angle = step >= 1 ? input.radians(1) : 0;
-    const double x = 1.5 * std::cos(angle) - 0.5 * std::sin(angle) + (step >= 2 ? 2 : 0);
-    const double y = 1.5 * std::sin(angle) + 0.5 * std::cos(angle) + (step >= 2 ? 1.5 : 0);
     const Vec3<World> corner = transformed_point(model, world_point(1, 1, 1));
     // Seed 5's normal (1, 1, 0) of a surface along (1, -1, 0), under a scale of (2, 1, 1).
-    const Matrix3 stretch = linear_part(scaling({entry_of(2), entry_of(1), entry_of(1)}));
-    const Vec3<Entry> normal = *normal_matrix(stretch) * Vec3<Entry>{entry_of(1), entry_of(1), {}};
-    const Vec3<Entry> along = stretch * Vec3<Entry>{entry_of(1), entry_of(-1), {}};
-    return {number_figure("x of the corner (1, 1, 1)", x, number_of(corner.x), 1e-3),
-            number_figure("y of the corner (1, 1, 1)", y, number_of(corner.y), 1e-3),
-            number_figure("stretched normal . surface, by the inverse transpose", 0,
-                          number_of(normal.x) * number_of(along.x) + number_of(normal.y) * number_of(along.y), 1e-9),
-            number_figure("x of that normal, of (1, 1, 0) under (2, 1, 1)", 0.5, number_of(normal.x), 1e-9)};
-}
-
-double largest_difference(const Matrix3& a, const Matrix3& b) {
-    double most = 0;
-    for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = 0; j < 3; ++j)
-            most = std::max(most, std::abs(number_of(a.rows[i][j]) - number_of(b.rows[i][j])));
-    return most;
+    const Matrix3 stretch = linear_part(scaling(entries_of({2, 1, 1})));
+    const Vec normal = vec_of(*normal_matrix(stretch) * entries_of({1, 1})),
+              along = vec_of(stretch * entries_of({1, -1}));
+    return {{"x of the corner (1, 1, 1)", 1.5 * std::cos(angle) - 0.5 * std::sin(angle) + position.x, corner.x, 1e-3},
+            {"y of the corner (1, 1, 1)", 1.5 * std::sin(angle) + 0.5 * std::cos(angle) + position.y, corner.y, 1e-3},
+            {"stretched normal . surface, by the inverse transpose", 0, dot(normal, along), 1e-9},
+            {"x of that normal, of (1, 1, 0) under (2, 1, 1)", 0.5, normal.x, 1e-9}};
 }
 
 /// One orientation by Euler angles, by a quaternion, and about an axis.
-Figures draw_rotations(const RowInput& input, Framebuffer canvas) {
-    const GalleryAssets& assets = input.assets;
+Figures draw_rotations(const RowInput& input, Canvas& canvas) {
     const EulerAngles angles{input.angle(0), input.angle(1), input.angle(2)};
     const Quaternion quaternion = quaternion_of(angles);
     const Matrix3 by_angles = rotation_matrix(angles), by_quaternion = rotation_matrix(quaternion);
@@ -109,29 +78,26 @@ Figures draw_rotations(const RowInput& input, Framebuffer canvas) {
     const Angle half = arctangent2(size, quaternion.w.raw);
     const Matrix3 about_axis = rotation_matrix(axis, half + half);
 
-    Sketch sketch(input, canvas, fill_scene(input, canvas, 200), {world_point(4, -6, 3.5), world_point(0, 0, 0), 40});
-    sketch.axes(kAxisEnds, assets);
-    draw_cube(sketch, homogeneous(by_quaternion), assets.colour(240, 190, 90));
-    const auto end = [&](double reach) {
-        return world_point(reach * number_of(axis.x), reach * number_of(axis.y), reach * number_of(axis.z));
-    };
-    sketch.line(end(-2.4), end(2.4), assets.colour(220, 120, 220));
-    sketch.label(end(2.4), "axis", assets.colour(220, 120, 220));
-    const std::vector<std::string> lines{"w " + decimal_text(number_of(quaternion.w), "%7.4f"),
-                                         "x " + decimal_text(number_of(quaternion.x), "%7.4f"),
-                                         "y " + decimal_text(number_of(quaternion.y), "%7.4f"),
-                                         "z " + decimal_text(number_of(quaternion.z), "%7.4f"),
-                                         "",
-                                         "axis " + decimal_text(2 * half.bam * 180.0 / 32768, "%.2f") + " deg",
-                                         decimal_text(number_of(axis.x), "%7.4f"),
-                                         decimal_text(number_of(axis.y), "%7.4f"),
-                                         decimal_text(number_of(axis.z), "%7.4f")};
-    draw_column(canvas, canvas.width_px * kTextColumn_320 / 320, kHeader_px + 8, lines, assets.text);
-    const double yaw = input.radians(0), pitch = input.radians(1);
-    return {number_figure("quaternion - Euler angles", 0, largest_difference(by_angles, by_quaternion), 1e-7, 6),
-            number_figure("axis - Euler angles", 0, largest_difference(by_angles, about_axis), 2e-4, 6),
-            number_figure("x of the turned x axis: cos yaw cos pitch", std::cos(yaw) * std::cos(pitch),
-                          number_of(by_quaternion.rows[0][0]), 1e-4, 6)};
+    canvas.fill(kGround);
+    Sketch sketch(canvas, canvas.scene(200), {{4, -6, 3.5}, {0, 0, 0}, 40});
+    sketch.axes(kAxisEnds);
+    draw_cube(sketch, homogeneous(by_quaternion), kOrange);
+    const Vec end = vec_of(axis) * 2.4;
+    sketch.line(-end, end, kMauve);
+    sketch.label(end, "axis", kMauve);
+    std::vector<std::string> lines;
+    const auto add = [&](const char* name, Unit part) { lines.push_back(name + decimal_text(part, "%7.4f")); };
+    add("w ", quaternion.w);
+    add("x ", quaternion.x);
+    add("y ", quaternion.y);
+    add("z ", quaternion.z);
+    lines.insert(lines.end(), {"", "axis " + decimal_text(2 * half.bam * 180.0 / 32768, "%.2f") + " deg"});
+    for (const Unit part : {axis.x, axis.y, axis.z}) add("", part);
+    canvas.column(canvas.width_px * 204 / 320, 8, lines);
+    return {{"quaternion - Euler angles", 0, largest_difference(by_angles, by_quaternion), 1e-7, 6},
+            {"axis - Euler angles", 0, largest_difference(by_angles, about_axis), 2e-4, 6},
+            {"x of the turned x axis: cos yaw cos pitch", std::cos(input.radians(0)) * std::cos(input.radians(1)),
+             by_quaternion.rows[0][0], 1e-4, 6}};
 }
 
 /// The number of directed edges used once, and six times the signed volume.
@@ -156,16 +122,15 @@ CubeCheck check_cube(const std::array<std::array<int, 3>, 12>& faces) {
     return check;
 }
 
-Figures draw_left_handed_cube(const RowInput& input, Framebuffer canvas) {
+Figures draw_left_handed_cube(const RowInput& input, Canvas& canvas) {
     auto faces = kCubeTriangles;
     const bool is_listed = input.values[0] == 0;
     if (is_listed) faces[7] = {8, 5, 1};
     const double turn = input.radians(1);
     const Vec3<World> eye = world_point(-8 * std::cos(turn), -8 * std::sin(turn), 4);
-    Sketch sketch(input, canvas, fill_scene(input, canvas, 320), {eye, world_point(0, 0, 0), 40});
-    const std::array<std::uint8_t, 6> colours{input.colour(200, 80, 70),   input.colour(90, 170, 80),
-                                              input.colour(90, 130, 220),  input.colour(220, 190, 90),
-                                              input.colour(190, 110, 200), input.colour(90, 190, 190)};
+    canvas.fill(kGround);
+    Sketch sketch(canvas, canvas.scene(), {vec_of(eye), {0, 0, 0}, 40});
+    constexpr std::array kColours{kScarlet, kLeaf, kBlue, kOrange, kMauve, Rgb8{90, 190, 190}};
     int drawn = 0;
     std::set<int> seen;
     for (std::size_t i = 0; i < faces.size(); ++i) {
@@ -175,19 +140,18 @@ Figures draw_left_handed_cube(const RowInput& input, Framebuffer canvas) {
         if (faces_away(corners[0], normal, eye)) continue;
         ++drawn;
         seen.insert(faces[i].begin(), faces[i].end());
-        sketch.polygon(corners, colours[i / 2]);
-        sketch.outline(corners, input.colour(20, 20, 24));
+        sketch.polygon(corners, kColours[i / 2]);
+        sketch.outline(corners, kNight);
     }
-    for (const int number : seen)
-        sketch.label(cube_corner(number), std::to_string(number), input.colour(235, 235, 225));
+    for (const int number : seen) sketch.label(cube_corner(number), std::to_string(number), kWhite);
     const CubeCheck check = check_cube(faces);
     // Two for each side whose plane is between the eye and the cube; with the listed data, one may be missing or have
     // another direction.
     const int facing = 2 * ((std::abs(number_of(eye.x)) > 1) + (std::abs(number_of(eye.y)) > 1) + 1);
-    return {count_figure("edges used once in each direction, of 18", is_listed ? 16 : 18, check.matched_edges),
-            number_figure("signed volume", is_listed ? 22.0 / 3 : 8, check.volume, 1e-9),
-            is_listed ? measured("triangles that face the eye", drawn)
-                      : count_figure("triangles that face the eye", facing, drawn)};
+    return {{"edges used once in each direction, of 18", is_listed ? 16 : 18, check.matched_edges},
+            {"signed volume", is_listed ? 22.0 / 3 : 8, check.volume, 1e-9},
+            is_listed ? Figure{"triangles that face the eye", drawn}
+                      : Figure{"triangles that face the eye", facing, drawn}};
 }
 
 }  // namespace

@@ -1,16 +1,6 @@
 // Seed 2 (the lab): from the world to the canonical view volume in five steps, with their matrices.
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-#include <vector>
-
-#include "engine/draw/drawing.h"
 #include "engine/methods/canonical_volume.h"
-#include "engine/methods/transforms.h"
-#include "tools/gallery/diagram.h"
-#include "tools/gallery/row.h"
 #include "tools/gallery/sketch.h"
 
 namespace oblong {
@@ -48,41 +38,31 @@ struct TurnedWindow {
     }
 };
 
-Vec4 homogeneous_of(const Vec& p) {
-    return {entry_of(p.x), entry_of(p.y), entry_of(p.z)};
-}
-
-PlanePoint from_above(const Matrix4& matrix, const Vec& p) {
+Vec from_above(const Matrix4& matrix, const Vec& p) {
     const Vec4 at = matrix * homogeneous_of(p);
     return {number_of(at.x), number_of(at.z)};
 }
 
 /// A step's picture from above: x right, z up.
-void draw_panel(const Matrix4& matrix, const TurnedWindow& window, const GalleryAssets& assets, Diagram& diagram) {
-    const std::uint8_t grey = assets.colour(70, 80, 104), blue = assets.colour(110, 160, 230),
-                       orange = assets.colour(230, 160, 70), white = assets.colour(235, 235, 225),
-                       green = assets.colour(110, 220, 120);
+void draw_panel(const Matrix4& matrix, const TurnedWindow& window, Diagram& diagram) {
     const Cube cube{{0, 0, 0}, 1};
-    for (int corner = 0; corner < 8; ++corner)
-        for (int axis = 1; axis <= 4; axis *= 2)
-            if ((corner & axis) == 0)
-                diagram.line(from_above(matrix, cube.corner(corner)), from_above(matrix, cube.corner(corner | axis)),
-                             orange);
+    draw_edges(
+        diagram, [&](int corner) { return from_above(matrix, cube.corner(corner)); }, kOrange);
     const auto at = [&](double u, double depth) { return from_above(matrix, window.on_ray(u, 0, depth)); };
-    diagram.line({-9, 0}, {9, 0}, grey);
-    diagram.line({0, 0}, {0, at(0, TurnedWindow::kBack).y}, grey);
-    const PlanePoint cop = at(0, -window.distance());
+    diagram.line({-9, 0}, {9, 0}, kSteel);
+    diagram.line({0, 0}, {0, at(0, TurnedWindow::kBack).y}, kSteel);
+    const Vec cop = at(0, -window.distance());
     for (const double side : {-0.5, 0.5}) {
-        diagram.line(cop, at(side, TurnedWindow::kFront), grey);
-        diagram.line(at(side, TurnedWindow::kFront), at(side, TurnedWindow::kBack), blue);
+        diagram.line(cop, at(side, TurnedWindow::kFront), kSteel);
+        diagram.line(at(side, TurnedWindow::kFront), at(side, TurnedWindow::kBack), kSky);
     }
     for (const double depth : {TurnedWindow::kFront, TurnedWindow::kBack}) {
-        diagram.line(at(-0.5, depth), at(0.5, depth), blue);
-        const PlanePoint left = at(-0.5, depth), right = at(0.5, depth);
-        diagram.text(left.x > right.x ? left : right, depth == TurnedWindow::kFront ? "F" : "B", blue, 4, -4);
+        const Vec left = at(-0.5, depth), right = at(0.5, depth);
+        diagram.line(left, right, kSky);
+        diagram.label(left.x > right.x ? left : right, depth == TurnedWindow::kFront ? "F" : "B", kSky, 4);
     }
-    diagram.line(at(-0.5, 0), at(0.5, 0), white);
-    diagram.text(cop, "COP", green, 4, -8);
+    diagram.line(at(-0.5, 0), at(0.5, 0), kWhite);
+    diagram.label(cop, "COP", kGreen, 4, -8);
 }
 
 /// The worst distance of the volume's corners from the canonical volume's.
@@ -99,51 +79,48 @@ double worst_corner(const Matrix4& whole, const TurnedWindow& window) {
     return worst;
 }
 
-Figures draw_volume_steps(const RowInput& input, Framebuffer canvas) {
-    const GalleryAssets& assets = input.assets;
-    fill(canvas, assets.colour(18, 22, 34));
+/// A step's columns of 320, left and right, and the plane's point in the middle of the scene with its height: a panel
+/// is its half.
+struct Panel {
+    int left, right;
+    Vec centre;
+    double units_high;
+};
+constexpr std::array<Panel, 5> kPanels{{{0, 106, {0, -2.4}, 15.4},
+                                        {107, 213, {0, -2.4}, 15.4},
+                                        {214, 320, {0.8, -0.5}, 15.4},
+                                        {0, 64, {0, 7.2}, 15.4},
+                                        {65, 176, {0, 1.29}, 4.1}}};
+
+Figures draw_volume_steps(const RowInput& input, Canvas& canvas) {
+    canvas.fill(kGround);
     const TurnedWindow window{std::sin(input.radians(1)), std::cos(input.radians(1))};
     const std::array<Matrix4, 5> steps = lab_volume_steps(window.view());
-    /// Left and right of 320, and the plane's point in the middle of the scene with its height: a panel is its half.
-    struct Panel {
-        int left, right;
-        PlanePoint centre;
-        double units_high;
-    };
-    constexpr std::array<Panel, 5> kPanels{{{0, 106, {0, -2.4}, 15.4},
-                                            {107, 213, {0, -2.4}, 15.4},
-                                            {214, 320, {0.8, -0.5}, 15.4},
-                                            {0, 64, {0, 7.2}, 15.4},
-                                            {65, 176, {0, 1.29}, 4.1}}};
-    const std::int32_t middle = kHeader_px + (canvas.height_px - kHeader_px - kFooter_px) / 2;
+    const auto chosen = as_size(input.values[0]);
+    const std::int32_t middle = (canvas.height_px - kHeader_px - kFooter_px) / 2;
     Matrix4 product = Matrix4::identity();
     for (std::size_t i = 0; i < steps.size(); ++i) {
         product = steps[i] * product;
         const Panel& panel = kPanels[i];
         const std::int32_t left = canvas.width_px * panel.left / 320, right = canvas.width_px * panel.right / 320;
-        Diagram diagram(input, part_of(canvas, {left, 0, right - left, canvas.height_px}), panel.centre,
-                        panel.units_high);
-        draw_panel(product, window, assets, diagram);
-        const bool is_chosen = input.values[0] == static_cast<std::int64_t>(i);
-        draw_text(canvas, left + 2, (i < 3 ? kHeader_px : middle) + 2, kSteps[i],
-                  {assets.colour(is_chosen ? 250 : 150, is_chosen ? 225 : 156, 150), assets.text.dark});
+        Diagram diagram(canvas.part({left, 0, right - left, canvas.height_px}), panel.centre, panel.units_high);
+        draw_panel(product, window, diagram);
+        canvas.write(left + 2, kHeader_px + (i < 3 ? 0 : middle) + 2, kSteps[i],
+                     chosen == i ? Rgb8{250, 225, 150} : Rgb8{150, 156, 150});
     }
-    std::vector<std::string> lines{std::string(kSteps[as_size(input.values[0])]) + ":"};
-    const Matrix4& chosen = steps[as_size(input.values[0])];
-    for (std::size_t row = 0; row < 3; ++row) lines.push_back(row_text(chosen.rows[row], "%5.2f"));
-    draw_column(canvas, canvas.width_px * 178 / 320, middle + 2, lines, assets.text);
+    std::vector<std::string> lines = matrix_lines(std::string(kSteps[chosen]) + ":", steps[chosen], "%5.2f", "%5.2f");
+    lines.pop_back();
+    canvas.column(canvas.width_px * 178 / 320, middle + 2, lines);
 
     const double d = window.distance(), back = d + TurnedWindow::kBack;
-    const Vec4 vrp = product * homogeneous_of({0.5, 0.5, -2}),
-               front = product * homogeneous_of(window.on_ray(0, 0, TurnedWindow::kFront));
-    return {number_figure("the volume's corners, from the canonical one's: worst", 0, worst_corner(product, window),
-                          1e-5, 6),
-            number_figure("the window's z: d = VRP'z / B'", d / back, number_of(vrp.z), 1e-6, 6),
-            number_figure("the front's z: F' / B'", (d + TurnedWindow::kFront) / back, number_of(front.z), 1e-6, 6),
-            number_figure("shear of x: -tan of the VPN's turn", -window.sine / window.cosine,
-                          number_of(steps[3].rows[0][2]), 1e-6, 6),
-            number_figure("scale of x: 2 VRP'z / (du B')", 2 * d / back, number_of(steps[4].rows[0][0]), 1e-6, 6),
-            number_figure("scale of z: 1 / B'", 1 / back, number_of(steps[4].rows[2][2]), 1e-6, 6)};
+    const Entry vrp_z = (product * homogeneous_of({0.5, 0.5, -2})).z,
+                front_z = (product * homogeneous_of(window.on_ray(0, 0, TurnedWindow::kFront))).z;
+    return {{"the volume's corners, from the canonical one's: worst", 0, worst_corner(product, window), 1e-5, 6},
+            {"the window's z: d = VRP'z / B'", d / back, vrp_z, 1e-6, 6},
+            {"the front's z: F' / B'", (d + TurnedWindow::kFront) / back, front_z, 1e-6, 6},
+            {"shear of x: -tan of the VPN's turn", -window.sine / window.cosine, steps[3].rows[0][2], 1e-6, 6},
+            {"scale of x: 2 VRP'z / (du B')", 2 * d / back, steps[4].rows[0][0], 1e-6, 6},
+            {"scale of z: 1 / B'", 1 / back, steps[4].rows[2][2], 1e-6, 6}};
 }
 
 }  // namespace
