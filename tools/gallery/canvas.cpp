@@ -49,7 +49,7 @@ void Canvas::note(std::span<const std::string> lines) {
     column(kTextMargin_px, 3, lines);
 }
 
-void Canvas::line(const Place& from, const Place& to, Rgb8 colour) {
+void Canvas::line(const DrawnPoint& from, const DrawnPoint& to, Rgb8 colour) {
     draw_line(pixel_at(pixel_of(from)), pixel_at(pixel_of(to)), {LineMethod::Bresenham, input.colour(colour)}, *this);
 }
 
@@ -61,12 +61,13 @@ void Canvas::ellipse(const Vec& middle, const Vec& one, const Vec& other, int pa
     curve(parts, at, colour);
 }
 
-void Canvas::dot(const Place& at, Rgb8 colour) {
+void Canvas::dot(const DrawnPoint& at, Rgb8 colour) {
     const PixelPosition middle = pixel_at(pixel_of(at));
     box({middle.column - 1, middle.row - 1, 3, 3}, colour);
 }
 
-void Canvas::label(const Place& at, std::string_view line, Rgb8 colour, std::int32_t right_px, std::int32_t below_px) {
+void Canvas::label(const DrawnPoint& at, std::string_view line, Rgb8 colour, std::int32_t right_px,
+                   std::int32_t below_px) {
     const Vec place = pixel_of(at);
     write(static_cast<std::int32_t>(place.x) + right_px, static_cast<std::int32_t>(place.y) + below_px, line, colour);
 }

@@ -20,11 +20,11 @@ inline constexpr Rgb8 kBlack{0, 0, 0}, kNight{16, 18, 28}, kGround{20, 24, 36}, 
     kSky{110, 160, 230}, kGreen{110, 220, 120}, kLeaf{90, 170, 80};
 
 /// A point where something is drawn: of a plane (x right, y up), of the world, or another of a canvas's own.
-struct Place : Vec {
-    constexpr Place(double px, double py, double pz = 0) : Vec{px, py, pz} {}
-    constexpr Place(const Vec& point) : Vec(point) {}
+struct DrawnPoint : Vec {
+    constexpr DrawnPoint(double px, double py, double pz = 0) : Vec{px, py, pz} {}
+    constexpr DrawnPoint(const Vec& point) : Vec(point) {}
     template <class Int, int Frac>
-    Place(const Vec3<Fixed<Int, Frac>>& point) : Vec(vec_of(point)) {}
+    DrawnPoint(const Vec3<Fixed<Int, Frac>>& point) : Vec(vec_of(point)) {}
 };
 
 /// The pixels that a row draws, with the row's input. Points are columns and rows with fractions, or what a derived
@@ -59,7 +59,7 @@ class Canvas : public Framebuffer {
 
     /// The column and row of a point.
     virtual Vec pixel_of(const Vec& point) const { return point; }
-    virtual void line(const Place& from, const Place& to, Rgb8 colour);
+    virtual void line(const DrawnPoint& from, const DrawnPoint& to, Rgb8 colour);
     /// Lines from at(0) to at(1) and on to at(parts).
     template <class At>
     void curve(int parts, const At& at, Rgb8 colour) {
@@ -70,26 +70,26 @@ class Canvas : public Framebuffer {
     void outline(const Points& corners, Rgb8 colour) {
         const auto count = static_cast<int>(std::size(corners));
         curve(
-            count, [&](int i) { return Place(item(corners, i % count)); }, colour);
+            count, [&](int i) { return DrawnPoint(item(corners, i % count)); }, colour);
     }
     /// An ellipse around a middle, through middle + one and middle + other.
     void ellipse(const Vec& middle, const Vec& one, const Vec& other, int parts, Rgb8 colour);
     /// Three pixels a side.
-    void dot(const Place& at, Rgb8 colour);
+    void dot(const DrawnPoint& at, Rgb8 colour);
     /// Text whose upper left corner is `right_px` right of and `below_px` below the point.
-    void label(const Place& at, std::string_view line, Rgb8 colour, std::int32_t right_px = 3,
+    void label(const DrawnPoint& at, std::string_view line, Rgb8 colour, std::int32_t right_px = 3,
                std::int32_t below_px = -4);
 
     const RowInput& input;
 };
 
 /// A picture beside the canvas.
-struct Picture : Framebuffer {
-    Picture(std::int32_t wide, std::int32_t high, std::uint8_t colour = 0)
+struct SidePicture : Framebuffer {
+    SidePicture(std::int32_t wide, std::int32_t high, std::uint8_t colour = 0)
         : Framebuffer{nullptr, wide, high, wide}, indices(pixel_count(wide, high), colour) {
         pixels = indices.data();
     }
-    Picture(const Picture&) = delete;
+    SidePicture(const SidePicture&) = delete;
 
     /// The colour at a place, 0 outside.
     std::uint8_t at(const Vec& place) const {
@@ -136,7 +136,7 @@ class PixelGrid : public Canvas {
     void show();
     Vec pixel_of(const Vec& point) const override;
 
-    Picture picture;
+    SidePicture picture;
 
   private:
     std::int32_t block_width_ = 1, block_height_ = 1;

@@ -12,16 +12,8 @@ constexpr std::array<std::string_view, 5> kSeeds{
 
 std::string escaped(std::string_view text) {
     std::string html;
-    for (const char character : text) {
-        if (character == '&')
-            html += "&amp;";
-        else if (character == '<')
-            html += "&lt;";
-        else if (character == '"')
-            html += "&quot;";
-        else
-            html += character;
-    }
+    for (const char letter : text)
+        html += letter == '&' ? "&amp;" : letter == '<' ? "&lt;" : letter == '"' ? "&quot;" : std::string(1, letter);
     return html;
 }
 

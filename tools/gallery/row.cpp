@@ -56,7 +56,7 @@ Row with_text(const std::vector<std::string_view>& lines, std::map<std::string_v
 Figure::Figure(std::string what, std::string expects, std::string finds, bool agree)
     : name(std::move(what)), expected(std::move(expects)), found(std::move(finds)), agrees(agree) {}
 
-Figure::Figure(std::string what, Number expects, Number finds, Number tolerance, int decimals)
+Figure::Figure(std::string what, FigureNumber expects, FigureNumber finds, FigureNumber tolerance, int decimals)
     : Figure(std::move(what), with_decimals(expects.value, decimals), with_decimals(finds.value, decimals),
              std::abs(expects.value - finds.value) <= tolerance.value) {}
 
@@ -65,11 +65,6 @@ Figure::Figure(std::string what, std::string expects, std::string finds)
 
 Figure::Figure(std::string what, std::int64_t expects, std::int64_t finds)
     : Figure(std::move(what), std::to_string(expects), std::to_string(finds)) {}
-
-Parameter choice_parameter(std::string name, std::vector<std::string> choices, std::int64_t start) {
-    const auto most = static_cast<std::int64_t>(choices.size()) - 1;
-    return {std::move(name), 0, most, 1, start, std::move(choices)};
-}
 
 std::vector<std::int64_t> start_values(const Row& row) {
     std::vector<std::int64_t> values;
@@ -129,15 +124,15 @@ Entry entry_of(double value) {
     return fixed_of<Entry>(value);
 }
 
-std::string decimal_text(Number value, const char* format) {
+std::string decimal_text(FigureNumber value, const char* format) {
     char text[64];
     std::snprintf(text, sizeof text, format, value.value);
     return text;
 }
 
-std::string decimals_text(std::initializer_list<Number> values, const char* format, const char* between) {
+std::string decimals_text(std::initializer_list<FigureNumber> values, const char* format, const char* between) {
     std::string text;
-    for (const Number value : values) text += (text.empty() ? "" : between) + decimal_text(value, format);
+    for (const FigureNumber value : values) text += (text.empty() ? "" : between) + decimal_text(value, format);
     return text;
 }
 
@@ -152,8 +147,8 @@ std::vector<Row> gallery_rows() {
     std::map<std::string_view, Row> without_text;
     for (const auto subject :
          {aspect_rows, clipping_rows, culling_rows, cyclic_overlap_rows, hidden_surface_rows, inspection_rows,
-          line_clipping_rows, line_rows, mesh_rows, projection_matrix_rows, projection_rows, shading_rows, stage_rows,
-          texture_rows, transform_rows, triangle_rows, vector_rows, view_rows, volume_step_rows})
+          line_rows, projection_matrix_rows, projection_rows, shading_rows, stage_rows, texture_rows, transform_rows,
+          triangle_rows, vector_rows, view_rows, volume_step_rows})
         for (Row& row : subject()) without_text.emplace(row.id, std::move(row));
     std::vector<Row> rows;
     std::string_view text = kRowTexts;

@@ -25,20 +25,20 @@
 namespace oblong {
 
 /// A number as a double: also the engine's.
-struct Number {
+struct FigureNumber {
     double value;
 
     template <class Value>
-    requires std::is_arithmetic_v<Value> Number(Value number) : value(static_cast<double>(number)) {}
+    requires std::is_arithmetic_v<Value> FigureNumber(Value number) : value(static_cast<double>(number)) {}
     template <class Int, int Frac>
-    Number(Fixed<Int, Frac> number) : value(number_of(number)) {}
+    FigureNumber(Fixed<Int, Frac> number) : value(number_of(number)) {}
 };
 
 /// A number in a row: the expected value, computed from the seed or by an independent method, and the value found by
 /// the engine for this picture.
 struct Figure {
     /// Two numbers that agree within `tolerance`; both are written with `decimals`.
-    Figure(std::string what, Number expects, Number finds, Number tolerance, int decimals = 3);
+    Figure(std::string what, FigureNumber expects, FigureNumber finds, FigureNumber tolerance, int decimals = 3);
     /// Two counts, or two texts, that are equal.
     Figure(std::string what, std::int64_t expects, std::int64_t finds);
     Figure(std::string what, std::string expects, std::string finds);
@@ -53,17 +53,23 @@ struct Figure {
 
 /// A number of a row that keys change; with `choices`, the index of a name.
 struct Parameter {
+    Parameter(std::string what, std::int64_t from, std::int64_t to, std::int64_t by, std::int64_t starts)
+        : name(std::move(what)), least(from), most(to), step(by), start(starts) {}
+    Parameter(std::string what, std::vector<std::string> names, std::int64_t starts = 0)
+        : Parameter(std::move(what), 0, std::ssize(names) - 1, 1, starts) {
+        choices = std::move(names);
+    }
+
     std::string name;
-    std::int64_t least = 0, most = 0, step = 1, start = 0;
-    std::vector<std::string> choices = {};
+    std::int64_t least, most, step, start;
+    std::vector<std::string> choices;
 };
-Parameter choice_parameter(std::string name, std::vector<std::string> choices, std::int64_t start = 0);
 /// A choice of the rows of a table, by their names.
 template <class Table>
 Parameter choice_of(std::string name, const Table& table, std::int64_t start = 0) {
     std::vector<std::string> choices;
     for (const auto& row : table) choices.emplace_back(row.name);
-    return choice_parameter(std::move(name), std::move(choices), start);
+    return {std::move(name), std::move(choices), start};
 }
 
 /// The data that rows draw with.
@@ -145,9 +151,9 @@ inline Vec4 homogeneous_of(const Vec& v, double w = 1) {
 }
 
 /// A number as text: "%.3f" or another format.
-std::string decimal_text(Number value, const char* format = "%.3f");
+std::string decimal_text(FigureNumber value, const char* format = "%.3f");
 /// Several of them, with `between` between them: the widest numbers do not touch.
-std::string decimals_text(std::initializer_list<Number> values, const char* format, const char* between = " ");
+std::string decimals_text(std::initializer_list<FigureNumber> values, const char* format, const char* between = " ");
 inline std::string triple_text(const Vec& v, const char* format, const char* between = " ") {
     return decimals_text({v.x, v.y, v.z}, format, between);
 }
@@ -188,9 +194,7 @@ std::vector<Row> culling_rows();
 std::vector<Row> cyclic_overlap_rows();
 std::vector<Row> hidden_surface_rows();
 std::vector<Row> inspection_rows();
-std::vector<Row> line_clipping_rows();
 std::vector<Row> line_rows();
-std::vector<Row> mesh_rows();
 std::vector<Row> projection_matrix_rows();
 std::vector<Row> projection_rows();
 std::vector<Row> shading_rows();

@@ -51,9 +51,9 @@ Sketch::Sketch(const Canvas& canvas, const Area& area, const SketchEye& from) : 
         volume_matrix(view_.projection, entry_of(kNearest), entry_of(kFarthest)) * view_matrix(view_.axes, view_.eye);
 }
 
-std::vector<ScreenVertex> Sketch::clipped(std::span<const Place> corners) const {
+std::vector<ScreenVertex> Sketch::clipped(std::span<const DrawnPoint> corners) const {
     std::vector<Vec4> polygon;
-    for (const Place& p : corners) polygon.push_back(world_to_volume_ * homogeneous(world_point(p)));
+    for (const DrawnPoint& p : corners) polygon.push_back(world_to_volume_ * homogeneous(world_point(p)));
     std::vector<ScreenVertex> screen;
     for (const Vec4& corner : clip_to_volume(polygon)) {
         const VolumeScreenPoint at = volume_to_screen(corner, width_px, height_px);
@@ -62,7 +62,7 @@ std::vector<ScreenVertex> Sketch::clipped(std::span<const Place> corners) const 
     return screen;
 }
 
-void Sketch::line(const Place& from, const Place& to, Rgb8 colour) {
+void Sketch::line(const DrawnPoint& from, const DrawnPoint& to, Rgb8 colour) {
     const std::vector<ScreenVertex> ends = clipped(std::array{from, to});
     if (ends.empty()) return;
     // Clipping returns crossings twice, once for each direction of the edge.
@@ -75,7 +75,7 @@ void Sketch::line(const Place& from, const Place& to, Rgb8 colour) {
               *this);
 }
 
-void Sketch::fill_polygon(const std::vector<Place>& corners, Rgb8 colour) {
+void Sketch::fill_polygon(const std::vector<DrawnPoint>& corners, Rgb8 colour) {
     std::vector<ScreenVertex> screen = clipped(corners);
     if (screen.size() < 3) return;
     if (doubled_area(screen) < ScreenArea{}) std::reverse(screen.begin(), screen.end());
@@ -84,7 +84,7 @@ void Sketch::fill_polygon(const std::vector<Place>& corners, Rgb8 colour) {
     fill_rows(rows, input.colour(colour), *this);
 }
 
-void Sketch::axes(const std::array<Place, 3>& ends) {
+void Sketch::axes(const std::array<DrawnPoint, 3>& ends) {
     constexpr std::array kColours{kScarlet, kLeaf, kBlue};
     for (std::size_t i = 0; i < 3; ++i) {
         line({0, 0}, ends[i], kColours[i]);
@@ -92,7 +92,7 @@ void Sketch::axes(const std::array<Place, 3>& ends) {
     }
 }
 
-void Sketch::label(const Place& at, std::string_view text, Rgb8 colour) {
+void Sketch::label(const DrawnPoint& at, std::string_view text, Rgb8 colour) {
     if (pixel_of(at) != kOutOfView) Canvas::label(at, text, colour, 3, -9);
 }
 

@@ -38,21 +38,21 @@ class Sketch : public Canvas {
     /// World to the canonical volume.
     const Matrix4& world_to_volume() const { return world_to_volume_; }
 
-    void line(const Place& from, const Place& to, Rgb8 colour) override;
+    void line(const DrawnPoint& from, const DrawnPoint& to, Rgb8 colour) override;
     template <class Points>
     void polygon(const Points& corners, Rgb8 colour) {
         fill_polygon({std::begin(corners), std::end(corners)}, colour);
     }
     /// Lines from the world's origin to the ends of three axes, x, y and z.
-    void axes(const std::array<Place, 3>& ends);
+    void axes(const std::array<DrawnPoint, 3>& ends);
     /// A line of text beside a point, if that is in view.
-    void label(const Place& at, std::string_view text, Rgb8 colour);
+    void label(const DrawnPoint& at, std::string_view text, Rgb8 colour);
     /// A point's position in the area, in pixels; (-1, -1) outside of the view.
     Vec pixel_of(const Vec& point) const override;
 
   private:
-    std::vector<ScreenVertex> clipped(std::span<const Place> corners) const;
-    void fill_polygon(const std::vector<Place>& corners, Rgb8 colour);
+    std::vector<ScreenVertex> clipped(std::span<const DrawnPoint> corners) const;
+    void fill_polygon(const std::vector<DrawnPoint>& corners, Rgb8 colour);
 
     ViewContext view_;
     Matrix4 world_to_volume_;

@@ -82,7 +82,7 @@ Figures draw_field_of_view(const RowInput& input, Canvas& canvas) {
     const auto divisor = static_cast<std::int32_t>(input.values[1]);
     const ScreenMode mode{std::max(input.mode.width_px / divisor, 40), std::max(input.mode.height_px / divisor, 25),
                           input.mode.display};
-    const Picture picture(mode.width_px, mode.height_px);
+    const SidePicture picture(mode.width_px, mode.height_px);
     DemoFrame(input, mode).draw(camera_at(0, -368, 70, 90, -4, expected.degrees), picture);
     canvas.enlarge(picture);
     const Projection at_320 = make_projection({320, 200, {4, 3}}, Degrees::from_int(expected.degrees));
@@ -217,9 +217,7 @@ std::vector<Row> aspect_rows() {
             {"field-of-view",
              draw_field_of_view,
              {choice_of("field of view", kViews, 1), {"pixels divided by", 1, 8, 1, 1}}},
-            {"two-multipliers",
-             draw_two_multipliers,
-             {choice_parameter("pixels are", {"as on the display", "taken for square"})}},
+            {"two-multipliers", draw_two_multipliers, {{"pixels are", {"as on the display", "taken for square"}}}},
             {"dot-product-steps", draw_seven_steps, {{"degrees from i to j", 60, 120, 10, 90}}}};
 }
 

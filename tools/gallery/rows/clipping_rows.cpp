@@ -278,15 +278,15 @@ Figures draw_triangulations(const RowInput& input, Canvas& canvas) {
 }  // namespace
 
 std::vector<Row> clipping_rows() {
-    return {{"view-volume",
-             draw_view_volume,
-             {choice_parameter("projection", {"perspective", "parallel", "oblique parallel"}),
-              {"triangle moved by, units", -4, 8, 1, 1}}},
-            {"two-lists", draw_two_lists, {{"plane, quarters of a unit", -3, 3, 1, 0}}},
-            {"triangulate",
-             draw_triangulations,
-             {choice_parameter("by", {"a fan from one corner", "a point in the middle", "diagonals"}, 2),
-              choice_parameter("polygon", {"convex", "concave"}, 1)}}};
+    return {
+        {"view-volume",
+         draw_view_volume,
+         {{"projection", {"perspective", "parallel", "oblique parallel"}}, {"triangle moved by, units", -4, 8, 1, 1}}},
+        {"two-lists", draw_two_lists, {{"plane, quarters of a unit", -3, 3, 1, 0}}},
+        {"triangulate",
+         draw_triangulations,
+         {{"by", {"a fan from one corner", "a point in the middle", "diagonals"}, 2},
+          {"polygon", {"convex", "concave"}, 1}}}};
 }
 
 }  // namespace oblong

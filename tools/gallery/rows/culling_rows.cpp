@@ -96,9 +96,9 @@ Figures draw_culling(const RowInput& input, Canvas& canvas) {
 std::vector<Row> culling_rows() {
     return {{"culling",
              draw_culling,
-             {choice_parameter(
-                  "drawn by",
-                  {"dot product in object space", "normal's z in viewspace", "z of a cross product on the screen"}, 1),
+             {{"drawn by",
+               {"dot product in object space", "normal's z in viewspace", "z of a cross product on the screen"},
+               1},
               {"field of view, degrees", 30, 110, 10, 90}}}};
 }
 

@@ -208,11 +208,11 @@ Figures draw_cycle(const RowInput& input, Canvas& canvas) {
 }  // namespace
 
 std::vector<Row> cyclic_overlap_rows() {
-    return {{"cyclic-overlap",
-             draw_cycle,
-             {choice_parameter("method", {"painter by farthest z", "painter by mean z", "painter by the tree",
-                                          "z-buffer", "ray casting"}),
-              {"rise of a plank, units", 20, 100, 10, 60}}}};
+    return {
+        {"cyclic-overlap",
+         draw_cycle,
+         {{"method", {"painter by farthest z", "painter by mean z", "painter by the tree", "z-buffer", "ray casting"}},
+          {"rise of a plank, units", 20, 100, 10, 60}}}};
 }
 
 }  // namespace oblong

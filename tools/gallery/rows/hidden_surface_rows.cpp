@@ -33,7 +33,7 @@ class MethodFrame {
         return {std::move(name), decimal_text(static_cast<double>(count) / pixels, "%.2f")};
     }
 
-    Picture picture;
+    SidePicture picture;
     HiddenSurfaceMethod by;
     FrameCounts counted;
 
@@ -252,10 +252,11 @@ Figures draw_rays(const RowInput& input, Canvas& canvas) {
 std::vector<Row> hidden_surface_rows() {
     return {{"hidden-surfaces",
              draw_hidden_surface_methods,
-             {choice_parameter("method", {kHiddenSurfaceNames.begin(), kHiddenSurfaceNames.end()},
-                               static_cast<std::int64_t>(HiddenSurfaces::PainterSorted)),
-              choice_parameter("differences", {"not marked", "marked"}, 1)}},
-            {"overdraw", draw_overdraw, {choice_parameter("method", {"painter", "span buffer"})}},
+             {{"method",
+               {kHiddenSurfaceNames.begin(), kHiddenSurfaceNames.end()},
+               static_cast<std::int64_t>(HiddenSurfaces::PainterSorted)},
+              {"differences", {"not marked", "marked"}, 1}}},
+            {"overdraw", draw_overdraw, {{"method", {"painter", "span buffer"}}}},
             {"z-buffer", draw_depth, {{"fraction bits of 1/z", 12, 44, 1, 44}}},
             {"tree-order", draw_tree_order, {{"sixteenths of the faces painted", 1, 16, 1, 16}}},
             {"ray-casting", draw_rays, {{"a ray every ... pixels", 2, 20, 1, 2}}}};

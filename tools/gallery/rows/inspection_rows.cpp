@@ -151,7 +151,7 @@ Figures draw_memory(const RowInput& input, Canvas& canvas) {
 std::vector<Row> inspection_rows() {
     std::vector<std::string> channels(kLogChannelNames.begin(), kLogChannelNames.end());
     return {{"picking", draw_picking, {{"yaw, degrees", 0, 350, 10, 90}, {"pitch, degrees", -30, 30, 5, 0}}},
-            {"log", draw_log, {choice_parameter("kind", channels, 3)}},
+            {"log", draw_log, {{"kind", channels, 3}}},
             {"memory", draw_memory, {{"yaw, degrees", 0, 270, 90, 90}}}};
 }
 

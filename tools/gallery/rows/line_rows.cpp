@@ -62,7 +62,7 @@ double distance_to(const NamedLine& line, double x, double y) {
 }
 
 LineError error_of(LineMethod method, const NamedLine& line) {
-    const Picture picture(kGridColumns, kGridRows);
+    const SidePicture picture(kGridColumns, kGridRows);
     draw_line(line.from, line.to, {method, 1}, picture);
     LineError error;
     for (std::int32_t y = 0; y < kGridRows; ++y)
@@ -127,15 +127,7 @@ Figures draw_lines_row(const RowInput& input, Canvas& canvas) {
             {"naive: farthest pixel, rms", text(naive)}};
 }
 
-}  // namespace
-
-std::vector<Row> line_rows() {
-    return {{"lines", draw_lines_row, {choice_of("line", kLines)}}};
-}
-
 // Seed 2 (the lab): lines clipped in the view volume, before projection loses the depth.
-
-namespace {
 
 constexpr double kFront = 2, kBack = 13, kFieldOfView = 80;
 
@@ -223,10 +215,11 @@ Figures draw_clipped_lines(const RowInput& input, Canvas& canvas) {
 
 }  // namespace
 
-std::vector<Row> line_clipping_rows() {
-    return {{"lines-clipped",
+std::vector<Row> line_rows() {
+    return {{"lines", draw_lines_row, {choice_of("line", kLines)}},
+            {"lines-clipped",
              draw_clipped_lines,
-             {choice_parameter("method", {"Cohen-Sutherland", "Liang-Barsky"}, 1), {"lines", 1, 60, 1, 24}}}};
+             {{"method", {"Cohen-Sutherland", "Liang-Barsky"}, 1}, {"lines", 1, 60, 1, 24}}}};
 }
 
 }  // namespace oblong

@@ -177,17 +177,14 @@ Figures draw_opengl_quad(const RowInput& input, Canvas& canvas) {
 }  // namespace
 
 std::vector<Row> projection_matrix_rows() {
-    return {
-        {"homogeneous",
-         draw_homogeneous,
-         {choice_parameter("axes", {"z ahead, D > 0", "looking down -z, D < 0", "looking down -z, D > 0 as listed"}),
-          {"distance of the viewplane", 1, 4, 1, 2}}},
-        {"projection-matrix",
-         draw_projection_matrix,
-         {choice_parameter("matrix", {"corrected", "as listed"}),
-          {"near, tenths", 1, 20, 1, 5},
-          {"far", 5, 100, 5, 10}}},
-        {"opengl-quad", draw_opengl_quad, {{"seen from, degrees", -60, 60, 10, 30}}}};
+    return {{"homogeneous",
+             draw_homogeneous,
+             {{"axes", {"z ahead, D > 0", "looking down -z, D < 0", "looking down -z, D > 0 as listed"}},
+              {"distance of the viewplane", 1, 4, 1, 2}}},
+            {"projection-matrix",
+             draw_projection_matrix,
+             {{"matrix", {"corrected", "as listed"}}, {"near, tenths", 1, 20, 1, 5}, {"far", 5, 100, 5, 10}}},
+            {"opengl-quad", draw_opengl_quad, {{"seen from, degrees", -60, 60, 10, 30}}}};
 }
 
 }  // namespace oblong

@@ -151,18 +151,16 @@ Figures draw_vanishing_points(const RowInput& input, Canvas& canvas) {
 }  // namespace
 
 std::vector<Row> projection_rows() {
-    return {{"orthographic", draw_orthographic, {choice_parameter("view", {"front", "top", "side"})}},
+    return {{"orthographic", draw_orthographic, {{"view", {"front", "top", "side"}}}},
             {"axonometric",
              draw_axonometric,
-             {choice_parameter("view", {"isometric", "dimetric", "trimetric"}), {"quarters turned", 0, 3, 1, 0}}},
-            {"oblique", draw_oblique, {choice_parameter("view", {"cavalier", "cabinet"}), {"angle", 0, 90, 15, 45}}},
+             {{"view", {"isometric", "dimetric", "trimetric"}}, {"quarters turned", 0, 3, 1, 0}}},
+            {"oblique", draw_oblique, {{"view", {"cavalier", "cabinet"}}, {"angle", 0, 90, 15, 45}}},
             {"level-from-outside",
              draw_level_from_outside,
-             {choice_parameter("view", {"isometric", "dimetric", "trimetric", "cavalier plan", "cabinet plan"}),
+             {{"view", {"isometric", "dimetric", "trimetric", "cavalier plan", "cabinet plan"}},
               {"cut off above", 0, 640, 80, 80}}},
-            {"vanishing-points",
-             draw_vanishing_points,
-             {choice_parameter("vanishing points", {"one", "two", "three"}, 1)}}};
+            {"vanishing-points", draw_vanishing_points, {{"vanishing points", {"one", "two", "three"}, 1}}}};
 }
 
 }  // namespace oblong

@@ -13,7 +13,7 @@ namespace {
 const double kLevel = 2 / std::sqrt(5.0), kDown = 1 / std::sqrt(5.0);
 
 /// The world point with these viewspace coordinates.
-Place point_before_eye(double right, double up, double ahead) {
+DrawnPoint point_before_eye(double right, double up, double ahead) {
     return {ahead * kLevel + up * kDown, -right, up * kLevel - ahead * kDown};
 }
 
@@ -41,7 +41,7 @@ void draw_view(Sketch& sketch) {
     const std::array far{point_before_eye(-across, up, 7), point_before_eye(across, up, 7),
                          point_before_eye(across, -up, 7), point_before_eye(-across, -up, 7)};
     sketch.outline(far, kDim);
-    for (const Place& corner : far) sketch.line({0, 0}, corner, kDim);
+    for (const DrawnPoint& corner : far) sketch.line({0, 0}, corner, kDim);
     sketch.label({0, 0}, "eye", kWhite);
 }
 
@@ -210,11 +210,10 @@ Figures draw_stages(const RowInput& input, Canvas& canvas) {
 }  // namespace
 
 std::vector<Row> stage_rows() {
-    return {{"pipeline",
-             draw_stages,
-             {choice_parameter("stage", kStageNames),
-              {"yaw, degrees", 0, 85, 5, 60},
-              {"to the left, quarters of a unit", -10, 10, 1, 7}}}};
+    return {
+        {"pipeline",
+         draw_stages,
+         {{"stage", kStageNames}, {"yaw, degrees", 0, 85, 5, 60}, {"to the left, quarters of a unit", -10, 10, 1, 7}}}};
 }
 
 }  // namespace oblong

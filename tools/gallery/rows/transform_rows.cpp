@@ -33,7 +33,7 @@ Vec3<World> cube_corner(int number) {
     return world_point(x, z, y);
 }
 
-const std::array<Place, 3> kAxisEnds{{{4, 0, 0}, {0, 4, 0}, {0, 0, 3}}};
+const std::array<DrawnPoint, 3> kAxisEnds{{{4, 0, 0}, {0, 4, 0}, {0, 0, 3}}};
 
 void draw_cube(Sketch& sketch, const Matrix4& model, Rgb8 colour) {
     const Cube cube{{-1, -1, -1}, 2};
@@ -157,16 +157,15 @@ Figures draw_left_handed_cube(const RowInput& input, Canvas& canvas) {
 }  // namespace
 
 std::vector<Row> transform_rows() {
-    return {
-        {"model-to-world",
-         draw_model_to_world,
-         {choice_parameter("after", {"scale", "rotation", "translation"}, 2), {"yaw, degrees", 0, 345, 15, 30}}},
-        {"rotations",
-         draw_rotations,
-         {{"yaw, degrees", 15, 345, 15, 30}, {"pitch, degrees", 0, 75, 15, 30}, {"roll, degrees", 0, 345, 15, 45}}},
-        {"left-handed-cube",
-         draw_left_handed_cube,
-         {choice_parameter("eighth triangle", {"as listed", "corrected"}, 1), {"seen from, degrees", 0, 350, 10, 60}}}};
+    return {{"model-to-world",
+             draw_model_to_world,
+             {{"after", {"scale", "rotation", "translation"}, 2}, {"yaw, degrees", 0, 345, 15, 30}}},
+            {"rotations",
+             draw_rotations,
+             {{"yaw, degrees", 15, 345, 15, 30}, {"pitch, degrees", 0, 75, 15, 30}, {"roll, degrees", 0, 345, 15, 45}}},
+            {"left-handed-cube",
+             draw_left_handed_cube,
+             {{"eighth triangle", {"as listed", "corrected"}, 1}, {"seen from, degrees", 0, 350, 10, 60}}}};
 }
 
 }  // namespace oblong

@@ -4,34 +4,11 @@
 #include <system_error>
 #include <thread>
 
-#include "engine/methods/triangles.h"
-#include "tools/gallery/canvas.h"
+#include "tools/gallery/filled_triangle.h"
 
 namespace oblong {
 
 namespace {
-
-ScreenVertex vertex_at(const Vec& at) {
-    return {fixed_of<Screen>(at.x), fixed_of<Screen>(at.y)};
-}
-
-ScreenTriangle triangle_of(const Vec& a, const Vec& b, const Vec& c) {
-    return {vertex_at(a), vertex_at(b), vertex_at(c)};
-}
-
-/// The spans of a triangle in a canvas, by edge functions.
-std::vector<Span> spans_in(const ScreenTriangle& triangle, Framebuffer canvas) {
-    std::vector<Span> spans;
-    TriangleScanner(TriangleMethod::EdgeFunctions, {0, canvas.width_px, 0, canvas.height_px}).scan(triangle, spans);
-    return spans;
-}
-
-/// Each pixel of a triangle has the colour that colour_at(column, row) gives.
-template <class ColourAt>
-void fill_triangle(const ScreenTriangle& triangle, Framebuffer canvas, const ColourAt& colour_at) {
-    for (const Span& span : spans_in(triangle, canvas))
-        for (std::int32_t x = span.first; x < span.end; ++x) canvas.row(span.y)[x] = colour_at(x, span.y);
-}
 
 struct ColouredTriangle {
     ScreenTriangle corners;
@@ -95,7 +72,7 @@ Figures draw_triangle_methods(const RowInput& input, Canvas& canvas) {
     constexpr std::array<int, 3> kThreads{1, 2, 4};
     const auto triangles = random_triangles(input.values[2], input, canvas);
     const auto picture = [&](std::int64_t method, int threads) {
-        Picture drawn(canvas.width_px, canvas.height_px, input.colour(kGround));
+        SidePicture drawn(canvas.width_px, canvas.height_px, input.colour(kGround));
         draw_by_threads(triangles, static_cast<TriangleMethod>(method), threads, drawn);
         return std::move(drawn.indices);
     };
@@ -128,7 +105,7 @@ Figures draw_top_left_rule(const RowInput& input, Canvas& canvas) {
     PixelGrid grid(canvas, {0, kHeader_px, canvas.width_px, canvas.height_px - kHeader_px - kFooter_px}, kColumns,
                    kRows, {36, 42, 58});
     const std::array<Vec, 4> corners{{{1.5, 1.5}, {input.number(0) / 2, 1.5}, {13.5, input.number(1) / 2}, {3.5, 7.5}}};
-    Picture owners(kColumns, kRows);
+    SidePicture owners(kColumns, kRows);
     const auto cover = [&](const ScreenTriangle& triangle, Rgb8 colour, std::uint8_t owner) {
         fill_spans(spans_in(triangle, grid.picture), input.colour(colour), grid.picture);
         fill_triangle(triangle, owners, [&](std::int32_t x, std::int32_t y) {
@@ -240,78 +217,6 @@ Figures draw_barycentric(const RowInput& input, Canvas& canvas) {
     return figures;
 }
 
-/// A floor tile as two triangles: near side at depth 1, far side at depth `far`.
-struct Tile {
-    std::array<Vec, 4> corners;  ///< on the canvas: near left, near right, far right, far left
-    double far_depth;
-};
-constexpr std::array<Vec, 4> kTexels{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
-
-/// Both coordinates at a pixel: interpolated directly, or as u/z, v/z and divided by 1/z.
-class TileTexture {
-  public:
-    TileTexture(const Tile& tile, const std::array<int, 3>& corners, bool is_perspective) {
-        std::array<CornerQuantity, 3> u, v, inverse_z;
-        for (int i = 0; i < 3; ++i) {
-            const int corner = item(corners, i);
-            item(triangle, i) = vertex_at(item(tile.corners, corner));
-            const double over = is_perspective && corner >= 2 ? 1 / tile.far_depth : 1;
-            item(u, i) = fixed_of<CornerQuantity>(item(kTexels, corner).x * over);
-            item(v, i) = fixed_of<CornerQuantity>(item(kTexels, corner).y * over);
-            item(inverse_z, i) = fixed_of<CornerQuantity>(over);
-        }
-        u_ = quantity_over(triangle, u);
-        v_ = quantity_over(triangle, v);
-        inverse_z_ = quantity_over(triangle, inverse_z);
-    }
-    Vec at_pixel(std::int32_t x, std::int32_t y) const {
-        const auto over_z = [&](const auto& linear) { return number_of(linear.at(x, y)); };
-        return {over_z(u_) / over_z(inverse_z_), over_z(v_) / over_z(inverse_z_)};
-    }
-
-    ScreenTriangle triangle;
-
-  private:
-    LinearQuantity<CornerQuantity> u_, v_, inverse_z_;
-};
-
-constexpr std::array<std::array<int, 3>, 2> kHalves{{{0, 3, 2}, {0, 2, 1}}};
-
-void draw_tile(const Tile& tile, bool is_perspective, Canvas& canvas) {
-    const std::array colours{canvas.input.colour({196, 176, 136}), canvas.input.colour({72, 56, 48})};
-    for (const auto& half : kHalves) {
-        const TileTexture texture(tile, half, is_perspective);
-        fill_triangle(texture.triangle, canvas, [&](std::int32_t x, std::int32_t y) {
-            const Vec texel = texture.at_pixel(x, y);
-            return item(colours,
-                        (static_cast<int>(std::floor(texel.x * 8)) + static_cast<int>(std::floor(texel.y * 8))) & 1);
-        });
-    }
-}
-
-/// The texel half way up the left side of the screen, between depth 1 and `far`: v is 0 to 1 along it.
-double middle_of_side(double far_depth, bool is_perspective) {
-    const Tile tile{{{{0.5, 64.5}, {40.5, 64.5}, {30.5, 0.5}, {0.5, 0.5}}}, far_depth};
-    return TileTexture(tile, kHalves[0], is_perspective).at_pixel(0, 32).y;
-}
-
-Figures draw_perspective(const RowInput& input, Canvas& canvas) {
-    const double far_depth = input.number(0), half = canvas.width_px / 2.0, near_y = canvas.height_px - kFooter_px - 4,
-                 horizon = kHeader_px + 6, far_y = horizon + (near_y - horizon) / far_depth;
-    canvas.fill(kNight);
-    for (const bool is_perspective : {false, true}) {
-        const double middle = half * (is_perspective ? 1.5 : 0.5), across = half * 0.47, far = across / far_depth;
-        draw_tile(
-            {{{{middle - across, near_y}, {middle + across, near_y}, {middle + far, far_y}, {middle - far, far_y}}},
-             far_depth},
-            is_perspective, canvas);
-        canvas.write(static_cast<std::int32_t>(middle - half / 2) + kTextMargin_px, kHeader_px + 2,
-                     is_perspective ? "u/z, v/z, 1/z" : "u, v");
-    }
-    return {{"u half way along an edge, by u/z and 1/z", 1 / (1 + far_depth), middle_of_side(far_depth, true), 1e-6},
-            {"u half way along an edge, by u itself", 0.5, middle_of_side(far_depth, false), 1e-6}};
-}
-
 }  // namespace
 
 std::vector<Row> triangle_rows() {
@@ -319,14 +224,11 @@ std::vector<Row> triangle_rows() {
     for (int i = 0; i < kTriangleMethodCount; ++i) methods.push_back(name_of(static_cast<TriangleMethod>(i)));
     return {{"triangles",
              draw_triangle_methods,
-             {choice_parameter("method", methods, 2),
-              choice_parameter("threads", {"1", "2", "4"}, 2),
-              {"seed", 1, 99, 1, 7}}},
+             {{"method", methods, 2}, {"threads", {"1", "2", "4"}, 2}, {"seed", 1, 99, 1, 7}}},
             {"top-left-rule",
              draw_top_left_rule,
              {{"top corner, half columns", 13, 27, 1, 23}, {"right corner, half rows", 4, 16, 1, 11}}},
-            {"barycentric", draw_barycentric, {choice_of("P", kPlaces)}},
-            {"perspective-correct", draw_perspective, {{"far depth", 2, 9, 1, 3}}}};
+            {"barycentric", draw_barycentric, {choice_of("P", kPlaces)}}};
 }
 
 }  // namespace oblong

@@ -232,7 +232,7 @@ std::vector<Row> vector_rows() {
     return {{"dot-product", draw_dot_product, {angle}},
             {"orthonormal-axes",
              draw_orthonormal,
-             {{"angle between the axes", 30, 150, 10, 50}, choice_parameter("axes", {"as given", "made orthonormal"})}},
+             {{"angle between the axes", 30, 150, 10, 50}, {"axes", {"as given", "made orthonormal"}}}},
             {"lighting-by-dot-product", draw_lighting, {{"angle of the light, degrees", -90, 90, 15, 45}}},
             {"cross-product", draw_cross_product, {{"angle from U to V, degrees", 15, 165, 15, 90}}},
             {"rotation-by-projection", draw_rotation, {{"angle of the new axes, degrees", 0, 345, 15, 30}}},

@@ -252,19 +252,18 @@ Figures draw_view_matrix(const RowInput& input, Canvas& canvas) {
 }  // namespace
 
 std::vector<Row> view_rows() {
-    return {
-        {"view-window", draw_lab_cube, {choice_of("view", kLabViews), {"window moved, tenths", -5, 5, 1, 0}}},
-        {"front-plane", draw_front_plane, {{"height", -50, 400, 50, 50}}},
-        {"zoom-dolly",
-         draw_dolly_zoom,
-         {choice_parameter("field of view", {"20 degrees", "40 degrees", "60 degrees", "90 degrees"}, 1),
-          choice_parameter("the eye", {"moves against it", "stays"})}},
-        {"cameras", draw_cameras, {choice_parameter("camera", {"look-at", "first-person"}), {"yaw", 0, 345, 15, 60}}},
-        {"camera-matrix",
-         draw_view_matrix,
-         {choice_parameter("matrices", {"a camera's and its inverse", "look-at times translate"}),
-          {"yaw", 0, 345, 15, 30},
-          {"pitch", -60, 60, 10, 10}}}};
+    return {{"view-window", draw_lab_cube, {choice_of("view", kLabViews), {"window moved, tenths", -5, 5, 1, 0}}},
+            {"front-plane", draw_front_plane, {{"height", -50, 400, 50, 50}}},
+            {"zoom-dolly",
+             draw_dolly_zoom,
+             {{"field of view", {"20 degrees", "40 degrees", "60 degrees", "90 degrees"}, 1},
+              {"the eye", {"moves against it", "stays"}}}},
+            {"cameras", draw_cameras, {{"camera", {"look-at", "first-person"}}, {"yaw", 0, 345, 15, 60}}},
+            {"camera-matrix",
+             draw_view_matrix,
+             {{"matrices", {"a camera's and its inverse", "look-at times translate"}},
+              {"yaw", 0, 345, 15, 30},
+              {"pitch", -60, 60, 10, 10}}}};
 }
 
 }  // namespace oblong

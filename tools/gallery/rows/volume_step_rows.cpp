@@ -128,7 +128,7 @@ Figures draw_volume_steps(const RowInput& input, Canvas& canvas) {
 std::vector<Row> volume_step_rows() {
     return {{"volume-steps",
              draw_volume_steps,
-             {choice_parameter("step", {kSteps.begin(), kSteps.end()}), {"VPN turned, degrees", -30, 30, 10, 20}}}};
+             {{"step", {kSteps.begin(), kSteps.end()}}, {"VPN turned, degrees", -30, 30, 10, 20}}}};
 }
 
 }  // namespace oblong
