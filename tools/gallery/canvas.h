@@ -112,6 +112,12 @@ class Diagram : public Canvas {
     Diagram(const Canvas& canvas, Vec centre, double units_high);
 
     void arrow(const Vec& from, const Vec& to, Rgb8 colour);
+    /// With a label at its point.
+    void arrow(const Vec& from, const Vec& to, Rgb8 colour, std::string_view name, std::int32_t right_px,
+               std::int32_t below_px) {
+        arrow(from, to, colour);
+        label(to, name, colour, right_px, below_px);
+    }
     void circle(const Vec& centre, double radius, Rgb8 colour) {
         ellipse(centre, {radius, 0}, {0, radius}, 96, colour);
     }

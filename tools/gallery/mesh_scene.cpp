@@ -1,16 +1,17 @@
 #include "tools/gallery/mesh_scene.h"
 
+#include "engine/view/views.h"
+
 namespace oblong {
 
 namespace {
 
 ViewContext make_scene_view(const RowInput& input, int field_of_view) {
-    ViewContext view;
-    view.axes = view_basis({}, {}, {});
-    view.projection = make_projection(input.mode, Degrees::from_int(field_of_view), input.settings.correct_aspect);
-    view.frustum = make_frustum(view.axes, view.projection);
-    view.grid = SubpixelGrid::of_bits(input.settings.accuracy.subpixel_bits);
-    return view;
+    Camera camera;
+    camera.field_of_view = Degrees::from_int(field_of_view);
+    return make_view_context(
+        first_person_view(camera), input.mode,
+        {.subpixel_bits = input.settings.accuracy.subpixel_bits, .corrects_aspect = input.settings.correct_aspect});
 }
 
 }  // namespace

@@ -24,6 +24,15 @@ class MeshScene {
     MeshScratch scratch_;
 };
 
+/// A mesh at a place.
+inline PlacedMesh placed_mesh(const Mesh& mesh, const Vec& position, Shading shading) {
+    PlacedMesh placed;
+    placed.mesh = &mesh;
+    placed.position = world_point(position);
+    placed.shading = shading;
+    return placed;
+}
+
 /// The nearest of the palette's colours that light changes.
 std::uint8_t lit_colour(const GalleryAssets& assets, Rgb8 colour);
 

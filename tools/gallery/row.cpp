@@ -87,6 +87,7 @@ std::string figure_text(const Figure& figure) {
 
 Figures draw_row(const Row& row, const RowInput& input, std::size_t chosen, Framebuffer pixels) {
     Canvas canvas(input, pixels);
+    canvas.fill(kGround);
     Figures figures = row.draw(input, canvas);
     const TextColours colours = input.assets.text;
     fill_area(canvas, {0, 0, canvas.width_px, kHeader_px}, colours.dark);
@@ -145,10 +146,9 @@ std::vector<std::string> matrix_lines(std::string title, const Matrix4& matrix, 
 
 std::vector<Row> gallery_rows() {
     std::map<std::string_view, Row> without_text;
-    for (const auto subject :
-         {aspect_rows, clipping_rows, culling_rows, cyclic_overlap_rows, hidden_surface_rows, inspection_rows,
-          line_rows, projection_matrix_rows, projection_rows, shading_rows, stage_rows, texture_rows, transform_rows,
-          triangle_rows, vector_rows, view_rows, volume_step_rows})
+    for (const auto subject : {aspect_rows, clipping_rows, cyclic_overlap_rows, hidden_surface_rows, inspection_rows,
+                               line_rows, projection_matrix_rows, projection_rows, shading_rows, stage_rows,
+                               texture_rows, transform_rows, triangle_rows, vector_rows, view_rows, volume_step_rows})
         for (Row& row : subject()) without_text.emplace(row.id, std::move(row));
     std::vector<Row> rows;
     std::string_view text = kRowTexts;

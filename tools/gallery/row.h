@@ -104,8 +104,8 @@ using Figures = std::vector<Figure>;
 
 class Canvas;
 
-/// A subject that the seeds name, with its scene. `draw` fills the whole canvas (of the mode's size); the gallery then
-/// writes the name over the top kHeader_px rows and figures over the lowest kFooter_px.
+/// A subject that the seeds name, with its scene. `draw` gets a canvas of the mode's size and of one colour; the
+/// gallery then writes the name over the top kHeader_px rows and figures over the lowest kFooter_px.
 struct Row {
     std::string_view id;  ///< of its files: "lines-bresenham"
     Figures (*draw)(const RowInput& input, Canvas& canvas);
@@ -158,15 +158,13 @@ inline std::string triple_text(const Vec& v, const char* format, const char* bet
     return decimals_text({v.x, v.y, v.z}, format, between);
 }
 /// A row of a matrix; the last column moves points and may need more room.
-inline std::string row_text(const std::array<Entry, 4>& row, const char* format, const char* last_format) {
-    return decimals_text({row[0], row[1], row[2]}, format) + " " + decimal_text(row[3], last_format);
-}
-inline std::string row_text(const std::array<Entry, 4>& row, const char* format) {
-    return row_text(row, format, format);
+inline std::string row_text(const std::array<Entry, 4>& row, const char* format, const char* last_format = nullptr) {
+    return decimals_text({row[0], row[1], row[2]}, format) + " " +
+           decimal_text(row[3], last_format ? last_format : format);
 }
 /// A matrix below its title.
 std::vector<std::string> matrix_lines(std::string title, const Matrix4& matrix, const char* format,
-                                      const char* last_format);
+                                      const char* last_format = nullptr);
 
 /// The number of different elements of two lists of equal length.
 template <class Element>
@@ -190,7 +188,6 @@ std::vector<Row> gallery_rows();
 // The rows of each subject, without texts, from one file each in tools/gallery/rows/.
 std::vector<Row> aspect_rows();
 std::vector<Row> clipping_rows();
-std::vector<Row> culling_rows();
 std::vector<Row> cyclic_overlap_rows();
 std::vector<Row> hidden_surface_rows();
 std::vector<Row> inspection_rows();

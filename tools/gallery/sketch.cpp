@@ -115,9 +115,7 @@ double across(const Vec& from, const Vec& to, const ViewContext& view) {
 WireScene::WireScene(const Canvas& canvas, const ViewSpec& spec)
     : Canvas(canvas),
       rows_(canvas.height_px),
-      view_(make_view_context(spec, input.mode, {30, View::kFractionBits, 8, input.settings.correct_aspect})) {
-    fill(kGround);
-}
+      view_(make_view_context(spec, input.mode, {30, View::kFractionBits, 8, input.settings.correct_aspect})) {}
 
 bool WireScene::polygon(std::span<const Vec> corners, Rgb8 colour) {
     std::vector<Vec3<World>> world;
@@ -153,6 +151,19 @@ void WireScene::axes(const Vec& origin, double length) {
         line(origin, end, kColours[axis]);
         label(end, kAxisNames[axis], kBright, 2);
     }
+}
+
+WindowView lab_window(double distance, double size, double moved) {
+    WindowView window;
+    window.reference_point = world_point(0.5, 0.5, -2);
+    window.normal = world_point(0, 0, -1);
+    window.up = world_point(0, 1, 0);
+    window.centre_of_projection = world_point(0.5, 0.5, -2 - distance);
+    const Vec3<World> low = world_point(moved - size / 2, -size / 2, 0),
+                      high = world_point(moved + size / 2, size / 2, 0);
+    window.u_min = low.x, window.v_min = low.y;
+    window.u_max = high.x, window.v_max = high.y;
+    return window;
 }
 
 Vec3<World> middle_of_demo_level() {

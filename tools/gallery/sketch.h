@@ -73,6 +73,10 @@ struct Cube {
     }
 };
 
+/// The lab's window of `size` in a plane at (0.5, 0.5, -2), with a COP `distance` before it, moved by `moved`; its cube
+/// has its low corner at 0 and sides of 1.
+WindowView lab_window(double distance, double size, double moved = 0);
+
 /// Draws a cube's twelve edges; place_of(number) is where a corner is.
 template <class PlaceOf>
 void draw_edges(Canvas& canvas, const PlaceOf& place_of, Rgb8 colour) {
@@ -84,7 +88,6 @@ void draw_edges(Canvas& canvas, const PlaceOf& place_of, Rgb8 colour) {
 /// Lines and polygons of the world as the engine projects them in any view.
 class WireScene : public Canvas {
   public:
-    /// Fills the canvas with the background.
     WireScene(const Canvas& canvas, const ViewSpec& spec);
 
     const ViewContext& view() const { return view_; }

@@ -29,7 +29,6 @@ Figures draw_pixel_aspect(const RowInput& input, Canvas& canvas) {
     const NamedMode& named = item(kModes, input.values[0]);
     const double wide = number_of(named.mode.display), shape = number_of(named.mode.pixel());
     Diagram diagram(canvas, {0, 0}, 1.12);
-    diagram.fill(kGround);
     constexpr int kRows = 15;
     const double high = 1.0 / kRows, across = high * shape;
     const int columns = static_cast<int>(wide / across / 2) + 1;
@@ -166,7 +165,6 @@ void draw_nine_terms(const Vec& u, const Vec& v, const Dots& dots, Canvas& canva
 
 /// The seed's seven equations, each with both sides' values; their consequence, and its cost.
 Figures draw_seven_steps(const RowInput& input, Canvas& canvas) {
-    canvas.fill(kGround);
     const Vec u{1, 2, 3}, v{4, -5, 6}, w{2, 1, -1};
     const Dots dots = dots_of_axes(input.angle(0));
     const auto product = [&](const Vec& a, const Vec& b) { return dot_by_nine_terms(a, b, dots); };

@@ -168,7 +168,6 @@ void draw_volume(const ShownView& shown, Sketch& sketch) {
 }
 
 Figures draw_view_volume(const RowInput& input, Canvas& canvas) {
-    canvas.fill(kGround);
     const ShownView shown = make_shown_view(static_cast<VolumeKind>(input.values[0]));
     const auto move = input.number(1);
     const std::array<Vec, 3> triangle{{{2 + move, 5, -2}, {9 + move, -8, 1}, {10 + move, 4, 7}}};
@@ -218,7 +217,6 @@ Figures draw_two_lists(const RowInput& input, Canvas& canvas) {
     const std::vector<Vec> whole = flat(pentagon), inside = flat(split.inside), outside = flat(split.outside);
     const auto area = [](const std::vector<Vec>& polygon) { return -area_vector(polygon).z / 2; };
     Diagram diagram(canvas, {0, 0}, 4.8);
-    diagram.fill(kGround);
     diagram.line({-5, height}, {5, height}, kBlue);
     diagram.arrow({-3, height}, {-3, height + 0.7}, kBlue);
     diagram.outline(outside, kRed);
@@ -254,7 +252,6 @@ Figures draw_triangulations(const RowInput& input, Canvas& canvas) {
     flat.push_back(vec_of(middle_of(corners)));
 
     Diagram diagram(canvas, {0, 0}, 4.4);
-    diagram.fill(kGround);
     double sum = 0, turned_over = 0;
     for (const CornerTriple& triangle : triangles) {
         const std::array sides{flat[triangle[0]], flat[triangle[1]], flat[triangle[2]]};

@@ -109,15 +109,9 @@ Figures draw_hidden_surface_methods(const RowInput& input, Canvas& canvas) {
 }
 
 /// Colours for counts 0, 1, 2, ...; the last one is for all higher counts.
-constexpr std::array<Rgb8, 9> kHeat{{{10, 12, 20},
-                                     {24, 44, 96},
-                                     {30, 90, 140},
-                                     {40, 140, 110},
-                                     {120, 170, 60},
-                                     {220, 190, 60},
-                                     {240, 130, 40},
-                                     {230, 60, 40},
-                                     {250, 240, 230}}};
+constexpr std::array kHeat{Rgb8{10, 12, 20},   Rgb8{24, 44, 96},   Rgb8{30, 90, 140},
+                           Rgb8{40, 140, 110}, Rgb8{120, 170, 60}, Rgb8{220, 190, 60},
+                           Rgb8{240, 130, 40}, Rgb8{230, 60, 40},  Rgb8{250, 240, 230}};
 
 Figures draw_overdraw(const RowInput& input, Canvas& canvas) {
     const bool is_painter = input.values[0] == 0;

@@ -184,7 +184,6 @@ Figures draw_clipped_lines(const RowInput& input, Canvas& canvas) {
     const double slope_x = input.mode.width_px / 2.0 / number_of(projection.x.multiplier),
                  slope_y = input.mode.height_px / 2.0 / number_of(projection.y.multiplier);
     Diagram diagram(canvas, {0, 6.5}, 17.5);
-    diagram.fill(kGround);
     draw_volume(diagram, slope_x);
 
     const auto from_above = [&](const Segment& line, Rgb8 colour) {

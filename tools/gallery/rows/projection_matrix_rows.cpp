@@ -22,7 +22,6 @@ Matrix4 perspective(double distance) {
 Figures draw_homogeneous(const RowInput& input, Canvas& canvas) {
     const double sign = input.values[0] == 0 ? 1 : -1, distance = input.number(1) * (input.values[0] == 1 ? -1 : 1);
     Diagram diagram(canvas, {2.5, 1.1}, 8);
-    diagram.fill(kGround);
     diagram.line({-4.4, 0}, {9, 0}, kGrey);
     diagram.line({sign * distance, -2.4}, {sign * distance, 3.6}, kBlue);
     diagram.label({sign * distance, -1.9}, "z = " + decimal_text(distance, "%.0f"), kBlue);
@@ -89,7 +88,6 @@ void draw_depths(const std::array<const Matrix4*, 2>& matrices, double nearest, 
 }
 
 Figures draw_projection_matrix(const RowInput& input, Canvas& canvas) {
-    canvas.fill(kGround);
     const bool is_listed = input.values[0] == 1;
     const double nearest = input.number(1) / 10, farthest = input.number(2);
     const Matrix4 corrected = volume_matrix(make_projection({320, 200, {4, 3}}, Degrees::from_int(90)),
@@ -97,8 +95,7 @@ Figures draw_projection_matrix(const RowInput& input, Canvas& canvas) {
                   listed = listed_matrix(nearest, farthest);
     const Matrix4& shown = is_listed ? listed : corrected;
     draw_depths({&listed, &corrected}, nearest, farthest, canvas);
-    std::vector<std::string> lines =
-        matrix_lines(is_listed ? "as listed (red)" : "corrected (green)", shown, "%6.3f", "%6.3f");
+    std::vector<std::string> lines = matrix_lines(is_listed ? "as listed (red)" : "corrected (green)", shown, "%6.3f");
     lines.insert(lines.begin() + 1, "");
     lines.insert(lines.end(), {"", is_listed ? "a = 4/3, width / height" : "a = 3/4, height / width",
                                "f = 4/3, 1 / tan(fov / 2)", "lambda = " + decimal_text(shown.rows[2][2], "%.6f")});
@@ -134,7 +131,6 @@ Vec pixel_in_double(const Vec& p, const Vec& eye, const RowInput& input, const A
 }
 
 Figures draw_opengl_quad(const RowInput& input, Canvas& canvas) {
-    canvas.fill(kGround);
     const double turn = input.radians(0);
     const Vec eye{0.5 + 4 * std::sin(turn), 1.6, 0.5 + 4 * std::cos(turn)};
     const Area area = canvas.scene(180);

@@ -25,13 +25,9 @@ std::int64_t sides_in_front(double distance, double yaw, double pitch) {
 }
 
 Figures draw_cube(const RowInput& input, Canvas& canvas) {
-    canvas.fill(kGround);
     const Mesh cube = cube_mesh(kHalfCube, checkered_skin(64, lit_colour(input.assets, {190, 150, 90}),
                                                           lit_colour(input.assets, {120, 60, 40})));
-    PlacedMesh placed;
-    placed.mesh = &cube;
-    placed.shading = Shading::Flat;
-    placed.position = world_point(input.number(1), 0, 0);
+    PlacedMesh placed = placed_mesh(cube, {input.number(1), 0}, Shading::Flat);
     placed.yaw = input.angle(0);
     placed.pitch = degrees_to_angle(Degrees::from_int(-kPitchDegrees));
     const SidePicture covered(canvas.width_px, canvas.height_px, 255);
@@ -48,11 +44,8 @@ Figures draw_cube(const RowInput& input, Canvas& canvas) {
 Figures draw_in_level(const RowInput& input, Canvas& canvas) {
     const Mesh ball = ball_mesh(
         30, 16, checkered_skin(64, lit_colour(input.assets, {200, 190, 170}), lit_colour(input.assets, {60, 80, 130})));
-    PlacedMesh placed;
-    placed.mesh = &ball;
-    placed.shading = static_cast<Shading>(input.values[1]);
+    PlacedMesh placed = placed_mesh(ball, {input.number(0), 420, 60}, static_cast<Shading>(input.values[1]));
     placed.highlight = 60;
-    placed.position = world_point(input.number(0), 420, 60);
     placed.yaw = Angle::from_bam(input.time_ms * 8);
     DemoFrame frame(input, input.mode);
     FrameCounts counts;
@@ -99,15 +92,6 @@ void draw_mark(Canvas& canvas, const Vec& mark) {
 /// The positions of the row's balls.
 constexpr double kBallRadius = 27, kBallStep = 60, kBallHeight = 8;
 
-PlacedMesh shaded_ball(const Mesh& mesh, std::size_t kind) {
-    PlacedMesh placed;
-    placed.mesh = &mesh;
-    placed.position = world_point(kBallsDistance, kBallStep * (1 - static_cast<double>(kind)), kBallHeight);
-    placed.shading = kShadings[kind];
-    placed.highlight = 90;
-    return placed;
-}
-
 /// The light of Phong's reflection: ambient, diffuse and a highlight around the direction halfway between light and
 /// eye.
 double reflected(const Vec& normal, const Vec& toward, const Vec& eye, double highlight) {
@@ -132,7 +116,6 @@ double expected_shade(std::size_t kind, const PlacedMesh& placed, const ExactHit
 }
 
 Figures draw_shadings(const RowInput& input, Canvas& canvas) {
-    canvas.fill(kGround);
     const Mesh ball =
         ball_mesh(kBallRadius, static_cast<int>(input.values[0]), plain_skin(lit_colour(input.assets, {150, 90, 40})));
     const Vec toward = toward_light(input.radians(1));
@@ -142,7 +125,9 @@ Figures draw_shadings(const RowInput& input, Canvas& canvas) {
     const Colormap by_number = shade_numbers();
     Figures figures;
     for (std::size_t kind = 0; kind < kShadings.size(); ++kind) {
-        const PlacedMesh placed = shaded_ball(ball, kind);
+        const Vec middle{kBallsDistance, kBallStep * (1 - static_cast<double>(kind)), kBallHeight};
+        PlacedMesh placed = placed_mesh(ball, middle, kShadings[kind]);
+        placed.highlight = 90;
         scene.draw(placed, light);
         numbered.draw(placed, light, &by_number);
         const Vec mark = mark_at(scene, placed.position + world_point(-25, -3, 7));
@@ -169,14 +154,10 @@ double expected_light(Kind kind, const Vec& normal, const Vec& position, const V
 }
 
 Figures draw_lights(const RowInput& input, Canvas& canvas) {
-    canvas.fill(kGround);
     const auto kind = static_cast<Kind>(input.values[0]);
     const Vec toward = toward_light(input.radians(1)), middle{kBallsDistance, 0, 8};
     const Mesh ball = ball_mesh(kLitRadius, 24, plain_skin(lit_colour(input.assets, {130, 130, 140})));
-    PlacedMesh placed;
-    placed.mesh = &ball;
-    placed.shading = Shading::Gouraud;
-    placed.position = world_point(middle);
+    const PlacedMesh placed = placed_mesh(ball, middle, Shading::Gouraud);
     const Vec lamp = kind == Kind::Point ? middle + toward * 90 : toward;
     const MovingLight point{world_point(lamp), World::from_int(150), 384};
     MeshLight light{
@@ -215,7 +196,6 @@ double degrees_between(const Vec& a, const Vec& b) {
 Figures draw_normals(const RowInput& input, Canvas& canvas) {
     const double scale = input.number(0) / 4;
     Diagram diagram(canvas, {0, 0}, 4.4);
-    diagram.fill(kGround);
     Matrix3 matrix = Matrix3::identity();
     matrix.rows[0][0] = Entry::from_raw(input.values[0] * (std::int64_t{1} << 30));
     const std::optional<Matrix3> normals = normal_matrix(matrix);

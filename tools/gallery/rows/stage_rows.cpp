@@ -167,7 +167,6 @@ struct CubeInDouble {
 };
 
 Figures draw_stages(const RowInput& input, Canvas& canvas) {
-    canvas.fill(kGround);
     const auto stage = static_cast<Stage>(input.values[0]);
     const Area area = canvas.scene(188);
     const Canvas part = canvas.part(area);

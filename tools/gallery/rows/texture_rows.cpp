@@ -65,7 +65,6 @@ double block_error(const PngImage& image, const std::vector<std::uint8_t>& indic
 Figures draw_quantisation(const RowInput& input, Canvas& canvas) {
     const Palette& palette = input.assets.colormap.palette;
     const bool is_grey = input.values[0] == 1;
-    canvas.fill(kGround);
     const std::int32_t width = canvas.width_px / 2 - 6, top = kHeader_px + 4;
     const Area left{4, top, width, canvas.height_px - kFooter_px - top - 14};
     if (std::min(width, left.height) < kBlock) return {};

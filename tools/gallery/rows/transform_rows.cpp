@@ -1,10 +1,14 @@
-// Transforms: model matrices (seed 3), rotations (2, 3, 5), the cube of seed 3.
+// Transforms: model matrices (seed 3), rotations (2, 3, 5). Back faces: the cube of seed 3; by a dot product, and why
+// normals alone mislead (5).
 
 #include <map>
 #include <set>
 
 #include "engine/methods/polygons.h"
 #include "engine/methods/transforms.h"
+#include "engine/raster/scan.h"
+#include "engine/view/project.h"
+#include "tools/gallery/counted.h"
 #include "tools/gallery/sketch.h"
 
 namespace oblong {
@@ -15,18 +19,10 @@ namespace {
 constexpr std::array<std::array<int, 3>, 8> kCubeCorners{
     {{-1, -1, -1}, {-1, 1, -1}, {1, 1, -1}, {1, -1, -1}, {1, 1, 1}, {1, -1, 1}, {-1, 1, 1}, {-1, -1, 1}}};
 /// Its twelve triangles. The eighth is listed as {8, 5, 1}.
-constexpr std::array<std::array<int, 3>, 12> kCubeTriangles{{{1, 2, 3},
-                                                             {1, 3, 4},
-                                                             {4, 3, 5},
-                                                             {4, 5, 6},
-                                                             {6, 5, 7},
-                                                             {6, 7, 8},
-                                                             {8, 7, 2},
-                                                             {8, 2, 1},
-                                                             {2, 7, 5},
-                                                             {2, 5, 3},
-                                                             {6, 8, 1},
-                                                             {6, 1, 4}}};
+using Triple = std::array<int, 3>;
+constexpr std::array kCubeTriangles{Triple{1, 2, 3}, Triple{1, 3, 4}, Triple{4, 3, 5}, Triple{4, 5, 6},
+                                    Triple{6, 5, 7}, Triple{6, 7, 8}, Triple{8, 7, 2}, Triple{8, 2, 1},
+                                    Triple{2, 7, 5}, Triple{2, 5, 3}, Triple{6, 8, 1}, Triple{6, 1, 4}};
 /// A corner in the world: the notes' axes are x right, y up, z ahead; the engine's x east, y north, z up.
 Vec3<World> cube_corner(int number) {
     const auto& [x, y, z] = item(kCubeCorners, number - 1);
@@ -48,12 +44,11 @@ Figures draw_model_to_world(const RowInput& input, Canvas& canvas) {
     const Vec position = step >= 2 ? Vec{2, 1.5, 0.5} : Vec{};
     const Matrix4 model =
         model_matrix(world_point(position), step >= 1 ? turn : Matrix3::identity(), entries_of({1.5, 0.5, 0.5}));
-    canvas.fill(kGround);
     Sketch sketch(canvas, canvas.scene(176), {{5, -9, 6}, {1, 0.8, 0.3}, 34});
     sketch.axes(kAxisEnds);
     draw_cube(sketch, Matrix4::identity(), kSteel);
     draw_cube(sketch, model, kOrange);
-    canvas.column(canvas.width_px * 178 / 320, 8, matrix_lines("model to world:", model, "%5.2f", "%5.2f"));
+    canvas.column(canvas.width_px * 178 / 320, 8, matrix_lines("model to world:", model, "%5.2f"));
 
     const double angle = step >= 1 ? input.radians(1) : 0;
     const Vec3<World> corner = transformed_point(model, world_point(1, 1, 1));
@@ -78,7 +73,6 @@ Figures draw_rotations(const RowInput& input, Canvas& canvas) {
     const Angle half = arctangent2(size, quaternion.w.raw);
     const Matrix3 about_axis = rotation_matrix(axis, half + half);
 
-    canvas.fill(kGround);
     Sketch sketch(canvas, canvas.scene(200), {{4, -6, 3.5}, {0, 0, 0}, 40});
     sketch.axes(kAxisEnds);
     draw_cube(sketch, homogeneous(by_quaternion), kOrange);
@@ -105,7 +99,7 @@ struct CubeCheck {
     int matched_edges = 0;
     double volume = 0;
 };
-CubeCheck check_cube(const std::array<std::array<int, 3>, 12>& faces) {
+CubeCheck check_cube(const std::array<Triple, 12>& faces) {
     std::map<std::pair<int, int>, int> uses;
     CubeCheck check;
     for (const auto& face : faces) {
@@ -128,7 +122,6 @@ Figures draw_left_handed_cube(const RowInput& input, Canvas& canvas) {
     if (is_listed) faces[7] = {8, 5, 1};
     const double turn = input.radians(1);
     const Vec3<World> eye = world_point(-8 * std::cos(turn), -8 * std::sin(turn), 4);
-    canvas.fill(kGround);
     Sketch sketch(canvas, canvas.scene(), {vec_of(eye), {0, 0, 0}, 40});
     constexpr std::array kColours{kScarlet, kLeaf, kBlue, kOrange, kMauve, Rgb8{90, 190, 190}};
     int drawn = 0;
@@ -154,6 +147,86 @@ Figures draw_left_handed_cube(const RowInput& input, Canvas& canvas) {
                       : Figure{"triangles that face the eye", facing, drawn}};
 }
 
+/// Quadrilaterals on a sphere, their corners clockwise seen from outside.
+struct BallFace {
+    std::array<Vec3<World>, 4> corners;
+    Vec3<Unit> normal;
+};
+
+std::vector<BallFace> make_ball(const Vec& middle, double radius) {
+    constexpr int kAcross = 16, kUp = 8;
+    const auto at = [&](int column, int row) {
+        const double a = column * 2 * std::numbers::pi / kAcross, b = (row - kUp / 2) * std::numbers::pi / kUp;
+        return world_point(middle + Vec{std::cos(a) * std::cos(b), std::sin(a) * std::cos(b), std::sin(b)} * radius);
+    };
+    std::vector<BallFace> faces;
+    for (int row = 0; row < kUp; ++row)
+        for (int column = 0; column < kAcross; ++column) {
+            const std::array corners{at(column, row), at(column, row + 1), at(column + 1, row + 1),
+                                     at(column + 1, row)};
+            // From the diagonals, since two corners coincide at the poles.
+            faces.push_back({corners, normalised(cross(corners[3] - corners[1], corners[2] - corners[0]))});
+        }
+    return faces;
+}
+
+/// The rule for drawing a face.
+enum class CullRule { ObjectDot, ViewNormal, ScreenArea };
+
+/// Twice the area on the screen; the faces are all in front of the eye.
+ScreenArea screen_area(const BallFace& face, const ViewContext& view) {
+    std::array<ScreenVertex, 4> screen;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const ScreenPosition p = project(to_view(face.corners[i], view), view.projection);
+        screen[i] = {convert<Screen>(p.x), convert<Screen>(p.y)};
+    }
+    return doubled_area(screen);
+}
+
+bool is_drawn(const BallFace& face, CullRule rule, const ViewContext& view) {
+    if (rule == CullRule::ObjectDot) return !faces_away(face.corners[1], face.normal, view.eye);
+    if (rule == CullRule::ViewNormal) return !normal_points_away(face.normal, view.axes.forward);
+    return screen_area(face, view) > ScreenArea{};
+}
+
+/// Whether a face faces the eye, in double precision.
+bool faces_eye_in_double(const BallFace& face, const Vec3<World>& eye) {
+    const auto& [a, b, c, d] = face.corners;
+    return dot(cross(vec_of(d - b), vec_of(c - a)), vec_of(b - eye)) < 0;
+}
+
+Figures draw_culling(const RowInput& input, Canvas& canvas) {
+    const Vec3<World> eye;
+    Sketch sketch(canvas, canvas.scene(), {vec_of(eye), {100, 0, 0}, static_cast<int>(input.values[1])});
+    int faces = 0;
+    std::array<int, 3> wrong{};  // by rule
+    for (int column = -2; column <= 2; ++column)
+        for (int row = -1; row <= 1; ++row)
+            for (const BallFace& face : make_ball({60, column * 26.0, row * 26.0}, 11)) {
+                const bool faces_eye = faces_eye_in_double(face, eye);
+                ++faces;
+                for (std::size_t by = 0; by < wrong.size(); ++by)
+                    wrong[by] += is_drawn(face, static_cast<CullRule>(by), sketch.view()) != faces_eye;
+                const bool draws = is_drawn(face, static_cast<CullRule>(input.values[0]), sketch.view());
+                if (faces_eye) sketch.polygon(face.corners, draws ? kGrey : Rgb8{240, 200, 60});
+                if (faces_eye || draws) sketch.outline(face.corners, faces_eye ? kSlate : kScarlet);
+            }
+    const Vec3<Counted<double>> u{1, 2, 3}, v{4, -5, 6};
+    const CountedOperations whole = operations_of([&] { cross_by_components(u, v); }),
+                            third = operations_of([&] { cross_z(u, v); });
+    canvas.note(std::array{"cross product  " + whole.text(), "z of it alone  " + third.text()});
+    // Errata A9: (10, 0, 10), (11, 0, 12), (10, 1, 10) in viewspace has the normal (-2, 0, 1) and faces the eye.
+    const Vec3<World> a = world_point(10, 0, 10), b = world_point(11, 0, 12), c = world_point(10, 1, 10);
+    const Vec normal = vec_of(cross(b - a, c - a));
+    return {{"wrong by normal . (vertex - eye), in object space", 0, wrong[0]},
+            {"wrong by the normal's z in viewspace", std::to_string(wrong[1]) + " of " + std::to_string(faces)},
+            {"wrong by the sign of the area on the screen", 0, wrong[2]},
+            {"z of a cross product of edges: a third of 6 * 0 / 3 +", "2 * 0 / 1 +", third.text(),
+             third == CountedOperations{2, 0, 1} && whole == CountedOperations{6, 0, 3}},
+            {"normal . vertex of the seed's triangle, below 0: faces the eye", -10, dot(vec_of(a), normal), 1e-9},
+            {"its normal's z, above 0: points away", 1, normal.z, 1e-9}};
+}
+
 }  // namespace
 
 std::vector<Row> transform_rows() {
@@ -165,7 +238,13 @@ std::vector<Row> transform_rows() {
              {{"yaw, degrees", 15, 345, 15, 30}, {"pitch, degrees", 0, 75, 15, 30}, {"roll, degrees", 0, 345, 15, 45}}},
             {"left-handed-cube",
              draw_left_handed_cube,
-             {{"eighth triangle", {"as listed", "corrected"}, 1}, {"seen from, degrees", 0, 350, 10, 60}}}};
+             {{"eighth triangle", {"as listed", "corrected"}, 1}, {"seen from, degrees", 0, 350, 10, 60}}},
+            {"culling",
+             draw_culling,
+             {{"drawn by",
+               {"dot product in object space", "normal's z in viewspace", "z of a cross product on the screen"},
+               1},
+              {"field of view, degrees", 30, 110, 10, 90}}}};
 }
 
 }  // namespace oblong

@@ -25,12 +25,6 @@ Vec3<Unit> direction_at(std::int64_t degrees) {
 constexpr Rgb8 kGridColour = kSteel, kFirstColour = kAmber, kSecondColour = kSky, kResultColour = kGreen,
                kTextColour = kBone;
 
-/// A diagram around a centre on the rows' ground.
-Diagram diagram_around(const Vec& centre, double units_high, Canvas& canvas) {
-    canvas.fill(kGround);
-    return {canvas, centre, units_high};
-}
-
 void draw_plane_axes(Diagram& diagram) {
     diagram.line({-1.12, 0}, {1.12, 0}, kGridColour);
     diagram.line({0, -1.12}, {0, 1.12}, kGridColour);
@@ -40,15 +34,14 @@ Figures draw_dot_product(const RowInput& input, Canvas& canvas) {
     const std::int64_t degrees = input.values[0];
     const Vec3<Unit> u = direction_at(0), v = direction_at(degrees);
     const double product = number_of(dot(u, v));
-    Diagram diagram = diagram_around({0, 0}, 2.4, canvas);
+    Diagram diagram(canvas, {0, 0}, 2.4);
     draw_plane_axes(diagram);
     diagram.circle({0, 0}, 1, kGridColour);
     diagram.line(v, {product, 0}, kGridColour);
-    diagram.arrow({0, 0}, vec_of(u), kSecondColour);
+    diagram.arrow({0, 0}, {1, 0}, kSecondColour, "U", 4, -9);
     diagram.arrow({0, 0}, vec_of(v), kFirstColour);
     for (const double y : {0.0, 0.012}) diagram.line({0, y}, {product, y}, kResultColour);
     diagram.disc({product, 0}, 0.025, kResultColour);
-    diagram.label({1, 0}, "U", kSecondColour, 4, -9);
     diagram.label(vec_of(v) * 1.08, "V", kFirstColour, -2, -3);
     diagram.label({-1.95, 1.0}, std::to_string(degrees) + " degrees", kTextColour);
     diagram.label({-1.95, 0.84}, "U . V = " + decimal_text(product), kResultColour);
@@ -67,17 +60,15 @@ Figures draw_orthonormal(const RowInput& input, Canvas& canvas) {
     const Basis given{direction_at(0), direction_at(input.values[0]), {{}, {}, Unit::from_int(1)}};
     const Basis axes = input.values[1] == 1 ? orthonormalised(given) : given;
     const Vec i = vec_of(axes.right), j = vec_of(axes.up), a = i + j;
-    Diagram diagram = diagram_around({0.5, 0.55}, 2.6, canvas);
+    Diagram diagram(canvas, {0.5, 0.55}, 2.6);
     for (int line = -2; line <= 3; ++line) {
         diagram.line(i * line + j * -2, i * line + j * 3, kGridColour);
         diagram.line(j * line + i * -2, j * line + i * 3, kGridColour);
     }
-    diagram.arrow({0, 0}, i, kSecondColour);
+    diagram.arrow({0, 0}, i, kSecondColour, "i", 3, 2);
     diagram.arrow({0, 0}, j, kSecondColour);
-    diagram.arrow({0, 0}, a, kFirstColour);
-    diagram.label(i, "i", kSecondColour, 3, 2);
+    diagram.arrow({0, 0}, a, kFirstColour, "a = i + j", 4, -3);
     diagram.label(j * 1.08, "j", kSecondColour, -8, -6);
-    diagram.label(a, "a = i + j", kFirstColour, 4, -3);
     const auto r = whole(1, 0, 0), s = whole(1, 1, 0);
     return {
         {"flaw: i . j", input.values[1] == 1 ? 0 : std::abs(std::cos(input.radians(0))), orthonormal_flaw(axes), 1e-4},
@@ -106,7 +97,7 @@ Vec3<Counted<double>> counted(const Vec3<Unit>& vector) {
 }
 
 Figures draw_lighting(const RowInput& input, Canvas& canvas) {
-    Diagram diagram = diagram_around({0, 0}, 2.2, canvas);
+    Diagram diagram(canvas, {0, 0}, 2.2);
     const Vec foot{-0.9, -0.5};
     const Vec3<Unit> normal = direction_at(90), to_light = direction_at(90 - input.values[0]);
     const double share = std::max(number_of(dot(normal, to_light)), 0.0),
@@ -137,15 +128,12 @@ Figures draw_cross_product(const RowInput& input, Canvas& canvas) {
     const Vec3<Unit> u{{}, {}, Unit::from_int(1)}, v{sine(input.angle(0)), {}, cosine(input.angle(0))};
     const auto product = cross(u, v);
     const Vec on_u = seen(u), on_v = seen(v), on_product = seen(convert<Unit>(product));
-    Diagram diagram = diagram_around({0.1, 0.1}, 2.4, canvas);
+    Diagram diagram(canvas, {0.1, 0.1}, 2.4);
     diagram.line(on_u, on_u + on_v, kGridColour);
     diagram.line(on_v, on_u + on_v, kGridColour);
-    diagram.arrow({0, 0}, on_u, kSecondColour);
-    diagram.arrow({0, 0}, on_v, kFirstColour);
-    diagram.arrow({0, 0}, on_product, kResultColour);
-    diagram.label(on_u, "U", kSecondColour, -10, 2);
-    diagram.label(on_v, "V", kFirstColour, 4, -3);
-    diagram.label(on_product, "U x V", kResultColour, 5, -4);
+    diagram.arrow({0, 0}, on_u, kSecondColour, "U", -10, 2);
+    diagram.arrow({0, 0}, on_v, kFirstColour, "V", 4, -3);
+    diagram.arrow({0, 0}, on_product, kResultColour, "U x V", 5, -4);
     diagram.label({-1.7, 1.1}, std::to_string(input.values[0]) + " degrees", kTextColour);
     const Vec3<Unit> third = normalised(product);
     return {
@@ -163,7 +151,7 @@ Figures draw_rotation(const RowInput& input, Canvas& canvas) {
     const Vec3<Unit> turned = project_onto_axes(point, axes);
     const Vec p = vec_of(point), right = vec_of(axes.right), up = vec_of(axes.up);
     const std::array feet{right * number_of(turned.x), up * number_of(turned.y)};
-    Diagram diagram = diagram_around({0, 0}, 2.4, canvas);
+    Diagram diagram(canvas, {0, 0}, 2.4);
     draw_plane_axes(diagram);
     diagram.arrow({0, 0}, right, kSecondColour);
     diagram.arrow({0, 0}, up, kSecondColour);
@@ -197,10 +185,9 @@ Figures draw_line_and_plane(const RowInput& input, Canvas& canvas) {
                                  segment = intersect_segment(start, end, plane);
     // x right, z up
     const Vec from{0, 9}, to{4, input.number(0)}, point{-3, 10};
-    Diagram diagram = diagram_around({1, 6}, 13, canvas);
+    Diagram diagram(canvas, {1, 6}, 13);
     diagram.rectangle({-20, 4.9}, {20, 5}, kGridColour);
-    diagram.arrow({8, 5}, {8, 7}, kGridColour);
-    diagram.label({8, 7}, "N", kGridColour, 4, 0);
+    diagram.arrow({8, 5}, {8, 7}, kGridColour, "N", 4, 0);
     diagram.line(point, {-3, 5}, kSecondColour);
     diagram.disc(point, 0.15, kSecondColour);
     diagram.label(point, "P", kSecondColour, 5, -4);

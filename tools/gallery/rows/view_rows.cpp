@@ -16,21 +16,6 @@ struct LabView {
 constexpr std::array<LabView, 3> kLabViews{
     {{"COP 2, window 1", 2, 1}, {"COP 2, window 1/2", 2, 0.5}, {"COP 20, window 1", 20, 1}}};
 
-/// The lab's cube and window: as in its text, with a COP `distance` before the plane, and a window of `size` moved by
-/// `moved`.
-WindowView lab_window(const LabView& lab, double moved) {
-    WindowView window;
-    window.reference_point = world_point({0.5, 0.5, -2});
-    window.normal = world_point({0, 0, -1});
-    window.up = world_point({0, 1, 0});
-    window.centre_of_projection = world_point({0.5, 0.5, -2 - lab.distance});
-    const double half = lab.size / 2;
-    const Vec3<World> low = world_point({moved - half, -half, 0}), high = world_point({moved + half, half, 0});
-    window.u_min = low.x, window.v_min = low.y;
-    window.u_max = high.x, window.v_max = high.y;
-    return window;
-}
-
 /// The lab's table of its cube as listed, with the corners in Cube's order: the far face is wrong.
 constexpr std::array<Vec, 8> kListedCorners{
     {{150, 150}, {50, 150}, {150, 50}, {50, 50}, {175, 175}, {75, 175}, {175, 75}, {75, 75}}};
@@ -56,7 +41,7 @@ void write_table(const std::array<Vec, 8>& found, Canvas& canvas) {
 
 /// The ratio of the cube's near face to its far face, in the lab's 200x200 pixels.
 double near_over_far(const LabView& lab) {
-    const ViewContext view = make_view_context(window_view(lab_window(lab, 0)), {200, 200, {1, 1}});
+    const ViewContext view = make_view_context(window_view(lab_window(lab.distance, lab.size)), {200, 200, {1, 1}});
     return across({0, 0, 0}, {1, 0, 0}, view) / across({0, 0, 1}, {1, 0, 1}, view);
 }
 
@@ -65,7 +50,7 @@ Figures draw_lab_cube(const RowInput& input, Canvas& canvas) {
     // The window's sides are world coordinates, rounded to 1/4096.
     const double distance = shows.distance, half = shows.size / 2,
                  moved = number_of(world_point(input.number(1) / 10 * shows.size, 0, 0).x);
-    const ViewSpec spec = window_view(lab_window(shows, moved));
+    const ViewSpec spec = window_view(lab_window(distance, shows.size, moved));
     WireScene scene(canvas, spec);
     const Cube cube{{0, 0, 0}, 1};
     scene.cube(cube);
@@ -230,7 +215,6 @@ Figures draw_look_at_product(const ViewContext& view, double yaw, Canvas& canvas
 
 /// The matrix of a view, from its axes, and its inverse.
 Figures draw_view_matrix(const RowInput& input, Canvas& canvas) {
-    canvas.fill(kGround);
     const Camera camera = camera_at(60, -120, 70, input.values[1], input.values[2]);
     const ViewContext view = make_view_context(first_person_view(camera), input.mode);
     const double yaw = input.radians(1), pitch = input.radians(2);

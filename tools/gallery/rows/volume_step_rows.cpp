@@ -17,15 +17,10 @@ struct TurnedWindow {
     double sine, cosine;
 
     WindowView view() const {
-        WindowView window;
-        window.reference_point = world_point(0.5, 0.5, -2);
+        WindowView window = lab_window(kCop, 1);
         window.normal = world_point(-1024 * sine, 0, -1024 * cosine);
-        window.up = world_point(0, 1, 0);
-        window.centre_of_projection = world_point(0.5, 0.5, -2 - kCop);
-        window.u_min = window.v_min = world_point(-0.5, 0, 0).x;
-        window.u_max = window.v_max = world_point(0.5, 0, 0).x;
-        window.front = world_point(kFront, 0, 0).x;
-        window.back = world_point(kBack, 0, 0).x;
+        window.front = World::from_int(1);
+        window.back = World::from_int(4);
         return window;
     }
     /// VRP'z of the seed: from the COP to the window's plane.
@@ -93,7 +88,6 @@ constexpr std::array<Panel, 5> kPanels{{{0, 106, {0, -2.4}, 15.4},
                                         {65, 176, {0, 1.29}, 4.1}}};
 
 Figures draw_volume_steps(const RowInput& input, Canvas& canvas) {
-    canvas.fill(kGround);
     const TurnedWindow window{std::sin(input.radians(1)), std::cos(input.radians(1))};
     const std::array<Matrix4, 5> steps = lab_volume_steps(window.view());
     const auto chosen = as_size(input.values[0]);
@@ -108,7 +102,7 @@ Figures draw_volume_steps(const RowInput& input, Canvas& canvas) {
         canvas.write(left + 2, kHeader_px + (i < 3 ? 0 : middle) + 2, kSteps[i],
                      chosen == i ? Rgb8{250, 225, 150} : Rgb8{150, 156, 150});
     }
-    std::vector<std::string> lines = matrix_lines(std::string(kSteps[chosen]) + ":", steps[chosen], "%5.2f", "%5.2f");
+    std::vector<std::string> lines = matrix_lines(std::string(kSteps[chosen]) + ":", steps[chosen], "%5.2f");
     lines.pop_back();
     canvas.column(canvas.width_px * 178 / 320, middle + 2, lines);
 
