@@ -17,10 +17,6 @@ std::string escaped(std::string_view text) {
     return html;
 }
 
-std::string link_of(const Row& row) {
-    return "<a href=\"#" + std::string(row.id) + "\">" + escaped(row.name) + "</a>\n";
-}
-
 /// A picture that a click enlarges to its section's width: opened alone, a browser would show square pixels.
 std::string picture_html(const PagePicture& picture, const std::string& id, const ScreenMode& mode) {
     const std::string shape = std::to_string(mode.display.numerator) + " / " + std::to_string(mode.display.denominator);
@@ -84,7 +80,7 @@ std::string index_page(const std::vector<PageRow>& rows, const ScreenMode& mode)
             contents += "<b>" + seed + "</b>\n";
             last_seed = seed;
         }
-        contents += link_of(shown.row);
+        contents += "<a href=\"#" + std::string(shown.row.id) + "\">" + escaped(shown.row.name) + "</a>\n";
         body += row_html(shown, mode);
         for (const Figures& of_picture : shown.figures) figures += of_picture.size();
     }

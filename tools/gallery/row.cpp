@@ -148,7 +148,7 @@ std::vector<Row> gallery_rows() {
     std::map<std::string_view, Row> without_text;
     for (const auto subject : {aspect_rows, clipping_rows, cyclic_overlap_rows, hidden_surface_rows, inspection_rows,
                                line_rows, projection_matrix_rows, projection_rows, shading_rows, stage_rows,
-                               texture_rows, transform_rows, triangle_rows, vector_rows, view_rows, volume_step_rows})
+                               texture_rows, transform_rows, triangle_rows, vector_rows, view_rows})
         for (Row& row : subject()) without_text.emplace(row.id, std::move(row));
     std::vector<Row> rows;
     std::string_view text = kRowTexts;

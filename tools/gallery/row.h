@@ -201,6 +201,5 @@ std::vector<Row> transform_rows();
 std::vector<Row> triangle_rows();
 std::vector<Row> vector_rows();
 std::vector<Row> view_rows();
-std::vector<Row> volume_step_rows();
 
 }  // namespace oblong

@@ -39,7 +39,11 @@ constexpr std::array<std::array<int, 4>, 6> kCubeFaces{
 
 constexpr Vec kOutOfView{-1, -1};
 
-constexpr std::array<std::string_view, 3> kAxisNames{"x", "y", "z"};
+struct NamedAxis {
+    std::string_view name;
+    Rgb8 in_sketch, in_wires;
+};
+constexpr std::array<NamedAxis, 3> kNamedAxes{{{"x", kScarlet, kRed}, {"y", kLeaf, kGreen}, {"z", kBlue, kBlue}}};
 
 }  // namespace
 
@@ -85,10 +89,9 @@ void Sketch::fill_polygon(const std::vector<DrawnPoint>& corners, Rgb8 colour) {
 }
 
 void Sketch::axes(const std::array<DrawnPoint, 3>& ends) {
-    constexpr std::array kColours{kScarlet, kLeaf, kBlue};
-    for (std::size_t i = 0; i < 3; ++i) {
-        line({0, 0}, ends[i], kColours[i]);
-        label(ends[i], kAxisNames[i], kColours[i]);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        line({0, 0}, ends[axis], kNamedAxes[axis].in_sketch);
+        label(ends[axis], kNamedAxes[axis].name, kNamedAxes[axis].in_sketch);
     }
 }
 
@@ -144,12 +147,11 @@ void WireScene::cube(const Cube& cube) {
 }
 
 void WireScene::axes(const Vec& origin, double length) {
-    constexpr std::array kColours{kRed, kGreen, kBlue};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         Vec end = origin;
         end[axis] += length;
-        line(origin, end, kColours[axis]);
-        label(end, kAxisNames[axis], kBright, 2);
+        line(origin, end, kNamedAxes[axis].in_wires);
+        label(end, kNamedAxes[axis].name, kBright, 2);
     }
 }
 

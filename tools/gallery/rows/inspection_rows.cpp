@@ -1,6 +1,7 @@
 // Queries on a frame: the surface under the crosshair (seed 5's lines and planes), the log by subject and the memory
 // (seed 2).
 
+#include "engine/frame/frame_counts.h"
 #include "engine/level/side.h"
 #include "engine/programs/crosshair.h"
 #include "engine/programs/frame_log.h"

@@ -1,8 +1,7 @@
 // Projection as a matrix: homogeneous coordinates (seeds 2, 3 and 4), the course notes' matrix with its depth (3), and
-// an OpenGL polygon in the pipeline (4).
+// the lab's five steps from the world to the canonical view volume (2).
 
 #include "engine/methods/canonical_volume.h"
-#include "engine/methods/lines.h"
 #include "engine/methods/transforms.h"
 #include "tools/gallery/sketch.h"
 
@@ -112,62 +111,114 @@ Figures draw_projection_matrix(const RowInput& input, Canvas& canvas) {
              1e-6, 6}};
 }
 
-constexpr std::array<Vec, 4> kQuad{{{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {0, 1, 1}}};
-constexpr Vec kQuadTarget{0.5, 0.5, 0.5};
-constexpr int kQuadView = 32;
+/// The seed's words.
+constexpr std::array<const char*, 5> kSteps{"1 translate VRP", "2 rotate", "3 translate COP", "4 shear", "5 scale"};
 
-/// OpenGL's axes, x right, y up, z toward the viewer, in the engine's: x east, y north, z up.
-Vec from_gl(const Vec& p) {
-    return {p.x, -p.z, p.y};
-}
+/// The lab's cube and window with the VPN turned about the VRP: the COP is no longer straight before the window.
+struct TurnedWindow {
+    /// The distances of the front and the back plane from the VRP, and of the lab's COP from it.
+    static constexpr double kFront = 1, kBack = 4, kCop = 2;
+    double sine, cosine;
 
-/// A point's position in a part of the picture, in doubles.
-Vec pixel_in_double(const Vec& p, const Vec& eye, const RowInput& input, const Area& area) {
-    const Vec forward = normalised(kQuadTarget - eye), right = normalised(cross(forward, {0, 1, 0})),
-              up = cross(right, forward), way = p - eye;
-    const double d = area.width / 2.0 / std::tan(kQuadView * std::numbers::pi / 360);
-    return {area.width / 2.0 + d * dot(way, right) / dot(way, forward),
-            area.height / 2.0 - d * number_of(input.mode.pixel()) * dot(way, up) / dot(way, forward)};
-}
-
-Figures draw_opengl_quad(const RowInput& input, Canvas& canvas) {
-    const double turn = input.radians(0);
-    const Vec eye{0.5 + 4 * std::sin(turn), 1.6, 0.5 + 4 * std::cos(turn)};
-    const Area area = canvas.scene(180);
-    Sketch sketch(canvas, area, {from_gl(eye), from_gl(kQuadTarget), kQuadView});
-    std::array<Vec, 4> corners;
-    std::transform(kQuad.begin(), kQuad.end(), corners.begin(), from_gl);
-    sketch.polygon(corners, kAmber);
-    std::int64_t pixels = 0;
-    for (std::int32_t y = 0; y < sketch.height_px; ++y)
-        pixels += std::count(sketch.row(y), sketch.row(y) + sketch.width_px, input.colour(kAmber));
-    sketch.outline(corners, kGold);
-    sketch.axes({from_gl({1.3, 0, 0}), from_gl({0, 1.3, 0}), from_gl({0, 0, 1.3})});
-    double worst_px = 0, shoelace = 0;
-    std::vector<std::string> lines{"glBegin(GL_POLYGON)"};
-    for (std::size_t i = 0; i < 4; ++i) {
-        const Vec expected = pixel_in_double(kQuad[i], eye, input, area),
-                  next = pixel_in_double(kQuad[(i + 1) % 4], eye, input, area), found = sketch.pixel_of(corners[i]);
-        worst_px = std::max(worst_px, std::hypot(found.x - expected.x, found.y - expected.y));
-        shoelace += cross(expected, next).z / 2;
-        lines.push_back("glVertex3f(" + triple_text(kQuad[i], "%.0f", ", ") + ")");
-        const Vec3<Entry> divided = *point_of(sketch.world_to_volume() * homogeneous(world_point(corners[i])));
-        lines.push_back(decimals_text({divided.x, divided.y}, "%6.3f") + decimal_text(divided.z, " %6.4f"));
-        lines.push_back("  " + decimal_text(found.x, "%7.2f") + decimal_text(found.y, "%8.2f"));
+    WindowView view() const {
+        WindowView window = lab_window(kCop, 1);
+        window.normal = world_point(-1024 * sine, 0, -1024 * cosine);
+        window.front = World::from_int(1);
+        window.back = World::from_int(4);
+        return window;
     }
-    lines.push_back("glEnd()");
-    canvas.column(canvas.width_px * 186 / 320, 8, lines);
+    /// VRP'z of the seed: from the COP to the window's plane.
+    double distance() const { return kCop * cosine; }
+    /// Where the ray through the window's (u, v) is at a depth behind the window. Forward is (sine, 0, cosine), u
+    /// (-cosine, 0, sine).
+    Vec on_ray(double u, double v, double depth) const {
+        const Vec to_window{-u * cosine, v, kCop + u * sine};
+        return Vec{0.5, 0.5, -2 - kCop} + to_window * ((distance() + depth) / distance());
+    }
+};
 
-    std::array<Vec3<World>, 4> quad;
-    std::transform(corners.begin(), corners.end(), quad.begin(), [](const Vec& p) { return world_point(p); });
-    const Plane plane = plane_through(quad[0], normalised(cross(quad[1] - quad[0], quad[3] - quad[0])));
-    return {
-        {"area of the polygon: root 2", std::numbers::sqrt2,  // by its diagonals
-         length(vec_of(cross(quad[2] - quad[0], quad[3] - quad[1]))) / 2, 1e-9, 6},
-        {"its fourth corner's distance from the others' plane", 0, distance_to_plane(quad[2], plane), 1e-6, 6},
-        {"pixels from the closed form: worst corner", 0, worst_px,
-         0.01 * std::max({1.0, area.width / 180.0, area.height / 154.0})},
-        {"pixels drawn: the area of its picture", std::abs(shoelace), pixels, (area.width + area.height) / 16.0, 0}};
+Vec from_above(const Matrix4& matrix, const Vec& p) {
+    const Vec4 at = matrix * homogeneous_of(p);
+    return {number_of(at.x), number_of(at.z)};
+}
+
+/// A step's picture from above: x right, z up.
+void draw_panel(const Matrix4& matrix, const TurnedWindow& window, Diagram& diagram) {
+    const Cube cube{{0, 0, 0}, 1};
+    draw_edges(
+        diagram, [&](int corner) { return from_above(matrix, cube.corner(corner)); }, kOrange);
+    const auto at = [&](double u, double depth) { return from_above(matrix, window.on_ray(u, 0, depth)); };
+    diagram.line({-9, 0}, {9, 0}, kSteel);
+    diagram.line({0, 0}, {0, at(0, TurnedWindow::kBack).y}, kSteel);
+    const Vec cop = at(0, -window.distance());
+    for (const double side : {-0.5, 0.5}) {
+        diagram.line(cop, at(side, TurnedWindow::kFront), kSteel);
+        diagram.line(at(side, TurnedWindow::kFront), at(side, TurnedWindow::kBack), kSky);
+    }
+    for (const double depth : {TurnedWindow::kFront, TurnedWindow::kBack}) {
+        const Vec left = at(-0.5, depth), right = at(0.5, depth);
+        diagram.line(left, right, kSky);
+        diagram.label(left.x > right.x ? left : right, depth == TurnedWindow::kFront ? "F" : "B", kSky, 4);
+    }
+    diagram.line(at(-0.5, 0), at(0.5, 0), kWhite);
+    diagram.label(cop, "COP", kGreen, 4, -8);
+}
+
+/// The worst distance of the volume's corners from the canonical volume's.
+double worst_corner(const Matrix4& whole, const TurnedWindow& window) {
+    double worst = 0;
+    for (const double depth : {TurnedWindow::kFront, TurnedWindow::kBack})
+        for (const double u : {-1.0, 1.0})
+            for (const double v : {-1.0, 1.0}) {
+                const double z = (window.distance() + depth) / (window.distance() + TurnedWindow::kBack);
+                const Vec4 found = whole * homogeneous_of(window.on_ray(u / 2, v / 2, depth));
+                worst = std::max({worst, std::abs(number_of(found.x) - u * z), std::abs(number_of(found.y) - v * z),
+                                  std::abs(number_of(found.z) - z)});
+            }
+    return worst;
+}
+
+/// A step's columns of 320, left and right, and the plane's point in the middle of the scene with its height: a panel
+/// is its half.
+struct Panel {
+    int left, right;
+    Vec centre;
+    double units_high;
+};
+constexpr std::array<Panel, 5> kPanels{{{0, 106, {0, -2.4}, 15.4},
+                                        {107, 213, {0, -2.4}, 15.4},
+                                        {214, 320, {0.8, -0.5}, 15.4},
+                                        {0, 64, {0, 7.2}, 15.4},
+                                        {65, 176, {0, 1.29}, 4.1}}};
+
+Figures draw_volume_steps(const RowInput& input, Canvas& canvas) {
+    const TurnedWindow window{std::sin(input.radians(1)), std::cos(input.radians(1))};
+    const std::array<Matrix4, 5> steps = lab_volume_steps(window.view());
+    const auto chosen = as_size(input.values[0]);
+    const std::int32_t middle = (canvas.height_px - kHeader_px - kFooter_px) / 2;
+    Matrix4 product = Matrix4::identity();
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        product = steps[i] * product;
+        const Panel& panel = kPanels[i];
+        const std::int32_t left = canvas.width_px * panel.left / 320, right = canvas.width_px * panel.right / 320;
+        Diagram diagram(canvas.part({left, 0, right - left, canvas.height_px}), panel.centre, panel.units_high);
+        draw_panel(product, window, diagram);
+        canvas.write(left + 2, kHeader_px + (i < 3 ? 0 : middle) + 2, kSteps[i],
+                     chosen == i ? Rgb8{250, 225, 150} : Rgb8{150, 156, 150});
+    }
+    std::vector<std::string> lines = matrix_lines(std::string(kSteps[chosen]) + ":", steps[chosen], "%5.2f");
+    lines.pop_back();
+    canvas.column(canvas.width_px * 178 / 320, middle + 2, lines);
+
+    const double d = window.distance(), back = d + TurnedWindow::kBack;
+    const Entry vrp_z = (product * homogeneous_of({0.5, 0.5, -2})).z,
+                front_z = (product * homogeneous_of(window.on_ray(0, 0, TurnedWindow::kFront))).z;
+    return {{"the volume's corners, from the canonical one's: worst", 0, worst_corner(product, window), 1e-5, 6},
+            {"the window's z: d = VRP'z / B'", d / back, vrp_z, 1e-6, 6},
+            {"the front's z: F' / B'", (d + TurnedWindow::kFront) / back, front_z, 1e-6, 6},
+            {"shear of x: -tan of the VPN's turn", -window.sine / window.cosine, steps[3].rows[0][2], 1e-6, 6},
+            {"scale of x: 2 VRP'z / (du B')", 2 * d / back, steps[4].rows[0][0], 1e-6, 6},
+            {"scale of z: 1 / B'", 1 / back, steps[4].rows[2][2], 1e-6, 6}};
 }
 
 }  // namespace
@@ -180,7 +231,9 @@ std::vector<Row> projection_matrix_rows() {
             {"projection-matrix",
              draw_projection_matrix,
              {{"matrix", {"corrected", "as listed"}}, {"near, tenths", 1, 20, 1, 5}, {"far", 5, 100, 5, 10}}},
-            {"opengl-quad", draw_opengl_quad, {{"seen from, degrees", -60, 60, 10, 30}}}};
+            {"volume-steps",
+             draw_volume_steps,
+             {{"step", {kSteps.begin(), kSteps.end()}}, {"VPN turned, degrees", -30, 30, 10, 20}}}};
 }
 
 }  // namespace oblong

@@ -1,6 +1,8 @@
-// Seeds 2 and 4: parallel projections, and the vanishing points of the perspective one.
+// Seeds 2 and 4: parallel projections, the vanishing points of the perspective one, an OpenGL polygon in the pipeline.
 
 #include "engine/frame/frame_counts.h"
+#include "engine/methods/lines.h"
+#include "engine/methods/transforms.h"
 #include "tools/gallery/sketch.h"
 
 namespace oblong {
@@ -148,6 +150,64 @@ Figures draw_vanishing_points(const RowInput& input, Canvas& canvas) {
             {"pixels to what is 2^18 units along", 0, worst_px, 0.02}};
 }
 
+constexpr std::array<Vec, 4> kQuad{{{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {0, 1, 1}}};
+constexpr Vec kQuadTarget{0.5, 0.5, 0.5};
+constexpr int kQuadView = 32;
+
+/// OpenGL's axes, x right, y up, z toward the viewer, in the engine's: x east, y north, z up.
+Vec from_gl(const Vec& p) {
+    return {p.x, -p.z, p.y};
+}
+
+/// A point's position in a part of the picture, in doubles.
+Vec pixel_in_double(const Vec& p, const Vec& eye, const RowInput& input, const Area& area) {
+    const Vec forward = normalised(kQuadTarget - eye), right = normalised(cross(forward, {0, 1, 0})),
+              up = cross(right, forward), way = p - eye;
+    const double d = area.width / 2.0 / std::tan(kQuadView * std::numbers::pi / 360);
+    return {area.width / 2.0 + d * dot(way, right) / dot(way, forward),
+            area.height / 2.0 - d * number_of(input.mode.pixel()) * dot(way, up) / dot(way, forward)};
+}
+
+Figures draw_opengl_quad(const RowInput& input, Canvas& canvas) {
+    const double turn = input.radians(0);
+    const Vec eye{0.5 + 4 * std::sin(turn), 1.6, 0.5 + 4 * std::cos(turn)};
+    const Area area = canvas.scene(180);
+    Sketch sketch(canvas, area, {from_gl(eye), from_gl(kQuadTarget), kQuadView});
+    std::array<Vec, 4> corners;
+    std::transform(kQuad.begin(), kQuad.end(), corners.begin(), from_gl);
+    sketch.polygon(corners, kAmber);
+    std::int64_t pixels = 0;
+    for (std::int32_t y = 0; y < sketch.height_px; ++y)
+        pixels += std::count(sketch.row(y), sketch.row(y) + sketch.width_px, input.colour(kAmber));
+    sketch.outline(corners, kGold);
+    sketch.axes({from_gl({1.3, 0, 0}), from_gl({0, 1.3, 0}), from_gl({0, 0, 1.3})});
+    double worst_px = 0, shoelace = 0;
+    std::vector<std::string> lines{"glBegin(GL_POLYGON)"};
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Vec expected = pixel_in_double(kQuad[i], eye, input, area),
+                  next = pixel_in_double(kQuad[(i + 1) % 4], eye, input, area), found = sketch.pixel_of(corners[i]);
+        worst_px = std::max(worst_px, std::hypot(found.x - expected.x, found.y - expected.y));
+        shoelace += cross(expected, next).z / 2;
+        lines.push_back("glVertex3f(" + triple_text(kQuad[i], "%.0f", ", ") + ")");
+        const Vec3<Entry> divided = *point_of(sketch.world_to_volume() * homogeneous(world_point(corners[i])));
+        lines.push_back(decimals_text({divided.x, divided.y}, "%6.3f") + decimal_text(divided.z, " %6.4f"));
+        lines.push_back("  " + decimal_text(found.x, "%7.2f") + decimal_text(found.y, "%8.2f"));
+    }
+    lines.push_back("glEnd()");
+    canvas.column(canvas.width_px * 186 / 320, 8, lines);
+
+    std::array<Vec3<World>, 4> quad;
+    std::transform(corners.begin(), corners.end(), quad.begin(), [](const Vec& p) { return world_point(p); });
+    const Plane plane = plane_through(quad[0], normalised(cross(quad[1] - quad[0], quad[3] - quad[0])));
+    return {
+        {"area of the polygon: root 2", std::numbers::sqrt2,  // by its diagonals
+         length(vec_of(cross(quad[2] - quad[0], quad[3] - quad[1]))) / 2, 1e-9, 6},
+        {"its fourth corner's distance from the others' plane", 0, distance_to_plane(quad[2], plane), 1e-6, 6},
+        {"pixels from the closed form: worst corner", 0, worst_px,
+         0.01 * std::max({1.0, area.width / 180.0, area.height / 154.0})},
+        {"pixels drawn: the area of its picture", std::abs(shoelace), pixels, (area.width + area.height) / 16.0, 0}};
+}
+
 }  // namespace
 
 std::vector<Row> projection_rows() {
@@ -160,7 +220,8 @@ std::vector<Row> projection_rows() {
              draw_level_from_outside,
              {{"view", {"isometric", "dimetric", "trimetric", "cavalier plan", "cabinet plan"}},
               {"cut off above", 0, 640, 80, 80}}},
-            {"vanishing-points", draw_vanishing_points, {{"vanishing points", {"one", "two", "three"}, 1}}}};
+            {"vanishing-points", draw_vanishing_points, {{"vanishing points", {"one", "two", "three"}, 1}}},
+            {"opengl-quad", draw_opengl_quad, {{"seen from, degrees", -60, 60, 10, 30}}}};
 }
 
 }  // namespace oblong
