@@ -163,6 +163,12 @@ void draw_nine_terms(const Vec& u, const Vec& v, const Dots& dots, Canvas& canva
         }
 }
 
+/// An equation of the seed, with the values of both sides.
+struct SeedStep {
+    std::string text;
+    double left, right;
+};
+
 /// The seed's seven equations, each with both sides' values; their consequence, and its cost.
 Figures draw_seven_steps(const RowInput& input, Canvas& canvas) {
     const Vec u{1, 2, 3}, v{4, -5, 6}, w{2, 1, -1};
@@ -174,11 +180,7 @@ Figures draw_seven_steps(const RowInput& input, Canvas& canvas) {
         return std::pow(a.x + a.y * std::cos(angle), 2) + std::pow(a.y * std::sin(angle), 2) + a.z * a.z;
     };
     const double defined = (squared(u) + squared(v) - squared(u - v)) / 2;
-    struct Step {
-        std::string text;
-        double left, right;
-    };
-    const std::array<Step, 7> steps{
+    const std::array<SeedStep, 7> steps{
         {{"|u| |v| cos = u . v", defined, product(u, v)},
          {"u = 1i + 2j + 3k: |u|^2", squared(u), product(u, u)},
          {"i.j, j.k, k.i = 0", 0, std::abs(dots[0][1]) + std::abs(dots[1][2]) + std::abs(dots[2][0])},
@@ -188,7 +190,7 @@ Figures draw_seven_steps(const RowInput& input, Canvas& canvas) {
          {"(2u) . v = 2 (u . v)", product(u + u, v), 2 * product(u, v)}}};
     std::vector<std::string> lines;
     int holding = 0;
-    for (const Step& step : steps) {
+    for (const SeedStep& step : steps) {
         const bool holds = std::abs(step.left - step.right) < 1e-6;
         holding += holds;
         std::string text = std::to_string(lines.size() + 1) + " " + step.text;
