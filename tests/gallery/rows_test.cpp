@@ -154,12 +154,12 @@ TEST(GalleryPage, EveryPictureIsALinkAndEveryLinkLeadsSomewhere) {
 TEST_F(GalleryRows, LinesOfFiguresAreWrappedNotCut) {
     Row row = gallery_rows().front();
     row.parameters.clear();
-    row.draw = [](const RowInput&, Framebuffer) {
-        return Figures{measured("a figure whose name is longer than a line of the canvas has room for, by far", "1")};
+    row.draw = [](const RowInput&, Canvas&) {
+        return Figures{{"a figure whose name is longer than a line of the canvas has room for, by far", "1"}};
     };
     const Drawn whole = draw(row, {});
-    row.draw = [](const RowInput&, Framebuffer) {
-        return Figures{measured("a figure whose name is longer than a line of the canvas has room for, by", "1")};
+    row.draw = [](const RowInput&, Canvas&) {
+        return Figures{{"a figure whose name is longer than a line of the canvas has room for, by", "1"}};
     };
     EXPECT_NE(draw(row, {}).pixels, whole.pixels) << "the last word shows";
 }

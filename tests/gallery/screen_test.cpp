@@ -5,7 +5,7 @@
 namespace oblong {
 namespace {
 
-Figures draw_nothing(const RowInput&, Framebuffer) {
+Figures draw_nothing(const RowInput&, Canvas&) {
     return {};
 }
 
@@ -16,10 +16,9 @@ class GalleryKeys : public testing::Test {
     }
     std::int64_t value(std::size_t parameter) const { return state_.values[state_.row][parameter]; }
 
-    const std::vector<Row> rows_{
-        {"a", draw_nothing, {choice_parameter("colour", {"red", "green", "blue"}, 1), {"size", -4, 10, 2, 0}}},
-        {"b", draw_nothing, {}},
-        {"c", draw_nothing, {{"angle", 0, 90, 15, 45}}}};
+    const std::vector<Row> rows_{{"a", draw_nothing, {{"colour", {"red", "green", "blue"}, 1}, {"size", -4, 10, 2, 0}}},
+                                 {"b", draw_nothing, {}},
+                                 {"c", draw_nothing, {{"angle", 0, 90, 15, 45}}}};
     ViewOptions view_options_;
     GalleryState state_ = start_of_gallery(rows_);
 };

@@ -76,7 +76,7 @@ TEST(DrawMesh, LeavesOutNothingThatShows) {
     std::iota(all_parts.begin(), all_parts.end(), 0u);
     ASSERT_GT(all_parts.size(), 2u);
     MeshLight light;
-    light.directional = {unit_vector(0, 0, 1), 100};
+    light.directional = {unit_vector({0, 0, 1}), 100};
     int painted = 0, hidden = 0;
     for (int i = 0; i < 60; ++i) {
         const ViewContext view = view_from({});

@@ -14,7 +14,7 @@ namespace {
 void draw_all_ways(const Mesh& mesh, PlacedMesh placed, MeshPicture& picture) {
     placed.mesh = &mesh;
     const MovingLight point{world_point(5, 0, 0), World::from_int(100), 256};
-    const MeshLight light{100, {unit_vector(1, 1, 1), 100}, {&point, 1}, 800};
+    const MeshLight light{100, {unit_vector({1, 1, 1}), 100}, {&point, 1}, 800};
     for (const Shading shading : {Shading::Flat, Shading::Gouraud, Shading::Phong})
         for (const bool is_affine : {false, true}) {
             placed.shading = shading;

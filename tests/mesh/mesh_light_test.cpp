@@ -18,7 +18,7 @@ namespace {
 
 Vec3<Unit> random_direction(std::mt19937& random) {
     std::normal_distribution<double> part;
-    return unit_vector(part(random), part(random), part(random));
+    return unit_vector({part(random), part(random), part(random)});
 }
 
 TEST(MeshLight, OfADirectionIsTheDotProduct) {
@@ -28,8 +28,8 @@ TEST(MeshLight, OfADirectionIsTheDotProduct) {
         const double expected = 200 * std::max(0.0, dot(to_point(normal), to_point(toward)));
         EXPECT_NEAR(diffuse_light(normal, DirectionalLight{toward, 200}) / 256.0, expected, 1 / 256.0);
     }
-    EXPECT_EQ(diffuse_light(unit_vector(0, 0, 1), DirectionalLight{unit_vector(0, 0, 1), 128}), 128 * 256);
-    EXPECT_EQ(diffuse_light(unit_vector(0, 0, 1), DirectionalLight{unit_vector(0, 0, -1), 128}), 0);
+    EXPECT_EQ(diffuse_light(unit_vector({0, 0, 1}), DirectionalLight{unit_vector({0, 0, 1}), 128}), 128 * 256);
+    EXPECT_EQ(diffuse_light(unit_vector({0, 0, 1}), DirectionalLight{unit_vector({0, 0, -1}), 128}), 0);
 }
 
 TEST(MeshLight, OfAPlaceIsTheDotProductTimesWhatIsLeftOfItsRadius) {
@@ -52,8 +52,8 @@ TEST(MeshLight, OfAPlaceIsTheDotProductTimesWhatIsLeftOfItsRadius) {
 
 TEST(MeshLight, AddsUpAndBecomesAShade) {
     const MovingLight point{world_point(0, 0, 100), World::from_int(150), 256};
-    MeshLight light{40, {unit_vector(0, 0, 1), 30}, {&point, 1}, 100};
-    EXPECT_EQ(light_at({}, unit_vector(0, 0, 1), light), (40 + 30 + 50) * 256);
+    MeshLight light{40, {unit_vector({0, 0, 1}), 30}, {&point, 1}, 100};
+    EXPECT_EQ(light_at({}, unit_vector({0, 0, 1}), light), (40 + 30 + 50) * 256);
     EXPECT_EQ(shade_of(brightened(kFullLight * 256, 100)), 32 << 16);
     EXPECT_EQ(shade_of(brightened(0, 100)), 63 << 16);
     EXPECT_EQ(shade_of(brightened(kFullLight * 256 * 10, 100)), 0);
@@ -89,11 +89,11 @@ Point place_on_square(std::int32_t x, std::int32_t y) {
     return {0, ((x + 0.5) - 96) / 128, ((y + 0.5) - (100 - 160 / 3.0)) / (320 / 3.0)};
 }
 
-const DirectionalLight kFromEye{unit_vector(-1, 0, 0), 100};
+const DirectionalLight kFromEye{unit_vector({-1, 0, 0}), 100};
 
 TEST(Shading, FlatIsTheLightOfTheTrianglesOwnNormal) {
     MeshBuilder builder;
-    const Vec3<Unit> wrong = unit_vector(0, 0, 1);
+    const Vec3<Unit> wrong = unit_vector({0, 0, 1});
     const PlacedMesh placed = square(builder, {wrong, wrong, wrong, wrong}, Shading::Flat);
     MeshPicture picture(view_from({}));
     picture.draw(placed, numbered_shades(), {20, kFromEye, {}, 100});
@@ -103,8 +103,8 @@ TEST(Shading, FlatIsTheLightOfTheTrianglesOwnNormal) {
 
 TEST(Shading, GouraudsShadeGoesEvenlyOverTheScreen) {
     MeshBuilder builder;
-    const std::array normals{unit_vector(-1, 0, 0), unit_vector(-1, -1, 0), unit_vector(-1, 0, -3),
-                             unit_vector(-1, 2, 0)};
+    const std::array normals{unit_vector({-1, 0, 0}), unit_vector({-1, -1, 0}), unit_vector({-1, 0, -3}),
+                             unit_vector({-1, 2, 0})};
     const PlacedMesh placed = square(builder, normals, Shading::Gouraud);
     MeshPicture picture(view_from({}));
     picture.draw(placed, numbered_shades(), {20, kFromEye, {}, 100});
@@ -123,8 +123,8 @@ TEST(Shading, GouraudsShadeGoesEvenlyOverTheScreen) {
 
 TEST(Shading, PhongsNormalGoesEvenlyAndItsHighlightWithIt) {
     MeshBuilder builder;
-    const std::array normals{unit_vector(-1, 1, 1), unit_vector(-1, -1, 1), unit_vector(-1, -1, -1),
-                             unit_vector(-1, 1, -1)};
+    const std::array normals{unit_vector({-1, 1, 1}), unit_vector({-1, -1, 1}), unit_vector({-1, -1, -1}),
+                             unit_vector({-1, 1, -1})};
     PlacedMesh placed = square(builder, normals, Shading::Phong);
     placed.highlight = 60;
     MeshPicture picture(view_from({}));

@@ -45,7 +45,7 @@ struct MeshBuilder {
     MeshBuilder() { mesh.frames.emplace_back(); }
 
     std::uint32_t add(const Vec3<World>& position, double u = 0, double v = 0,
-                      Vec3<Unit> normal = unit_vector(0, 0, 1)) {
+                      Vec3<Unit> normal = unit_vector({0, 0, 1})) {
         mesh.frames[0].vertices.push_back({position, normal});
         const auto texel = [](double value) { return Texel::from_raw(std::llround(value * 65536)); };
         mesh.texels.push_back({texel(u), texel(v)});

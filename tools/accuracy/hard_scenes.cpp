@@ -1,6 +1,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/io/doubles.h"
 #include "tools/accuracy/measured_level.h"
 #include "tools/accuracy/scene_map.h"
 #include "tools/map/compile.h"
@@ -164,12 +165,9 @@ HardScene make_coloured_lamps() {
 }
 
 Camera camera_of(const Eye& eye) {
-    const auto world = [](double value) {
-        return World::from_raw(static_cast<std::int32_t>(std::lround(value * 4096)));
-    };
     const auto angle = [](double degrees) { return Angle::from_bam(std::lround(degrees * 65536 / 360)); };
     Camera camera;
-    camera.eye = {world(eye.position.x), world(eye.position.y), world(eye.position.z)};
+    camera.eye = {fixed_of<World>(eye.position.x), fixed_of<World>(eye.position.y), fixed_of<World>(eye.position.z)};
     camera.yaw = angle(eye.yaw);
     camera.pitch = angle(eye.pitch);
     camera.roll = angle(eye.roll);

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/base/table.h"
+#include "engine/io/doubles.h"
 #include "engine/visibility/eye.h"
 
 namespace oblong {
@@ -28,15 +29,12 @@ Angle shown_angle(double degrees) {
 }
 
 Camera camera_from(const ArticleEye& eye) {
-    const auto world = [](double units) {
-        return World::from_raw(static_cast<std::int32_t>(std::lround(units * 4096)));
-    };
     Camera camera;
-    camera.eye = {world(eye.x), world(eye.y), world(eye.z)};
+    camera.eye = {fixed_of<World>(eye.x), fixed_of<World>(eye.y), fixed_of<World>(eye.z)};
     camera.yaw = shown_angle(eye.yaw);
     camera.pitch = shown_angle(eye.pitch);
     camera.roll = shown_angle(eye.roll);
-    camera.field_of_view = Degrees::from_raw(std::llround(std::ldexp(eye.field_of_view, Degrees::kFractionBits)));
+    camera.field_of_view = fixed_of<Degrees>(eye.field_of_view);
     return camera;
 }
 

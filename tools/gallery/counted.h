@@ -110,8 +110,8 @@ Vec3<Number> rotate_by_projection(const Vec3<Number>& p, const std::array<Vec3<N
 }
 
 /// The dot product in a basis that need not be orthonormal: nine terms, each with the dot product of two axes.
-template <class Number, class Dots>
-Number dot_by_nine_terms(const Vec3<Number>& u, const Vec3<Number>& v, const Dots& axes) {
+template <class Vector, class Dots>
+auto dot_by_nine_terms(const Vector& u, const Vector& v, const Dots& axes) {
     return u.x * v.x * axes[0][0] + u.y * v.x * axes[1][0] + u.z * v.x * axes[2][0] +  //
            u.x * v.y * axes[0][1] + u.y * v.y * axes[1][1] + u.z * v.y * axes[2][1] +  //
            u.x * v.z * axes[0][2] + u.y * v.z * axes[1][2] + u.z * v.z * axes[2][2];

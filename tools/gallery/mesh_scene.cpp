@@ -1,31 +1,17 @@
 #include "tools/gallery/mesh_scene.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <utility>
-
-#include "engine/base/table.h"
-#include "engine/view/screen.h"
-#include "tools/gallery/row.h"
+#include "engine/view/views.h"
 
 namespace oblong {
 
 namespace {
 
 ViewContext make_scene_view(const RowInput& input, int field_of_view) {
-    ViewContext view;
-    view.axes = view_basis({}, {}, {});
-    view.projection = make_projection(input.mode, Degrees::from_int(field_of_view), input.settings.correct_aspect);
-    view.frustum = make_frustum(view.axes, view.projection);
-    view.grid = SubpixelGrid::of_bits(input.settings.accuracy.subpixel_bits);
-    return view;
-}
-
-/// Pixels right of a place on the screen are `across`, rows below it `down`.
-double area(double across_a, double down_a, double across_b, double down_b) {
-    return across_a * down_b - across_b * down_a;
+    Camera camera;
+    camera.field_of_view = Degrees::from_int(field_of_view);
+    return make_view_context(
+        first_person_view(camera), input.mode,
+        {.subpixel_bits = input.settings.accuracy.subpixel_bits, .corrects_aspect = input.settings.correct_aspect});
 }
 
 }  // namespace
@@ -45,9 +31,8 @@ MeshCounts MeshScene::draw(const PlacedMesh& placed, const MeshLight& light, con
     return draw_mesh(placed, drawing, {depth_, canvas_, {0, canvas_.width_px, 0, canvas_.height_px}}, scratch_);
 }
 
-std::uint8_t lit_colour(const GalleryAssets& assets, int red, int green, int blue) {
-    const auto channel = [](int value) { return static_cast<std::uint8_t>(value); };
-    return nearest_colour(assets.colormap.palette, {channel(red), channel(green), channel(blue)}, kOrdinaryColours);
+std::uint8_t lit_colour(const GalleryAssets& assets, Rgb8 colour) {
+    return nearest_colour(assets.colormap.palette, colour, kOrdinaryColours);
 }
 
 Colormap shade_numbers() {
@@ -65,38 +50,48 @@ std::optional<ExactHit> exact_hit(const PlacedMesh& placed, const RowInput& inpu
                                   double row) {
     const double across = input.mode.width_px / 2.0 / std::tan(field_of_view * std::numbers::pi / 360);
     const double shape = input.settings.correct_aspect ? number_of(input.mode.pixel()) : 1;
+    const Vec scale = vec_of(placed.scale);
     const auto corner = [&](std::uint32_t number) {
         const MeshVertex& vertex = placed.mesh->frames[0].vertices[number];
-        const double sx = number_of(placed.scale.x), sy = number_of(placed.scale.y), sz = number_of(placed.scale.z);
-        const Vec n = vec_of(vertex.normal);
+        const Vec n = vec_of(vertex.normal), p = vec_of(vertex.position);
         ExactCorner exact;
-        exact.position = {number_of(vertex.position.x) * sx + number_of(placed.position.x),
-                          number_of(vertex.position.y) * sy + number_of(placed.position.y),
-                          number_of(vertex.position.z) * sz + number_of(placed.position.z)};
-        exact.normal = normalised(Vec{n.x / sx, n.y / sy, n.z / sz});
-        exact.depth = exact.position.x;
-        exact.column = input.mode.width_px / 2.0 - across * exact.position.y / exact.depth;
-        exact.row = input.mode.height_px / 2.0 - across * shape * exact.position.z / exact.depth;
+        exact.position = Vec{p.x * scale.x, p.y * scale.y, p.z * scale.z} + vec_of(placed.position);
+        exact.normal = normalised(Vec{n.x / scale.x, n.y / scale.y, n.z / scale.z});
+        exact.screen = {input.mode.width_px / 2.0 - across * exact.position.y / exact.position.x,
+                        input.mode.height_px / 2.0 - across * shape * exact.position.z / exact.position.x};
         return exact;
     };
+    const Vec at{column, row};
     std::optional<ExactHit> nearest;
     double nearest_depth = 1e30;
     for (const MeshTriangle& triangle : placed.mesh->triangles) {
         const std::array corners{corner(triangle.vertices[0]), corner(triangle.vertices[1]),
                                  corner(triangle.vertices[2])};
         const auto& [a, b, c] = corners;
-        const double whole = area(b.column - a.column, b.row - a.row, c.column - a.column, c.row - a.row);
+        const double whole = cross(b.screen - a.screen, c.screen - a.screen).z;
         if (whole <= 0) continue;  // a back face
-        const double of_b = area(column - a.column, row - a.row, c.column - a.column, c.row - a.row) / whole,
-                     of_c = area(b.column - a.column, b.row - a.row, column - a.column, row - a.row) / whole;
-        if (of_b < 0 || of_c < 0 || of_b + of_c > 1 || a.depth > nearest_depth) continue;
-        nearest_depth = a.depth;
+        const double of_b = cross(at - a.screen, c.screen - a.screen).z / whole,
+                     of_c = cross(b.screen - a.screen, at - a.screen).z / whole;
+        if (of_b < 0 || of_c < 0 || of_b + of_c > 1 || a.position.x > nearest_depth) continue;
+        nearest_depth = a.position.x;
         nearest = ExactHit{corners,
                            {1 - of_b - of_c, of_b, of_c},
                            normalised(cross(c.position - a.position, b.position - a.position))};
     }
     return nearest;
 }
+
+namespace {
+
+/// A mesh of one frame and one skin.
+Mesh mesh_of(MeshFrame frame, Mesh mesh, Skin skin) {
+    set_boxes(frame);
+    mesh.frames.push_back(std::move(frame));
+    mesh.skins.push_back(std::move(skin));
+    return mesh;
+}
+
+}  // namespace
 
 Skin checkered_skin(std::int32_t size, std::uint8_t one, std::uint8_t other) {
     Skin skin{"checkered", size, size, std::vector<std::uint8_t>(pixel_count(size, size))};
@@ -117,8 +112,8 @@ Mesh ball_mesh(double radius, int rings, Skin skin) {
     for (int ring = 0; ring <= rings; ++ring)
         for (int step = 0; step <= around; ++step) {
             const double down = std::numbers::pi * ring / rings, turn = 2 * std::numbers::pi * step / around;
-            const double x = std::sin(down) * std::cos(turn), y = std::sin(down) * std::sin(turn), z = std::cos(down);
-            frame.vertices.push_back({world_point(radius * x, radius * y, radius * z), unit_vector(x, y, z)});
+            const Vec out{std::sin(down) * std::cos(turn), std::sin(down) * std::sin(turn), std::cos(down)};
+            frame.vertices.push_back({world_point(out * radius), unit_vector(out)});
             mesh.texels.push_back({Texel::from_raw(std::int64_t{skin.width - 1} * 65536 * step / around),
                                    Texel::from_raw(std::int64_t{skin.height - 1} * 65536 * ring / rings)});
         }
@@ -129,10 +124,7 @@ Mesh ball_mesh(double radius, int rings, Skin skin) {
             if (ring > 0) mesh.triangles.push_back({{upper, upper + 1, lower}, 0});
             if (ring < rings - 1) mesh.triangles.push_back({{upper + 1, lower + 1, lower}, 0});
         }
-    set_boxes(frame);
-    mesh.frames.push_back(frame);
-    mesh.skins.push_back(std::move(skin));
-    return mesh;
+    return mesh_of(std::move(frame), std::move(mesh), std::move(skin));
 }
 
 Mesh cube_mesh(double half_size, Skin skin) {
@@ -143,27 +135,20 @@ Mesh cube_mesh(double half_size, Skin skin) {
         for (const int sign : {-1, 1}) {
             const auto first = static_cast<std::uint32_t>(frame.vertices.size());
             for (const auto& [a, b] : {std::pair{-1, -1}, std::pair{1, -1}, std::pair{1, 1}, std::pair{-1, 1}}) {
-                double p[3] = {}, n[3] = {};
+                Vec p, n;
                 p[axis] = sign * half_size;
                 n[axis] = sign;
                 p[(axis + 1) % 3] = a * half_size;
                 p[(axis + 2) % 3] = b * half_size;
-                frame.vertices.push_back({world_point(p[0], p[1], p[2]), unit_vector(n[0], n[1], n[2])});
+                frame.vertices.push_back({world_point(p), unit_vector(n)});
                 mesh.texels.push_back({Texel::from_raw(std::lround((a + 1) * w * 32768)),
                                        Texel::from_raw(std::lround((1 - b) * h * 32768))});
             }
-            if (sign > 0) {
-                mesh.triangles.push_back({{first, first + 2, first + 1}, 0});
-                mesh.triangles.push_back({{first, first + 3, first + 2}, 0});
-            } else {
-                mesh.triangles.push_back({{first, first + 1, first + 2}, 0});
-                mesh.triangles.push_back({{first, first + 2, first + 3}, 0});
-            }
+            const std::uint32_t one = sign > 0 ? 2 : 1, other = 3 - one;
+            mesh.triangles.push_back({{first, first + one, first + other}, 0});
+            mesh.triangles.push_back({{first, first + one + 1, first + other + 1}, 0});
         }
-    set_boxes(frame);
-    mesh.frames.push_back(frame);
-    mesh.skins.push_back(std::move(skin));
-    return mesh;
+    return mesh_of(std::move(frame), std::move(mesh), std::move(skin));
 }
 
 }  // namespace oblong

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
-
 #include "engine/mesh/draw_mesh.h"
 #include "engine/mesh/mesh.h"
 #include "tools/gallery/row.h"
@@ -27,8 +24,17 @@ class MeshScene {
     MeshScratch scratch_;
 };
 
+/// A mesh at a place.
+inline PlacedMesh placed_mesh(const Mesh& mesh, const Vec& position, Shading shading) {
+    PlacedMesh placed;
+    placed.mesh = &mesh;
+    placed.position = world_point(position);
+    placed.shading = shading;
+    return placed;
+}
+
 /// The nearest of the palette's colours that light changes.
-std::uint8_t lit_colour(const GalleryAssets& assets, int red, int green, int blue);
+std::uint8_t lit_colour(const GalleryAssets& assets, Rgb8 colour);
 
 /// A colormap that gives a pixel the number of its shade.
 Colormap shade_numbers();
@@ -38,8 +44,7 @@ double exact_shade(double light);
 
 /// A corner of a mesh in doubles, and its screen position.
 struct ExactCorner {
-    double column = 0, row = 0, depth = 0;
-    Vec position, normal;
+    Vec screen, position, normal;
 };
 /// The visible triangle at a screen position, the position's barycentric coordinates on the screen, and the face
 /// normal.

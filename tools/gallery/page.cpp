@@ -12,21 +12,9 @@ constexpr std::array<std::string_view, 5> kSeeds{
 
 std::string escaped(std::string_view text) {
     std::string html;
-    for (const char character : text) {
-        if (character == '&')
-            html += "&amp;";
-        else if (character == '<')
-            html += "&lt;";
-        else if (character == '"')
-            html += "&quot;";
-        else
-            html += character;
-    }
+    for (const char letter : text)
+        html += letter == '&' ? "&amp;" : letter == '<' ? "&lt;" : letter == '"' ? "&quot;" : std::string(1, letter);
     return html;
-}
-
-std::string link_of(const Row& row) {
-    return "<a href=\"#" + std::string(row.id) + "\">" + escaped(row.name) + "</a>\n";
 }
 
 /// A picture that a click enlarges to its section's width: opened alone, a browser would show square pixels.
@@ -92,7 +80,7 @@ std::string index_page(const std::vector<PageRow>& rows, const ScreenMode& mode)
             contents += "<b>" + seed + "</b>\n";
             last_seed = seed;
         }
-        contents += link_of(shown.row);
+        contents += "<a href=\"#" + std::string(shown.row.id) + "\">" + escaped(shown.row.name) + "</a>\n";
         body += row_html(shown, mode);
         for (const Figures& of_picture : shown.figures) figures += of_picture.size();
     }

@@ -10,6 +10,7 @@
 #include "engine/base/table.h"
 #include "engine/draw/drawing.h"
 #include "engine/surface/palette.h"
+#include "tools/gallery/canvas.h"
 #include "tools/gallery/texts.h"
 
 namespace oblong {
@@ -52,27 +53,18 @@ Row with_text(const std::vector<std::string_view>& lines, std::map<std::string_v
 
 }  // namespace
 
-Figure number_figure(std::string name, double expected, double found, double tolerance, int decimals) {
-    return {std::move(name), with_decimals(expected, decimals), with_decimals(found, decimals),
-            std::abs(expected - found) <= tolerance};
-}
+Figure::Figure(std::string what, std::string expects, std::string finds, bool agree)
+    : name(std::move(what)), expected(std::move(expects)), found(std::move(finds)), agrees(agree) {}
 
-Figure count_figure(std::string name, std::int64_t expected, std::int64_t found) {
-    return {std::move(name), std::to_string(expected), std::to_string(found), expected == found};
-}
+Figure::Figure(std::string what, FigureNumber expects, FigureNumber finds, FigureNumber tolerance, int decimals)
+    : Figure(std::move(what), with_decimals(expects.value, decimals), with_decimals(finds.value, decimals),
+             std::abs(expects.value - finds.value) <= tolerance.value) {}
 
-Figure measured(std::string name, std::string found) {
-    return {std::move(name), "", std::move(found), true};
-}
+Figure::Figure(std::string what, std::string expects, std::string finds)
+    : name(std::move(what)), expected(std::move(expects)), found(std::move(finds)), agrees(expected == found) {}
 
-Parameter choice_parameter(std::string name, std::vector<std::string> choices, std::int64_t start) {
-    const auto most = static_cast<std::int64_t>(choices.size()) - 1;
-    return {std::move(name), 0, most, 1, start, std::move(choices)};
-}
-
-Figure measured(std::string name, std::int64_t found) {
-    return measured(std::move(name), std::to_string(found));
-}
+Figure::Figure(std::string what, std::int64_t expects, std::int64_t finds)
+    : Figure(std::move(what), std::to_string(expects), std::to_string(finds)) {}
 
 std::vector<std::int64_t> start_values(const Row& row) {
     std::vector<std::int64_t> values;
@@ -93,7 +85,9 @@ std::string figure_text(const Figure& figure) {
     return text + "  " + figure.name;
 }
 
-Figures draw_row(const Row& row, const RowInput& input, std::size_t chosen, Framebuffer canvas) {
+Figures draw_row(const Row& row, const RowInput& input, std::size_t chosen, Framebuffer pixels) {
+    Canvas canvas(input, pixels);
+    canvas.fill(kGround);
     Figures figures = row.draw(input, canvas);
     const TextColours colours = input.assets.text;
     fill_area(canvas, {0, 0, canvas.width_px, kHeader_px}, colours.dark);
@@ -113,16 +107,6 @@ Figures draw_row(const Row& row, const RowInput& input, std::size_t chosen, Fram
     return figures;
 }
 
-std::uint8_t GalleryAssets::colour(int red, int green, int blue) const {
-    const Rgb8 wanted{static_cast<std::uint8_t>(red), static_cast<std::uint8_t>(green),
-                      static_cast<std::uint8_t>(blue)};
-    return nearest_colour(colormap.palette, wanted);
-}
-
-void fill(Framebuffer canvas, std::uint8_t colour) {
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, colour);
-}
-
 Vec3<World> world_point(double x, double y, double z) {
     return {fixed_of<World>(x), fixed_of<World>(y), fixed_of<World>(z)};
 }
@@ -131,33 +115,40 @@ Vec3<World> world_point(const Vec& place) {
     return world_point(place.x, place.y, place.z);
 }
 
-Vec3<Unit> unit_vector(double x, double y, double z) {
-    const double length = std::hypot(x, y, z);
-    return {fixed_of<Unit>(x / length), fixed_of<Unit>(y / length), fixed_of<Unit>(z / length)};
+Vec3<Unit> unit_vector(const Vec& direction) {
+    const double length = std::hypot(direction.x, direction.y, direction.z);
+    return {fixed_of<Unit>(direction.x / length), fixed_of<Unit>(direction.y / length),
+            fixed_of<Unit>(direction.z / length)};
 }
 
 Entry entry_of(double value) {
     return fixed_of<Entry>(value);
 }
 
-std::string decimal_text(double value, const char* format) {
+std::string decimal_text(FigureNumber value, const char* format) {
     char text[64];
-    std::snprintf(text, sizeof text, format, value);
+    std::snprintf(text, sizeof text, format, value.value);
     return text;
 }
 
-std::string decimals_text(std::initializer_list<double> values, const char* format, const char* between) {
+std::string decimals_text(std::initializer_list<FigureNumber> values, const char* format, const char* between) {
     std::string text;
-    for (const double value : values) text += (text.empty() ? "" : between) + decimal_text(value, format);
+    for (const FigureNumber value : values) text += (text.empty() ? "" : between) + decimal_text(value, format);
     return text;
+}
+
+std::vector<std::string> matrix_lines(std::string title, const Matrix4& matrix, const char* format,
+                                      const char* last_format) {
+    std::vector<std::string> lines{std::move(title)};
+    for (const auto& row : matrix.rows) lines.push_back(row_text(row, format, last_format));
+    return lines;
 }
 
 std::vector<Row> gallery_rows() {
     std::map<std::string_view, Row> without_text;
-    for (const auto subject :
-         {aspect_rows, clipping_rows, culling_rows, cyclic_overlap_rows, hidden_surface_rows, inspection_rows,
-          line_clipping_rows, line_rows, mesh_rows, projection_matrix_rows, projection_rows, shading_rows, stage_rows,
-          texture_rows, transform_rows, triangle_rows, vector_rows, view_rows, volume_step_rows})
+    for (const auto subject : {aspect_rows, clipping_rows, cyclic_overlap_rows, hidden_surface_rows, inspection_rows,
+                               line_rows, projection_matrix_rows, projection_rows, shading_rows, stage_rows,
+                               texture_rows, transform_rows, triangle_rows, vector_rows, view_rows})
         for (Row& row : subject()) without_text.emplace(row.id, std::move(row));
     std::vector<Row> rows;
     std::string_view text = kRowTexts;

@@ -46,7 +46,7 @@ std::string outcode_letters(unsigned outcode) {
 
 template <class T>
 std::string place_text(const Vec3<T>& p) {
-    return decimals_text({number_of(p.x), number_of(p.y), number_of(p.z)}, "%5.2f");
+    return triple_text(vec_of(p), "%5.2f");
 }
 
 std::string span_text(const ShownTriangle& triangle, Stage stage) {
@@ -66,15 +66,14 @@ void add_lines_of(const ShownTriangle& triangle, Stage stage, const MeshLight& l
     const std::string number = std::to_string(triangle.number);
     if (stage == Stage::Lit)
         lines.push_back(decimal_text(triangle.number, "%3.0f") +
-                        decimal_text(number_of(dot(triangle.world_normal, light.directional.toward)), " %8.3f") +
+                        decimal_text(dot(triangle.world_normal, light.directional.toward), " %8.3f") +
                         decimal_text(triangle.light, " %8.1f"));
     if (stage == Stage::Clipped) lines.push_back("triangle " + number + ": " + std::to_string(triangle.corners.size()));
     if (stage == Stage::Divided)
-        for (const Vec3<Entry>& corner : triangle.divided)
-            lines.push_back(decimals_text({number_of(corner.x), number_of(corner.y), number_of(corner.z)}, "%6.3f"));
+        for (const Vec3<Entry>& corner : triangle.divided) lines.push_back(triple_text(vec_of(corner), "%6.3f"));
     if (stage == Stage::Projected)
         for (const ScreenCorner& corner : triangle.corners)
-            lines.push_back(decimals_text({number_of(corner.screen.x), number_of(corner.screen.y)}, "%5.1f") +
+            lines.push_back(decimals_text({corner.screen.x, corner.screen.y}, "%5.1f") +
                             decimal_text(1 / number_of(corner.inverse_z), " %6.2f"));
     if (stage >= Stage::Scanned && !triangle.spans.empty()) lines.push_back(number + span_text(triangle, stage));
 }
@@ -97,7 +96,7 @@ StagedCube::StagedCube(const RowInput& input, Framebuffer part) : mesh(make_cube
     placed.mesh = &mesh;
     placed.position = world_point(kCubeAhead, input.number(2) / 4, kCubeBelow);
     placed.yaw = input.angle(1);
-    placed.colour = input.assets.colour(230, 160, 70);
+    placed.colour = input.colour({230, 160, 70});
     placed.shading = Shading::Flat;
     view = make_view_context(look_at_view({}, world_point(2, 0, -1), Degrees::from_int(60)),
                              mode_of_part(input.mode, part));
@@ -154,8 +153,8 @@ std::vector<std::string> StagedCube::lines_of(Stage stage) const {
         const auto& [a, b, c] = mesh.triangles[i].vertices;
         const auto normal =
             convert<World>(cross(object[c].position - object[a].position, object[b].position - object[a].position));
-        const double product = number_of(dot(normal, object_eye - object[a].position));
-        lines.push_back(decimal_text(i, "%3.0f") + decimal_text(product, " %8.2f") +
+        lines.push_back(decimal_text(i, "%3.0f") +
+                        decimal_text(dot(normal, object_eye - object[a].position), " %8.2f") +
                         (faces_eye(i) ? "  faces" : "  away"));
     }
     if (stage == Stage::InWorld)

@@ -128,7 +128,7 @@ void Gallery::draw_picture(const ScreenMode& mode) {
         figures_ = draw_row(row, input, state_.chosen, canvas);
     } catch (const std::bad_alloc&) {  // under DOS; what the row had taken is free again
         figures_ = {};
-        fill(canvas, assets_.text.dark);
+        std::fill(picture_.begin(), picture_.end(), assets_.text.dark);
         show("This row needs more memory than there is");
     }
     const std::string number = std::to_string(state_.row + 1) + " of " + std::to_string(rows_.size());

@@ -7,6 +7,7 @@
 #include "engine/programs/arguments.h"
 #include "engine/programs/command_line.h"
 #include "game/program/program.h"
+#include "tools/gallery/canvas.h"
 #include "tools/gallery/page.h"
 #include "tools/gallery/program/gallery_screen.h"
 #include "tools/gallery/row.h"
@@ -65,37 +66,22 @@ std::vector<std::vector<std::int64_t>> values_of_pictures(const Row& row) {
     return pictures;
 }
 
-class PictureWriter {
-  public:
-    PictureWriter(const PageOptions& options, const GalleryAssets& assets, const Settings& settings,
-                  const ScreenMode& mode)
-        : options_(options), assets_(assets), settings_(settings), mode_(mode) {}
-
-    PageRow draw(const Row& row) {
-        PageRow shown{row, {}, {}};
-        for (const auto& values : values_of_pictures(row)) {
-            const std::string number = shown.pictures.empty() ? "" : "-" + std::to_string(shown.pictures.size());
-            const std::string file = std::string(row.id) + number + ".png";
-            shown.figures.push_back(draw_row(row, {assets_, mode_, settings_, values}, 0, canvas()));
-            shown.pictures.push_back({file, values.empty() ? "" : value_text(row.parameters[0], values[0])});
-            write_file(options_.out + "/" + file,
-                       encode_indexed_png(pixels_, mode_.width_px, mode_.height_px, assets_.colormap.palette));
-        }
-        return shown;
+/// Draws a row's pictures into the folder.
+PageRow write_pictures(const Row& row, RowInput input, const std::string& folder) {
+    PageRow shown{row, {}, {}};
+    const ScreenMode& mode = input.mode;
+    for (const auto& values : values_of_pictures(row)) {
+        input.values = values;
+        const std::string number = shown.pictures.empty() ? "" : "-" + std::to_string(shown.pictures.size());
+        const std::string file = std::string(row.id) + number + ".png";
+        const SidePicture picture(mode.width_px, mode.height_px);
+        shown.figures.push_back(draw_row(row, input, 0, picture));
+        shown.pictures.push_back({file, values.empty() ? "" : value_text(row.parameters[0], values[0])});
+        write_file(folder + "/" + file,
+                   encode_indexed_png(picture.indices, mode.width_px, mode.height_px, input.assets.colormap.palette));
     }
-
-  private:
-    Framebuffer canvas() {
-        pixels_.assign(pixel_count(mode_.width_px, mode_.height_px), 0);
-        return {pixels_.data(), mode_.width_px, mode_.height_px, mode_.width_px};
-    }
-
-    const PageOptions& options_;
-    const GalleryAssets& assets_;
-    const Settings& settings_;
-    ScreenMode mode_;
-    std::vector<std::uint8_t> pixels_;
-};
+    return shown;
+}
 
 /// Prints the figures that differ from the expected ones; returns their number.
 std::size_t report_wrong(const PageRow& shown) {
@@ -124,11 +110,10 @@ void make_gallery(const PageOptions& options) {
     const Colormap colormap = make_colormap(read_parsed(options.assets + "/palette.lmp", read_palette));
     const GalleryAssets assets{level, colormap, text_colours_of(colormap.palette)};
     make_folder(options.out);
-    PictureWriter writer(options, assets, settings, mode);
     std::vector<PageRow> shown;
     std::size_t wrong = 0, pictures = 0;
     for (const Row& row : rows) {
-        shown.push_back(writer.draw(row));
+        shown.push_back(write_pictures(row, {assets, mode, settings, {}}, options.out));
         wrong += report_wrong(shown.back());
         pictures += shown.back().pictures.size();
     }

@@ -1,17 +1,9 @@
 // Seeds 2 and 3: six planes, the canonical view volume, polygons into triangles.
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-
-#include "engine/draw/drawing.h"
 #include "engine/mesh/triangulate.h"
 #include "engine/methods/canonical_volume.h"
 #include "engine/methods/polygons.h"
 #include "engine/methods/transforms.h"
-#include "engine/view/views.h"
-#include "tools/gallery/row.h"
 #include "tools/gallery/sketch.h"
 
 namespace oblong {
@@ -38,7 +30,7 @@ struct ShownView {
 
     /// Half of the volume's width at a distance; its height is three quarters of its width.
     double half_width(double ahead) const {
-        return kind == VolumeKind::Perspective ? ahead * std::tan(30 * std::numbers::pi / 180) : kHalfWidth;
+        return kind == VolumeKind::Perspective ? ahead * std::tan(30 * kDegree) : kHalfWidth;
     }
     double lean() const { return kind == VolumeKind::Oblique ? kLean : 0; }
 };
@@ -47,9 +39,9 @@ struct ShownView {
 Matrix4 parallel_volume_matrix(double lean) {
     Matrix4 shear = Matrix4::identity();
     shear.rows[0][2] = shear.rows[1][2] = entry_of(lean);
-    return scaling({entry_of(1 / ShownView::kHalfWidth), entry_of(4 / (3 * ShownView::kHalfWidth)),
-                    entry_of(1 / (ShownView::kFar - ShownView::kNear))}) *
-           translation({Entry{}, Entry{}, entry_of(-ShownView::kNear)}) * shear;
+    constexpr double kDepth = ShownView::kFar - ShownView::kNear;
+    return scaling(entries_of({1 / ShownView::kHalfWidth, 4 / (3 * ShownView::kHalfWidth), 1 / kDepth})) *
+           translation(entries_of({0, 0, -ShownView::kNear})) * shear;
 }
 
 ShownView make_shown_view(VolumeKind kind) {
@@ -63,19 +55,21 @@ ShownView make_shown_view(VolumeKind kind) {
     return shown;
 }
 
-Vec3<World> world_of(const ShownView& shown, const Vec4& corner) {
-    const Vec3<Entry> p = *point_of(shown.from_volume * corner);
-    return saturating_convert<World>(p);
+Vec world_of(const ShownView& shown, const Vec4& corner) {
+    return vec_of(saturating_convert<World>(*point_of(shown.from_volume * corner)));
 }
 
-/// A corner of the volume: x and y -1 or 1, z 0 or 1.
-Vec3<World> volume_corner(const ShownView& shown, int x, int y, int z) {
-    return world_of(shown, {entry_of(x), entry_of(y), entry_of(z)});
+/// The corners of the canonical volume's near (0) or far (1) end.
+std::array<Vec, 4> volume_end(int z) {
+    const double depth = z;
+    return {{{-1, -1, depth}, {-1, 1, depth}, {1, 1, depth}, {1, -1, depth}}};
 }
 
-std::array<Vec3<World>, 4> volume_end(const ShownView& shown, int z) {
-    return {volume_corner(shown, -1, -1, z), volume_corner(shown, -1, 1, z), volume_corner(shown, 1, 1, z),
-            volume_corner(shown, 1, -1, z)};
+/// The same in the world.
+std::array<Vec, 4> volume_end(const ShownView& shown, int z) {
+    std::array<Vec, 4> corners = volume_end(z);
+    for (Vec& corner : corners) corner = world_of(shown, homogeneous_of(corner));
+    return corners;
 }
 
 /// A point on a triangle: coordinates along the edges from its first to its second and third corner.
@@ -91,19 +85,17 @@ struct HalfPlane {
 };
 
 /// The triangle's own three sides, and the view's six planes, as half planes on it.
-std::vector<HalfPlane> half_planes_of(const std::array<Vec3<World>, 3>& triangle, const ShownView& shown) {
+std::vector<HalfPlane> half_planes_of(const std::array<Vec, 3>& triangle, const ShownView& shown) {
     std::vector<HalfPlane> sides{{0, 1, 0}, {0, 0, 1}, {1, -1, -1}};
     const auto keep = [&](auto inside_at) {
-        const auto at = [&](std::size_t i) {
-            return inside_at(number_of(triangle[i].x), number_of(triangle[i].y), number_of(triangle[i].z));
-        };
-        sides.push_back({at(0), at(1) - at(0), at(2) - at(0)});
+        const double at = inside_at(triangle[0]);
+        sides.push_back({at, inside_at(triangle[1]) - at, inside_at(triangle[2]) - at});
     };
-    keep([](double x, double, double) { return x - ShownView::kNear; });
-    keep([](double x, double, double) { return ShownView::kFar - x; });
+    keep([](const Vec& p) { return p.x - ShownView::kNear; });
+    keep([](const Vec& p) { return ShownView::kFar - p.x; });
     for (const double sign : {-1.0, 1.0}) {
-        keep([&](double x, double y, double) { return shown.half_width(x) + sign * (y - shown.lean() * x); });
-        keep([&](double x, double, double z) { return shown.half_width(x) * 3 / 4 + sign * (z + shown.lean() * x); });
+        keep([&](const Vec& p) { return shown.half_width(p.x) + sign * (p.y - shown.lean() * p.x); });
+        keep([&](const Vec& p) { return shown.half_width(p.x) * 3 / 4 + sign * (p.z + shown.lean() * p.x); });
     }
     return sides;
 }
@@ -111,7 +103,7 @@ std::vector<HalfPlane> half_planes_of(const std::array<Vec3<World>, 3>& triangle
 /// The share of a triangle's area in the view, in closed form, without clipping by one side after the other. Each
 /// side's line is cut by all other half planes: the rest is an edge of the visible part, or nothing. The edges' cross
 /// products add up to twice the area (Green); the whole is 1/2.
-double share_inside(const std::array<Vec3<World>, 3>& triangle, const ShownView& shown) {
+double share_inside(const std::array<Vec, 3>& triangle, const ShownView& shown) {
     const std::vector<HalfPlane> sides = half_planes_of(triangle, shown);
     double doubled_area = 0;
     for (const HalfPlane& side : sides) {
@@ -131,143 +123,118 @@ double share_inside(const std::array<Vec3<World>, 3>& triangle, const ShownView&
     return std::abs(doubled_area);
 }
 
-double area_of(std::span<const Vec3<World>> corners) {
+/// Twice the area of a flat polygon, along its normal.
+Vec area_vector(std::span<const Vec> corners) {
     Vec doubled;
     for (std::size_t i = 0; i < corners.size(); ++i)
-        doubled = doubled + cross(vec_of(corners[i]), vec_of(corners[(i + 1) % corners.size()]));
-    return length(doubled) / 2;
+        doubled = doubled + cross(corners[i], corners[(i + 1) % corners.size()]);
+    return doubled;
 }
 
 /// The canonical volume, with the clipped polygon in it: x right, y up, depth away from the viewer.
-void draw_canonical_volume(std::span<const Vec4> polygon, const RowInput& input, Framebuffer canvas) {
+void draw_canonical_volume(std::span<const Vec4> polygon, const Canvas& canvas) {
     const std::int32_t x = canvas.width_px * 206 / 320, y = kHeader_px + 5 * kLineHeight_px;
     const Area area{x, y, canvas.width_px - x, std::max(canvas.height_px - kFooter_px - y, 8)};
-    Sketch sketch(input, canvas, area, {world_point(-3.2, -6, 3), world_point(0, 1, 0), 46});
-    const auto place = [](double across, double up, double depth) {
-        return world_point(2 * across, 2 * depth, 2 * up);
-    };
-    const auto end = [&](int z) {
-        return std::array{place(-1, -1, z), place(-1, 1, z), place(1, 1, z), place(1, -1, z)};
-    };
-    const auto near = end(0), far = end(1);
-    const std::uint8_t blue = input.colour(90, 130, 220), dim = input.colour(50, 70, 120);
-    sketch.outline(far, dim);
-    for (std::size_t i = 0; i < 4; ++i) sketch.line(near[i], far[i], dim);
-    std::vector<Vec3<World>> corners;
-    for (const Vec4& corner : polygon) {
-        const Vec3<Entry> p = *point_of(corner);
-        corners.push_back(place(number_of(p.x), number_of(p.y), number_of(p.z)));
-    }
-    sketch.polygon(corners, input.colour(200, 150, 60));
-    sketch.outline(corners, input.colour(250, 225, 150));
-    sketch.outline(near, blue);
-    sketch.label(near[0], "-1 -1 0", blue);
-    sketch.label(far[2], "1 1 1", blue);
+    Sketch sketch(canvas, area, {{-3.2, -6, 3}, {0, 1, 0}, 46});
+    const auto place = [](const Vec& p) { return Vec{2 * p.x, 2 * p.z, 2 * p.y}; };
+    std::array<Vec, 4> near = volume_end(0), far = volume_end(1);
+    for (Vec& corner : near) corner = place(corner);
+    for (Vec& corner : far) corner = place(corner);
+    constexpr Rgb8 kDeep{50, 70, 120};
+    sketch.outline(far, kDeep);
+    for (std::size_t i = 0; i < 4; ++i) sketch.line(near[i], far[i], kDeep);
+    std::vector<Vec> corners;
+    for (const Vec4& corner : polygon) corners.push_back(place(vec_of(*point_of(corner))));
+    sketch.polygon(corners, kAmber);
+    sketch.outline(corners, kGold);
+    sketch.outline(near, kBlue);
+    sketch.label(near[0], "-1 -1 0", kBlue);
+    sketch.label(far[2], "1 1 1", kBlue);
 }
 
 /// The volume in the world: its two ends, the edges between them, and the rays to its near corners.
-void draw_volume(const ShownView& shown, const GalleryAssets& assets, Sketch& sketch) {
-    const std::uint8_t blue = assets.colour(90, 130, 220), grey = assets.colour(80, 88, 110);
+void draw_volume(const ShownView& shown, Sketch& sketch) {
     const auto near = volume_end(shown, 0), far = volume_end(shown, 1);
-    sketch.outline(near, blue);
-    sketch.outline(far, blue);
+    sketch.outline(near, kBlue);
+    sketch.outline(far, kBlue);
     for (std::size_t i = 0; i < 4; ++i) {
-        sketch.line(near[i], far[i], blue);
+        sketch.line(near[i], far[i], kBlue);
         // Back by 2/5 of the depth, to x = 0: the eye, or a point on a parallel ray.
-        const auto back = [&](auto part) { return number_of(part(near[i])) * 1.4 - number_of(part(far[i])) * 0.4; };
-        sketch.line(world_point(back([](const auto& p) { return p.x; }), back([](const auto& p) { return p.y; }),
-                                back([](const auto& p) { return p.z; })),
-                    near[i], grey);
+        sketch.line(near[i] * 1.4 - far[i] * 0.4, near[i], kDim);
     }
-    if (shown.kind == VolumeKind::Perspective) sketch.label(world_point(0, 0, 0), "eye", grey);
-    sketch.label(far[1], "far", blue);
-    sketch.label(near[1], "near", blue);
+    if (shown.kind == VolumeKind::Perspective) sketch.label({0, 0}, "eye", kDim);
+    sketch.label(far[1], "far", kBlue);
+    sketch.label(near[1], "near", kBlue);
 }
 
-Figures draw_view_volume(const RowInput& input, Framebuffer canvas) {
-    const GalleryAssets& assets = input.assets;
-    fill(canvas, assets.colour(18, 22, 34));
+Figures draw_view_volume(const RowInput& input, Canvas& canvas) {
     const ShownView shown = make_shown_view(static_cast<VolumeKind>(input.values[0]));
     const auto move = input.number(1);
-    const std::array triangle{world_point(2 + move, 5, -2), world_point(9 + move, -8, 1), world_point(10 + move, 4, 7)};
+    const std::array<Vec, 3> triangle{{{2 + move, 5, -2}, {9 + move, -8, 1}, {10 + move, 4, 7}}};
     std::vector<Vec4> corners;
-    for (const Vec3<World>& p : triangle) corners.push_back(shown.to_volume * homogeneous(p));
+    for (const Vec& p : triangle) corners.push_back(shown.to_volume * homogeneous_of(p));
     const std::vector<Vec4> clipped = clip_to_volume(corners);
-    std::vector<Vec3<World>> inside;
+    std::vector<Vec> inside;
     for (const Vec4& corner : clipped) inside.push_back(world_of(shown, corner));
 
-    Sketch sketch(input, canvas, scene_area(canvas, 206), {world_point(2, -28, 16), world_point(7.5, 0, -1), 46});
-    sketch.outline(triangle, assets.colour(220, 90, 80));
-    sketch.polygon(inside, assets.colour(200, 150, 60));
-    sketch.outline(inside, assets.colour(250, 225, 150));
-    draw_volume(shown, assets, sketch);
+    Sketch sketch(canvas, canvas.scene(206), {{2, -28, 16}, {7.5, 0, -1}, 46});
+    sketch.outline(triangle, kRed);
+    sketch.polygon(inside, kAmber);
+    sketch.outline(inside, kGold);
+    draw_volume(shown, sketch);
     std::vector<std::string> lines;
     for (const Vec4& corner : corners) lines.push_back(sides_text(volume_outcode(corner)));
     lines.push_back(std::to_string(clipped.size()) + " corners left");
-    draw_column(canvas, canvas.width_px * 206 / 320, kHeader_px + 4, lines, assets.text);
-    draw_canonical_volume(clipped, input, canvas);
+    canvas.column(canvas.width_px * 206 / 320, 4, lines);
+    draw_canonical_volume(clipped, canvas);
 
     const auto far = volume_end(shown, 1);
     const bool is_parallel = shown.kind != VolumeKind::Perspective;
-    const double whole = area_of(triangle), wide = 2 * shown.half_width(ShownView::kFar);
-    const Vec4 middle = shown.to_volume * Vec4{entry_of(9), Entry{}, Entry{}};
-    return {number_figure("area inside, by the edges that nine half-planes leave each other",
-                          share_inside(triangle, shown) * whole, area_of(inside), 2e-3),
-            number_figure(is_parallel ? "width of the far side, the near side's" : "width of the far side: 2 z tan(30)",
-                          wide, number_of(far[0].y - far[3].y), 2e-3),
-            number_figure("its height: 3/4 of that", wide * 3 / 4, number_of(far[1].z - far[0].z), 2e-3),
-            number_figure(is_parallel ? "depth half way: even" : "depth half way: f / (f - n) (1 - n / z)",
-                          is_parallel ? 0.5 : 14 / 10.0 * (1 - 4 / 9.0), number_of(point_of(middle)->z), 1e-6, 6)};
+    const double wide = 2 * shown.half_width(ShownView::kFar);
+    return {{"area inside, by the edges that nine half-planes leave each other",
+             share_inside(triangle, shown) * length(area_vector(triangle)) / 2, length(area_vector(inside)) / 2, 2e-3},
+            {is_parallel ? "width of the far side, the near side's" : "width of the far side: 2 z tan(30)", wide,
+             far[0].y - far[3].y, 2e-3},
+            {"its height: 3/4 of that", wide * 3 / 4, far[1].z - far[0].z, 2e-3},
+            {is_parallel ? "depth half way: even" : "depth half way: f / (f - n) (1 - n / z)",
+             is_parallel ? 0.5 : 14 / 10.0 * (1 - 4 / 9.0), point_of(shown.to_volume * homogeneous_of({9, 0, 0}))->z,
+             1e-6, 6}};
 }
 
 /// Seed 3's pentagon against one plane, with both lists.
-Figures draw_two_lists(const RowInput& input, Framebuffer canvas) {
+Figures draw_two_lists(const RowInput& input, Canvas& canvas) {
     const double height = -1 + input.number(0) / 4;
-    const auto corner = [&](double x, double y) {
-        // The plane is the volume's bottom side, y = -1.
-        return Vec4{entry_of(x), entry_of(y - height - 1), entry_of(0.5), entry_of(1)};
-    };
-    const std::vector pentagon{corner(-0.5, -2), corner(-2, 0), corner(0, 2), corner(2, 0), corner(0.5, -2)};
+    // The plane is the volume's bottom side, y = -1.
+    std::vector<Vec4> pentagon;
+    for (const Vec& p : {Vec{-0.5, -2}, Vec{-2, 0}, Vec{0, 2}, Vec{2, 0}, Vec{0.5, -2}})
+        pentagon.push_back(homogeneous_of({p.x, p.y - height - 1, 0.5}));
     const SplitPolygon split = split_polygon(pentagon, VolumeSide::Bottom);
-    const auto flat = [&](const Vec4& v) { return PlanePoint{number_of(v.x), number_of(v.y) + height + 1}; };
-    const auto all_flat = [&](const std::vector<Vec4>& polygon) {
-        std::vector<PlanePoint> points;
-        for (const Vec4& v : polygon) points.push_back(flat(v));
+    const auto flat = [&](const std::vector<Vec4>& polygon) {
+        std::vector<Vec> points;
+        for (const Vec4& v : polygon) points.push_back({number_of(v.x), number_of(v.y) + height + 1});
         return points;
     };
-    const auto area = [&](const std::vector<Vec4>& polygon) {
-        double sum = 0;
-        for (std::size_t i = 0; i < polygon.size(); ++i) {
-            const PlanePoint a = flat(polygon[i]), b = flat(polygon[(i + 1) % polygon.size()]);
-            sum += (b.x * a.y - a.x * b.y) / 2;
-        }
-        return sum;
-    };
-    Diagram diagram(input, canvas, {0, 0}, 4.8);
-    diagram.fill(input.colour(18, 22, 34));
-    const std::uint8_t blue = input.colour(90, 130, 220);
-    diagram.line({-5, height}, {5, height}, blue);
-    diagram.arrow({-3, height}, {-3, height + 0.7}, blue);
-    diagram.outline(all_flat(split.outside), input.colour(220, 90, 80));
-    diagram.outline(all_flat(split.inside), input.colour(240, 190, 90));
-    for (std::size_t i = 0; i < pentagon.size(); ++i) {
-        const PlanePoint place = flat(pentagon[i]);
-        diagram.text(place, "Q" + std::to_string(i + 1), input.colour(235, 235, 225), place.x < 0 ? -16 : 4);
+    const std::vector<Vec> whole = flat(pentagon), inside = flat(split.inside), outside = flat(split.outside);
+    const auto area = [](const std::vector<Vec>& polygon) { return -area_vector(polygon).z / 2; };
+    Diagram diagram(canvas, {0, 0}, 4.8);
+    diagram.line({-5, height}, {5, height}, kBlue);
+    diagram.arrow({-3, height}, {-3, height + 0.7}, kBlue);
+    diagram.outline(outside, kRed);
+    diagram.outline(inside, kOrange);
+    for (std::size_t i = 0; i < whole.size(); ++i)
+        diagram.label(whole[i], "Q" + std::to_string(i + 1), kWhite, whole[i].x < 0 ? -16 : 4);
+    int crossings = 0;
+    for (std::size_t i = 0; i < inside.size(); ++i) {
+        if (distance_inside(split.inside[i], VolumeSide::Bottom) != Entry{}) continue;
+        diagram.disc(inside[i], 0.07, kGreen);
+        diagram.label(inside[i], "I" + std::to_string(++crossings), kGreen, 4, 3);
     }
-    std::vector<PlanePoint> crossings;
-    for (const Vec4& v : split.inside)
-        if (distance_inside(v, VolumeSide::Bottom) == Entry{}) crossings.push_back(flat(v));
-    for (std::size_t i = 0; i < crossings.size(); ++i) {
-        diagram.disc(crossings[i], 0.07, input.colour(110, 200, 110));
-        diagram.text(crossings[i], "I" + std::to_string(i + 1), input.colour(110, 200, 110), 4, 3);
-    }
-    return {number_figure("area inside + area outside = the pentagon's", area(pentagon),
-                          area(split.inside) + area(split.outside), 1e-8, 6),
-            number_figure("area of the pentagon", 9, area(pentagon), 1e-8),
-            count_figure("crossings in each list", 2, std::ssize(crossings))};
+    return {{"area inside + area outside = the pentagon's", area(whole), area(inside) + area(outside), 1e-8, 6},
+            {"area of the pentagon", 9, area(whole), 1e-8},
+            {"crossings in each list", 2, crossings}};
 }
 
-Figures draw_triangulations(const RowInput& input, Framebuffer canvas) {
+Figures draw_triangulations(const RowInput& input, Canvas& canvas) {
     const auto method = input.values[0];
     const bool is_concave = input.values[1] == 1;
     std::vector<Vec3<World>> corners;
@@ -279,46 +246,44 @@ Figures draw_triangulations(const RowInput& input, Framebuffer canvas) {
     const auto triangles = method == 0   ? triangulate_as_fan(count)
                            : method == 1 ? triangulate_around_middle(count)
                                          : triangulate_by_diagonals(corners);
-    const double whole = area_of(corners);
-    corners.push_back(middle_of(corners));
+    std::vector<Vec> flat;
+    for (const Vec3<World>& corner : corners) flat.push_back(vec_of(corner));
+    const double whole = length(area_vector(flat)) / 2;
+    flat.push_back(vec_of(middle_of(corners)));
 
-    Diagram diagram(input, canvas, {0, 0}, 4.4);
-    diagram.fill(input.colour(18, 22, 34));
-    const auto flat = [&](std::size_t i) { return PlanePoint{number_of(corners[i].x), number_of(corners[i].y)}; };
+    Diagram diagram(canvas, {0, 0}, 4.4);
     double sum = 0, turned_over = 0;
     for (const CornerTriple& triangle : triangles) {
-        const PlanePoint a = flat(triangle[0]), b = flat(triangle[1]), c = flat(triangle[2]);
-        const double area = ((c.x - a.x) * (b.y - a.y) - (b.x - a.x) * (c.y - a.y)) / 2;
+        const std::array sides{flat[triangle[0]], flat[triangle[1]], flat[triangle[2]]};
+        const double area = -area_vector(sides).z / 2;
         sum += std::abs(area);
         turned_over += area < 0;
-        for (std::size_t i = 0; i < 3; ++i)
-            diagram.line(flat(triangle[i]), flat(triangle[(i + 1) % 3]),
-                         area < 0 ? input.colour(220, 60, 50) : input.colour(90, 130, 220));
+        diagram.outline(sides, area < 0 ? kScarlet : kBlue);
     }
     for (std::size_t i = 0; i < count; ++i) {
-        diagram.line(flat(i), flat((i + 1) % count), input.colour(240, 190, 90));
-        diagram.text(flat(i), std::to_string(i), input.colour(235, 235, 225), flat(i).x < 0 ? -9 : 4);
+        diagram.line(flat[i], flat[(i + 1) % count], kOrange);
+        diagram.label(flat[i], std::to_string(i), kWhite, flat[i].x < 0 ? -9 : 4);
     }
     const bool tiles = !is_concave || method != 0;
-    return {count_figure("triangles", method == 1 ? 8 : 6, std::ssize(triangles)),
-            tiles ? number_figure("sum of their areas = the polygon's", whole, sum, 2e-3)
-                  : measured("sum of their areas, which overlap",
-                             decimal_text(sum) + ", the polygon's " + decimal_text(whole)),
-            measured("triangles turned over", decimal_text(turned_over, "%.0f"))};
+    return {{"triangles", method == 1 ? 8 : 6, std::ssize(triangles)},
+            tiles ? Figure{"sum of their areas = the polygon's", whole, sum, 2e-3}
+                  : Figure{"sum of their areas, which overlap",
+                           decimal_text(sum) + ", the polygon's " + decimal_text(whole)},
+            {"triangles turned over", decimal_text(turned_over, "%.0f")}};
 }
 
 }  // namespace
 
 std::vector<Row> clipping_rows() {
-    return {{"view-volume",
-             draw_view_volume,
-             {choice_parameter("projection", {"perspective", "parallel", "oblique parallel"}),
-              {"triangle moved by, units", -4, 8, 1, 1}}},
-            {"two-lists", draw_two_lists, {{"plane, quarters of a unit", -3, 3, 1, 0}}},
-            {"triangulate",
-             draw_triangulations,
-             {choice_parameter("by", {"a fan from one corner", "a point in the middle", "diagonals"}, 2),
-              choice_parameter("polygon", {"convex", "concave"}, 1)}}};
+    return {
+        {"view-volume",
+         draw_view_volume,
+         {{"projection", {"perspective", "parallel", "oblique parallel"}}, {"triangle moved by, units", -4, 8, 1, 1}}},
+        {"two-lists", draw_two_lists, {{"plane, quarters of a unit", -3, 3, 1, 0}}},
+        {"triangulate",
+         draw_triangulations,
+         {{"by", {"a fan from one corner", "a point in the middle", "diagonals"}, 2},
+          {"polygon", {"convex", "concave"}, 1}}}};
 }
 
 }  // namespace oblong

@@ -1,22 +1,14 @@
 // Three planks, each over the next: no order of whole faces draws them (seed 3: the painter's known failure).
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
 #include <tuple>
 
-#include "engine/base/table.h"
-#include "engine/draw/drawing.h"
-#include "engine/fixed/arithmetic.h"
 #include "engine/level/side.h"
 #include "engine/methods/pixel_owners.h"
 #include "engine/raster/scan.h"
 #include "engine/view/screen_polygon.h"
 #include "engine/view/texture_gradients.h"
-#include "engine/view/views.h"
 #include "engine/visibility/fragments.h"
-#include "tools/gallery/row.h"
+#include "tools/gallery/sketch.h"
 
 namespace oblong {
 
@@ -36,16 +28,14 @@ struct Piece {
 /// so that it is over the plank that ends at its start, and under the one that starts at its end.
 Piece make_plank(int number, double rise) {
     constexpr double kRadius = 48, kOverhang = 0.3, kHalfWidth = 9;
-    const auto corner = [](int i) {
+    const auto corner = [](int i) {  // the eye looks along +y
         const double angle = std::numbers::pi / 2 + 2 * std::numbers::pi * i / kPlanks;
-        return std::array{kRadius * std::cos(angle), kRadius * std::sin(angle)};
+        return Vec{kRadius * std::cos(angle), 0, kRadius * std::sin(angle)};
     };
-    const auto from = corner(number), to = corner(number + 1);
-    const double x = to[0] - from[0], z = to[1] - from[1], length = std::hypot(x, z);
-    const auto end = [&](double along, double side) {  // the eye looks along +y
-        const double across = side * kHalfWidth / length;
-        return world_point(from[0] + along * x - across * z, kDistance + rise * (along - 0.5),
-                           from[1] + along * z + across * x);
+    const Vec from = corner(number), way = corner(number + 1) - from;
+    const Vec across = Vec{-way.z, 0, way.x} * (kHalfWidth / std::hypot(way.x, way.z));
+    const auto end = [&](double along, double side) {
+        return world_point(from + way * along + across * side + Vec{0, kDistance + rise * (along - 0.5)});
     };
     Piece plank{number, {}, {end(-kOverhang, 1), end(1 + kOverhang, 1), end(1 + kOverhang, -1), end(-kOverhang, -1)}};
     const Vec3<World> edge = plank.corners[1] - plank.corners[0], other = plank.corners[2] - plank.corners[0];
@@ -58,21 +48,11 @@ Piece make_plank(int number, double rise) {
     return plank;
 }
 
-ViewContext view_of_planks(const RowInput& input) {
-    Camera camera;
-    camera.yaw = degrees_to_angle(Degrees::from_int(90));
-    camera.field_of_view = Degrees::from_int(50);
-    ViewPrecision precision;
-    precision.subpixel_bits = input.settings.accuracy.subpixel_bits;
-    precision.corrects_aspect = input.settings.correct_aspect;
-    return make_view_context(first_person_view(camera), input.mode, precision);
-}
-
 /// The pieces front to back: the first one's plane cuts the others, and the parts on the eye's side of it come first
 /// (Fuchs, Kedem and Naylor 1980).
-std::vector<Piece> front_to_back(std::vector<Piece> pieces, const Vec3<World>& eye) {
+std::vector<Piece> front_to_back(const std::vector<Piece>& pieces, const Vec3<World>& eye) {
     if (pieces.size() < 2) return pieces;
-    const Piece root = pieces.front();
+    const Piece& root = pieces.front();
     std::array<std::vector<Piece>, 2> sides;  // back, front
     std::vector<PlaneDistance> distances;
     for (std::size_t i = 1; i < pieces.size(); ++i) {
@@ -120,28 +100,20 @@ enum class Method { SortedByFarthest, SortedByMean, Tree, ZBuffer, Rays };
 PixelOwners owners_by(Method method, const ScannedFaces& scanned, const ViewContext& view, const ScreenMode& mode) {
     PixelOwners owners;
     owners.start(mode.width_px, mode.height_px);
-    const auto sorted_by = [&](SortDepth depth) {
-        return back_to_front_by_depth(scanned, depth, owners.counts.order_comparisons);
-    };
     std::vector<InverseZ> depths;
     RayTargets targets;
-    switch (method) {
-        case Method::SortedByFarthest:
-            find_owners_by_painting(scanned, sorted_by(SortDepth::Farthest), owners);
-            break;
-        case Method::SortedByMean:
-            find_owners_by_painting(scanned, sorted_by(SortDepth::Mean), owners);
-            break;
-        case Method::Tree:
-            find_owners_by_painting(scanned, back_to_front_by_tree(scanned), owners);
-            break;
-        case Method::ZBuffer:
-            find_owners_by_z_buffer(scanned, depths, owners);
-            break;
-        case Method::Rays:
-            find_owners_by_rays(scanned, make_view_directions(view.rays, view.projection), targets, owners);
-            break;
-    }
+    if (method == Method::ZBuffer)
+        find_owners_by_z_buffer(scanned, depths, owners);
+    else if (method == Method::Rays)
+        find_owners_by_rays(scanned, make_view_directions(view.rays, view.projection), targets, owners);
+    else if (method == Method::Tree)
+        find_owners_by_painting(scanned, back_to_front_by_tree(scanned), owners);
+    else
+        find_owners_by_painting(
+            scanned,
+            back_to_front_by_depth(scanned, method == Method::SortedByMean ? SortDepth::Mean : SortDepth::Farthest,
+                                   owners.counts.order_comparisons),
+            owners);
     return owners;
 }
 
@@ -166,40 +138,43 @@ std::vector<int> nearest_planks(const ScannedFaces& scanned, std::span<const Pie
     const Projection& projection = view.projection;
     std::vector<int> nearest(pixel_count(projection.width_px, projection.height_px), -1);
     std::vector<double> depths(nearest.size(), 1e9);
-    const auto cover = [&](const Piece& piece, std::int32_t column, std::int32_t row) {
-        const Vec ray = ray_through(column, row, projection);
-        if (by_outlines && !hits(ray, piece)) return;
-        const double depth = number_of(piece.plane.distance) / dot(vec_of(piece.plane.normal), ray);
-        const auto pixel = as_size(row * projection.width_px + column);
-        if (depth >= depths[pixel]) return;
-        depths[pixel] = depth;
-        nearest[pixel] = piece.plank;
+    const auto cover = [&](const Piece& piece, std::int32_t row, std::int32_t first, std::int32_t end) {
+        for (std::int32_t column = first; column < end; ++column) {
+            const Vec ray = ray_through(column, row, projection);
+            if (by_outlines && !hits(ray, piece)) continue;
+            const double depth = number_of(piece.plane.distance) / dot(vec_of(piece.plane.normal), ray);
+            const auto pixel = as_size(row * projection.width_px + column);
+            if (depth >= depths[pixel]) continue;
+            depths[pixel] = depth;
+            nearest[pixel] = piece.plank;
+        }
     };
     if (by_outlines)
         for (const Piece& piece : pieces)
-            for (std::int32_t row = 0; row < projection.height_px; ++row)
-                for (std::int32_t column = 0; column < projection.width_px; ++column) cover(piece, column, row);
+            for (std::int32_t row = 0; row < projection.height_px; ++row) cover(piece, row, 0, projection.width_px);
     else
         for (const ScannedFace& face : scanned.faces)
             for (const Span& span : scanned.spans_of(face))
-                for (std::int32_t column = span.first; column < span.end; ++column)
-                    cover(pieces[face.face.position()], column, span.y);
+                cover(pieces[face.face.position()], span.y, span.first, span.end);
     return nearest;
 }
 
 /// A shade for each piece of a plank.
-std::uint8_t colour_of(const Piece& piece, std::span<const Piece> before, const GalleryAssets& assets) {
+std::uint8_t colour_of(const Piece& piece, std::span<const Piece> before, const RowInput& input) {
     constexpr std::array<std::array<int, 3>, kPlanks> kColours{{{214, 150, 70}, {90, 130, 190}, {150, 110, 90}}};
     const auto& [red, green, blue] = item(kColours, piece.plank);
     const auto number =
         std::count_if(before.begin(), before.end(), [&](const Piece& other) { return other.plank == piece.plank; });
     const int percent = 100 - 22 * static_cast<int>(number);
-    return assets.colour(red * percent / 100, green * percent / 100, blue * percent / 100);
+    return input.colour(red * percent / 100, green * percent / 100, blue * percent / 100);
 }
 
-Figures draw_cycle(const RowInput& input, Framebuffer canvas) {
+Figures draw_cycle(const RowInput& input, Canvas& canvas) {
     const auto method = static_cast<Method>(input.values[0]);
-    const ViewContext view = view_of_planks(input);
+    const Accuracy& accuracy = input.settings.accuracy;
+    const ViewContext view =
+        make_view_context(first_person_view(camera_at(0, 0, 0, 90, 0, 50)), input.mode,
+                          {.subpixel_bits = accuracy.subpixel_bits, .corrects_aspect = input.settings.correct_aspect});
     std::vector<Piece> pieces;
     for (int plank = 0; plank < kPlanks; ++plank) pieces.push_back(make_plank(plank, input.number(1)));
     if (method == Method::Tree) pieces = front_to_back(pieces, view.eye);
@@ -209,10 +184,10 @@ Figures draw_cycle(const RowInput& input, Framebuffer canvas) {
 
     std::vector<std::uint8_t> colours;
     for (std::size_t i = 0; i < pieces.size(); ++i)
-        colours.push_back(colour_of(pieces[i], std::span(pieces).first(i), input.assets));
-    const std::uint8_t warning = input.assets.colour(90, 255, 90), ground = input.assets.colour(20, 24, 36);
+        colours.push_back(colour_of(pieces[i], std::span(pieces).first(i), input));
+    const std::uint8_t warning = input.colour(kGreen), ground = input.colour(kGround);
     std::int64_t wrong = 0, uncovered = 0;
-    paint(canvas, [&](std::int32_t x, std::int32_t y) {
+    canvas.paint([&](std::int32_t x, std::int32_t y) {
         const auto pixel = as_size(y * canvas.width_px + x);
         const std::int32_t owner = owners.faces[pixel];
         const auto piece = owner < 0 ? std::size_t{0} : item(scanned.faces, owner).face.position();
@@ -224,20 +199,20 @@ Figures draw_cycle(const RowInput& input, Framebuffer canvas) {
         return plank < 0 ? ground : is_wrong && (x + y) % 2 == 0 ? warning : colours[piece];
     });
     const bool is_sorted = method == Method::SortedByFarthest || method == Method::SortedByMean;
-    const Figure wrong_pixels = is_sorted ? Figure{"wrong pixels", "more than 0", std::to_string(wrong), wrong > 0}
-                                          : count_figure("wrong pixels", 0, wrong);
-    return {wrong_pixels, measured("polygons", std::ssize(pieces)),
-            measured("pixels at outlines that only one of two methods covers", uncovered)};
+    return {is_sorted ? Figure{"wrong pixels", "more than 0", std::to_string(wrong), wrong > 0}
+                      : Figure{"wrong pixels", 0, wrong},
+            {"polygons", std::ssize(pieces)},
+            {"pixels at outlines that only one of two methods covers", uncovered}};
 }
 
 }  // namespace
 
 std::vector<Row> cyclic_overlap_rows() {
-    return {{"cyclic-overlap",
-             draw_cycle,
-             {choice_parameter("method", {"painter by farthest z", "painter by mean z", "painter by the tree",
-                                          "z-buffer", "ray casting"}),
-              {"rise of a plank, units", 20, 100, 10, 60}}}};
+    return {
+        {"cyclic-overlap",
+         draw_cycle,
+         {{"method", {"painter by farthest z", "painter by mean z", "painter by the tree", "z-buffer", "ray casting"}},
+          {"rise of a plank, units", 20, 100, 10, 60}}}};
 }
 
 }  // namespace oblong

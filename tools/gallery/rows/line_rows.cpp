@@ -1,8 +1,4 @@
 // Seed 3 (course notes): four ways to draw a line; seed 2 (the lab): lines clipped in the view volume.
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
 
 #include "engine/effects/colour_tables.h"
 #include "engine/methods/lines.h"
@@ -10,8 +6,7 @@
 #include "engine/raster/lines.h"
 #include "engine/view/clip.h"
 #include "tools/gallery/counted.h"
-#include "tools/gallery/diagram.h"
-#include "tools/gallery/row.h"
+#include "tools/gallery/sketch.h"
 
 namespace oblong {
 namespace {
@@ -29,11 +24,12 @@ CountedOperations operations_of_walk(const LinePath& path, bool is_antialiased) 
 }
 
 CountedOperations operations_of_line(LineMethod method, PixelPosition from, PixelPosition to) {
+    using Counting = Counted<std::int64_t>;
     const LinePath path = make_line_path(from, to, method == LineMethod::Naive);
-    if (method == LineMethod::Naive) return operations_of_walk<NaiveWalk<Counted<std::int64_t>>>(path, false);
-    if (method == LineMethod::Dda) return operations_of_walk<DdaWalk<Counted<std::int64_t>>>(path, false);
-    if (method == LineMethod::Bresenham) return operations_of_walk<BresenhamWalk<Counted<std::int64_t>>>(path, false);
-    return operations_of_walk<GuptaSproullWalk<Counted<std::int64_t>>>(path, true);
+    if (method == LineMethod::Naive) return operations_of_walk<NaiveWalk<Counting>>(path, false);
+    if (method == LineMethod::Dda) return operations_of_walk<DdaWalk<Counting>>(path, false);
+    if (method == LineMethod::Bresenham) return operations_of_walk<BresenhamWalk<Counting>>(path, false);
+    return operations_of_walk<GuptaSproullWalk<Counting>>(path, true);
 }
 
 struct NamedLine {
@@ -66,13 +62,12 @@ double distance_to(const NamedLine& line, double x, double y) {
 }
 
 LineError error_of(LineMethod method, const NamedLine& line) {
-    std::vector<std::uint8_t> pixels(pixel_count(kGridColumns, kGridRows), 0);
-    const Framebuffer canvas{pixels.data(), kGridColumns, kGridRows, kGridColumns};
-    draw_line(line.from, line.to, {method, 1}, canvas);
+    const SidePicture picture(kGridColumns, kGridRows);
+    draw_line(line.from, line.to, {method, 1}, picture);
     LineError error;
     for (std::int32_t y = 0; y < kGridRows; ++y)
         for (std::int32_t x = 0; x < kGridColumns; ++x)
-            if (canvas.row(y)[x] != 0) error.add(distance_to(line, x, y));
+            if (picture.row(y)[x] != 0) error.add(distance_to(line, x, y));
     return error;
 }
 
@@ -89,73 +84,50 @@ LineError least_error(const NamedLine& line) {
     return error;
 }
 
-std::string counts_text(const CountedOperations& operations) {
-    return std::to_string(operations.additions) + "+ " + std::to_string(operations.multiplications) + "* " +
-           std::to_string(operations.divisions) + "/";
-}
-
-std::string error_text(const LineError& error) {
-    char text[64];
-    std::snprintf(text, sizeof text, "%.3f, rms %.3f", error.largest, error.rms());
-    return text;
-}
-
-const char* name_of(LineMethod method) {
-    constexpr std::array<const char*, kLineMethodCount> kNames{"naive", "DDA", "Bresenham", "Gupta-Sproull"};
-    return item(kNames, method);
-}
+constexpr std::array<const char*, kLineMethodCount> kMethodNames{"naive", "DDA", "Bresenham", "Gupta-Sproull"};
 
 /// A quarter of the canvas: the method's name, its pixels, and the true line over them.
-void draw_method(LineMethod method, const NamedLine& line, const RowInput& input, Framebuffer canvas) {
-    const GalleryAssets& assets = input.assets;
-    const int index = static_cast<int>(method);
+void draw_method(int method, const NamedLine& line, Canvas& canvas) {
     constexpr std::int32_t kName_px = 10;
-    const std::int32_t width = canvas.width_px / 2, height = (canvas.height_px - kHeader_px - kFooter_px) / 2;
-    const Area quarter{index % 2 * width, kHeader_px + index / 2 * height, width, height};
-    draw_text(canvas, quarter.x + kTextMargin_px, quarter.y + 2, name_of(method), assets.text);
-    const std::string counts = counts_text(operations_of_line(method, line.from, line.to));
-    draw_text(canvas, quarter.x + width - kTextMargin_px - text_width_px(counts), quarter.y + 2, counts,
-              {assets.colour(150, 160, 180), assets.text.dark});
+    const std::int32_t width = canvas.width_px / 2, height = (canvas.height_px - kHeader_px - kFooter_px) / 2,
+                       x = method % 2 * width, y = kHeader_px + method / 2 * height;
+    const auto by = static_cast<LineMethod>(method);
+    canvas.write(x + kTextMargin_px, y + 2, item(kMethodNames, method));
+    const CountedOperations cost = operations_of_line(by, line.from, line.to);
+    const std::string counts = std::to_string(cost.additions) + "+ " + std::to_string(cost.multiplications) + "* " +
+                               std::to_string(cost.divisions) + "/";
+    canvas.write(x + width - kTextMargin_px - text_width_px(counts), y + 2, counts, kPale);
 
-    const std::uint8_t ground = assets.colour(30, 36, 52), lit = assets.colour(240, 200, 96);
-    const Palette& palette = assets.colormap.palette;
+    const std::uint8_t lit = canvas.input.colour(kYellow);
+    const Palette& palette = canvas.input.assets.colormap.palette;
     const FogTable blends = make_fog_table(palette, palette.colours[lit]);
-    PixelGrid grid(input, canvas, {quarter.x, quarter.y + kName_px, width, height - kName_px}, kGridColumns, kGridRows,
-                   ground);
-    draw_line(line.from, line.to, {method, lit, &blends.levels}, grid.picture());
-    grid.show(assets.colour(16, 18, 28));
-    const auto centre = [](PixelPosition pixel) { return PlanePoint{pixel.column + 0.5, pixel.row + 0.5}; };
-    grid.line(centre(line.from), centre(line.to), assets.colour(220, 72, 64));
+    PixelGrid grid(canvas, {x, y + kName_px, width, height - kName_px}, kGridColumns, kGridRows, kSlate);
+    draw_line(line.from, line.to, {by, lit, &blends.levels}, grid.picture);
+    grid.show();
+    grid.line({line.from.column + 0.5, line.from.row + 0.5}, {line.to.column + 0.5, line.to.row + 0.5}, kRed);
 }
 
-Figures draw_lines_row(const RowInput& input, Framebuffer canvas) {
+Figures draw_lines_row(const RowInput& input, Canvas& canvas) {
     const NamedLine& line = item(kLines, input.values[0]);
-    fill(canvas, input.assets.colour(16, 18, 28));
-    for (int method = 0; method < kLineMethodCount; ++method)
-        draw_method(static_cast<LineMethod>(method), line, input, canvas);
+    canvas.fill(kNight);
+    for (int method = 0; method < kLineMethodCount; ++method) draw_method(method, line, canvas);
 
-    const LineError least = least_error(line), nearest = error_of(LineMethod::Bresenham, line);
-    const std::int64_t across = std::abs(line.to.column - line.from.column);
+    const LineError least = least_error(line), nearest = error_of(LineMethod::Bresenham, line),
+                    naive = error_of(LineMethod::Naive, line), dda = error_of(LineMethod::Dda, line);
     const CountedOperations bresenham = operations_of_line(LineMethod::Bresenham, line.from, line.to);
-    return {
-        number_figure("Bresenham: farthest pixel from the line", least.largest, nearest.largest, 1e-12),
-        count_figure("Bresenham: multiplications and divisions", 0, bresenham.multiplications + bresenham.divisions),
-        count_figure("naive: pixels, one a column", across + 1, error_of(LineMethod::Naive, line).pixels),
-        count_figure("Bresenham: pixels, one a step", least.pixels, nearest.pixels),
-        number_figure("Bresenham: rms distance from the line", least.rms(), nearest.rms(), 1e-12),
-        measured("DDA: farthest pixel, rms", error_text(error_of(LineMethod::Dda, line))),
-        measured("naive: farthest pixel, rms", error_text(error_of(LineMethod::Naive, line)))};
-}
-
-}  // namespace
-
-std::vector<Row> line_rows() {
-    return {{"lines", draw_lines_row, {choice_of("line", kLines)}}};
+    const auto text = [](const LineError& error) {
+        return decimals_text({error.largest, error.rms()}, "%.3f", ", rms ");
+    };
+    return {{"Bresenham: farthest pixel from the line", least.largest, nearest.largest, 1e-12},
+            {"Bresenham: multiplications and divisions", 0, bresenham.multiplications + bresenham.divisions},
+            {"naive: pixels, one a column", std::abs(line.to.column - line.from.column) + 1, naive.pixels},
+            {"Bresenham: pixels, one a step", least.pixels, nearest.pixels},
+            {"Bresenham: rms distance from the line", least.rms(), nearest.rms(), 1e-12},
+            {"DDA: farthest pixel, rms", text(dda)},
+            {"naive: farthest pixel, rms", text(naive)}};
 }
 
 // Seed 2 (the lab): lines clipped in the view volume, before projection loses the depth.
-
-namespace {
 
 constexpr double kFront = 2, kBack = 13, kFieldOfView = 80;
 
@@ -191,23 +163,18 @@ double length_inside(const Segment& line, double slope_x, double slope_y) {
     return length(line.to - line.from) * inside / kParts;
 }
 
-Vec3<View> view_of(const Vec& place) {
-    return {fixed_of<View>(place.x), fixed_of<View>(place.y), fixed_of<View>(place.z)};
-}
-
-void draw_volume(Diagram& diagram, double slope, std::uint8_t colour, std::uint8_t faint) {
+void draw_volume(Diagram& diagram, double slope) {
     for (const double side : {-slope, slope}) {
-        diagram.line({0, 0}, {side * kFront, kFront}, faint);
-        diagram.line({side * kFront, kFront}, {side * kBack, kBack}, colour);
+        diagram.line({0, 0}, {side * kFront, kFront}, kDim);
+        diagram.line({side * kFront, kFront}, {side * kBack, kBack}, kBlue);
     }
-    diagram.line({-slope * kFront, kFront}, {slope * kFront, kFront}, colour);
-    diagram.line({-slope * kBack, kBack}, {slope * kBack, kBack}, colour);
-    diagram.text({0, 0}, "eye", faint);
-    diagram.text({slope * kFront, kFront}, "front", colour);
-    diagram.text({slope * kBack, kBack}, "back", colour);
+    for (const double depth : {kFront, kBack}) diagram.line({-slope * depth, depth}, {slope * depth, depth}, kBlue);
+    diagram.label({0, 0}, "eye", kDim);
+    diagram.label({slope * kFront, kFront}, "front", kBlue);
+    diagram.label({slope * kBack, kBack}, "back", kBlue);
 }
 
-Figures draw_clipped_lines(const RowInput& input, Framebuffer canvas) {
+Figures draw_clipped_lines(const RowInput& input, Canvas& canvas) {
     const auto method = static_cast<LineClipping>(input.values[0]);
     const LineClipping other =
         method == LineClipping::LiangBarsky ? LineClipping::CohenSutherland : LineClipping::LiangBarsky;
@@ -216,15 +183,19 @@ Figures draw_clipped_lines(const RowInput& input, Framebuffer canvas) {
         make_view_volume(make_frustum(view_basis({}, {}, {}), projection), View::from_int(2), View::from_int(13));
     const double slope_x = input.mode.width_px / 2.0 / number_of(projection.x.multiplier),
                  slope_y = input.mode.height_px / 2.0 / number_of(projection.y.multiplier);
-    Diagram diagram(input, canvas, {0, 6.5}, 17.5);
-    diagram.fill(input.colour(18, 22, 34));
-    draw_volume(diagram, slope_x, input.colour(90, 130, 220), input.colour(80, 88, 110));
+    Diagram diagram(canvas, {0, 6.5}, 17.5);
+    draw_volume(diagram, slope_x);
 
+    const auto from_above = [&](const Segment& line, Rgb8 colour) {
+        diagram.line({line.from.x, line.from.z}, {line.to.x, line.to.z}, colour);
+    };
+    const auto view_of = [](const Vec& p) {
+        return Vec3<View>{fixed_of<View>(p.x), fixed_of<View>(p.y), fixed_of<View>(p.z)};
+    };
     double inside = 0, expected = 0, apart = 0;
     std::int64_t kept = 0;
-    const std::vector<Segment> lines = some_lines(input.values[1]);
-    for (const Segment& line : lines) {
-        diagram.line({line.from.x, line.from.z}, {line.to.x, line.to.z}, input.colour(120, 60, 60));
+    for (const Segment& line : some_lines(input.values[1])) {
+        from_above(line, {120, 60, 60});
         expected += length_inside(line, slope_x, slope_y);
         const ViewLine whole{view_of(line.from), view_of(line.to)};
         const auto part = clip_line(volume, whole, method), by_other = clip_line(volume, whole, other);
@@ -234,20 +205,20 @@ Figures draw_clipped_lines(const RowInput& input, Framebuffer canvas) {
         inside += length(to - from);
         if (by_other)
             apart = std::max({apart, length(vec_of(by_other->from) - from), length(vec_of(by_other->to) - to)});
-        diagram.line({from.x, from.z}, {to.x, to.z}, input.colour(250, 200, 110));
+        from_above({from, to}, kYellow);
     }
-    const auto count = static_cast<double>(lines.size());
-    return {number_figure("length inside, units, by 20,000 points a line", expected, inside, 1e-3 * count),
-            measured("lines of which a part is kept", kept),
-            number_figure("units between the ends by both methods", 0, apart, 1e-3, 5)};
+    return {{"length inside, units, by 20,000 points a line", expected, inside, 1e-3 * input.number(1)},
+            {"lines of which a part is kept", kept},
+            {"units between the ends by both methods", 0, apart, 1e-3, 5}};
 }
 
 }  // namespace
 
-std::vector<Row> line_clipping_rows() {
-    return {{"lines-clipped",
+std::vector<Row> line_rows() {
+    return {{"lines", draw_lines_row, {choice_of("line", kLines)}},
+            {"lines-clipped",
              draw_clipped_lines,
-             {choice_parameter("method", {"Cohen-Sutherland", "Liang-Barsky"}, 1), {"lines", 1, 60, 1, 24}}}};
+             {{"method", {"Cohen-Sutherland", "Liang-Barsky"}, 1}, {"lines", 1, 60, 1, 24}}}};
 }
 
 }  // namespace oblong

@@ -1,18 +1,69 @@
-// Seeds 3 and 5: shading, and light as dot products. The effect of scaling on normals.
+// Seeds 3 and 5: a model in the pipeline, and among the surfaces of a level; shading, and light as dot products; the
+// effect of scaling on normals.
 
-#include <array>
-#include <cmath>
-#include <numbers>
-
-#include "engine/base/table.h"
-#include "engine/draw/drawing.h"
-#include "tools/gallery/diagram.h"
+#include "engine/frame/frame_counts.h"
 #include "tools/gallery/mesh_scene.h"
-#include "tools/gallery/row.h"
+#include "tools/gallery/sketch.h"
 
 namespace oblong {
 
 namespace {
+
+MeshLight light_from_above() {
+    return {50, {unit_vector({-1, -1, 2}), 90}, {}, 100};
+}
+
+constexpr double kHalfCube = 30;
+constexpr int kPitchDegrees = 25;
+
+/// The number of sides of a turned cube that face the eye, which is `distance` from its middle.
+std::int64_t sides_in_front(double distance, double yaw, double pitch) {
+    // The x components of its axes: ahead, left, up.
+    const std::array towards{std::cos(pitch) * std::cos(yaw), -std::sin(yaw), std::sin(pitch) * std::cos(yaw)};
+    return std::count_if(towards.begin(), towards.end(),
+                         [distance](double x) { return distance * std::abs(x) > kHalfCube; });
+}
+
+Figures draw_cube(const RowInput& input, Canvas& canvas) {
+    const Mesh cube = cube_mesh(kHalfCube, checkered_skin(64, lit_colour(input.assets, {190, 150, 90}),
+                                                          lit_colour(input.assets, {120, 60, 40})));
+    PlacedMesh placed = placed_mesh(cube, {input.number(1), 0}, Shading::Flat);
+    placed.yaw = input.angle(0);
+    placed.pitch = degrees_to_angle(Degrees::from_int(-kPitchDegrees));
+    const SidePicture covered(canvas.width_px, canvas.height_px, 255);
+    MeshScene(input, canvas).draw(placed, light_from_above());
+    const Colormap numbers = shade_numbers();
+    const MeshCounts counts = MeshScene(input, covered).draw(placed, light_from_above(), &numbers);
+    const std::vector<std::uint8_t> none(covered.indices.size(), 255);
+    return {{"triangles that face the eye, of 12",
+             2 * sides_in_front(input.number(1), input.radians(0), -kPitchDegrees * kDegree), counts.facing},
+            {"pixels drawn: each once", count_differences(covered.indices, none), counts.pixels},
+            {"triangles with pixels, after clipping to the view", counts.triangles}};
+}
+
+Figures draw_in_level(const RowInput& input, Canvas& canvas) {
+    const Mesh ball = ball_mesh(
+        30, 16, checkered_skin(64, lit_colour(input.assets, {200, 190, 170}), lit_colour(input.assets, {60, 80, 130})));
+    PlacedMesh placed = placed_mesh(ball, {input.number(0), 420, 60}, static_cast<Shading>(input.values[1]));
+    placed.highlight = 60;
+    placed.yaw = Angle::from_bam(input.time_ms * 8);
+    DemoFrame frame(input, input.mode);
+    FrameCounts counts;
+    frame.work.observers.counts = &counts;
+    const auto drawn_with_depth = [&](Framebuffer picture) {
+        frame.draw(camera_at(0, 120, 70, 90, 0, 70), picture);
+        std::int64_t pixels = 0;
+        for (const ScreenRectangle& part : frame.work.view.depth.rectangles())
+            pixels += std::int64_t{part.end_column - part.first_column} * (part.end_row - part.first_row);
+        return pixels;
+    };
+    const std::int64_t before = drawn_with_depth(SidePicture(canvas.width_px, canvas.height_px));
+    frame.scene.meshes = {&placed, 1};
+    const std::int64_t after = drawn_with_depth(canvas);
+    return {{"pixels with depth in a frame without it", 0, before},
+            {"pixels with depth: the rectangle around it", after},
+            {"pixels that it owns", counts.of(Effect::Meshes)}};
+}
 
 constexpr int kBallsFieldOfView = 50;
 constexpr double kBallsDistance = 200;
@@ -24,39 +75,22 @@ Vec toward_light(double angle) {
     return normalised(Vec{-0.8, -std::cos(angle), std::sin(angle)});
 }
 
-Vec3<Unit> unit_of(const Vec& direction) {
-    return unit_vector(direction.x, direction.y, direction.z);
-}
-
-/// A marked pixel of the canvas.
-struct Mark {
-    std::int32_t column = 0, row = 0;
-};
-
-Mark mark_at(const MeshScene& scene, const Vec3<World>& position) {
+/// A point's pixel.
+Vec mark_at(const MeshScene& scene, const Vec3<World>& position) {
     const ViewContext& view = scene.view();
     const ScreenPosition place = project(to_view(position, view.eye, view.axes), view.projection);
-    return {static_cast<std::int32_t>(floor_of(place.x)), static_cast<std::int32_t>(floor_of(place.y))};
+    return {std::floor(number_of(place.x)), std::floor(number_of(place.y))};
 }
 
-void draw_mark(Framebuffer canvas, Mark mark, std::uint8_t colour) {
+void draw_mark(Canvas& canvas, const Vec& mark) {
     for (const int step : {-3, -2, 2, 3}) {
-        set_pixel(canvas, mark.column + step, mark.row, colour);
-        set_pixel(canvas, mark.column, mark.row + step, colour);
+        canvas.line(mark + Vec{step * 1.0, 0}, mark + Vec{step * 1.0, 0}, kBright);
+        canvas.line(mark + Vec{0, step * 1.0}, mark + Vec{0, step * 1.0}, kBright);
     }
 }
 
 /// The positions of the row's balls.
 constexpr double kBallRadius = 27, kBallStep = 60, kBallHeight = 8;
-
-PlacedMesh shaded_ball(const Mesh& mesh, std::size_t kind) {
-    PlacedMesh placed;
-    placed.mesh = &mesh;
-    placed.position = world_point(kBallsDistance, kBallStep * (1 - static_cast<double>(kind)), kBallHeight);
-    placed.shading = kShadings[kind];
-    placed.highlight = 90;
-    return placed;
-}
 
 /// The light of Phong's reflection: ambient, diffuse and a highlight around the direction halfway between light and
 /// eye.
@@ -81,34 +115,31 @@ double expected_shade(std::size_t kind, const PlacedMesh& placed, const ExactHit
     return exact_shade(reflected(normalised(normal), toward, eye, placed.highlight));
 }
 
-Figures draw_shadings(const RowInput& input, Framebuffer canvas) {
-    const GalleryAssets& assets = input.assets;
-    fill(canvas, assets.colour(20, 24, 36));
+Figures draw_shadings(const RowInput& input, Canvas& canvas) {
     const Mesh ball =
-        ball_mesh(kBallRadius, static_cast<int>(input.values[0]), plain_skin(lit_colour(assets, 150, 90, 40)));
+        ball_mesh(kBallRadius, static_cast<int>(input.values[0]), plain_skin(lit_colour(input.assets, {150, 90, 40})));
     const Vec toward = toward_light(input.radians(1));
-    const MeshLight light{24, {unit_of(toward), 110}, {}, 100};
-    MeshScene scene(input, canvas, kBallsFieldOfView);
-    std::vector<std::uint8_t> numbers(pixel_count(canvas.width_px, canvas.height_px));
-    MeshScene numbered(input, {numbers.data(), canvas.width_px, canvas.height_px, canvas.width_px}, kBallsFieldOfView);
+    const MeshLight light{24, {unit_vector(toward), 110}, {}, 100};
+    const SidePicture numbers(canvas.width_px, canvas.height_px);
+    MeshScene scene(input, canvas, kBallsFieldOfView), numbered(input, numbers, kBallsFieldOfView);
     const Colormap by_number = shade_numbers();
     const bool has_rounded_corners = input.settings.accuracy.subpixel_bits < Screen::kFractionBits;
     Figures figures;
     for (std::size_t kind = 0; kind < kShadings.size(); ++kind) {
-        const PlacedMesh placed = shaded_ball(ball, kind);
+        const Vec middle{kBallsDistance, kBallStep * (1 - static_cast<double>(kind)), kBallHeight};
+        PlacedMesh placed = placed_mesh(ball, middle, kShadings[kind]);
+        placed.highlight = 90;
         scene.draw(placed, light);
         numbered.draw(placed, light, &by_number);
-        const Mark mark = mark_at(scene, placed.position + world_point(-25, -3, 7));
-        const auto hit = exact_hit(placed, input, kBallsFieldOfView, mark.column + 0.5, mark.row + 0.5);
-        const double found = item(numbers, mark.row * canvas.width_px + mark.column);
+        const Vec mark = mark_at(scene, placed.position + world_point(-25, -3, 7));
+        const auto hit = exact_hit(placed, input, kBallsFieldOfView, mark.x + 0.5, mark.y + 0.5);
         const std::string name = std::string("shade at the mark, ") + kShadingNames[kind];
         const double expected = hit ? expected_shade(kind, placed, *hit, toward) : -1;
-        figures.push_back(has_rounded_corners ? measured(name, decimal_text(found, "%.1f"))
-                                              : number_figure(name, expected, found, 1.6, 1));
-        draw_mark(canvas, mark, assets.colour(255, 255, 255));
-        const Mark label = mark_at(scene, placed.position + world_point(0, 0, -kBallRadius - 6));
-        draw_text(canvas, label.column - text_width_px(kShadingNames[kind]) / 2, label.row, kShadingNames[kind],
-                  assets.text);
+        figures.push_back(has_rounded_corners ? Figure{name, decimal_text(numbers.at(mark), "%.1f")}
+                                              : Figure{name, expected, numbers.at(mark), 1.6, 1});
+        draw_mark(canvas, mark);
+        canvas.label(mark_at(scene, placed.position + world_point(0, 0, -kBallRadius - 6)), kShadingNames[kind],
+                     kBright, -text_width_px(kShadingNames[kind]) / 2, 0);
     }
     return figures;
 }
@@ -125,20 +156,15 @@ double expected_light(Kind kind, const Vec& normal, const Vec& position, const V
            (kind == Kind::Point ? std::max(150 - distance, 0.0) * 1.5 : 120);
 }
 
-Figures draw_lights(const RowInput& input, Framebuffer canvas) {
-    const GalleryAssets& assets = input.assets;
-    fill(canvas, assets.colour(20, 24, 36));
+Figures draw_lights(const RowInput& input, Canvas& canvas) {
     const auto kind = static_cast<Kind>(input.values[0]);
-    const Vec toward = toward_light(input.radians(1));
-    const Mesh ball = ball_mesh(kLitRadius, 24, plain_skin(lit_colour(assets, 130, 130, 140)));
-    PlacedMesh placed;
-    placed.mesh = &ball;
-    placed.shading = Shading::Gouraud;
-    placed.position = world_point(kBallsDistance, 0, 8);
-    const Vec lamp =
-        kind == Kind::Point ? Vec{kBallsDistance + toward.x * 90, toward.y * 90, 8 + toward.z * 90} : toward;
-    const MovingLight point{world_point(lamp.x, lamp.y, lamp.z), World::from_int(150), 384};
-    MeshLight light{kind == Kind::Ambient ? 90 : 0, {unit_of(toward), kind == Kind::Directional ? 120 : 0}, {}, 100};
+    const Vec toward = toward_light(input.radians(1)), middle{kBallsDistance, 0, 8};
+    const Mesh ball = ball_mesh(kLitRadius, 24, plain_skin(lit_colour(input.assets, {130, 130, 140})));
+    const PlacedMesh placed = placed_mesh(ball, middle, Shading::Gouraud);
+    const Vec lamp = kind == Kind::Point ? middle + toward * 90 : toward;
+    const MovingLight point{world_point(lamp), World::from_int(150), 384};
+    MeshLight light{
+        kind == Kind::Ambient ? 90 : 0, {unit_vector(toward), kind == Kind::Directional ? 120 : 0}, {}, 100};
     if (kind == Kind::Point) light.points = {&point, 1};
     MeshScene scene(input, canvas, kBallsFieldOfView);
     scene.draw(placed, light);
@@ -146,103 +172,75 @@ Figures draw_lights(const RowInput& input, Framebuffer canvas) {
     Figures figures;
     constexpr std::array kPlaces{Vec{-0.5, -0.5, 0.7}, Vec{-0.8, 0.6, 0.2}, Vec{-0.6, -0.2, -0.78}};
     for (std::size_t i = 0; i < kPlaces.size(); ++i) {
-        const Vec normal = normalised(kPlaces[i]);
-        const Vec position{kBallsDistance + normal.x * kLitRadius, normal.y * kLitRadius, 8 + normal.z * kLitRadius};
-        const Vec3<World> on_ball = world_point(position.x, position.y, position.z);
-        const double found = light_at(on_ball, unit_of(normal), light) / 256.0;
-        const double expected = expected_light(kind, normal, position, lamp);
-        const std::string name(1, static_cast<char>('A' + i));
-        figures.push_back(number_figure("light at " + name, expected, found, 0.05, 2));
-        const Mark mark = mark_at(scene, on_ball);
-        draw_mark(canvas, mark, assets.colour(255, 255, 255));
-        const bool is_left = normal.y > 0;
-        const std::string label = name + " " + decimal_text(found, "%.1f");
-        draw_text(canvas, is_left ? mark.column - 8 - text_width_px(label) : mark.column + 6, mark.row - 4, label,
-                  assets.text);
+        const Vec normal = normalised(kPlaces[i]), position = middle + normal * kLitRadius;
+        const double found = light_at(world_point(position), unit_vector(normal), light) / 256.0;
+        const std::string name(1, static_cast<char>('A' + i)), label = name + " " + decimal_text(found, "%.1f");
+        figures.push_back({"light at " + name, expected_light(kind, normal, position, lamp), found, 0.05, 2});
+        const Vec mark = mark_at(scene, world_point(position));
+        draw_mark(canvas, mark);
+        canvas.label(mark, label, kBright, normal.y > 0 ? -8 - text_width_px(label) : 6);
     }
     if (kind == Kind::Point) {
-        const Mark mark = mark_at(scene, point.position);
-        fill_area(canvas, {mark.column - 2, mark.row - 2, 5, 5}, assets.colour(255, 240, 150));
-        draw_text(canvas, mark.column + 6, mark.row - 4, "lamp", assets.text);
+        const Vec mark = mark_at(scene, point.position);
+        canvas.box({static_cast<std::int32_t>(mark.x) - 2, static_cast<std::int32_t>(mark.y) - 2, 5, 5},
+                   {255, 240, 150});
+        canvas.label(mark, "lamp", kBright, 6);
     }
     return figures;
 }
 
 /// The angle between two directions of the plane, degrees.
-double degrees_between(PlanePoint a, PlanePoint b) {
+double degrees_between(const Vec& a, const Vec& b) {
     return std::abs(std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y)) * 180 / std::numbers::pi;
-}
-
-/// The normal of a scaled surface in three ways: transformed as a point, by the inverse transpose, and as the cross
-/// product of two scaled edges.
-struct ScaledNormals {
-    PlanePoint as_point, as_normal, of_edges;
-};
-ScaledNormals scaled_normals(const Matrix3& matrix, const Matrix3& normals, double angle) {
-    const Vec3<Entry> normal{entry_of(std::cos(angle)), entry_of(std::sin(angle)), Entry{}};
-    const Vec3<Entry> along{-normal.y, normal.x, Entry{}}, across{Entry{}, Entry{}, Entry::from_int(1)};
-    const auto edges = cross(convert<World>(matrix * along), convert<World>(matrix * across));
-    const Vec3<Entry> as_point = matrix * normal, as_normal = normals * normal;
-    return {{number_of(as_point.x), number_of(as_point.y)},
-            {number_of(as_normal.x), number_of(as_normal.y)},
-            {number_of(edges.x), number_of(edges.y)}};
 }
 
 /// Seed 5 claims that scaling keeps normals normal; its erratum A7 shows that it does not. The cross product of two
 /// edges, its other way to a normal, is always right.
-Figures draw_normals(const RowInput& input, Framebuffer canvas) {
+Figures draw_normals(const RowInput& input, Canvas& canvas) {
     const double scale = input.number(0) / 4;
-    Diagram diagram(input, canvas, {0, 0}, 4.4);
-    diagram.fill(input.colour(20, 24, 36));
-    const std::uint8_t wrong = input.colour(220, 70, 60), right = input.colour(90, 210, 110),
-                       edges = input.colour(250, 230, 120);
+    Diagram diagram(canvas, {0, 0}, 4.4);
     Matrix3 matrix = Matrix3::identity();
     matrix.rows[0][0] = Entry::from_raw(input.values[0] * (std::int64_t{1} << 30));
     const std::optional<Matrix3> normals = normal_matrix(matrix);
     if (!normals) return {};
-    const auto on_ellipse = [scale](double angle) { return PlanePoint{scale * std::cos(angle), std::sin(angle)}; };
-    diagram.curve(
-        96, [&](int step) { return on_ellipse(step * std::numbers::pi / 48); }, input.colour(150, 160, 180));
+    diagram.ellipse({}, {scale, 0}, {0, 1}, 96, kPale);
     double worst_normal = 0, worst_point = 0, expected_point = 0;
     for (int step = 0; step < 12; ++step) {
         const double angle = (step + 0.5) * std::numbers::pi / 6, c = std::cos(angle), s = std::sin(angle);
-        const ScaledNormals found = scaled_normals(matrix, *normals, angle);
-        const PlanePoint from = on_ellipse(angle);
-        const auto arrow = [&](PlanePoint vector, double length, std::uint8_t colour) {
-            const double size = length / std::hypot(vector.x, vector.y);
-            diagram.arrow(from, {from.x + vector.x * size, from.y + vector.y * size}, colour);
+        const Vec3<Entry> normal = entries_of({c, s}), along{-normal.y, normal.x, {}};
+        const Vec from{scale * c, s}, as_point = vec_of(matrix * normal), as_normal = vec_of(*normals * normal),
+                                      of_edges = vec_of(cross(convert<World>(matrix * along), world_point(0, 0, 1)));
+        const auto arrow = [&](const Vec& way, double length, Rgb8 colour) {
+            diagram.arrow(from, from + way * (length / std::hypot(way.x, way.y)), colour);
         };
-        arrow(found.as_point, 0.6, wrong);
-        arrow(found.as_normal, 0.6, right);
-        arrow(found.of_edges, 0.35, edges);
-        worst_normal = std::max(worst_normal, degrees_between(found.as_normal, found.of_edges));
-        worst_point = std::max(worst_point, degrees_between(found.as_point, found.of_edges));
+        arrow(as_point, 0.6, kRed);
+        arrow(as_normal, 0.6, kGreen);
+        arrow(of_edges, 0.35, kLemon);
+        worst_normal = std::max(worst_normal, degrees_between(as_normal, of_edges));
+        worst_point = std::max(worst_point, degrees_between(as_point, of_edges));
         expected_point = std::max(expected_point, degrees_between({scale * c, s}, {c, scale * s}));
     }
-    diagram.text({-0.9, 0.5}, "N = M n", wrong);
-    diagram.text({-0.9, 0.15}, "N = M^-T n", right);
-    diagram.text({-0.9, -0.2}, "N = M e0 x M e1", edges);
-    const auto whole = [](int x, int y) { return Vec3<Entry>{Entry::from_int(x), Entry::from_int(y), Entry{}}; };
-    const auto product = [&](const Vec3<Entry>& a, const Vec3<Entry>& b) {
-        return number_of(a.x) * number_of(b.x) + number_of(a.y) * number_of(b.y) + number_of(a.z) * number_of(b.z);
-    };
-    const Vec3<Entry> tangent = matrix * whole(1, -1);
-    return {number_figure("degrees from M^-T n to M e0 x M e1, worst", 0, worst_normal, 0.05),
-            number_figure("degrees from M n to M e0 x M e1, worst", expected_point, worst_point, 0.05),
-            number_figure("M n . M t of n (1, 1, 0), t (1, -1, 0)", scale * scale - 1,
-                          product(matrix * whole(1, 1), tangent), 1e-9, 4),
-            number_figure("M^-T n . M t", 0, product(*normals * whole(1, 1), tangent), 1e-6, 4)};
+    diagram.label({-0.9, 0.5}, "N = M n", kRed);
+    diagram.label({-0.9, 0.15}, "N = M^-T n", kGreen);
+    diagram.label({-0.9, -0.2}, "N = M e0 x M e1", kLemon);
+    const Vec tangent = vec_of(matrix * entries_of({1, -1}));
+    return {{"degrees from M^-T n to M e0 x M e1, worst", 0, worst_normal, 0.05},
+            {"degrees from M n to M e0 x M e1, worst", expected_point, worst_point, 0.05},
+            {"M n . M t of n (1, 1, 0), t (1, -1, 0)", scale * scale - 1,
+             dot(vec_of(matrix * entries_of({1, 1})), tangent), 1e-9, 4},
+            {"M^-T n . M t", 0, dot(vec_of(*normals * entries_of({1, 1})), tangent), 1e-6, 4}};
 }
 
 }  // namespace
 
 std::vector<Row> shading_rows() {
-    return {
-        {"shading", draw_shadings, {{"rings of the ball", 4, 24, 1, 7}, {"light from, degrees", 0, 345, 15, 60}}},
-        {"lights",
-         draw_lights,
-         {choice_parameter("light", {"ambient", "directional", "point"}, 1), {"light from, degrees", 0, 345, 15, 60}}},
-        {"normals", draw_normals, {{"scale of x, quarters", 1, 12, 1, 8}}}};
+    return {{"mesh-pipeline", draw_cube, {{"turn, degrees", 0, 355, 5, 30}, {"distance", 32, 400, 8, 160}}},
+            {"mesh-in-level", draw_in_level, {{"x", -200, 200, 10, -70}, {"shading", {"flat", "Gouraud", "Phong"}, 1}}},
+            {"shading", draw_shadings, {{"rings of the ball", 4, 24, 1, 7}, {"light from, degrees", 0, 345, 15, 60}}},
+            {"lights",
+             draw_lights,
+             {{"light", {"ambient", "directional", "point"}, 1}, {"light from, degrees", 0, 345, 15, 60}}},
+            {"normals", draw_normals, {{"scale of x, quarters", 1, 12, 1, 8}}}};
 }
 
 }  // namespace oblong

@@ -1,13 +1,7 @@
-// Seed 3 (Notes): pictures on surfaces, in 256 colours.
+// Seed 3 (Notes): textures in perspective, and pictures in 256 colours.
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
-#include "engine/base/table.h"
-#include "engine/draw/drawing.h"
 #include "engine/pictures/picture.h"
-#include "tools/gallery/row.h"
+#include "tools/gallery/filled_triangle.h"
 
 namespace oblong {
 
@@ -68,35 +62,101 @@ double block_error(const PngImage& image, const std::vector<std::uint8_t>& indic
 }
 
 /// The same picture with the nearest colours and dithered, side by side.
-Figures draw_quantisation(const RowInput& input, Framebuffer canvas) {
+Figures draw_quantisation(const RowInput& input, Canvas& canvas) {
     const Palette& palette = input.assets.colormap.palette;
     const bool is_grey = input.values[0] == 1;
-    const ColourRange range = is_grey ? kGreys : kOrdinaryColours;
-    fill(canvas, input.assets.colour(20, 24, 36));
     const std::int32_t width = canvas.width_px / 2 - 6, top = kHeader_px + 4;
     const Area left{4, top, width, canvas.height_px - kFooter_px - top - 14};
     if (std::min(width, left.height) < kBlock) return {};
     const PngImage image = make_picture(left, input.mode.pixel(), is_grey);
-    std::array<double, 2> errors{};
-    for (const Dither dither : {Dither::None, Dither::FloydSteinberg}) {
-        const bool is_right = dither == Dither::FloydSteinberg;
-        const std::int32_t x = is_right ? canvas.width_px - 4 - width : left.x;
-        const std::vector<std::uint8_t> indices = indices_of(image, palette, range, dither);
+    const auto error_by = [&](Dither dither, std::int32_t x, const char* name) {
+        const auto indices = indices_of(image, palette, is_grey ? kGreys : kOrdinaryColours, dither);
         for (std::int32_t i = 0; i < image.width_px * image.height_px; ++i)
             set_pixel(canvas, x + i % width, top + i / width, item(indices, i));
-        errors[is_right] = block_error(image, indices, palette);
-        draw_text(canvas, x, top + left.height + 4, is_right ? "Floyd-Steinberg" : "nearest colour", input.assets.text);
-    }
-    const double nearest = errors[0], dithered = errors[1];
+        canvas.write(x, top + left.height + 4, name);
+        return block_error(image, indices, palette);
+    };
+    const double nearest = error_by(Dither::None, left.x, "nearest colour"),
+                 dithered = error_by(Dither::FloydSteinberg, canvas.width_px - 4 - width, "Floyd-Steinberg");
     return {{"mean error, dithered", "below half of " + decimal_text(nearest, "%.2f"), decimal_text(dithered, "%.2f"),
              dithered < nearest / 2},
-            measured("mean error, nearest colours", decimal_text(nearest, "%.2f"))};
+            {"mean error, nearest colours", decimal_text(nearest, "%.2f")}};
+}
+
+/// A floor tile as two triangles: near side at depth 1, far side at depth `far`.
+struct Tile {
+    std::array<Vec, 4> corners;  ///< on the canvas: near left, near right, far right, far left
+    double far_depth;
+};
+constexpr std::array<Vec, 4> kTexels{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+
+/// Both coordinates at a pixel: interpolated directly, or as u/z, v/z and divided by 1/z.
+struct TileTexture {
+    ScreenTriangle triangle;
+    LinearQuantity<CornerQuantity> u, v, inverse_z;
+
+    TileTexture(const Tile& tile, const std::array<int, 3>& corners, bool is_perspective) {
+        std::array<CornerQuantity, 3> us, vs, inverses;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double over = is_perspective && corners[i] >= 2 ? 1 / tile.far_depth : 1;
+            const Vec texel = item(kTexels, corners[i]) * over;
+            triangle[i] = vertex_at(item(tile.corners, corners[i]));
+            us[i] = fixed_of<CornerQuantity>(texel.x);
+            vs[i] = fixed_of<CornerQuantity>(texel.y);
+            inverses[i] = fixed_of<CornerQuantity>(over);
+        }
+        u = quantity_over(triangle, us);
+        v = quantity_over(triangle, vs);
+        inverse_z = quantity_over(triangle, inverses);
+    }
+    Vec at_pixel(std::int32_t x, std::int32_t y) const {
+        const double over = number_of(inverse_z.at(x, y));
+        return {number_of(u.at(x, y)) / over, number_of(v.at(x, y)) / over};
+    }
+};
+
+constexpr std::array<std::array<int, 3>, 2> kHalves{{{0, 3, 2}, {0, 2, 1}}};
+
+void draw_tile(const Tile& tile, bool is_perspective, Canvas& canvas) {
+    const std::array colours{canvas.input.colour({196, 176, 136}), canvas.input.colour({72, 56, 48})};
+    for (const auto& half : kHalves) {
+        const TileTexture texture(tile, half, is_perspective);
+        fill_triangle(texture.triangle, canvas, [&](std::int32_t x, std::int32_t y) {
+            const Vec texel = texture.at_pixel(x, y);
+            return item(colours,
+                        (static_cast<int>(std::floor(texel.x * 8)) + static_cast<int>(std::floor(texel.y * 8))) & 1);
+        });
+    }
+}
+
+/// The texel half way up the left side of the screen, between depth 1 and `far`: v is 0 to 1 along it.
+double middle_of_side(double far_depth, bool is_perspective) {
+    const Tile tile{{{{0.5, 64.5}, {40.5, 64.5}, {30.5, 0.5}, {0.5, 0.5}}}, far_depth};
+    return TileTexture(tile, kHalves[0], is_perspective).at_pixel(0, 32).y;
+}
+
+Figures draw_perspective(const RowInput& input, Canvas& canvas) {
+    const double far_depth = input.number(0), half = canvas.width_px / 2.0, near_y = canvas.height_px - kFooter_px - 4,
+                 horizon = kHeader_px + 6, far_y = horizon + (near_y - horizon) / far_depth;
+    canvas.fill(kNight);
+    for (const bool is_perspective : {false, true}) {
+        const double middle = half * (is_perspective ? 1.5 : 0.5), across = half * 0.47, far = across / far_depth;
+        draw_tile(
+            {{{{middle - across, near_y}, {middle + across, near_y}, {middle + far, far_y}, {middle - far, far_y}}},
+             far_depth},
+            is_perspective, canvas);
+        canvas.write(static_cast<std::int32_t>(middle - half / 2) + kTextMargin_px, kHeader_px + 2,
+                     is_perspective ? "u/z, v/z, 1/z" : "u, v");
+    }
+    return {{"u half way along an edge, by u/z and 1/z", 1 / (1 + far_depth), middle_of_side(far_depth, true), 1e-6},
+            {"u half way along an edge, by u itself", 0.5, middle_of_side(far_depth, false), 1e-6}};
 }
 
 }  // namespace
 
 std::vector<Row> texture_rows() {
-    return {{"texture-quantise", draw_quantisation, {choice_parameter("palette", {"224 colours", "16 greys"})}}};
+    return {{"perspective-correct", draw_perspective, {{"far depth", 2, 9, 1, 3}}},
+            {"texture-quantise", draw_quantisation, {{"palette", {"224 colours", "16 greys"}}}}};
 }
 
 }  // namespace oblong
