@@ -155,11 +155,17 @@ std::vector<std::uint8_t> read_game_file(const std::string& path) {
     return read_file_part(inside->pak, entry->offset, entry->length);
 }
 
-void read_lit_file_beside(const std::string& level_file, Level& level) {
-    const std::string file = fs::path(level_file).replace_extension(".lit").string();
-    const auto inside = path_in_pak(file);
-    if (inside ? find_entry(read_directory(inside->pak), inside->name) == nullptr : !is_file(file)) return;
-    read_parsed_game_file(file, [&](std::span<const std::uint8_t> bytes) { read_lit_file(bytes, level); });
+std::vector<std::string> read_lit_file_beside(const std::string& level_file, Level& level) {
+    const fs::path file = fs::path(level_file).replace_extension(".lit");
+    const auto inside = path_in_pak(file.string());
+    const bool is_there = inside ? find_entry(read_directory(inside->pak), inside->name) != nullptr : is_file(file);
+    if (!is_there || !level.coloured_lighting.empty()) return {};
+    try {
+        read_lit_file(read_game_file(file.string()), level);
+    } catch (const InputError& error) {
+        return {file.filename().string() + ": " + error.where + ": " + error.what() + ": all light is white"};
+    }
+    return {};
 }
 
 bool GameFiles::has_paks() const {

@@ -53,9 +53,9 @@ auto read_parsed_game_file(const std::string& path, Parse parse) {
     return naming_file(path, [&] { return parse(std::span<const std::uint8_t>(bytes)); });
 }
 
-/// Reads the colours of a level's light from a .lit file beside the level's, if there is one (read_lit_file()). Throws
-/// FileError.
-void read_lit_file_beside(const std::string& level_file, Level& level);
+/// Reads the colours of a level's light from a .lit file beside the level's (read_lit_file()), if there is one and the
+/// level has none of its own. A warning if the file is of another level: its light stays white.
+std::vector<std::string> read_lit_file_beside(const std::string& level_file, Level& level);
 
 /// The folders of a game such as Quake's, with the files in them and in their pak files (pak0.pak, pak1.pak and so on,
 /// up to the first missing number; capitals count as small letters).

@@ -76,7 +76,7 @@ GameData load_game(const LevelFiles& files) {
         data.level_hash = fnv1a_of(bytes) ^ data.rules_hash;
         return read_bsp(bytes);
     });
-    read_lit_file_beside(data.level_file, data.level);
+    print_warnings("oblong", data.level_file, read_lit_file_beside(data.level_file, data.level));
     if (files.game) apply_classes(*files.game, data.level.entities);
     print_warnings("oblong", data.level_file, texture_warnings(data.level));
     data.effects = read_level_effects(data.level);

@@ -238,6 +238,36 @@ TEST_F(Game, ALoosePaletteComesBeforeThoseOfPakFiles) {
         << "in the folder above";
 }
 
+Bytes lit_file(int colours) {
+    Bytes bytes;
+    ByteWriter(bytes).text("QLIT").i32(1);
+    bytes.resize(bytes.size() + static_cast<std::size_t>(colours), 9);
+    return bytes;
+}
+
+TEST_F(Game, ColoursOfLightAreReadFromAFileBesideTheLevelIfItIsOfThatLevel) {
+    folder_.write("game/gfx/palette.lmp", palette_of(9));
+    folder_.write("game/maps/e1m2.lit", lit_file(24));
+    folder_.write("game/pak1.pak", write_pak({{"maps/e1m3.bsp", level_with("")}, {"maps/e1m3.lit", lit_file(24)}}));
+    for (const char* level : {"e1m2", "e1m3"}) {
+        const GameData data = load_game({find_named_level(level, places_), "", folder_.path("mine"), ""});
+        EXPECT_EQ(data.level.coloured_lighting, Bytes(24, 9)) << level << " has eight samples";
+    }
+    folder_.write("game/maps/e1m2.lit", lit_file(21));
+    const std::string file = find_named_level("e1m2", places_);
+    Level level = load_game({file, "", folder_.path("mine"), ""}).level;
+    EXPECT_TRUE(level.coloured_lighting.empty());
+    const std::vector<std::string> warnings = read_lit_file_beside(file, level);
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_EQ(warnings[0],
+              "e1m2.lit: offset 8: 21 bytes of colours, expected 24, three for each light sample of the level: all "
+              "light is white");
+    folder_.write("game/maps/e1m2.lit", lit_file(24));
+    level.coloured_lighting.assign(24, 1);
+    EXPECT_TRUE(read_lit_file_beside(file, level).empty());
+    EXPECT_EQ(level.coloured_lighting, Bytes(24, 1)) << "a level's own are kept";
+}
+
 TEST_F(Game, AFaultInALevelOfAPakFileIsNamedByItsPath) {
     const Bytes broken(40, 7);
     folder_.write("game/pak0.pak", write_pak({{"maps/bad.bsp", broken}}));

@@ -181,7 +181,7 @@ void render(const Options& options) {
 
     const auto start = std::chrono::steady_clock::now();
     Level level = read_parsed(options.level, read_bsp);
-    read_lit_file_beside(options.level, level);
+    print_warnings("oblong-render", options.level, read_lit_file_beside(options.level, level));
     const std::vector<PlacedModel> models = models_at_rest(level);
     const LevelModels level_models = read_level_models(level, palette, {options.level, options.models});
     WorkerThreads workers(static_cast<int>(options.threads));
