@@ -12,7 +12,7 @@ runs=("--accuracy bounded" "--accuracy exact --time 31.4" "--accuracy 1996 --tim
       "--accuracy bounded --fov 179 --time 8.05" "--accuracy bounded --fov 1"
       "--accuracy 1994 --mode 333x217 --display 16:9 --fov 140 --time 77"
       "--accuracy bounded --dial perspective=bounded-texels" "--accuracy bounded --dial mip=span"
-      "--accuracy bounded --dial dither=on" "--accuracy 1991 --dial light=nearest")
+      "--accuracy bounded --dial dither=on" "--accuracy 1991 --dial light=nearest" "--accuracy exact --dial light=nearest")
 
 # choose_cameras STEP: every STEPth camera of each real level, the demo level's and some at the ends of the world, and some
 # in a room with all effects, inside a tank of water and outside.
