@@ -202,7 +202,7 @@ struct GameLevel {
     std::vector<std::string> messages;
     std::vector<std::string> key_names = {"silver key", "gold key"};
     std::int32_t health = 0;                     ///< the player's at the start; 0: nothing hurts
-    MessageIndex died = kNoMessage;              ///< shown to who has lost it
+    MessageIndex died = kNoMessage;              ///< shown when the player dies
     std::vector<MessageIndex> counter_messages;  ///< [n]: n more activations to go, for counters of this level
     std::int32_t secrets = 0;                    ///< how many there are to be found
     std::uint64_t dark_styles = 0;               ///< GameState::dark_styles at the start

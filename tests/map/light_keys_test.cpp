@@ -101,6 +101,11 @@ TEST(LightKeys, ColouredLightHasRedGreenAndBlueBesideItsLuminance) {
     EXPECT_EQ(floor_colour(mixed, 64, 64), (Rgb{full, part(128), part(51)}));
     for (const Keys& white : {Keys{{"light", "300"}}, Keys{{"light", "300"}, {"_color", "0.7 0.7 0.7"}}})
         EXPECT_TRUE(lit_by(white).coloured_lighting.empty());
+    const Keys grey{{"_minlight", "30"},
+                    {"_minlight_color", "0.7 0.7 0.7"},
+                    {"_sunlight2", "50"},
+                    {"_sunlight2_color", "0.3 0.3 0.3"}};
+    EXPECT_TRUE(compile(entity("worldspawn", grey, hall("sky")), {true}).coloured_lighting.empty());
 }
 
 TEST(LightKeys, AllOfWorldspawnsLightHasColours) {

@@ -258,16 +258,12 @@ void spread_deviant_lights(std::vector<LightSource>& sources) {
 
 namespace {
 
-bool is_white(const Light& light) {
-    return light.luminance == 0 || light == Hue{}.of(light.luminance);
-}
-
 bool has_colours(const Lights& lights, const std::vector<MapEntity>& entities) {
     const HemisphereSettings& hemisphere = lights.hemisphere;
-    return !lights.sun.hue.is_white() || !is_white(hemisphere.sunlight2) || !is_white(hemisphere.sunlight3) ||
-           !is_white(lights.least.front()) ||
+    return !lights.sun.hue.is_white() || !hemisphere.sunlight2.is_white() || !hemisphere.sunlight3.is_white() ||
+           !lights.least.front().is_white() ||
            !std::all_of(entities.begin(), entities.end(),
-                        [](const MapEntity& entity) { return is_white(own_least_of(entity)); }) ||
+                        [](const MapEntity& entity) { return own_least_of(entity).is_white(); }) ||
            !std::all_of(lights.sources.begin(), lights.sources.end(),
                         [](const LightSource& source) { return source.hue.is_white(); });
 }

@@ -26,6 +26,11 @@ struct Light {
         return combine(other, [](double own, double others) { return std::max(own, others); });
     }
     double brightest() const { return std::max(luminance, *std::max_element(channels.begin(), channels.end())); }
+    bool is_white() const {
+        constexpr double kRounding = 1e-9;
+        return std::all_of(channels.begin(), channels.end(),
+                           [&](double channel) { return std::abs(channel - luminance) <= kRounding * luminance; });
+    }
     bool operator==(const Light&) const = default;
 
   private:
@@ -43,11 +48,7 @@ struct Hue {
     Light of(double luminance) const {
         return {luminance, {channels[0] * luminance, channels[1] * luminance, channels[2] * luminance}};
     }
-    bool is_white() const {
-        constexpr double kRounding = 1e-9;
-        return std::all_of(channels.begin(), channels.end(),
-                           [](double channel) { return std::abs(channel - 1) < kRounding; });
-    }
+    bool is_white() const { return of(1).is_white(); }
 };
 
 }  // namespace oblong::map
