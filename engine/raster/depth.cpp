@@ -60,9 +60,11 @@ void DepthBuffer::allocate() {
     }
     hulls_.resize(as_size(height_px_));
     if (end_row - first_row_ <= rows_there_) return;
-    rows_there_ = end_row - first_row_;
     depths_.reset();
-    depths_.reset(new InverseDepth[pixel_count(width_px_, rows_there_)]);  // uninitialised: clear() sets what is read
+    rows_there_ = 0;  // until there are some: memory may be full
+    const std::int32_t rows = end_row - first_row_;
+    depths_.reset(new InverseDepth[pixel_count(width_px_, rows)]);  // uninitialised: clear() sets what is read
+    rows_there_ = rows;
 }
 
 void DepthBuffer::clear() {

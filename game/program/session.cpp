@@ -189,6 +189,7 @@ ShownPicture Session::draw(bool is_behind_menu) {
         return draw_all(is_behind_menu);
     } catch (const std::bad_alloc&) {
         if (!overlays_.close_largest()) throw;
+        renderer_.reset();  // which the unfinished picture has left in any state
         show("Not enough memory for that, so it is off again");
         return draw_all(is_behind_menu);
     }

@@ -1,0 +1,1 @@
+set(LINKS oblong_game)
