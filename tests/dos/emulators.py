@@ -62,6 +62,7 @@ class Pc:
             has_ended = self.process.poll() is not None
             time.sleep(0.1)
             last, said = said, self.said()
+            expect("oblong: out of memory" not in said, f"{what}; the game said:\n{said[-2000:]}")
             if said != last:
                 since = time.monotonic()
             elif not is_so(said):
