@@ -5,7 +5,6 @@
 #include <sstream>
 #include <thread>
 
-#include "engine/base/text.h"
 #include "engine/io/files.h"
 #include "engine/io/system.h"
 #include "engine/programs/arguments.h"
@@ -18,67 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kPollEvery_us = 200'000, kBetweenReminders_us = 3'000'000;
 
-// The parts of a source that need different recompilation.
-struct MapParts {
-    std::string brushes;  // and the classes of brush entities
-    std::vector<std::string> entities,
-        lights;  // the key-value pairs of each; `lights`: of those that may change the light
-};
-
-// True for pairs of brush entities that move vertices or normals, and for all pairs that name files or textures, or the
-// editor's layers, which may be left out.
-bool is_of_brushes(const std::string& pair, bool has_brushes) {
-    return pair.starts_with("\"wad\"") || pair.starts_with("\"texture\"") || pair.starts_with("\"_tb_") ||
-           (has_brushes && (pair.starts_with("\"classname\"") || pair.starts_with("\"_phong")));
-}
-
-bool may_change_light(const std::string& pairs) {
-    return pairs.find("\"classname\" \"light") != std::string::npos || pairs.find("\"light\"") != std::string::npos ||
-           pairs.find("\"_") != std::string::npos || pairs.find("\"classname\" \"worldspawn\"") != std::string::npos;
-}
-
-MapParts parts_of(const std::string& text) {
-    MapParts parts;
-    std::string pairs, brushes, line;
-    int depth = 0;
-    std::istringstream lines(plain_text(text));
-    while (std::getline(lines, line)) {
-        line.erase(0, line.find_first_not_of(" \t\r"));
-        if (line.starts_with("//")) continue;
-        if (line.starts_with('{')) ++depth;
-        if (line.starts_with('"'))
-            pairs += line + "\n";
-        else if (depth > 1)
-            brushes += line + "\n";
-        if (!line.starts_with('}') || --depth > 0) continue;
-        const bool is_external =
-            pairs.find("\"_external_map\"") != std::string::npos;  // every pair affects the placed brushes
-        std::istringstream each(pairs);
-        for (std::string pair; std::getline(each, pair);)
-            if (is_external || is_of_brushes(pair, !brushes.empty())) parts.brushes += pair + "\n";
-        parts.brushes += brushes;
-        parts.entities.push_back(pairs);
-        // Any named entity may be the target of a spotlight.
-        if (may_change_light(pairs) || pairs.find("\"targetname\"") != std::string::npos) parts.lights.push_back(pairs);
-        pairs.clear();
-        brushes.clear();
-    }
-    parts.brushes += pairs + brushes + std::to_string(depth);  // of an unclosed entity
-    return parts;
-}
-
-const char* option_of(MapChange change) {
-    return change == MapChange::Entities ? "entities" : "light";
-}
-
 }  // namespace
-
-MapChange change_between(const std::string& former, const std::string& now) {
-    const MapParts a = parts_of(former), b = parts_of(now);
-    if (a.brushes != b.brushes) return MapChange::All;
-    if (a.lights != b.lights) return MapChange::Light;
-    return a.entities != b.entities ? MapChange::Entities : MapChange::Nothing;
-}
 
 MapWatch::MapWatch(std::string map_file, std::string compiler, std::string game)
     : map_file_(std::move(map_file)), compiler_(std::move(compiler)), game_(std::move(game)) {
@@ -86,6 +25,7 @@ MapWatch::MapWatch(std::string map_file, std::string compiler, std::string game)
     level_file_ = base + ".bsp";
     log_file_ = base + ".log";
     reads_file_ = base + ".reads";
+    since_file_ = base + ".since";
 }
 
 MapWatch::~MapWatch() {
@@ -126,11 +66,11 @@ std::optional<MapWatch::Result> MapWatch::look(std::uint64_t now_us) {
         if (state == ProgramState::Unknown)
             throw FileError(compiler_, "wait", "the system does not tell how it ended, expected an exit code");
         Result result = finish(state == ProgramState::Succeeded);
-        if (result.has_level || running_change_ == MapChange::All) {
+        if (result.has_level || compiles_all_) {
             remind_of(result.fault);
             return result;
         }
-        begin(MapChange::All);  // more has changed than assumed
+        begin(true);
         return std::nullopt;
     }
     if (now_us < looked_us_ + kPollEvery_us) return std::nullopt;
@@ -142,8 +82,8 @@ std::optional<MapWatch::Result> MapWatch::look(std::uint64_t now_us) {
     if (now == seen_ && !have_others) return std::nullopt;
     seen_ = now;
     tried_text_ = read_text(map_file_);
-    const MapChange change = have_others || has_failed_ ? MapChange::All : change_between(text_, tried_text_);
-    if (change != MapChange::Nothing) begin(change);
+    const bool is_all_new = have_others || has_failed_;
+    if (is_all_new || tried_text_ != text_) begin(is_all_new);
     return std::nullopt;
 }
 
@@ -162,7 +102,7 @@ void MapWatch::compile_first(bool waits) {
     constexpr std::uint64_t kBetweenPolls_us = 20'000;
     seen_ = stamp_of(map_file_);
     tried_text_ = read_text(map_file_);
-    begin(MapChange::All);
+    begin(true);
     for (std::uint64_t now_us = 0;; now_us += kBetweenPolls_us) {
         const auto result = poll(now_us);
         if (result && result->has_level) break;
@@ -176,14 +116,17 @@ void MapWatch::compile_first(bool waits) {
     looked_us_ = 0;
 }
 
-void MapWatch::begin(MapChange change) {
+void MapWatch::begin(bool compiles_all) {
     std::vector<std::string> words{compiler_, map_file_, "-o", level_file_, "--fast", "--reads", reads_file_};
-    if (change != MapChange::All) words.insert(words.end(), {"--only", option_of(change)});
+    if (!compiles_all) {
+        write_file(since_file_, text_);
+        words.insert(words.end(), {"--since", since_file_});
+    }
     if (!game_.empty()) words.insert(words.end(), {"--game", game_});
     write_file(log_file_, std::string());  // names the folder if it is read-only: below, the compiler would be blamed
     running_ = start_program(std::move(words), log_file_);
     if (!running_) throw FileError(compiler_, "start", "the compiler does not start, expected oblong-map there");
-    running_change_ = change;
+    compiles_all_ = compiles_all;
 }
 
 // Known files keep the stamps from before they were read.

@@ -11,13 +11,6 @@
 
 namespace oblong {
 
-/// The part of a level to recompile after its source has changed.
-enum class MapChange : std::uint8_t { Nothing, Entities, Light, All };
-
-/// Compares two texts of a Quake .map. A change of brushes, of which entities have some, or of names of files is All; a
-/// change of what may emit light or be lit differently is Light.
-MapChange change_between(const std::string& former, const std::string& now);
-
 /// Recompiles a level when its source changes: checks the file, the maps that it includes and its textures now and
 /// then, and has oblong-map compile a draft of the changed part while the game goes on.
 class MapWatch final : public LevelWatch {
@@ -47,10 +40,10 @@ class MapWatch final : public LevelWatch {
     std::optional<Result> look(std::uint64_t now_us);
     bool others_have_changed();
     void look_for_others();
-    void begin(MapChange change);
+    void begin(bool compiles_all);
     Result finish(bool has_level);
 
-    std::string map_file_, compiler_, game_, level_file_, log_file_, reads_file_;
+    std::string map_file_, compiler_, game_, level_file_, log_file_, reads_file_, since_file_;
     std::string text_;        // of the current level
     std::string tried_text_;  // of the compilation
     Stamp seen_;
@@ -59,7 +52,7 @@ class MapWatch final : public LevelWatch {
     std::string fault_;                    // of the level; empty: none
     std::uint64_t looked_us_ = 0, reminded_us_ = 0;
     std::optional<int> running_;  // the compiler's process
-    MapChange running_change_ = MapChange::All;
+    bool compiles_all_ = true;
 };
 
 }  // namespace oblong

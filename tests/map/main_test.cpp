@@ -231,6 +231,11 @@ TEST_F(Program, MakesAPartOfALevelOnlyIfThereIsOne) {
     EXPECT_EQ(run(command + " --only light"), 0) << said_;
     EXPECT_EQ(read_text(path("out.txt")).find("portals"), std::string::npos);
     EXPECT_EQ(run(command + " --only vis"), 0) << said_;
+    EXPECT_EQ(run(command + " --since " + path("good.map")), 0) << said_;
+    EXPECT_EQ(read_text(path("out.txt")).find("portals"), std::string::npos);
+    EXPECT_EQ(run(command + " --since " + path("gone.map")), 1);
+    EXPECT_EQ(said_.rfind("oblong-map: " + path("gone.map") + ": open", 0), 0u) << said_;
+    EXPECT_EQ(run(command + " --since " + path("good.map") + " --only light"), 2);
 }
 
 TEST_F(Program, ReplacesNoSourceAndNoFileButALevel) {

@@ -76,22 +76,34 @@ TEST(Parts, OfOtherBrushesAreRefused) {
         EXPECT_THROW(compile(moved, {.part = part, .former = former}), InputError);
 }
 
-TEST(MapChanges, SayWhatHasToBeMadeAnew) {
-    const std::string before = two_rooms(kLamp + kLens);
-    EXPECT_EQ(change_between(before, before), MapChange::Nothing);
-    EXPECT_EQ(change_between(before, "// a comment\n" + before), MapChange::Nothing);
-    EXPECT_EQ(change_between(before, two_rooms(kLamp + kOtherLens)), MapChange::Entities);
+TEST(Parts, ChangesSayWhatHasToBeMadeAnew) {
+    using enum map::CompilePart;
+    const std::string before = two_rooms(kLamp + kLens), door = replaced(before, "func_wall", "func_door");
+    const auto part = [&](const std::string& from, const std::string& to) {
+        return map::changed_part(map::parse_map(from), map::parse_map(to));
+    };
+    const auto with_key = [&](const std::string& of, const std::string& pair) {
+        return replaced(before, "\"" + of + "\"", "\"" + of + "\"\n" + pair);
+    };
+    EXPECT_EQ(part(before, "// a comment\n" + before), Entities);
+    EXPECT_EQ(part(before, two_rooms(kLamp + kOtherLens)), Entities);
     for (const std::string end : {"\n", "\r\n", "\r"})
-        EXPECT_EQ(change_between(replaced("// a comment\n" + before, "\n", end),
-                                 replaced("// a comment\n" + two_rooms(kOtherLamp + kLens), "\n", end)),
-                  MapChange::Light);
-    EXPECT_EQ(change_between(before, two_rooms(kLens)), MapChange::Light);
-    EXPECT_EQ(change_between(before, replaced(before, "( 300 64 0 )", "( 308 64 0 )")), MapChange::All);
-    EXPECT_EQ(change_between(before, replaced(before, "func_wall", "func_door")), MapChange::All);
-    EXPECT_EQ(change_between(before, replaced(before, "\"func_wall\"", "\"func_wall\"\n\"_tb_layer\" \"1\"")),
-              MapChange::All);
-    EXPECT_EQ(change_between(before, replaced(before, "\"worldspawn\"", "\"worldspawn\"\n\"_sunlight2\" \"40\"")),
-              MapChange::Light);
+        EXPECT_EQ(
+            part(replaced("// a comment\n" + before, "\n", end), replaced(two_rooms(kOtherLamp + kLens), "\n", end)),
+            Light);
+    EXPECT_EQ(part(before, two_rooms(kLens)), Light);
+    EXPECT_EQ(part(before, with_key("worldspawn", "\"_sunlight2\" \"40\"")), Light);
+    EXPECT_EQ(part(before, with_key("func_wall", "\"targetname\" \"lit\"")), Light);
+    EXPECT_EQ(part(before, with_key("func_wall", "\"wait\" \"2\"")), Entities);
+    EXPECT_EQ(part(before, replaced(before, "( 300 64 0 )", "( 308 64 0 )")), All);
+    EXPECT_EQ(part(before, replaced(before, " wall ", " brick ")), All);
+    EXPECT_EQ(part(before, door), All);
+    EXPECT_EQ(part(before, with_key("func_wall", "\"_phong\" \"1\"")), All);
+    EXPECT_EQ(part(before, with_key("worldspawn", "\"wad\" \"t.wad\"")), All);
+    EXPECT_EQ(part(before, with_key("item_lens", "\"_external_map\" \"t.map\"")), All);
+    const std::string layer = "\"classname\" \"func_group\"\n\"_tb_type\" \"_tb_layer\"\n\"_tb_id\" \"1\"\n";
+    const std::string layered = with_key("func_wall", "\"_tb_layer\" \"1\"") + "{\n" + layer;
+    EXPECT_EQ(part(layered + "}\n", layered + "\"_tb_layer_omit_from_export\" \"1\"\n}\n"), All);
 }
 
 std::string with_wad(const std::string& source) {

@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "engine/base/input_error.h"
+#include "tools/map/source/changed_part.h"
 #include "tools/map/source/checks.h"
 #include "tools/map/source/map_file.h"
 #include "tools/map/source/textures.h"
@@ -15,9 +16,6 @@ struct Palette;
 }
 
 namespace oblong::map {
-
-/// The parts to compile; the rest is taken from an earlier level.
-enum class CompilePart { All, Entities, Light, Visibility };
 
 struct CompileOptions {
     bool is_fast = false;   ///< rougher visibility and light, and no separate hull for large bodies

@@ -12,6 +12,7 @@
 #include "engine/programs/game_definition.h"
 #include "engine/surface/palette.h"
 #include "tools/map/compile.h"
+#include "tools/map/source/changed_part.h"
 #include "tools/map/source/checks.h"
 #include "tools/map/source/entities.h"
 #include "tools/map/source/external_maps.h"
@@ -26,7 +27,7 @@ namespace {
 using namespace oblong;
 
 struct Arguments {
-    std::string input, output, fgd, game, portals, trenchbroom, only, reads;
+    std::string input, output, fgd, game, portals, trenchbroom, only, since, reads;
     map::TextureSources textures;
     std::int64_t threads = 0;  // 0: one for each processor
     bool is_fast = false, is_strict = false, has_dirt = false, has_bounce = false;
@@ -55,10 +56,13 @@ void declare(CommandArguments& line, Arguments& arguments) {
         .exclude(input)
         .exclude(fgd);
     line.add("--game", arguments.game, "a folder whose game.json has classes and a palette of its own");
-    line.add("--prt", arguments.portals, "writes the portals too, as a .prt file");
+    const CommandOption portals = line.add("--prt", arguments.portals, "writes the portals too, as a .prt file");
     line.add("--only", arguments.only,
              "entities, light or vis: compiles only that part, and keeps the rest of an existing OUT.bsp with the same "
-             "brushes");
+             "brushes")
+        .exclude(line.add("--since", arguments.since,
+                          "the source that an existing OUT.bsp is of: compiles only what has changed since")
+                     .exclude(portals));
     line.add("--reads", arguments.reads, "a file to write: the names of all other files that were read, one per line");
     line.add("--threads", arguments.threads,
              "number of threads; default: one per processor. The level is the same for any number")
@@ -74,8 +78,8 @@ std::string points_path(const Arguments& arguments) {
     return std::filesystem::path(arguments.output).replace_extension(".pts").string();
 }
 
-bool makes_portals(const Arguments& arguments) {
-    return arguments.only.empty() || arguments.only == "vis";
+bool makes_portals(map::CompilePart part) {
+    return part == map::CompilePart::All || part == map::CompilePart::Visibility;
 }
 
 // Prints warnings as they come, and counts them.
@@ -103,9 +107,9 @@ class Reporter {
         }
     }
 
-    void print_summary(const map::BspFile& bsp, const map::PortalFile& portals) {
+    void print_summary(const map::BspFile& bsp, map::CompilePart part, const map::PortalFile& portals) {
         std::cout << arguments_.output << ": " << map::summary_of(bsp);
-        if (makes_portals(arguments_)) {
+        if (makes_portals(part)) {
             const map::WidestView widest = map::widest_view(bsp);
             std::cout << ", " << portals.count << " portals, at most " << widest.faces << " faces in sight, around "
                       << map::points_text({widest.place});
@@ -199,12 +203,13 @@ map::BspFile read_former(const std::string& file) {
 }
 
 // The file is of the level beside it: one of an earlier leak goes, unless this part of the level does not tell.
-void keep_points(const Arguments& arguments, const std::vector<map::Point>& leak_path) {
+void keep_points(const Arguments& arguments, map::CompilePart part, const std::vector<map::Point>& leak_path) {
     const std::string points = points_path(arguments);
     if (!leak_path.empty()) {
         write_file(points, map::points_text(leak_path) + "\n");
         std::cerr << "oblong-map: " << points << " has the path to the void\n";
-    } else if (arguments.only.empty() && points != arguments.output && std::filesystem::is_regular_file(points)) {
+    } else if (part == map::CompilePart::All && points != arguments.output &&
+               std::filesystem::is_regular_file(points)) {
         std::filesystem::remove(points);
     }
 }
@@ -214,6 +219,10 @@ void compile(const Arguments& arguments, const std::string& text, const char* ca
              std::vector<std::string>& files) {
     Reporter reporter(arguments);
     std::vector<map::MapEntity> entities = map::parse_map(text, &reporter.warnings);
+    map::CompilePart part = parse_part(arguments.only);
+    if (!arguments.since.empty())
+        part = naming_file(arguments.since,
+                           [&] { return changed_part(map::parse_map(read_text(arguments.since)), entities); });
     map::include_external_maps(
         entities, std::filesystem::weakly_canonical(arguments.input).string(),
         [&](const std::string& name, const std::string& path, int line) {
@@ -247,8 +256,8 @@ void compile(const Arguments& arguments, const std::string& text, const char* ca
     options.workers = &workers;
     options.progress = &reporter.progress;
     options.portals = &portals;
-    options.part = parse_part(arguments.only);
-    if (options.part != map::CompilePart::All) options.former = read_former(arguments.output);
+    options.part = part;
+    if (part != map::CompilePart::All) options.former = read_former(arguments.output);
     std::vector<map::Point> leak_path;
     options.leak_path = &leak_path;
     try {
@@ -256,11 +265,11 @@ void compile(const Arguments& arguments, const std::string& text, const char* ca
         reporter.print();
         if (!arguments.portals.empty()) write_file(arguments.portals, portals.text);
         write_file(arguments.output, map::to_bytes(level));
-        keep_points(arguments, leak_path);
-        reporter.print_summary(level, portals);
+        keep_points(arguments, part, leak_path);
+        reporter.print_summary(level, part, portals);
     } catch (const map::LeakError& leak) {
         reporter.progress.clear();
-        keep_points(arguments, leak.path);
+        keep_points(arguments, part, leak.path);
         throw InputError(leak.where, std::string(leak.what()) + "; a draft is made in spite of it (--fast)");
     }
 }
@@ -270,14 +279,14 @@ void compile_to_file(const Arguments& arguments, const char* called_as) {
     if (arguments.output.empty()) throw UsageError("--out is required");
     parse_dither(arguments.textures.dither);
     std::vector<std::string> others = arguments.textures.wads;
-    others.insert(others.end(), {arguments.input, arguments.textures.palette});
+    others.insert(others.end(), {arguments.input, arguments.since, arguments.textures.palette});
     for (const auto& [option, file] : {std::pair("--out", arguments.output), std::pair("--prt", arguments.portals),
                                        std::pair("--reads", arguments.reads)}) {
         check_replaces_none(option, file, others);
         others.push_back(file);
     }
     check_replaces_only("--out", arguments.output, "level", {std::string_view("\x1d\0\0\0", 4), "BSP2"});
-    if (!arguments.portals.empty() && !makes_portals(arguments))
+    if (!arguments.portals.empty() && !makes_portals(parse_part(arguments.only)))
         throw UsageError("--prt: --only " + arguments.only + " makes no portals, expected --only vis, or none");
     for (const std::string& file : {arguments.output, arguments.portals, arguments.reads})
         if (!file.empty()) check_writable(file);

@@ -28,6 +28,7 @@ struct TextureFields {
     std::array<double, 2> offset{}, scale{1, 1};
     double rotation_degrees = 0;  ///< already in `axes` if those are given
     SurfaceLight light;
+    bool operator==(const TextureFields&) const = default;
 };
 
 /// A plane through three points, which are clockwise seen from its front.
@@ -35,6 +36,7 @@ struct MapSide {
     std::array<Point, 3> points;
     TextureFields texture;
     int line = 0;
+    bool operator==(const MapSide&) const = default;
 };
 
 struct MapBrush {
