@@ -3,24 +3,10 @@
 #include "engine/base/input_error.h"
 #include "engine/base/text.h"
 #include "engine/level/entities.h"
-#include "engine/level/entity_classes.h"
 
 namespace oblong {
 
 namespace {
-
-/// With two decimals unless it is whole.
-std::string decimal(World value) {
-    const bool is_negative = value < World{};
-    const std::int64_t hundredths = (std::int64_t{floor_of<12>(absolute(value))} * 100 + 2048) / 4096;
-    std::string text = (is_negative ? "-" : "") + std::to_string(hundredths / 100);
-    if (hundredths % 100 != 0) text += '.' + std::to_string(hundredths % 100 + 100).substr(1);
-    return text;
-}
-
-std::string limits_text(World least, World most) {
-    return decimal(least) + " to " + decimal(most);
-}
 
 std::optional<std::uint8_t> parse_colour(std::string_view text) {
     const std::optional<std::int64_t> number = parse_level_number(text, 0);
@@ -36,8 +22,8 @@ std::optional<ColourRamp> parse_colours(std::string_view text) {
     return ColourRamp{*first, *last};
 }
 
-bool is_between(World value, World least, World most) {
-    return value >= least && value <= most;
+bool is_in(const NumberRange& range, World value) {
+    return value >= range.least && value <= range.most;
 }
 
 }  // namespace
@@ -51,6 +37,12 @@ void EntityValues::warn_of(const std::string& key, const std::string& expected) 
     warn(key + " is \"" + entity_.value(key) + "\", expected " + expected);
 }
 
+NumberRange EntityValues::range_of(const std::string& key) const {
+    const EntityClass* const its_class = find_entity_class(entity_.value("classname"));
+    const EntityKey* const row = its_class ? find_entity_key(*its_class, key) : nullptr;
+    return row && row->range ? *row->range : NumberRange{World::lowest(), World::highest()};
+}
+
 std::string_view EntityValues::usual(const std::string& key) const {
     return usual_text(entity_.value("classname"), key);
 }
@@ -60,8 +52,8 @@ World EntityValues::number(const std::string& key, const NumberRange& range) con
     const World otherwise = parse_world_number(usual(key)).value_or(World{});
     if (text.empty()) return otherwise;
     const std::optional<World> value = parse_world_number(text);
-    if (value && is_between(*value, range.least, range.most)) return *value;
-    warn_of(key, "a number from " + limits_text(range.least, range.most) + ": it is taken as " + decimal(otherwise));
+    if (value && is_in(range, *value)) return *value;
+    warn_of(key, "a number from " + range_text(range) + ": it is taken as " + decimal_text(otherwise));
     return otherwise;
 }
 
@@ -70,20 +62,17 @@ std::int32_t EntityValues::whole_number(const std::string& key, std::int32_t lea
 }
 
 std::int32_t EntityValues::period_ms() const {
-    constexpr World kLeast = World::from_raw(4096 / 20), kMost = World::from_int(3600);
-    const std::int64_t seconds_12 = floor_of<12>(number("period", {kLeast, kMost}));
+    const std::int64_t seconds_12 = floor_of<12>(number("period"));
     return static_cast<std::int32_t>((seconds_12 * 1000 + 2048) / 4096);
 }
 
-std::optional<Vec3<World>> EntityValues::vector(const std::string& key, World least, World most) const {
+std::optional<Vec3<World>> EntityValues::vector(const std::string& key, const NumberRange& range) const {
     const std::string text = entity_.value(key);
     const std::optional<Vec3<World>> otherwise = parse_world_vector(usual(key));
     if (text.empty()) return otherwise;
     const std::optional<Vec3<World>> value = parse_world_vector(text);
-    if (value && is_between(value->x, least, most) && is_between(value->y, least, most) &&
-        is_between(value->z, least, most))
-        return value;
-    warn_of(key, "three numbers from " + limits_text(least, most));
+    if (value && is_in(range, value->x) && is_in(range, value->y) && is_in(range, value->z)) return value;
+    warn_of(key, "three numbers from " + range_text(range));
     return otherwise;
 }
 
@@ -97,7 +86,7 @@ ColourRamp EntityValues::colours(const std::string& key) const {
 
 std::optional<Vec3<World>> EntityValues::origin() const {
     constexpr World kFarthest = World::from_int(65536);
-    const std::optional<Vec3<World>> origin = vector("origin", -kFarthest, kFarthest);
+    const std::optional<Vec3<World>> origin = vector("origin", {-kFarthest, kFarthest});
     if (!origin) warn("it has no place, and is left out");
     return origin;
 }

@@ -86,8 +86,7 @@ class ThingReader {
     void read_emitter(ParticleKind kind, const EntityValues& values, std::size_t index) {
         const std::optional<Vec3<World>> origin = values.origin();
         if (!origin || !has_room(things_.emitters.size(), kMostEmitters, values)) return;
-        constexpr World kLeastSize = World::from_int(1), kMostSize = World::from_int(65536);
-        const std::optional<Vec3<World>> size = values.vector("size", kLeastSize, kMostSize);
+        const std::optional<Vec3<World>> size = values.vector("size");
         ParticleEmitter emitter;
         emitter.kind = kind;
         emitter.half_size = {size->x / 2, size->y / 2, size->z / 2};
@@ -96,7 +95,7 @@ class ThingReader {
         if (emitter.kind == ParticleKind::Bubbles && values.text("size").empty())
             emitter.middle.z += emitter.half_size.z;
         emitter.period_ms = values.period_ms();
-        emitter.count = particles_left(values.whole_number("count", 0, kMostParticles), values);
+        emitter.count = particles_left(values.whole_number("count"), values);
         emitter.seed = static_cast<std::uint32_t>(index);
         const ColourRamp ramp = values.colours("colour");
         emitter.first_colour = ramp.first;
@@ -111,7 +110,7 @@ class ThingReader {
         if (!origin || texture.is_none() || !has_room(things_.sprites.size(), kMostSprites, values)) return;
         PlacedSprite placed;
         placed.sprite = {*origin, texture, scale_of(values)};
-        placed.shadow_radius = values.number("shadow", {World{}, World::from_int(512)});
+        placed.shadow_radius = values.number("shadow");
         if (placed.shadow_radius > World{}) placed.floor = find_floor(level_, *origin, kFarthestShadow);
         LevelBox box = box_around(*origin, half_size_of(placed.sprite));
         if (placed.floor) {
@@ -130,8 +129,8 @@ class ThingReader {
         lantern.middle = *origin;
         lantern.texture = texture;
         lantern.scale = scale_of(values);
-        lantern.radius = values.number("radius", {World{}, World::from_int(4096)});
-        lantern.light_radius = values.number("light", {World{}, World::from_int(2048)});
+        lantern.radius = values.number("radius");
+        lantern.light_radius = values.number("light");
         lantern.period_ms = values.period_ms();
         const Vec3<World> half = half_size_of({*origin, texture, lantern.scale});
         const Vec3<World> reach = half + Vec3<World>{lantern.radius, lantern.radius, {}};
@@ -164,9 +163,7 @@ class ThingReader {
         return TextureIndex::none();
     }
 
-    static World scale_of(const EntityValues& values) {
-        return values.number("scale", {World::from_raw(4096 / 16), World::from_int(16)});
-    }
+    static World scale_of(const EntityValues& values) { return values.number("scale"); }
 
     /// The width counts in both horizontal directions, as the sprite turns.
     Vec3<World> half_size_of(const Sprite& sprite) const {

@@ -24,6 +24,13 @@ inline constexpr EntityKey numbers(std::string_view name, std::uint8_t least, st
 inline constexpr EntityKey flags(std::span<const KeyValue> values) {
     return {"spawnflags", Flags, "0", "sum of these flags", values};
 }
+inline constexpr EntityKey within(World least, World most, EntityKey key) {
+    key.range = NumberRange{least, most};
+    return key;
+}
+inline constexpr EntityKey within(std::int32_t least, std::int32_t most, const EntityKey& key) {
+    return within(World::from_int(least), World::from_int(most), key);
+}
 inline constexpr EntityKey required(EntityKey key) {
     key.is_required = true;
     return key;
@@ -204,8 +211,8 @@ inline constexpr std::array kLight{
     numbers("light", 1, 4, "300", "brightness, or red green blue brightness; negative subtracts light"),
     number("wait", "1", "factor of the distance: larger fades faster"),
     EntityKey{"delay", Choice, "0", "how light fades with distance", kFalloffs},
-    EntityKey{"style", Whole, "0", "flicker: 0 to 11 are Quake's; 32 to 63 for switched lights or a `pattern`",
-              kStyles},
+    within(0, 63,
+           {"style", Whole, "0", "flicker: 0 to 11 are Quake's; 32 to 63 for switched lights or a `pattern`", kStyles}),
     EntityKey{"pattern", Text, "", "brightness of styles 32 to 63: letters a (dark) to z, ten a second"},
     EntityKey{"target", Place, "", "makes it a spotlight that points at this entity"},
     numbers("mangle", 2, 3, "", "makes it a spotlight: yaw pitch roll; negative pitch is down"),
@@ -354,13 +361,16 @@ inline constexpr std::array kExit{
 inline constexpr std::array kSounds{EntityKey{"sounds", Whole, "", kNoEffect}};
 inline constexpr EntityKey kItemModel{
     "model", Text, "", "an OBJ or MDL in place of the usual model: path below the level's folder or its parent"};
+inline constexpr EntityKey model_scale(std::string_view usual, std::string_view does) {
+    return within(World::from_raw(4), World::from_int(4096), number("scale", usual, does));
+}
 inline constexpr std::array kLens{
     EntityKey{"netname", Text, "", "name of the item in the message that it is missing"},
     EntityKey{"glass", Text, "glass", "material of its glass in `models.mtl`"},
     kItemModel,
-    number("scale", "9", "units of the level for one of its model's"),
+    model_scale("9", "units of the level for one of its model's"),
 };
-inline constexpr std::array kKeyModel{kItemModel, number("scale", "12", "units of the level for one of its model's")};
+inline constexpr std::array kKeyModel{kItemModel, model_scale("12", "units of the level for one of its model's")};
 inline constexpr std::array kCustomKey{
     required(kKeyName),
     EntityKey{"glass", Text, "glass", "its material in `models.mtl`"},
@@ -374,16 +384,19 @@ inline constexpr std::array kIntermission{
 };
 inline constexpr std::array kCheckpoint{numbers("size", 3, 3, "128 128 112", "size of its box: x y z")};
 
-inline constexpr EntityKey kCount = number("count", "", "number of particles"),
+inline constexpr EntityKey period(std::string_view usual, std::string_view does) {
+    return within(World::from_raw(4096 / 20), World::from_int(3600), number("period", usual, does));
+}
+inline constexpr EntityKey kCount = within(0, 131'072, number("count", "", "number of particles")),
                            kColour = numbers("colour", 1, 2, "", "a palette index, or the first and last of a ramp");
 inline constexpr EntityKey with_usual(EntityKey key, std::string_view usual) {
     key.usual = usual;
     return key;
 }
 inline constexpr std::array<EntityKey, 4> emitter(std::string_view size, std::string_view count,
-                                                  std::string_view period, std::string_view colours) {
-    return {numbers("size", 3, 3, size, "size of its box: x y z"), with_usual(kCount, count),
-            number("period", period, "seconds per cycle"), with_usual(kColour, colours)};
+                                                  std::string_view seconds, std::string_view colours) {
+    return {within(1, 65'536, numbers("size", 3, 3, size, "size of its box: x y z")), with_usual(kCount, count),
+            period(seconds, "seconds per cycle"), with_usual(kColour, colours)};
 }
 // Colours are from Quake's palette: greys, browns, fire from light to dark.
 inline constexpr std::array kRain = emitter("256 256 256", "400", "0.7", "8 11");
@@ -391,29 +404,31 @@ inline constexpr std::array kDust = emitter("256 256 128", "100", "20", "6 9");
 inline constexpr std::array kSparks = emitter("64 64 48", "40", "0.9", "111 104");
 inline constexpr std::array kBubbles = emitter("32 32 96", "12", "4", "11 13");
 
+inline constexpr EntityKey kSpriteScale =
+    within(World::from_raw(4096 / 16), World::from_int(16), number("scale", "1", "scale"));
 inline constexpr std::array kSprite{
     required({"texture", Texture, "", "name of the texture"}),
-    number("scale", "1", "scale, 1/16 to 16"),
-    number("shadow", "0", "radius of its shadow on the floor"),
+    kSpriteScale,
+    within(0, 512, number("shadow", "0", "radius of its shadow on the floor")),
 };
 inline constexpr std::array kLantern{
     required({"texture", Texture, "", "name of the texture"}),
-    number("scale", "1", "scale, 1/16 to 16"),
-    number("radius", "64", "radius of its circle"),
-    number("light", "200", "radius of its light"),
-    number("period", "8", "seconds per cycle"),
+    kSpriteScale,
+    within(0, 4096, number("radius", "64", "radius of its circle")),
+    within(0, 2048, number("light", "200", "radius of its light")),
+    period("8", "seconds per cycle"),
 };
 inline constexpr std::array kModel{
     required({"model", Text, "", "its MDL or OBJ file"}),
     EntityKey{"frame", Whole, "0", "first frame"},
     EntityKey{"frames", Whole, "1", "number of frames shown in turn, a tenth of a second each"},
     EntityKey{"skin", Whole, "0", "skin of an MDL"},
-    number("scale", "1", "scale"),
+    model_scale("1", "scale"),
     EntityKey{"up", Choice, "y", "the OBJ's axis that points up", kUps},
-    number("period", "", "seconds per turn about its vertical axis"),
+    period("", "seconds per turn about its vertical axis"),
     EntityKey{"shading", Choice, "gouraud", "shading of its triangles", kShadings},
-    EntityKey{"highlight", Whole, "0", "brightness of a Phong highlight, 0 to 255"},
-    EntityKey{"least_light", Whole, "0", "least light on it, 0 to 255, for what glows"},
+    within(0, 255, {"highlight", Whole, "0", "brightness of a Phong highlight"}),
+    within(0, 255, {"least_light", Whole, "0", "least light on it, for what glows"}),
     EntityKey{"dither", Choice, "0", "whether an OBJ's pictures are dithered", kNoYes},
 };
 // Used by Quake only.

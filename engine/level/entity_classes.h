@@ -2,9 +2,12 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+
+#include "engine/fixed/fixed.h"
 
 namespace oblong {
 
@@ -28,6 +31,11 @@ struct KeyValue {
     std::string_view value, does;
 };
 
+/// The range of a key's numbers.
+struct NumberRange {
+    World least, most;
+};
+
 struct EntityKey {
     std::string_view name;  ///< a final '#' stands for digits
     KeyKind kind = KeyKind::Text;
@@ -36,7 +44,8 @@ struct EntityKey {
     std::span<const KeyValue> values = {};
     std::uint8_t least = 1, most = 1;  ///< how many numbers
     bool is_required = false;
-    std::string_view since = kRelease;  ///< the first release with it
+    std::string_view since = kRelease;      ///< the first release with it
+    std::optional<NumberRange> range = {};  ///< of its numbers; none: any
 };
 
 enum class ClassShape : std::uint8_t {
@@ -181,6 +190,11 @@ const EntityKey* find_entity_key(const EntityClass& its_class, std::string_view 
 /// What a value of a key should be, such as "a whole number"; empty if it is. Values that name other entities, files or
 /// textures without holes are not checked. In key_values.cpp.
 std::string expected_instead_of(const std::string& value, const EntityKey& key);
+
+/// With two decimals unless it is whole: "0.05".
+std::string decimal_text(World value);
+/// "0.05 to 3600".
+std::string range_text(const NumberRange& range);
 
 /// " (since 0.2)"; empty for the first release.
 std::string since_text(std::string_view since);

@@ -17,6 +17,14 @@ std::string list_of(std::span<const KeyValue> values) {
     return text;
 }
 
+bool is_in_range(const std::string& value, const EntityKey& key) {
+    const auto numbers = parse_decimals(value, World::kFractionBits);
+    if (!key.range || !numbers) return true;
+    return std::all_of(numbers->begin(), numbers->end(), [&](std::int64_t number) {
+        return number >= floor_of<12>(key.range->least) && number <= floor_of<12>(key.range->most);
+    });
+}
+
 bool is_of_kind(const EntityKey& key, const std::string& value) {
     const auto numbers = parse_decimals(value, 0);
     const auto number = parse_level_number(value, 16);
@@ -41,13 +49,26 @@ bool is_of_kind(const EntityKey& key, const std::string& value) {
 }  // namespace
 
 std::string expected_instead_of(const std::string& value, const EntityKey& key) {
-    if (is_of_kind(key, value)) return "";
+    if (is_of_kind(key, value) && is_in_range(value, key)) return "";
+    const std::string range = key.range ? " from " + range_text(*key.range) : "";
     if (key.kind == KeyKind::Texture) return "a texture that begins with '{'";
     if (key.kind == KeyKind::Choice) return list_of(key.values);
-    if (key.kind == KeyKind::Whole || key.kind == KeyKind::Flags) return "a whole number";
-    if (key.most == 1) return "a number";
+    if (key.kind == KeyKind::Whole || key.kind == KeyKind::Flags) return "a whole number" + range;
+    if (key.most == 1) return "a number" + range;
     const std::string least = std::to_string(key.least), most = std::to_string(key.most);
-    return (key.least == key.most ? most : least + " to " + most) + " numbers";
+    return (key.least == key.most ? most : least + " to " + most) + " numbers" + range;
+}
+
+std::string decimal_text(World value) {
+    const bool is_negative = value < World{};
+    const std::int64_t hundredths = (std::int64_t{floor_of<12>(absolute(value))} * 100 + 2048) / 4096;
+    std::string text = (is_negative ? "-" : "") + std::to_string(hundredths / 100);
+    if (hundredths % 100 != 0) text += '.' + std::to_string(hundredths % 100 + 100).substr(1);
+    return text;
+}
+
+std::string range_text(const NumberRange& range) {
+    return decimal_text(range.least) + " to " + decimal_text(range.most);
 }
 
 }  // namespace oblong

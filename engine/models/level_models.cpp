@@ -54,8 +54,6 @@ std::size_t size_in_bytes(const Mesh& mesh) {
     return bytes;
 }
 
-constexpr NumberRange kScales{World::from_raw(4), World::from_int(4096)};
-
 class ModelFinder {
   public:
     explicit ModelFinder(const ModelFolders& folders) : game_(folders.game) {
@@ -153,7 +151,7 @@ class LevelModelReader {
 
     static ModelFile file_of(const std::string& path, const EntityValues& values) {
         ModelFile file{path};
-        file.scale = values.number("scale", kScales);
+        file.scale = values.number("scale");
         const std::string up = values.text("up"), dither = values.text("dither");
         file.is_z_up = up == "z";
         if (!up.empty() && up != "z" && up != "y")
@@ -181,7 +179,7 @@ class LevelModelReader {
         constexpr World kWhole = World::from_int(3600);
         const auto angle = [](World degrees) { return degrees_to_angle(convert<Degrees>(degrees)); };
         placed.yaw = angle(values.number("angle", {-kWhole, kWhole}));
-        if (const auto angles = values.vector("angles", -kWhole, kWhole)) {
+        if (const auto angles = values.vector("angles", {-kWhole, kWhole})) {
             placed.pitch = angle(angles->x);
             placed.yaw = angle(angles->y);
             placed.roll = angle(angles->z);
@@ -191,8 +189,8 @@ class LevelModelReader {
         if (shading == "phong") placed.shading = Shading::Phong;
         if (!shading.empty() && shading != "flat" && shading != "gouraud" && shading != "phong")
             values.warn("shading is \"" + shading + "\", expected flat, gouraud or phong: it is taken as gouraud");
-        placed.highlight = values.whole_number("highlight", 0, 255);
-        placed.least_light = values.whole_number("least_light", 0, 255);
+        placed.highlight = values.whole_number("highlight");
+        placed.least_light = values.whole_number("least_light");
     }
 
     void read_item(const ClassModel& quakes, const EntityClass& its_class, const OwnModel& own, std::size_t index,
@@ -227,7 +225,7 @@ class LevelModelReader {
             values.warn("there is no file " + named.string() + " for the model at " + values.text("origin") +
                         ", which is not shown");
         if (!file) return;
-        const Mesh* const mesh = mesh_of({*file, values.number("scale", kScales), false, Dither::None}, values);
+        const Mesh* const mesh = mesh_of({*file, values.number("scale"), false, Dither::None}, values);
         if (mesh == nullptr) return;
         LevelModel model;
         model.placed.mesh = mesh;

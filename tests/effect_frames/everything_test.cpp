@@ -78,6 +78,22 @@ TEST(Everything, IsTheSameByAnyNumberOfThreads) {
     }
 }
 
+TEST(Everything, IsTheSameByTheKernelsOfEachInstructionSet) {
+    EffectStage stage = everything(in_tank());
+    for (const Preset preset : kPresets)
+        for (const Camera& camera : {in_tank(), camera_at(point_at(300, -200, 90), 135, 10)}) {
+            stage.camera = camera;
+            stage.settings.accuracy = accuracy_of(preset);
+            stage.settings.kernels = find_kernels("plain");
+            const Picture plain = stage.draw_afresh(2'900);
+            for (const Kernels& kernels : all_kernels()) {
+                stage.settings.kernels = &kernels;
+                EXPECT_EQ(changed_pixels(stage.draw_afresh(2'900), plain), 0)
+                    << kernels.name << ", " << name_of(preset);
+            }
+        }
+}
+
 /// What is left out changes no more pixels than it owned: those that it needs it for, or that it covers. Mirrors show
 /// the other effects, and waves move them, so that these two stand apart.
 TEST(Everything, LeftOutChangesNoPixelElsewhere) {

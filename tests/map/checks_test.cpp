@@ -100,11 +100,11 @@ TEST(Checks, NameValuesOfAnotherKind) {
     EXPECT_EQ(of_light("delay", "4"), Said{"line 6: 'delay' is '4', expected 0, 1, 2, 3 or 5: 0 is taken"});
     EXPECT_EQ(of_light("delay", ""), Said{"line 6: 'delay' is '', expected 0, 1, 2, 3 or 5: 0 is taken"});
     for (const char* delay : {"5", "5.0", "05", "2e0"}) EXPECT_EQ(of_light("delay", delay), Said{}) << delay;
-    EXPECT_EQ(of_light("style", "64"), Said{"line 6: 'style' is '64', expected 0 to 63"});
+    EXPECT_EQ(of_light("style", "64"), Said{"line 6: 'style' is '64', expected a whole number from 0 to 63"});
     EXPECT_EQ(of_light("target", ""), Said{}) << "names nothing";
     EXPECT_EQ(warnings_of(entity("func_fnord", {{"light", "w"}})).size(), 2u) << "any class may shine";
     EXPECT_EQ(of_light("wait", "1 2"), Said{"line 6: 'wait' is '1 2', expected a number"});
-    EXPECT_EQ(of_light("style", "candle"), Said{"line 6: 'style' is 'candle', expected a whole number"});
+    EXPECT_EQ(of_light("style", "candle"), Said{"line 6: 'style' is 'candle', expected a whole number from 0 to 63"});
     EXPECT_EQ(of_light("mangle", "up"), Said{"line 6: 'mangle' is 'up', expected 2 to 3 numbers"});
     EXPECT_EQ(warnings_of(entity("func_door", {{"speed", "fast"}}, kBrush)),
               Said{"line 6: 'speed' is 'fast', expected a number"});
@@ -118,7 +118,12 @@ TEST(Checks, KnowEffects) {
                           entity_at("info_checkpoint", {1, 2, 3}, {{"size", "64 64 64"}})),
               Said{});
     EXPECT_EQ(warnings_of(entity_at("misc_dust", {1, 2, 3}, {{"size", "64"}})),
-              Said{"line 6: 'size' is '64', expected 3 numbers"});
+              Said{"line 6: 'size' is '64', expected 3 numbers from 1 to 65536"});
+    EXPECT_EQ(warnings_of(entity_at("misc_rain", {1, 2, 3}, {{"count", "131073"}, {"period", "-3"}})),
+              (Said{"line 6: 'count' is '131073', expected a number from 0 to 131072",
+                    "line 7: 'period' is '-3', expected a number from 0.05 to 3600"}));
+    EXPECT_EQ(warnings_of(entity_at("misc_model", {1, 2, 3}, {{"model", "a.obj"}, {"highlight", "256"}})),
+              Said{"line 7: 'highlight' is '256', expected a whole number from 0 to 255"});
     EXPECT_EQ(warnings_of(entity_at("misc_lantern", {1, 2, 3}, {{"texture", "lamp"}})),
               Said{"line 6: 'texture' is 'lamp', expected a texture that begins with '{'"});
 }

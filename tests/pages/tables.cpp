@@ -56,7 +56,7 @@ std::string kind_of(const EntityKey& key) {
         std::string("name of others"),
         std::string("name of a place"),
         std::string("texture with holes")};
-    return names.at(static_cast<std::size_t>(key.kind));
+    return names.at(static_cast<std::size_t>(key.kind)) + (key.range ? ", " + range_text(*key.range) : "");
 }
 
 std::string list_of_keys(const EntityClass& row) {

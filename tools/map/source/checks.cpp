@@ -167,16 +167,10 @@ class Checker {
         const bool may_be_empty = row.kind == KeyKind::Text || row.kind >= KeyKind::Name || row.is_required;
         if (pair.value.empty() && (may_be_empty || row.name == "origin")) return true;
         std::string expected = expected_instead_of(pair.value, row);
-        if (expected.empty() && row.name == "style" && !is_style(pair.value)) expected = "0 to 63";
         if (expected.empty()) return true;
         if (row.kind == KeyKind::Choice) expected += ": " + std::string(row.usual) + " is taken";
         warnings_.add(pair.line, as_quoted(pair.key) + " is " + as_quoted(pair.value) + ", expected " + expected);
         return false;
-    }
-
-    static bool is_style(const std::string& value) {
-        const auto style = parse_level_number(value, 0);
-        return style && *style >= 0 && *style < 64;
     }
 
     void check_value(const MapPair& pair, const EntityKey& row) {
