@@ -37,6 +37,7 @@ inline constexpr std::array<std::string_view, kEffectCount> kEffectNames{
     "sky",          "liquid",        "brush_models", "fence",     "translucency", "animated_textures",
     "light_styles", "moving_lights", "fog",          "particles", "sprites",      "shadows",
     "models",       "mirror",        "underwater"};
+static_assert(!kEffectNames.back().empty());
 
 /// A set of effects.
 struct EffectSet {
