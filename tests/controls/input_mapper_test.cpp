@@ -2,82 +2,113 @@
 
 #include <gtest/gtest.h>
 
-namespace oblong {
+#include <map>
+
+#include "tests/controls/told_controls.h"
+#include "tests/support/named_action.h"
+
+namespace oblong::test {
 namespace {
 
-using Commands = std::vector<Action>;
-using Menu = std::vector<MenuAction>;
-
-const Bindings kBindings = default_bindings();
-
-class InputMapperTest : public testing::Test {
-  protected:
-    void press(std::initializer_list<const char*> names) {
-        for (const char* name : names) mapper.press(input_named(name));
+/// What is done with inputs of these names, and the controls that are taken after it: see told_controls.h.
+/// `bind jump W` binds an action, `bind` none at all.
+class MapperScript {
+  public:
+    void run(const ScriptLine& line) {
+        for (const Words& words : line.actions) act(words);
+        check_controls(line, [this] { return mapper_.take(0); });
     }
 
-    InputMapper mapper{kBindings};
+  private:
+    void act(const Words& words) {
+        const std::string& verb = words[0];
+        using Work = void (InputMapper::*)(Input);
+        const std::map<std::string, Work> works{{"press", &InputMapper::press},
+                                                {"repeat", &InputMapper::repeat},
+                                                {"release", &InputMapper::release},
+                                                {"click", &InputMapper::click}};
+        if (verb == "let_go")
+            mapper_.release_all();
+        else if (verb == "unplug")
+            mapper_.release_pad();
+        else if (verb == "push")
+            mapper_.move_axis(input_named(words.at(1)), std::stoi(words.at(2)));
+        else if (verb == "bind" && words.size() == 1)
+            bindings_ = {};
+        else if (verb == "bind")
+            set_inputs(bindings_, action_named(words[1]), joined(words, 2));
+        else
+            for (std::size_t i = 1; i < words.size(); ++i) (mapper_.*works.at(verb))(input_named(words[i]));
+    }
+
+    Bindings bindings_ = default_bindings();
+    InputMapper mapper_{bindings_};
 };
 
-TEST_F(InputMapperTest, AHeldKeyMovesUntilItIsLetGo) {
-    press({"W"});
-    EXPECT_TRUE(mapper.take(0).moves.has(Action::Forward));
-    EXPECT_TRUE(mapper.take(0).moves.has(Action::Forward));
-    mapper.release(input_named("W"));
-    EXPECT_FALSE(mapper.take(0).moves.has(Action::Forward));
+constexpr Script kMapped[] = {
+    {"AHeldKeyMovesUntilItIsLetGo", R"(
+        press W: moves = forward
+        : moves = forward
+        release W: moves =
+    )"},
+    {"AKeyPressedAndLetGoBetweenTwoPollsCountsOnce", "press Space; release Space: moves = jump \n : moves ="},
+    {"TwoInputsOfAMoveHoldItTogether", R"(
+        press Left-Shift Right-Shift; release Left-Shift: moves = walk-slowly
+        : moves = walk-slowly
+    )"},
+    {"KeysOfPanelsAreKeptApart", "press Up: moves =, panel = forward, commands = dial-up"},
+    {"CommandsComeOnceForEachPressAndThoseOfPanelsAgainWhileHeld", R"(
+        press F1; repeat F1 F1; press Left; repeat Left Left: commands = help dial-coarser dial-coarser dial-coarser
+        : commands =
+    )"},
+    {"InMenusDirectionsAreRepeatedAndAcceptIsNot",
+     "press Down; repeat Down; press Enter; repeat Enter: menu = down down accept"},
+    {"MenusAreWorkedByThePadAlone", R"(
+        press Pad-Up Pad-A Pad-B Pad-Start; push Pad-Left-Stick-Down 32767
+        : menu = up accept back down, commands = dial-up torch menu
+    )"},
+    {"EscapeOpensTheMenuWhateverIsBound", "bind; press Escape: commands = menu \n press Pad-Start: commands = menu"},
+    {"SticksMoveByHowFarTheyArePushed", R"(
+        push Pad-Left-Stick-Up 20000; push Pad-Left-Stick-Left 3000
+        push Pad-Right-Stick-Right 40000; push Pad-Right-Stick-Down 5: walk = -3000 20000, look = 32767 -5, moves =
+    )"},
+    // A little back it is still held.
+    {"ATriggerIsAButtonThatDoesNotFlutter", R"(
+        push Pad-Left-Trigger 16000: moves =
+        push Pad-Left-Trigger 17000: moves = walk-slowly
+        push Pad-Left-Trigger 15000: moves = walk-slowly
+        push Pad-Left-Trigger 12000: moves =
+    )"},
+    {"LettingGoOfAllEndsEverything", R"(
+        press W Up Space Mouse-1 Pad-A; push Pad-Left-Stick-Up 32767; let_go: moves =, panel =, walk = 0 0, held =
+    )"},
+    {"APadThatIsUnpluggedLeavesTheKeysHeld", "press W Pad-A: moves = forward jump \n unplug: moves = forward"},
+    {"TheLastPressIsReportedForRebindingAlsoWhereNothingIsBound", R"(
+        : pressed =
+        press W F20: pressed = F20
+        : pressed =
+        push Pad-Left-Trigger 32767: pressed = Pad Left Trigger
+    )"},
+    // The trigger halfway: half of the speed.
+    {"OtherBindingsActAtOnce", R"(
+        bind; bind jump W Wheel-Up; bind torch Mouse-4; bind forward Pad-Right-Trigger
+        press W Mouse-4; push Pad-Right-Trigger 16384: moves = jump, walk = 0 16384, commands = torch
+    )"},
+    {"AFreeMouseClicksInsteadOfWalking", R"(
+        click Mouse-2: moves =, menu = back, pressed = Mouse 2
+        press Mouse-2: moves = forward      # captured
+    )"},
+};
+void map_inputs(const Script& script) {
+    MapperScript mapper;
+    for (const ScriptLine& line : script_lines(script.text)) mapper.run(line);
 }
+OBLONG_SCRIPTS(InputMapperScripts, kMapped, map_inputs);
 
-TEST_F(InputMapperTest, AKeyPressedAndLetGoBetweenTwoPollsCountsOnce) {
-    press({"Space"});
-    mapper.release(input_named("Space"));
-    EXPECT_TRUE(mapper.take(0).moves.has(Action::Jump));
-    EXPECT_FALSE(mapper.take(0).moves.has(Action::Jump));
-}
-
-TEST_F(InputMapperTest, TwoInputsOfAMoveHoldItTogether) {
-    press({"Left Shift", "Right Shift"});
-    mapper.release(input_named("Left Shift"));
-    mapper.take(0);
-    EXPECT_TRUE(mapper.take(0).moves.has(Action::WalkSlowly));
-}
-
-TEST_F(InputMapperTest, KeysOfPanelsAreKeptApart) {
-    press({"Up"});
-    const Controls controls = mapper.take(0);
-    EXPECT_FALSE(controls.moves.has(Action::Forward));
-    EXPECT_TRUE(controls.panel_moves.has(Action::Forward));
-    EXPECT_EQ(controls.commands, Commands{Action::DialUp});
-}
-
-TEST_F(InputMapperTest, CommandsComeOnceForEachPressAndThoseOfPanelsAgainWhileHeld) {
-    for (const char* name : {"F1", "Left"}) {
-        mapper.press(input_named(name));
-        mapper.repeat(input_named(name));
-        mapper.repeat(input_named(name));
-    }
-    EXPECT_EQ(mapper.take(0).commands,
-              (Commands{Action::ShowHelp, Action::DialCoarser, Action::DialCoarser, Action::DialCoarser}));
-    EXPECT_TRUE(mapper.take(0).commands.empty());
-}
-
-TEST_F(InputMapperTest, InMenusDirectionsAreRepeatedAndAcceptIsNot) {
-    for (const char* name : {"Down", "Enter"}) {
-        mapper.press(input_named(name));
-        mapper.repeat(input_named(name));
-    }
-    EXPECT_EQ(mapper.take(0).menu, (Menu{MenuAction::Down, MenuAction::Down, MenuAction::Accept}));
-}
-
-TEST_F(InputMapperTest, MenusAreWorkedByThePadAlone) {
-    press({"Pad Up", "Pad A", "Pad B", "Pad Start"});
-    mapper.move_axis(input_named("Pad Left Stick Down"), kFullAxis);
-    const Controls controls = mapper.take(0);
-    EXPECT_EQ(controls.menu, (Menu{MenuAction::Up, MenuAction::Accept, MenuAction::Back, MenuAction::Down}));
-    EXPECT_EQ(std::count(controls.commands.begin(), controls.commands.end(), Action::Menu), 1);
-}
-
-TEST_F(InputMapperTest, APadsDirectionIsRepeatedByTheClockWhileItIsHeld) {
-    press({"Pad Down"});
+TEST(InputMapper, APadsDirectionIsRepeatedByTheClockWhileItIsHeld) {
+    const Bindings bindings = default_bindings();
+    InputMapper mapper(bindings);
+    mapper.press(input_named("Pad Down"));
     int times = 0;
     for (std::uint64_t ms = 1000; ms <= 2000; ms += 10) times += static_cast<int>(mapper.take(ms).menu.size());
     EXPECT_GE(times, 5);
@@ -86,92 +117,5 @@ TEST_F(InputMapperTest, APadsDirectionIsRepeatedByTheClockWhileItIsHeld) {
     EXPECT_TRUE(mapper.take(5000).menu.empty());
 }
 
-TEST(InputMapper, EscapeAndStartOpenTheMenuWhateverIsBound) {
-    const Bindings none;
-    InputMapper mapper(none);
-    for (const char* name : {"Escape", "Pad Start"}) {
-        mapper.press(input_named(name));
-        EXPECT_EQ(mapper.take(0).commands, Commands{Action::Menu}) << name;
-    }
-}
-
-TEST_F(InputMapperTest, SticksMoveByHowFarTheyArePushed) {
-    mapper.move_axis(input_named("Pad Left Stick Up"), 20'000);
-    mapper.move_axis(input_named("Pad Left Stick Left"), 3'000);
-    mapper.move_axis(input_named("Pad Right Stick Right"), 40'000);
-    mapper.move_axis(input_named("Pad Right Stick Down"), 5);
-    const Controls controls = mapper.take(0);
-    EXPECT_EQ(controls.walk_stick, (Stick{-3'000, 20'000}));
-    EXPECT_EQ(controls.look_stick, (Stick{kFullAxis, -5}));
-    EXPECT_FALSE(controls.moves.has(Action::Forward) || controls.moves.has(Action::TurnRight));
-}
-
-TEST_F(InputMapperTest, ATriggerIsAButtonThatDoesNotFlutter) {
-    const Input trigger = input_named("Pad Left Trigger");
-    mapper.move_axis(trigger, 16'000);
-    EXPECT_FALSE(mapper.take(0).moves.has(Action::WalkSlowly));
-    mapper.move_axis(trigger, 17'000);
-    EXPECT_TRUE(mapper.take(0).moves.has(Action::WalkSlowly));
-    mapper.move_axis(trigger, 15'000);  // a little back: still held
-    EXPECT_TRUE(mapper.take(0).moves.has(Action::WalkSlowly));
-    mapper.move_axis(trigger, 12'000);
-    EXPECT_FALSE(mapper.take(0).moves.has(Action::WalkSlowly));
-}
-
-TEST_F(InputMapperTest, LettingGoOfAllEndsEverything) {
-    press({"W", "Up", "Space", "Mouse 1", "Pad A"});
-    mapper.move_axis(input_named("Pad Left Stick Up"), kFullAxis);
-    mapper.release_all();
-    const Controls controls = mapper.take(0);
-    EXPECT_EQ(controls.moves, Moves{});
-    EXPECT_EQ(controls.panel_moves, Moves{});
-    EXPECT_EQ(controls.walk_stick, Stick{});
-    EXPECT_FALSE(controls.holds_button);
-}
-
-TEST_F(InputMapperTest, APadThatIsUnpluggedLeavesTheKeysHeld) {
-    press({"W", "Pad A"});
-    mapper.take(0);
-    mapper.release_pad();
-    const Controls controls = mapper.take(0);
-    EXPECT_TRUE(controls.moves.has(Action::Forward));
-    EXPECT_FALSE(controls.moves.has(Action::Jump));
-}
-
-TEST_F(InputMapperTest, TheLastPressIsReportedForRebindingAlsoWhereNothingIsBound) {
-    EXPECT_FALSE(mapper.take(0).pressed);
-    press({"W", "F20"});
-    EXPECT_EQ(mapper.take(0).pressed, input_named("F20"));
-    EXPECT_FALSE(mapper.take(0).pressed);
-    mapper.move_axis(input_named("Pad Left Trigger"), kFullAxis);
-    EXPECT_EQ(mapper.take(0).pressed, input_named("Pad Left Trigger"));
-}
-
-TEST(InputMapper, OtherBindingsActAtOnce) {
-    Bindings bindings;
-    InputMapper mapper(bindings);
-    set_inputs(bindings, Action::Jump, "W Wheel-Up");
-    set_inputs(bindings, Action::Torch, "Mouse-4");
-    set_inputs(bindings, Action::Forward, "Pad-Right-Trigger");
-    mapper.press(input_named("W"));
-    mapper.press(input_named("Mouse 4"));
-    mapper.move_axis(input_named("Pad Right Trigger"), 16'384);
-    const Controls controls = mapper.take(0);
-    EXPECT_TRUE(controls.moves.has(Action::Jump));
-    EXPECT_FALSE(controls.moves.has(Action::Forward));  // but by the trigger, half of the speed:
-    EXPECT_EQ(controls.walk_stick, (Stick{0, 16'384}));
-    EXPECT_EQ(controls.commands, Commands{Action::Torch});
-}
-
-TEST_F(InputMapperTest, AFreeMouseClicksInsteadOfWalking) {
-    mapper.click(input_named("Mouse 2"));
-    const Controls controls = mapper.take(0);
-    EXPECT_FALSE(controls.moves.has(Action::Forward));
-    EXPECT_EQ(controls.menu, Menu{MenuAction::Back});
-    EXPECT_EQ(controls.pressed, input_named("Mouse 2"));
-    mapper.press(input_named("Mouse 2"));  // captured
-    EXPECT_TRUE(mapper.take(0).moves.has(Action::Forward));
-}
-
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test

@@ -1,227 +1,173 @@
 #include <SDL.h>
 #include <gtest/gtest.h>
 
+#include <list>
+#include <map>
+
 #include "game/input/input_mapper.h"
+#include "tests/controls/told_controls.h"
 #include "tests/controls/virtual_pad.h"
 
 namespace oblong::test {
 namespace {
 
-using Commands = std::vector<Action>;
-
 class SdlInputTest : public testing::Test {
   protected:
-    void SetUp() override { poll(); }
-
-    /// What the game makes of what SDL reported.
-    Controls poll() { return mapper_.take(window_.input->poll(), SDL_GetTicks64()); }
-
-    void push_key(const char* name, bool is_down, bool is_repeat = false, std::uint16_t modifiers = 0) {
+    static void push(SDL_EventType type, auto fill) {
         SDL_Event event{};
-        event.type = is_down ? SDL_KEYDOWN : SDL_KEYUP;
-        event.key.state = is_down ? SDL_PRESSED : SDL_RELEASED;
-        event.key.repeat = is_repeat ? 1 : 0;
-        event.key.keysym.scancode = static_cast<SDL_Scancode>(input_named(name).code);
-        event.key.keysym.mod = modifiers;
+        event.type = type;
+        fill(event);
         SDL_PushEvent(&event);
     }
-    void push_button(std::uint8_t button, bool is_down, std::int32_t x = 0, std::int32_t y = 0) {
-        SDL_Event event{};
-        event.type = is_down ? SDL_MOUSEBUTTONDOWN : SDL_MOUSEBUTTONUP;
-        event.button.state = is_down ? SDL_PRESSED : SDL_RELEASED;
-        event.button.button = button;
-        event.button.x = x;
-        event.button.y = y;
-        SDL_PushEvent(&event);
-    }
-    void push_motion(std::int32_t x, std::int32_t y, std::int32_t right, std::int32_t down) {
-        SDL_Event event{};
-        event.type = SDL_MOUSEMOTION;
-        event.motion.x = x;
-        event.motion.y = y;
-        event.motion.xrel = right;
-        event.motion.yrel = down;
-        SDL_PushEvent(&event);
-    }
-    void push_wheel(std::int32_t x, std::int32_t y) {
-        SDL_Event event{};
-        event.type = SDL_MOUSEWHEEL;
-        event.wheel.x = x;
-        event.wheel.y = y;
-        SDL_PushEvent(&event);
-    }
-    void push_window(SDL_WindowEventID what) {
-        SDL_Event event{};
-        event.type = SDL_WINDOWEVENT;
-        event.window.event = static_cast<std::uint8_t>(what);
-        SDL_PushEvent(&event);
+    static void push_key(const std::string& name, bool is_down, bool is_repeat = false, std::uint16_t modifiers = 0) {
+        push(is_down ? SDL_KEYDOWN : SDL_KEYUP, [&](SDL_Event& event) {
+            event.key.state = is_down ? SDL_PRESSED : SDL_RELEASED;
+            event.key.repeat = is_repeat ? 1 : 0;
+            event.key.keysym.scancode = static_cast<SDL_Scancode>(input_named(name).code);
+            event.key.keysym.mod = modifiers;
+        });
     }
 
     UnseenWindow window_;
-    Bindings bindings_ = default_bindings();
-    InputMapper mapper_{bindings_};
 };
 
-TEST_F(SdlInputTest, ScancodesAreTheNumbersOfTheNames) {
-    EXPECT_EQ(input_named("W").code, SDL_SCANCODE_W);
-    EXPECT_EQ(input_named("Right Ctrl").code, SDL_SCANCODE_RCTRL);
-    EXPECT_EQ(input_named("Keypad Enter").code, SDL_SCANCODE_KP_ENTER);
-    EXPECT_EQ(input_named("F24").code, SDL_SCANCODE_F24);
-    EXPECT_EQ(input_named("Less").code, SDL_SCANCODE_NONUSBACKSLASH);
-    EXPECT_EQ(input_named("0").code, SDL_SCANCODE_0);
-}
-
-TEST_F(SdlInputTest, KeysWalkAndCommand) {
-    push_key("W", true);
-    push_key("F1", true);
-    push_key("F1", true, true);
-    push_key("F1", false);
-    const Controls controls = poll();
-    EXPECT_TRUE(controls.moves.has(Action::Forward));
-    EXPECT_EQ(controls.commands, Commands{Action::ShowHelp});
-    push_key("W", false);
-    EXPECT_FALSE(poll().moves.has(Action::Forward));
-}
-
-TEST_F(SdlInputTest, AltWithEnterOrTabIsTheWindowsOwn) {
-    push_key("Enter", true, false, KMOD_LALT);
-    push_key("Enter", false, false, KMOD_LALT);
-    push_key("Tab", true, false, KMOD_LALT);
-    const Controls controls = poll();
-    EXPECT_TRUE(controls.menu.empty());
-    EXPECT_TRUE(controls.commands.empty());
-    EXPECT_TRUE(controls.changes_full_screen);
-    EXPECT_FALSE(poll().changes_full_screen) << "once";
-}
-
-TEST_F(SdlInputTest, AFreeMousePointsInPixelsOfTheWindow) {
-    EXPECT_FALSE(poll().pointer);
-    push_motion(95, 194, 0, 0);
-    Controls controls = poll();
-    ASSERT_TRUE(controls.pointer);
-    EXPECT_FALSE(controls.pointer->has_moved) << "it rests where the window was opened";
-    push_motion(100, 200, 5, 6);
-    controls = poll();
-    EXPECT_EQ(controls.pointer->x_px, 100);
-    EXPECT_EQ(controls.pointer->y_px, 200);
-    EXPECT_TRUE(controls.pointer->has_moved);
-    EXPECT_FALSE(controls.pointer->is_pressed);
-    EXPECT_EQ(controls.mouse_x, 0);
-    push_button(SDL_BUTTON_LEFT, true, 110, 210);
-    push_button(SDL_BUTTON_LEFT, false, 110, 210);
-    controls = poll();
-    EXPECT_TRUE(controls.pointer->is_pressed);
-    EXPECT_FALSE(controls.pointer->has_moved);
-    EXPECT_EQ(controls.pointer->x_px, 110);
-    EXPECT_EQ(controls.pressed, mouse_button(1));
-    EXPECT_FALSE(poll().pointer->is_pressed);
-    push_window(SDL_WINDOWEVENT_LEAVE);
-    EXPECT_FALSE(poll().pointer);
-}
-
-TEST_F(SdlInputTest, ACapturedMouseTurnsAndItsButtonsAct) {
-    push_motion(1, 1, 500, 500);  // before it is captured
-    window_.input->capture_mouse(true);
-    ASSERT_EQ(SDL_GetRelativeMouseMode(), SDL_TRUE);
-    EXPECT_EQ(poll().mouse_x, 0);
-    push_motion(0, 0, 7, -3);
-    push_motion(0, 0, 1, 1);
-    push_button(SDL_BUTTON_RIGHT, true);
-    push_button(SDL_BUTTON_MIDDLE, true);
-    push_button(SDL_BUTTON_MIDDLE, false);
-    Controls controls = poll();
-    EXPECT_EQ(controls.mouse_x, 8);
-    EXPECT_EQ(controls.mouse_y, -2);
-    EXPECT_TRUE(controls.moves.has(Action::Forward));
-    EXPECT_TRUE(controls.moves.has(Action::Jump));
-    EXPECT_FALSE(controls.pointer);
-    EXPECT_FALSE(controls.holds_button);
-    push_button(SDL_BUTTON_LEFT, true);
-    EXPECT_TRUE(poll().holds_button);
-    window_.input->capture_mouse(false);
-    EXPECT_FALSE(poll().moves.has(Action::Forward));
-}
-
-TEST_F(SdlInputTest, TheWheelGoesThroughMenusNotchByNotch) {
-    push_wheel(0, 2);
-    push_wheel(0, -1);
-    EXPECT_EQ(poll().menu, (std::vector<MenuAction>{MenuAction::Up, MenuAction::Up, MenuAction::Down}));
-    push_wheel(INT32_MIN, INT32_MIN);
-    EXPECT_LE(poll().menu.size(), 16u);
-}
-
-TEST_F(SdlInputTest, LosingTheFocusLetsGoOfAllAndFreesTheMouse) {
-    VirtualPad pad;
-    poll();
-    window_.input->capture_mouse(true);
-    push_key("W", true);
-    push_button(SDL_BUTTON_RIGHT, true);
-    pad.set(PadAxis::LeftX, 30'000);
-    pad.press(PadButton::A);
-    Controls controls = poll();
-    EXPECT_TRUE(controls.moves.has(Action::Forward) && controls.moves.has(Action::Jump));
-    EXPECT_GT(controls.walk_stick.x, 0);
-    push_window(SDL_WINDOWEVENT_FOCUS_LOST);
-    controls = poll();
-    EXPECT_EQ(controls.moves, Moves{});
-    EXPECT_EQ(controls.walk_stick, Stick{});
-    EXPECT_EQ(SDL_GetRelativeMouseMode(), SDL_FALSE);
-}
-
-TEST_F(SdlInputTest, APadMayComeAndGoInTheGame) {
-    {
-        VirtualPad pad;
-        ASSERT_TRUE(pad.is_plugged_in()) << SDL_GetError();
-        EXPECT_EQ(poll().walk_stick, Stick{});
-        pad.set(PadAxis::LeftY, -20'000);
-        pad.set(PadAxis::RightX, 10'000);
-        pad.press(PadButton::A);
-        const Controls controls = poll();
-        EXPECT_EQ(controls.walk_stick, (Stick{0, 20'000}));
-        EXPECT_EQ(controls.look_stick, (Stick{10'000, 0}));
-        EXPECT_TRUE(controls.moves.has(Action::Jump));
-        EXPECT_EQ(controls.menu, (std::vector<MenuAction>{MenuAction::Up, MenuAction::Accept}));
+/// What SDL reports, and what the game makes of it (told_controls.h):
+///
+///     down W; again W; up W; alt Enter        keys: pressed, repeated by the system, let go, pressed with Alt
+///     down 1 110 210; up 1 110 210            a button of the mouse, at a place; `notch 0 -1` of the wheel
+///     move 100 200 5 6                        the mouse to a place, by so much
+///     capture; free; leave; unfocus           the mouse; the window
+///     plug; unplug 0; stick 0 LeftX 30000     gamepads, in the order in which they came; `button 0 A`
+class SdlScript : SdlInputTest {
+  public:
+    SdlScript() { poll(); }
+    void run(const ScriptLine& line) {
+        for (const Words& words : line.actions) act(words);
+        check_controls(line, [this] { return poll(); });
     }
-    const Controls without = poll();
-    EXPECT_EQ(without.walk_stick, Stick{});
-    EXPECT_FALSE(without.moves.has(Action::Jump));
-    VirtualPad again;
-    poll();
-    again.press(PadButton::Start);
-    EXPECT_EQ(poll().commands, Commands{Action::Menu});
-}
 
-TEST_F(SdlInputTest, AGentlePushOfTheOnlyPadActs) {
-    VirtualPad pad;
-    poll();
-    pad.set(PadAxis::LeftX, 6'000);
-    EXPECT_EQ(poll().walk_stick, (Stick{6'000, 0}));
-}
+  private:
+    void TestBody() override {}
+    Controls poll() { return mapper_.take(window_.input->poll(), SDL_GetTicks64()); }
+    void act(const Words& words) {
+        const std::string& verb = words[0];
+        const auto number = [&](std::size_t i) { return i < words.size() ? std::stoi(words[i]) : 0; };
+        const bool is_down = verb == "down" || verb == "again";
+        if (verb == "move") {
+            push(SDL_MOUSEMOTION, [&](SDL_Event& event) {
+                event.motion.x = number(1), event.motion.y = number(2);
+                event.motion.xrel = number(3), event.motion.yrel = number(4);
+            });
+        } else if (verb == "notch") {
+            push(SDL_MOUSEWHEEL, [&](SDL_Event& event) { event.wheel.x = number(1), event.wheel.y = number(2); });
+        } else if (verb == "leave" || verb == "unfocus") {
+            push(SDL_WINDOWEVENT, [&](SDL_Event& event) {
+                event.window.event = verb == "leave" ? SDL_WINDOWEVENT_LEAVE : SDL_WINDOWEVENT_FOCUS_LOST;
+            });
+        } else if (verb == "capture" || verb == "free") {
+            window_.input->capture_mouse(verb == "capture");
+        } else if (verb == "is_captured") {
+            EXPECT_EQ(SDL_GetRelativeMouseMode(), words.at(1) == "yes" ? SDL_TRUE : SDL_FALSE);
+        } else if (verb == "plug") {
+            pads_.emplace_back();
+            ASSERT_TRUE(pads_.back().is_plugged_in()) << SDL_GetError();
+            poll();
+        } else if (verb == "unplug") {
+            pad(number(1)).unplug();
+        } else if (verb == "stick") {
+            pad(number(1)).set(kAxes.at(words.at(2)), number(3));
+        } else if (verb == "button") {
+            pad(number(1)).press(static_cast<PadButton>(input_named("Pad " + words.at(2)).code));
+        } else if (verb == "alt") {
+            push_key(words.at(1), true, false, KMOD_LALT);
+        } else if (std::isdigit(words.at(1)[0]) != 0) {
+            push(is_down ? SDL_MOUSEBUTTONDOWN : SDL_MOUSEBUTTONUP, [&](SDL_Event& event) {
+                event.button.state = is_down ? SDL_PRESSED : SDL_RELEASED;
+                event.button.button = static_cast<std::uint8_t>(number(1));
+                event.button.x = number(2), event.button.y = number(3);
+            });
+        } else {
+            push_key(words[1], is_down, verb == "again");
+        }
+    }
+    VirtualPad& pad(int number) { return *std::next(pads_.begin(), number); }
 
-TEST_F(SdlInputTest, TriggersAreButtons) {
-    VirtualPad pad;
-    poll();
-    pad.set(PadAxis::LeftTrigger, INT16_MAX);
-    Controls controls = poll();
-    EXPECT_TRUE(controls.moves.has(Action::WalkSlowly));
-    EXPECT_EQ(controls.pressed, input_named("Pad Left Trigger"));
-    pad.set(PadAxis::LeftTrigger, INT16_MIN);
-    EXPECT_FALSE(poll().moves.has(Action::WalkSlowly));
-}
+    inline static const std::map<std::string, PadAxis> kAxes{{"LeftX", PadAxis::LeftX},
+                                                             {"LeftY", PadAxis::LeftY},
+                                                             {"RightX", PadAxis::RightX},
+                                                             {"Left", PadAxis::LeftTrigger}};
+    Bindings bindings_ = default_bindings();
+    InputMapper mapper_{bindings_};
+    std::list<VirtualPad> pads_;
+};
 
-TEST_F(SdlInputTest, ThePadUsedLastActs) {
-    VirtualPad first, second;
-    poll();
-    first.set(PadAxis::LeftX, 30'000);
-    EXPECT_EQ(poll().walk_stick.x, 30'000);
-    second.set(PadAxis::LeftX, -3'000);  // lies beside, a little off its middle
-    EXPECT_EQ(poll().walk_stick.x, 30'000);
-    second.set(PadAxis::LeftX, -30'000);
-    EXPECT_EQ(poll().walk_stick.x, -30'000);
-    second.unplug();
-    EXPECT_EQ(poll().walk_stick.x, 0);
-    first.press(PadButton::A);
-    EXPECT_TRUE(poll().moves.has(Action::Jump));
+constexpr Script kReported[] = {
+    {"KeysWalkAndCommand", "down W; down F1; again F1; up F1: moves = forward, commands = help \n up W: moves ="},
+    {"AltWithEnterOrTabIsTheWindowsOwn", R"(
+        alt Enter; up Enter; alt Tab: menu =, commands =, full_screen = yes
+        : full_screen =
+    )"},
+    // It rests where the window was opened.
+    {"AFreeMousePointsInPixelsOfTheWindow", R"(
+        : pointer =
+        move 95 194 0 0: pointer = 95 194
+        move 100 200 5 6: pointer = 100 200 moved, mouse = 0 0
+        down 1 110 210; up 1 110 210: pointer = 110 210 pressed, pressed = Mouse 1
+        : pointer = 110 210
+        leave: pointer =
+    )"},
+    {"ACapturedMouseTurnsAndItsButtonsAct", R"(
+        move 1 1 500 500; capture; is_captured yes: mouse = 0 0     # it was before
+        move 0 0 7 -3; move 0 0 1 1; down 3: mouse = 8 -2, moves = forward, pointer =, held =
+        down 2; up 2: moves = forward jump
+        down 1: held = yes
+        free: moves =
+    )"},
+    {"TheWheelGoesThroughMenusNotchByNotch", R"(
+        notch 0 2; notch 0 -1: menu = up up down
+        notch -2147483648 -2147483648
+        : menu = down down down down down down down down down down down down down down down down
+    )"},
+    {"LosingTheFocusLetsGoOfAllAndFreesTheMouse", R"(
+        plug; capture; down W; down 3; stick 0 LeftX 30000; button 0 A: moves = forward jump, walk = 30000 0
+        unfocus: moves =, walk = 0 0
+        is_captured no
+    )"},
+    {"APadMayComeAndGoInTheGame", R"(
+        plug: walk = 0 0
+        stick 0 LeftY -20000; stick 0 RightX 10000; button 0 A
+        : walk = 0 20000, look = 10000 0, moves = jump, menu = up accept
+        unplug 0: walk = 0 0, moves =
+        plug; button 1 Start: commands = menu
+    )"},
+    {"AGentlePushOfTheOnlyPadActs", "plug; stick 0 LeftX 6000: walk = 6000 0"},
+    {"TriggersAreButtons", R"(
+        plug; stick 0 Left 32767: moves = walk-slowly, pressed = Pad Left Trigger
+        stick 0 Left -32768: moves =
+    )"},
+    // The second lies beside, a little off its middle.
+    {"ThePadUsedLastActs", R"(
+        plug; plug; stick 0 LeftX 30000: walk = 30000 0
+        stick 1 LeftX -3000: walk = 30000 0
+        stick 1 LeftX -30000: walk = -30000 0
+        unplug 1: walk = 0 0
+        button 0 A: moves = jump
+    )"},
+};
+void report(const Script& script) {
+    SdlScript sdl;
+    for (const ScriptLine& line : script_lines(script.text)) sdl.run(line);
+}
+OBLONG_SCRIPTS(SdlScripts, kReported, report);
+
+TEST_F(SdlInputTest, ScancodesAreTheNumbersOfTheNames) {
+    for (const auto& [name, code] : {std::pair{"W", SDL_SCANCODE_W},
+                                     {"Right Ctrl", SDL_SCANCODE_RCTRL},
+                                     {"Keypad Enter", SDL_SCANCODE_KP_ENTER},
+                                     {"F24", SDL_SCANCODE_F24},
+                                     {"Less", SDL_SCANCODE_NONUSBACKSLASH},
+                                     {"0", SDL_SCANCODE_0}})
+        EXPECT_EQ(input_named(name).code, code) << name;
 }
 
 TEST_F(SdlInputTest, EachPadIsToldByItselfUnderTheLeastFreeNumber) {
@@ -250,10 +196,7 @@ TEST_F(SdlInputTest, EachPadIsToldByItselfUnderTheLeastFreeNumber) {
 
 TEST_F(SdlInputTest, TextIsToldWithBackspaceAndEnter) {
     const auto push_text = [](const char* text) {
-        SDL_Event event{};
-        event.type = SDL_TEXTINPUT;
-        SDL_strlcpy(event.text.text, text, sizeof event.text.text);
-        SDL_PushEvent(&event);
+        push(SDL_TEXTINPUT, [&](SDL_Event& event) { SDL_strlcpy(event.text.text, text, sizeof event.text.text); });
     };
     push_text("a");
     push_key("Backspace", true);
@@ -268,10 +211,11 @@ TEST_F(SdlInputTest, TextIsToldWithBackspaceAndEnter) {
 TEST_F(SdlInputTest, ADeviceThatSdlDoesNotKnowIsIgnoredAndNamed) {
     testing::internal::CaptureStderr();
     VirtualPad wheel(SDL_JOYSTICK_TYPE_WHEEL);
-    poll();
+    window_.input->poll();
     EXPECT_NE(testing::internal::GetCapturedStderr().find("ignored"), std::string::npos);
     wheel.press(PadButton::A);
-    EXPECT_FALSE(poll().moves.has(Action::Jump));
+    const PlatformInput input = window_.input->poll();
+    EXPECT_TRUE(input.events.empty() && input.pad_events.empty());
 }
 
 // Of German, French and Czech keyboards; a Cyrillic one's keys keep their American names.
@@ -283,10 +227,9 @@ TEST(KeyLetters, AreThoseOfTheUsersKeyboard) {
 }
 
 TEST_F(SdlInputTest, LocalNamesArePrintable) {
-    EXPECT_EQ(window_.input->local_name_of(input_named("W")), "W");
-    EXPECT_EQ(window_.input->local_name_of(input_named("Left Bracket")), "[");
-    EXPECT_EQ(window_.input->local_name_of(input_named("Left Shift")), "Left Shift");
-    EXPECT_EQ(window_.input->local_name_of(input_named("Pad A")), "Pad A");
+    for (const auto& [input, name] :
+         {std::pair{"W", "W"}, {"Left Bracket", "["}, {"Left Shift", "Left Shift"}, {"Pad A", "Pad A"}})
+        EXPECT_EQ(window_.input->local_name_of(input_named(input)), name);
 }
 
 }  // namespace

@@ -9,10 +9,8 @@
 #include <set>
 
 #include "engine/base/text.h"
-#include "engine/io/files.h"
-#include "engine/level/bsp_read.h"
 #include "game/simulation/step.h"
-#include "tests/support/folders.h"
+#include "tests/support/levels.h"
 
 namespace oblong::exhibits_test {
 namespace {
@@ -108,16 +106,17 @@ std::vector<Step> steps_of(const Exhibit& exhibit) {
 
 class Exhibits : public testing::Test {
   protected:
-    MoverState::Phase phase_of(const std::string& cage, const GameState& state) const {
+    bool is(MoverState::Phase phase, const std::string& cage, const GameState& state) const {
         for (std::size_t i = 0; i < level_.movers.size(); ++i)
-            if (bsp_.entities[level_.movers[i].entity].value("targetname") == cage) return state.movers.at(i).phase;
+            if (bsp_.entities[level_.movers[i].entity].value("targetname") == cage)
+                return state.movers.at(i).phase == phase;
         throw std::invalid_argument("no " + cage);
     }
     bool is_shut(const std::string& cage, const GameState& state) const {
-        return phase_of(cage, state) == MoverState::Phase::AtStart;
+        return is(MoverState::Phase::AtStart, cage, state);
     }
     bool is_open(const std::string& cage, const GameState& state) const {
-        return phase_of(cage, state) == MoverState::Phase::AtEnd;
+        return is(MoverState::Phase::AtEnd, cage, state);
     }
     void wait(TickInput input, std::int64_t ticks, GameState& state) const {
         for (std::int64_t tick = 0; tick < ticks; ++tick) step(level_, state, input);
@@ -141,7 +140,7 @@ class Exhibits : public testing::Test {
         return state;
     }
 
-    const Level bsp_ = read_bsp(read_file(test::build_folder() + "/assets/demo.bsp"));
+    const Level bsp_ = test::read_level("demo");
     const GameLevel level_ = make_game_level(bsp_);
 };
 

@@ -6,42 +6,25 @@
 #include <cstdio>
 #include <fstream>
 #include <set>
+#include <tuple>
 
 #include "engine/io/files.h"
-#include "engine/level/bsp_read.h"
 #include "engine/level/trace.h"
-#include "game/simulation/game_level.h"
-#include "tests/support/folders.h"
-#include "tests/support/point.h"
+#include "tests/demo/demo_level.h"
 #include "tools/map/compile.h"
 #include "tools/map/source/entities.h"
 
 namespace oblong::test {
 namespace {
 
-using Corner = std::array<double, 3>;
-
 class DemoLevel : public testing::Test {
   protected:
-    bool has_entity(const std::string& classname) const {
-        return std::any_of(level_.entities.begin(), level_.entities.end(),
-                           [&](const Entity& entity) { return entity.value("classname") == classname; });
-    }
-    std::vector<Corner> corners_of(const Face& face) const {
-        std::vector<Corner> corners;
-        for (const SurfEdge edge : level_.edges_of(face)) {
-            const Vec3<World>& vertex = level_.vertices[level_.start_of(edge)];
-            corners.push_back({number_of(vertex.x), number_of(vertex.y), number_of(vertex.z)});
-        }
-        return corners;
-    }
-
-    const Level level_ = read_bsp(read_file(test::build_folder() + "/assets/demo.bsp"));
+    const Level level_ = read_level("demo");
 };
 
 /// This build has compiled it (assets/CMakeLists.txt); tools/play takes the committed one.
 TEST(CommittedLevel, IsWhatTheMapCompilerMakesOfItsSources) {
-    const std::string committed = test::source_folder() + "/assets/", build = test::build_folder();
+    const std::string committed = source_folder() + "/assets/", build = build_folder();
     const char* const cure = "cmake --build build --target update_demo_level";
     EXPECT_TRUE(read_file(committed + "demo.bsp") == read_file(build + "/assets/demo.bsp")) << cure;
     EXPECT_TRUE(read_file(committed + "demo.sha256") == read_file(build + "/demo.sha256")) << cure;
@@ -58,7 +41,9 @@ TEST_F(DemoLevel, CallsForEveryEffectByWhatMappersUse) {
         EXPECT_TRUE(names.contains(name)) << name;
     for (const char* classname : {"misc_rain", "misc_dust", "misc_sparks", "misc_sprite", "misc_lantern",
                                   "trigger_teleport", "info_teleport_destination"})
-        EXPECT_TRUE(has_entity(classname)) << classname;
+        EXPECT_TRUE(std::ranges::any_of(level_.entities, [&](const auto& e) {
+            return e.value("classname") == classname;
+        })) << classname;
     for (const char* key : {"fog", "wateralpha", "palette_cycle"})
         EXPECT_NE(level_.entities.front().value(key), "") << key;
     std::set<int> styles;
@@ -66,17 +51,12 @@ TEST_F(DemoLevel, CallsForEveryEffectByWhatMappersUse) {
     for (const int style : {2, 3, 4, 6, 7, 10, 32}) EXPECT_TRUE(styles.contains(style)) << style;
 }
 
-/// The palette indices of a texture's largest mip level.
-std::set<int> colours_of(const MipTexture& texture) {
-    return {texture.mips[0].begin(), texture.mips[0].end()};
-}
-
 TEST_F(DemoLevel, CyclesColoursOfTheNeonSignAlone) {
     int first = 0, last = 0, steps = 0;
     const std::string cycle = level_.entities.front().value("palette_cycle");
     ASSERT_EQ(std::sscanf(cycle.c_str(), "%d %d %d", &first, &last, &steps), 3) << cycle;
     for (const MipTexture& texture : level_.textures) {
-        const std::set<int> colours = colours_of(texture);
+        const std::set<int> colours(texture.mips[0].begin(), texture.mips[0].end());
         for (int colour = first; colour <= last; ++colour)
             EXPECT_EQ(colours.contains(colour), texture.name == "neon") << texture.name << ' ' << colour;
     }
@@ -87,18 +67,17 @@ TEST_F(DemoLevel, ItsFogLiesBelowAllRoomsButTheGarden) {
     double top = 0;
     ASSERT_EQ(std::sscanf(fog.c_str(), "%*f %*f %*f %*f %*f %*f %*f %lf", &top), 1) << fog;
     int in_fog = 0;
-    for (const FaceIndex face : level_.world().faces) {
-        for (const Corner& corner : corners_of(level_.faces[face])) {
-            const bool is_in_garden = corner[0] >= 1184 && corner[0] <= 1600 && corner[1] >= 1856 && corner[1] <= 2528;
-            ASSERT_TRUE(is_in_garden || corner[2] >= top) << corner[0] << ' ' << corner[1];
-            in_fog += corner[2] < top;
+    for (const FaceIndex face : level_.world().faces)
+        for (const auto& [x, y, z] : corners_of(level_, level_.faces[face])) {
+            const bool is_in_garden = x >= 1184 && x <= 1600 && y >= 1856 && y <= 2528;
+            ASSERT_TRUE(is_in_garden || z >= top) << x << ' ' << y;
+            in_fog += z < top;
         }
-    }
     EXPECT_GT(in_fog, 100);
 }
 
 TEST_F(DemoLevel, EveryCameraOfTheListStandsInTheOpen) {
-    std::ifstream cameras(test::source_folder() + "/assets/demo_cameras.csv");
+    std::ifstream cameras(source_folder() + "/assets/demo_cameras.csv");
     std::string line;
     std::getline(cameras, line);
     EXPECT_EQ(line, "x,y,z,yaw,pitch");
@@ -106,8 +85,7 @@ TEST_F(DemoLevel, EveryCameraOfTheListStandsInTheOpen) {
     while (std::getline(cameras, line)) {
         int x = 0, y = 0, z = 0;
         ASSERT_EQ(std::sscanf(line.c_str(), "%d,%d,%d", &x, &y, &z), 3) << line;
-        const Position eye{World::from_int(x), World::from_int(y), World::from_int(z)};
-        EXPECT_NE(hull_contents(level_, level_.world(), Hull::Point, eye), contents::kSolid) << line;
+        EXPECT_NE(hull_contents(level_, level_.world(), Hull::Point, point_at(x, y, z)), contents::kSolid) << line;
         ++count;
     }
     EXPECT_GE(count, 14);
@@ -145,70 +123,53 @@ TEST_F(DemoLevel, IsDarkButReadable) {
     EXPECT_LT(count(0, 4), all / 100);
 }
 
-double along(const Corner& from, const Corner& direction, const Corner& point) {
-    double product = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) product += (point[axis] - from[axis]) * direction[axis];
-    return product;
-}
-
 /// True if `point` lies on the line between the two, and not at its ends.
-bool splits(const Corner& point, const Corner& from, const Corner& to) {
-    Corner edge{};
-    for (std::size_t axis = 0; axis < 3; ++axis) edge[axis] = to[axis] - from[axis];
-    const double square = along({}, edge, edge), share = along(from, edge, point) / square;
+bool splits(const Point& point, const Point& from, const Point& to) {
+    const double size = length(to - from), way = dot(point - from, to - from) / size;
     constexpr double kNearEnd = 0.25, kOnLine = 0.02;
-    if (share * std::sqrt(square) < kNearEnd || (1 - share) * std::sqrt(square) < kNearEnd) return false;
-    double distance_squared = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double off = point[axis] - from[axis] - share * edge[axis];
-        distance_squared += off * off;
-    }
-    return distance_squared < kOnLine * kOnLine;
+    return way >= kNearEnd && size - way >= kNearEnd && length(point - along(from, to, way / size)) < kOnLine;
 }
 
 TEST_F(DemoLevel, NoCornerOfAWallLiesWithinTheEdgeOfAnother) {
-    std::set<Corner> corners;
-    std::set<std::pair<Corner, Corner>> edges;
+    constexpr auto kByX = [](const Point& a, const Point& b) {
+        return std::tuple(a.x, a.y, a.z) < std::tuple(b.x, b.y, b.z);
+    };
+    std::set<Point, decltype(kByX)> corners;
+    std::set<std::array<double, 6>> edges;
     for (const FaceIndex face : level_.world().faces) {
-        const auto outline = corners_of(level_.faces[face]);
+        const auto outline = corners_of(level_, level_.faces[face]);
         for (std::size_t at = 0; at < outline.size(); ++at) {
             corners.insert(outline[at]);
-            edges.emplace(std::minmax(outline[at], outline[(at + 1) % outline.size()]));
+            const auto& [from, to] = std::minmax(outline[at], outline[(at + 1) % outline.size()], kByX);
+            edges.insert({from.x, from.y, from.z, to.x, to.y, to.z});
         }
     }
     ASSERT_GT(edges.size(), 5000u);
     // Corners come sorted by x: only those between an edge's ends can split it.
     constexpr double kSlack = 0.1;
-    for (const auto& [from, to] : edges) {
-        auto corner = corners.lower_bound({from[0] - kSlack, -1e9, -1e9});
-        for (; corner != corners.end() && (*corner)[0] <= to[0] + kSlack; ++corner) {
-            ASSERT_FALSE(splits(*corner, from, to)) << (*corner)[0] << ' ' << (*corner)[1] << ' ' << (*corner)[2];
-        }
-    }
+    for (const auto& [x, y, z, to_x, to_y, to_z] : edges)
+        for (auto corner = corners.lower_bound({x - kSlack, -1e9, -1e9});
+             corner != corners.end() && corner->x <= to_x + kSlack; ++corner)
+            ASSERT_FALSE(splits(*corner, {x, y, z}, {to_x, to_y, to_z}))
+                << corner->x << ' ' << corner->y << ' ' << corner->z;
 }
 
 TEST_F(DemoLevel, ItsSphereIsAsWideAsItIsHigh) {
     // The faces with one of the sphere's two textures, which nothing else has; they reach its outline on every side.
-    Corner low{1e9, 1e9, 1e9}, high{-1e9, -1e9, -1e9};
-    for (const Face& face : level_.faces) {
-        if (level_.texture_of(face).name != "plaster_red") continue;
-        for (const Corner& corner : corners_of(face)) {
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                low[axis] = std::min(low[axis], corner[axis]);
-                high[axis] = std::max(high[axis], corner[axis]);
-            }
-        }
-    }
-    const Corner size{112, 112, 111};  // its lower pole is a unit deep in the pedestal
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        EXPECT_NEAR(high[axis] - low[axis], size[axis], 0.01) << "axis " << axis;
+    Extent sphere;
+    for (const Face& face : level_.faces)
+        if (level_.texture_of(face).name == "plaster_red")
+            for (const Point& corner : corners_of(level_, face)) sphere.add(corner);
+    const Point size = sphere.high - sphere.low,
+                wanted{112, 112, 111};  // its lower pole is a unit deep in the pedestal
+    for (const int axis : {0, 1, 2}) EXPECT_NEAR(size[axis], wanted[axis], 0.01) << "axis " << axis;
 }
 
 using map::MapBrush;
 using map::MapEntity;
 
 std::vector<MapEntity> demo_source() {
-    return map::parse_map(read_text(test::source_folder() + "/assets/demo.map"));
+    return map::parse_map(read_text(source_folder() + "/assets/demo.map"));
 }
 
 /// Whether a light that stands at most 16 units before the body has all of it within its radius.
@@ -249,7 +210,7 @@ TEST(DemoSource, HasNothingThatTheCompilerWarnsOf) {
 /// TrenchBroom shows places as layers; what is in one names it by its number.
 TEST(DemoSource, EveryEntityIsInALayerWithAName) {
     std::set<std::string> names, numbers;
-    const std::string text = read_text(test::source_folder() + "/assets/demo.map");
+    const std::string text = read_text(source_folder() + "/assets/demo.map");
     const std::vector<MapEntity> entities = demo_source();
     for (const MapEntity& entity : entities) {
         if (entity.value("_tb_type") != "_tb_layer") continue;

@@ -4,13 +4,12 @@
 #include <set>
 
 #include "engine/io/files.h"
-#include "engine/level/bsp_read.h"
 #include "game/input/bindings.h"
 #include "game/input/route.h"
 #include "game/simulation/items.h"
 #include "game/simulation/step.h"
 #include "game/sound/sound_scene.h"
-#include "tests/support/folders.h"
+#include "tests/demo/demo_level.h"
 #include "tests/support/refusal.h"
 
 namespace oblong {
@@ -31,9 +30,9 @@ class RecordedWalk : public testing::Test {
         }
     }
 
-    const Level level_ = read_bsp(read_file(test::build_folder() + "/assets/demo.bsp"));
+    const Level level_ = test::read_level("demo");
     const GameLevel game_level_ = make_game_level(level_);
-    const Demo demo_ = decode_demo(read_file(test::build_folder() + "/assets/walk.demo"));
+    const Demo demo_ = test::recorded_walk();
 };
 
 TEST_F(RecordedWalk, IsTheWalkOfTheRouteOnThisLevel) {
@@ -121,9 +120,8 @@ TEST_F(RecordedWalk, HearsTheRainUnmuffledInAllOfItsCourt) {
     replay([&](const GameState& state) {
         scene.note_tick(before, state, {});
         before = state;
-        const Position& p = state.player.position;
-        if (p.x < World::from_int(1184) || p.y < World::from_int(1408) || p.y > World::from_int(1824) || p.z < World{})
-            return;
+        const test::Point p = test::to_point(state.player.position);
+        if (p.x < 1184 || p.y < 1408 || p.y > 1824 || p.z < 0) return;
         ++ticks_in_court;
         const auto& sounds = scene.audible().sounds;
         const auto rain = std::ranges::find(sounds, Sound::Rain, &AudibleSound::sound);
@@ -135,7 +133,7 @@ TEST_F(RecordedWalk, HearsTheRainUnmuffledInAllOfItsCourt) {
 
 /// Lines of 320 pixels have room for 53 letters of 6.
 TEST(DemoCaptions, AreOfOneOrTwoLinesThatFitThePicture) {
-    const Level level = read_bsp(read_file(test::build_folder() + "/assets/demo.bsp"));
+    const Level level = test::read_level("demo");
     std::size_t count = 0;
     for (const Entity& entity : level.entities) {
         std::string message = entity.value("message");
@@ -185,27 +183,25 @@ TEST(Route, TurnsDialsFromAPlaceOn) {
     EXPECT_EQ(route[2].view, (ViewDials{0, 1, 0, 0, 0, 4}));
     EXPECT_EQ(route[0].work, 0);
     EXPECT_EQ(route[2].work, 900);
-    for (const char* wrong : {"accuracy=1992", "isometric", "work=-1", "work=32768", "mip=none"})
-        EXPECT_NE(test::refusal([&] {
-                      route_of("x,y,z,speed,wait,yaw,pitch,jump,view\n1,2,,,,,,," + std::string(wrong) + "\n");
-                  }).find("line 2"),
-                  std::string::npos)
-            << wrong;
 }
 
 TEST(Route, NamesTheLineThatIsWrong) {
-    const std::string header = "x,y,z,speed,wait,yaw,pitch,jump\n";
-    const auto error_of = [](const std::string& text) { return test::refusal([&] { route_of(text); }); };
-    EXPECT_NE(error_of("x,y\n1,2\n").find("line 1"), std::string::npos);
-    EXPECT_NE(error_of(header).find("no waypoint"), std::string::npos);
-    EXPECT_NE(error_of(header + "1,2,,,,,,\n1,,,,,,,\n").find("line 3"), std::string::npos);
+    const std::string header = "x,y,z,speed,wait,yaw,pitch,jump", with_view = header + ",view\n1,2,,,,,,,";
+    const auto expect_fault = [](const std::string& text, const char* said) {
+        EXPECT_NE(test::refusal([&] { route_of(text + "\n"); }).find(said), std::string::npos) << text;
+    };
+    expect_fault("x,y\n1,2", "line 1");
+    expect_fault(header, "no waypoint");
+    expect_fault(header + "\n1,2,,,,,,\n1,,,,,,,", "line 3");
     for (const char* line : {"1,2", "1,2,,,,,,,", "1,b,,,,,,", "1,2.5,,,,,,", "1,2,,101,,,,", "1,2,,,-1,,,",
                              "1,2,,,,,81,", "1,2,,,,,,2", "1,99999,,,,,,"})
-        EXPECT_NE(error_of(header + line + "\n").find("line 2"), std::string::npos) << line;
+        expect_fault(header + "\n" + line, "line 2");
+    for (const char* view : {"accuracy=1992", "isometric", "work=-1", "work=32768", "mip=none"})
+        expect_fault(with_view + view, "line 2");
 }
 
 TEST(Route, SaysWhereTheVisitorIsStuck) {
-    const Level level = read_bsp(read_file(test::build_folder() + "/assets/demo.bsp"));
+    const Level level = test::read_level("demo");
     const auto route = route_of("x,y,z,speed,wait,yaw,pitch,jump\n0,-300,,,,,,\n140,-160,,,,,,\n400,-160,,,,,,\n");
     const std::string fault = test::refusal([&] { walk_route(make_game_level(level), route); });
     EXPECT_NE(fault.find("stuck at 143 -16"), std::string::npos) << fault;

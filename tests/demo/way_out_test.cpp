@@ -5,11 +5,8 @@
 #include <map>
 #include <vector>
 
-#include "engine/io/files.h"
-#include "engine/level/bsp_read.h"
-#include "game/simulation/demo.h"
 #include "game/simulation/step.h"
-#include "tests/support/folders.h"
+#include "tests/demo/demo_level.h"
 
 namespace oblong {
 namespace {
@@ -45,16 +42,14 @@ class Explorer {
     std::vector<bool> with_a_way_to(const Cell& home) const {
         std::vector<bool> has_way(states_.size());
         std::vector<std::size_t> found;
+        const auto find = [&](std::size_t state) {
+            if (!has_way[state]) found.push_back(state);
+            has_way[state] = true;
+        };
         for (std::size_t i = 0; i < states_.size(); ++i)
-            if (states_[i].has_ended || cell_of(states_[i].player.position) == home) found.push_back(i);
-        for (const std::size_t i : found) has_way[i] = true;
-        for (std::size_t next = 0; next < found.size(); ++next) {
-            for (const std::size_t from : came_from_[found[next]]) {
-                if (has_way[from]) continue;
-                has_way[from] = true;
-                found.push_back(from);
-            }
-        }
+            if (states_[i].has_ended || cell_of(states_[i].player.position) == home) find(i);
+        for (std::size_t next = 0; next < found.size(); ++next)
+            for (const std::size_t from : came_from_[found[next]]) find(from);
         return has_way;
     }
 
@@ -109,9 +104,8 @@ class Explorer {
 /// The state of the recorded walk in which all lenses are found and the tower is open.
 GameState open_tower(const GameLevel& level) {
     GameState state = start_of(level);
-    for (const DemoTick& tick : decode_demo(read_file(test::build_folder() + "/assets/walk.demo")).ticks) {
-        const bool found_all = std::none_of(state.items.begin(), state.items.end(),
-                                            [](ItemState item) { return item == ItemState::There; });
+    for (const DemoTick& tick : test::recorded_walk().ticks) {
+        const bool found_all = std::ranges::count(state.items, ItemState::There) == 0;
         const bool is_in_corridor =
             state.player.position.x > World::from_int(100) && state.player.position.y > World::from_int(2300);
         if (found_all && is_in_corridor) return state;
@@ -121,10 +115,6 @@ GameState open_tower(const GameLevel& level) {
     return state;
 }
 
-std::string words(const Position& p) {
-    return std::to_string(floor_of(p.x)) + " " + std::to_string(floor_of(p.y)) + " " + std::to_string(floor_of(p.z));
-}
-
 /// A place that the player must have got to, and its name.
 struct Known {
     const char* name;
@@ -132,13 +122,14 @@ struct Known {
 };
 
 TEST(DemoWaysOut, LeadFromEveryPlaceThatCanBeReached) {
-    const Level bsp = read_bsp(read_file(test::build_folder() + "/assets/demo.bsp"));
+    const Level bsp = test::read_level("demo");
     const GameLevel level = make_game_level(bsp);
     const Explorer explorer(level, open_tower(level));
     const Cell courtyard = cell_of(world_vector(512, 1420, 24));
     const std::vector<bool> has_way = explorer.with_a_way_to(courtyard);
     for (std::size_t i = 0; i < has_way.size(); ++i)
-        EXPECT_TRUE(has_way[i]) << "no way out of " << words(explorer.states()[i].player.position);
+        if (const test::Point place = test::to_point(explorer.states()[i].player.position); !has_way[i])
+            ADD_FAILURE() << "no way out of " << place.x << ' ' << place.y << ' ' << place.z;
     EXPECT_GT(has_way.size(), 1000u);
     for (const Known& known : {Known{"the entrance", 0, -300, 0, 40},
                                {"the canal", 300, 1264, -96, -30},
@@ -148,11 +139,10 @@ TEST(DemoWaysOut, LeadFromEveryPlaceThatCanBeReached) {
                                {"the fog garden", 1392, 2300, -208, -170},
                                {"the balcony", 1060, 900, 160, 200},
                                {"the top of the tower", 512, 1776, 464, 500}})
-        EXPECT_TRUE(std::any_of(explorer.states().begin(), explorer.states().end(), [&](const GameState& state) {
-            const Position& p = state.player.position;
-            return absolute(p.x - World::from_int(known.x)) < World::from_int(60) &&
-                   absolute(p.y - World::from_int(known.y)) < World::from_int(60) &&
-                   p.z >= World::from_int(known.z_low) && p.z <= World::from_int(known.z_high);
+        EXPECT_TRUE(std::ranges::any_of(explorer.states(), [&](const GameState& state) {
+            const test::Point p = test::to_point(state.player.position);
+            return std::abs(p.x - known.x) < 60 && std::abs(p.y - known.y) < 60 && p.z >= known.z_low &&
+                   p.z <= known.z_high;
         })) << known.name;
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <set>
+#include <sstream>
 
 #include "engine/base/checksum.h"
 #include "engine/base/table.h"
@@ -19,7 +20,7 @@
 #include "game/simulation/step.h"
 #include "tests/support/programs.h"
 #include "tests/support/refusal.h"
-#include "tests/support/scripted_input.h"
+#include "tests/walk/walked_level.h"
 
 // The example of a game without C++ (game/example), compiled and played as its page says.
 namespace oblong {
@@ -27,31 +28,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A platform that keeps what the window was called.
-class NamedWindow final : public Platform {
-  public:
-    NamedWindow(std::int64_t frames, HeadlessPlatform::Script script)
-        : below_(frames, kTicksPerSecond, std::move(script), [](Framebuffer, const Palette&) {}) {}
+PlatformInput no_input(std::int64_t) {
+    return {};
+}
 
-    bool is_open() const override { return below_.is_open(); }
-    PlatformInput poll() override { return below_.poll(); }
-    std::uint64_t now_us() override { return below_.now_us(); }
-    WindowSize window_size() const override { return below_.window_size(); }
+// Keeps what the window was called.
+class NamedWindow final : public test::ScriptedPlatform {
+  public:
+    using ScriptedPlatform::ScriptedPlatform;
     void set_title(const char* title) override { titles.emplace_back(title); }
     void set_icon(std::span<const std::uint8_t> rgba, WindowSize size) override {
         icon.assign(rgba.begin(), rgba.end());
         icon_size = size;
     }
-    void present(Framebuffer picture, const Palette& palette, const PresentRect& shown) override {
-        below_.present(picture, palette, shown);
-    }
 
     std::vector<std::string> titles;
     std::vector<std::uint8_t> icon;
     WindowSize icon_size;
-
-  private:
-    HeadlessPlatform below_;
 };
 
 class ExampleGame : public testing::Test {
@@ -59,13 +52,13 @@ class ExampleGame : public testing::Test {
     void SetUp() override {
         fs::copy(test::source_folder() + "/game/example", folder_, fs::copy_options::recursive);
         for (const std::string level : {"first", "second", "third"}) {
-            const std::string map = folder_ + "/maps/" + level;
-            ASSERT_EQ(
-                run("oblong-map " + map + ".map -o " + map + ".bsp --wad " + assets_ + "/demo.wad --game " + folder_),
-                0)
-                << said_;
+            ASSERT_EQ(compile(level), 0) << said_;
             EXPECT_EQ(said_, "") << "a warning";
         }
+    }
+    EndFigures end_figures(const LoadedLevel& level, const GameState& state) const {
+        const Options own = options();
+        return PlayedGame(own, level).end_figures(level, state);
     }
     // A program of the build, with its options; what it says on standard error goes to `said_`.
     int run(const std::string& command) {
@@ -73,6 +66,15 @@ class ExampleGame : public testing::Test {
             test::run_line(test::at_home_in(temporary_.path("home")) + test::build_folder() + "/bin/" + command);
         said_ = error;
         return exit_code;
+    }
+    // The game for a picture, or more, with other options.
+    int run_game(const std::string& others = "", int pictures = 1) {
+        return run("oblong --game " + folder_ + others + " --headless " + std::to_string(pictures) + " --out " +
+                   temporary_.path("out"));
+    }
+    int compile(const std::string& level) {
+        const std::string map = folder_ + "/maps/" + level;
+        return run("oblong-map " + map + ".map -o " + map + ".bsp --wad " + assets_ + "/demo.wad --game " + folder_);
     }
     Options options() const {
         Options options;
@@ -147,21 +149,21 @@ TEST_F(ExampleGame, AnEntitysOwnValueWins) {
     const std::string part = "\"angle\" \"-1\"";
     map.replace(map.find(part), part.size(), part + "\n\"speed\" \"70\"");
     write_file(folder_ + "/maps/second.map", map);
-    ASSERT_EQ(run("oblong-map " + folder_ + "/maps/second.map -o " + folder_ + "/maps/second.bsp --wad " + assets_ +
-                  "/demo.wad --game " + folder_),
-              0);
+    ASSERT_EQ(compile("second"), 0);
     EXPECT_NEAR(loaded("second").level.movers[0].speed_per_tick.raw * double(kTicksPerSecond) / 4096, 70, 0.01);
 }
 
 // The room of the demo has no entity of the class whose rule changes: its start is the same state.
 TEST_F(ExampleGame, DemosAndSavesBelongToTheirRules) {
-    const std::string demo = temporary_.path("walk.demo"), pictures = " --headless 40 --out " + temporary_.path("out");
-    ASSERT_EQ(run("oblong --game " + folder_ + pictures + " --record " + demo), 0) << said_;
-    EXPECT_EQ(run("oblong --game " + folder_ + pictures + " --replay " + demo), 0) << said_;
-    EXPECT_EQ(run("oblong " + folder_ + "/maps/first.bsp" + pictures + " --replay " + demo), 1);
+    const std::string demo = temporary_.path("walk.demo");
+    ASSERT_EQ(run_game(" --record " + demo, 40), 0) << said_;
+    EXPECT_EQ(run_game(" --replay " + demo, 40), 0) << said_;
+    EXPECT_EQ(run("oblong " + folder_ + "/maps/first.bsp --headless 40 --out " + temporary_.path("out") + " --replay " +
+                  demo),
+              1);
     const std::uint64_t level_hash = loaded("first").data.level_hash;
     replace_in_definition("\"30\"", "\"31\"");
-    EXPECT_EQ(run("oblong --game " + folder_ + pictures + " --replay " + demo), 1);
+    EXPECT_EQ(run_game(" --replay " + demo, 40), 1);
     EXPECT_EQ(said_, "oblong: " + demo + ": start: recorded on another level or by other rules, expected this one's\n");
     EXPECT_NE(loaded("first").data.level_hash, level_hash) << "what saves are held to";
     std::set<std::uint64_t> hashes{level_hash, loaded("first").data.level_hash};
@@ -183,11 +185,10 @@ TEST_F(ExampleGame, LevelsFollowInTheirOrder) {
 
 // While a game is being made.
 TEST_F(ExampleGame, ALevelThatIsNotThereStopsOnlyItself) {
-    const std::string start = "oblong --game " + folder_ + " --headless 1 --out " + temporary_.path("out");
     fs::remove(folder_ + "/maps/second.bsp");
-    EXPECT_EQ(run(start), 0) << said_;
-    EXPECT_EQ(run(start + " --map third"), 0) << said_;
-    EXPECT_EQ(run(start + " --map second"), 1);
+    EXPECT_EQ(run_game(), 0) << said_;
+    EXPECT_EQ(run_game(" --map third"), 0) << said_;
+    EXPECT_EQ(run_game(" --map second"), 1);
     const GameDefinition game = read_game_definition(folder_);
     EXPECT_EQ(level_after(game, folder_ + "/maps/first.bsp"), "second");
     const LoadedLevel first = loaded("first");
@@ -199,39 +200,36 @@ TEST_F(ExampleGame, ALevelThatIsNotThereStopsOnlyItself) {
     EXPECT_EQ(played.levels(first).at(1).file, folder_ + "/maps/second.bsp")
         << "what its row in the menu says is missing";
     fs::remove(folder_ + "/maps/first.bsp");
-    EXPECT_EQ(run(start), 1);
+    EXPECT_EQ(run_game(), 1);
     EXPECT_TRUE(said_.starts_with("oblong: " + folder_ + "/maps/first.bsp: ")) << said_;
 }
 
 TEST_F(ExampleGame, ADemoThatIsNotThereIsAWarningOfTheTitle) {
     replace_in_definition("\"levels\"", "\"demo\": \"none.demo\", \"levels\"");
-    const std::string pictures = " --headless 1 --out " + temporary_.path("out");
-    EXPECT_EQ(run("oblong --title --game " + folder_ + pictures), 0);
+    EXPECT_EQ(run_game(" --title"), 0);
     EXPECT_EQ(said_, "oblong: " + folder_ + "/game.json: warning: /demo: there is no file " + folder_ +
                          "/none.demo, expected one that --record wrote\n");
-    EXPECT_EQ(run("oblong --game " + folder_ + pictures + " --record " + folder_ + "/none.demo"), 0);
+    EXPECT_EQ(run_game(" --record " + folder_ + "/none.demo"), 0);
     EXPECT_EQ(said_, "") << "of one that is being recorded";
 }
 
 TEST_F(ExampleGame, ADemoFromBeforeAChangeIsAWarningOfTheTitle) {
-    const std::string pictures = " --headless 1 --out " + temporary_.path("out"), demo = folder_ + "/a.demo",
-                      title = "oblong --title --game " + folder_ + pictures;
-    EXPECT_EQ(run("oblong --game " + folder_ + pictures + " --record " + demo), 0);
+    const std::string demo = folder_ + "/a.demo";
+    EXPECT_EQ(run_game(" --record " + demo), 0);
     replace_in_definition("\"levels\"", "\"demo\": \"a.demo\", \"levels\"");
-    EXPECT_EQ(run(title), 0);
+    EXPECT_EQ(run_game(" --title"), 0);
     EXPECT_EQ(said_, "");
     replace_in_definition("\"30\"", "\"31\"");
-    EXPECT_EQ(run(title), 0);
+    EXPECT_EQ(run_game(" --title"), 0);
     EXPECT_EQ(said_, "oblong: " + folder_ + "/game.json: warning: /demo: " + demo +
                          " is not shown: recorded on another level or by other rules, expected the first level's\n");
-    EXPECT_EQ(run(title + " --map second"), 0);
+    EXPECT_EQ(run_game(" --title --map second"), 0);
     EXPECT_EQ(said_, "") << "of a level that it was not recorded for";
 }
 
 TEST_F(ExampleGame, AFolderThatHoldsNoGameIsNoMuseum) {
-    const std::string pictures = " --headless 1 --out " + temporary_.path("out");
     for (const std::string other : {"/none", "/game.json", "/maps"}) {
-        EXPECT_EQ(run("oblong --game " + folder_ + other + pictures), 1);
+        EXPECT_EQ(run_game(other), 1);
         EXPECT_TRUE(said_.starts_with("oblong: " + folder_ + other + ": --game: is no folder")) << said_;
     }
 }
@@ -260,23 +258,22 @@ TEST_F(ExampleGame, EntitiesHaveSoundsOfTheirOwn) {
 }
 
 TEST_F(ExampleGame, ASoundThatIsMissingIsAWarningAndABrokenOneAnError) {
-    const std::string pictures = " --headless 1 --out " + temporary_.path("out");
     fs::remove(folder_ + "/sounds/creak.wav");
     replace_in_definition(",\n    \"sounds/creak.wav\": \"a gate creaks\"", "");
-    EXPECT_EQ(run("oblong --game " + folder_ + pictures), 0);
+    EXPECT_EQ(run_game(), 0);
     EXPECT_NE(said_.find("(func_door_rotating): there is no file sounds/creak.wav for its noise, expected one in " +
                          folder_ + "\n"),
               std::string::npos)
         << said_;
     write_file(folder_ + "/sounds/creak.wav", "RIFF1234AVI ");
-    EXPECT_EQ(run("oblong --game " + folder_ + pictures), 1);
+    EXPECT_EQ(run_game(), 1);
     EXPECT_EQ(said_, "oblong: " + folder_ + "/sounds/creak.wav: offset 8: no sound, expected WAVE\n");
 }
 
 TEST_F(ExampleGame, AnIconThatIsTooLargeIsRefused) {
     fs::copy_file(test::source_folder() + "/assets/readme.png", folder_ + "/large.png");
     replace_in_definition("icon.png", "large.png");
-    NamedWindow platform(1, [](std::int64_t) { return PlatformInput{}; });
+    NamedWindow platform(1, no_input);
     const std::string said = test::refusal<FileError>([&] { show_icon(read_game_definition(folder_), platform); });
     EXPECT_TRUE(said.starts_with(folder_ + "/large.png: size: ")) << said;
     EXPECT_TRUE(said.ends_with("expected up to 256x256 of an icon")) << said;
@@ -287,11 +284,9 @@ TEST_F(ExampleGame, WhatIsNotKeptIsSaidInTheWindow) {
         Options wanted = options();
         wanted.folders.fault = fault;
         std::uint64_t hash = 0;
-        HeadlessPlatform platform(
-            2, kTicksPerSecond, [](std::int64_t) { return PlatformInput{}; },
-            [&](Framebuffer picture, const Palette&) {
-                hash = fnv1a_of({picture.pixels, as_size(picture.width_px) * as_size(picture.height_px)});
-            });
+        HeadlessPlatform platform(2, kTicksPerSecond, no_input, [&](Framebuffer picture, const Palette&) {
+            hash = fnv1a_of({picture.pixels, as_size(picture.width_px) * as_size(picture.height_px)});
+        });
         PreferencesStore store;
         Program(wanted, load_program_files(wanted, assets_), store, platform, {}).run();
         return hash;
@@ -331,7 +326,7 @@ TEST(PlayersFolders, WithoutAHomeItIsSaidWhatIsNotSaved) {
 
 TEST_F(ExampleGame, ACaptionOfNoSoundIsNamed) {
     replace_in_definition("\"lenses\"", "\"lense\\n\"");
-    EXPECT_EQ(run("oblong --game " + folder_ + " --headless 1 --out " + temporary_.path("out")), 1);
+    EXPECT_EQ(run_game(), 1);
     EXPECT_TRUE(said_.starts_with("oblong: " + folder_ + "/game.json: /captions/lense?: is no sound")) << said_;
 }
 
@@ -341,8 +336,7 @@ TEST_F(ExampleGame, HasALabOnlyIfItAsksForOne) {
         LevelFiles files = level_files_of(options(), assets_);
         files.level = level_file_of(*files.game, "first");
         const auto first = std::make_shared<const LoadedLevel>(files);
-        HeadlessPlatform platform(
-            1, 35, [](std::int64_t) { return PlatformInput{}; }, [](Framebuffer, const Palette&) {});
+        test::ScriptedPlatform platform(1, no_input);
         ViewOptions shown;
         Session session(first, {}, shown, TickInputSource(start_of(first->level), std::nullopt, false), platform);
         Controls controls;
@@ -350,13 +344,12 @@ TEST_F(ExampleGame, HasALabOnlyIfItAsksForOne) {
         session.advance(controls, platform.now_us());
         EXPECT_EQ(shown.lab.shows_panel, has_lab);
         const std::vector<KeyHelp> help = session.key_help({shown.preferences.bindings, platform, false});
-        EXPECT_EQ(std::any_of(help.begin(), help.end(),
-                              [](const KeyHelp& line) { return line.actions.front() == Action::LabPanel; }),
-                  has_lab);
+        const auto is_lab = [](const KeyHelp& line) { return line.actions.front() == Action::LabPanel; };
+        EXPECT_EQ(std::ranges::any_of(help, is_lab), has_lab);
         EXPECT_FALSE(first->files.game->has_gallery);
     }
     replace_in_definition("[\"lab\"]", "[\"labs\"]");
-    EXPECT_EQ(run("oblong --game " + folder_ + " --headless 1 --out " + temporary_.path("out")), 1);
+    EXPECT_EQ(run_game(), 1);
     EXPECT_NE(said_.find("/shows/0: \"labs\", expected counts, gallery or lab"), std::string::npos) << said_;
 }
 
@@ -369,16 +362,14 @@ TEST_F(ExampleGame, HasItsOwnWordsForLockedDoorsAndForItsEnd) {
     const std::vector<std::string>& messages = second.level.messages;
     EXPECT_EQ(std::count(messages.begin(), messages.end(), "The gate wants brass"), 1);
     EXPECT_EQ(std::count(messages.begin(), messages.end(), "You need the gold key"), 0);
-    const Options own = options();
-    EXPECT_EQ(PlayedGame(own, second).end_figures(second, start_of(second.level)).message, "Home.");
+    EXPECT_EQ(end_figures(second, start_of(second.level)).message, "Home.");
 }
 
 TEST_F(ExampleGame, ABookIsReadPageByPageWhileTheWalkWaits) {
     Options played = options();
     played.map = "third";
     PreferencesStore store;
-    HeadlessPlatform platform(
-        200, kTicksPerSecond, [](std::int64_t) { return PlatformInput{}; }, [](Framebuffer, const Palette&) {});
+    test::ScriptedPlatform platform(200, no_input);
     Screens screens(played, load_program_files(played, assets_), store, platform, {});
     for (int tick = 0; tick < 60 && !screens.menu().is_open(); ++tick) {
         Controls controls;
@@ -412,8 +403,7 @@ TEST_F(ExampleGame, TheThirdRoomCanBeLost) {
     EXPECT_EQ(status_text(third.level, state, false), "Health 20");
     for (int tick = 0; tick < 35; ++tick) step(third.level, state, {});
     EXPECT_TRUE(state.is_lost());
-    const Options own = options();
-    const EndFigures figures = PlayedGame(own, third).end_figures(third, state);
+    const EndFigures figures = end_figures(third, state);
     EXPECT_TRUE(figures.is_lost);
     EXPECT_EQ(figures.message, "That was too much.");
     EXPECT_EQ(figures.lenses, "Coins found: 0 of 4");
@@ -421,11 +411,10 @@ TEST_F(ExampleGame, TheThirdRoomCanBeLost) {
 
 TEST_F(ExampleGame, WhoHasLostIsOfferedNoNextLevel) {
     const LoadedLevel first = loaded("first");
-    const Options own = options();
     GameState state = start_of(first.level);
-    EXPECT_EQ(PlayedGame(own, first).end_figures(first, state).next_level, "second");
+    EXPECT_EQ(end_figures(first, state).next_level, "second");
     state.has_ended = true;
-    EXPECT_EQ(PlayedGame(own, first).end_figures(first, state).next_level, "");
+    EXPECT_EQ(end_figures(first, state).next_level, "");
 }
 
 TEST_F(ExampleGame, TheGateOfTheFirstRoomWantsACoin) {
@@ -446,10 +435,6 @@ TEST(GameName, IsOfPlainLettersAndDiffersWhereFoldersDo) {
     EXPECT_EQ(one.find_first_not_of("_-0123456789abcdef"), std::string::npos) << one;
 }
 
-struct Fault {
-    const char *text, *said;
-};
-
 // Each would take minutes if all members were looked through for each.
 TEST(GameDefinition, LongListsAreRead) {
     const test::TemporaryFolder folder;
@@ -467,56 +452,57 @@ TEST(GameDefinition, LongListsAreRead) {
         EXPECT_EQ(size, 100'000u);
 }
 
+// A definition, or a class and a key of a class that stands for it; and what is said.
+constexpr const char* kFaults = R"({"classes": {"x": {}, "x": {}}} => member "x": is there twice
+{"title": 1e999} => JSON:
+[] => /: is array, expected members
+{"levels": ["a"]} => /: has no "title"
+{"title": "x"} => /: has no "levels"
+{"title": 3} => /title: is number, expected a text
+{"titel": "x"} => /titel: is unknown, expected one of title,
+{"\u001b[2J": "x"} => /?[2J: is unknown
+{"levels": ["a", "b", "a"]} => /levels/2: "a" is there twice
+{"levels": ["../a"]} => /levels/0: "../a", expected the name of a level
+{"levels": ["a\u001b"]} => /levels/0: "a?", expected the name of a level
+{"levels": "a"} => /levels: is string, expected a list
+{"palette": "/etc/passwd"} => /palette: "/etc/passwd", expected a path
+{"music": "a/../../b.mod"} => /music: "a/../../b.mod", expected a path
+{"music": "none.mod"} => /music: there is no file
+{"classes": {"x": {}}} => /classes/x: has no "is"
+{"classes": {"func_door": {"is": "func_wall"}}} => /classes/func_door: is a class of the engine
+{"classes": {"x": {"is": "func_dor"}}} => /classes/x/is: "func_dor", expected a class
+{"classes": {"x": {"is": "y"}, "y": {"is": "x"}}} => /classes/x/is: "y", expected a class
+{"classes": {"x": {"is": "light"}}} => /classes/x: stands for light, which the map compiler
+{"classes": {"x": {"as": "func_door"}}} => /classes/x/as: is unknown
+func_door: "spead": "3" => /spead: is unknown, expected a key of func_door
+{"classes": {"x": {"keys": {"speed": "fast"}, "is": "func_door"}}} => /classes/x/keys/speed: "fast", expected a number
+func_door: "speed": "" => /speed: "", expected a number
+func_door: "spawnflags": "4.5" => /spawnflags: "4.5", expected a whole number
+misc_model: "up": "x" => /up: "x", expected y or z
+misc_sprite: "texture": "lamp" => /texture: "lamp", expected a texture that begins with '{'
+misc_rain: "size": "64" => /size: "64", expected 3 numbers
+func_door: "speed": 3 => /speed: is number, expected a text
+)";
+
 TEST(GameDefinition, FaultsAreNamedWithTheirPlace) {
     const test::TemporaryFolder folder;
-    const std::string file = folder.path("game.json");
-    for (const auto& [text, said] : {
-             Fault{"", "line 1, column 1: no JSON: syntax error"},
-             Fault{"{\"title\":\n \"x\",", "line 2, column 6: no JSON: syntax error"},
-             Fault{"{\"classes\": {\"x\": {}, \"x\": {}}}", "member \"x\": is there twice"},
-             Fault{"{\"title\": 1e999}", "JSON: "},
-             Fault{"[]", "/: is array, expected members"},
-             Fault{"{\"levels\": [\"a\"]}", "/: has no \"title\""},
-             Fault{"{\"title\": \"x\"}", "/: has no \"levels\""},
-             Fault{"{\"title\": 3}", "/title: is number, expected a text"},
-             Fault{"{\"titel\": \"x\"}", "/titel: is unknown, expected one of title,"},
-             Fault{"{\"\\u001b[2J\": \"x\"}", "/?[2J: is unknown"},
-             Fault{"{\"levels\": [\"a\", \"b\", \"a\"]}", "/levels/2: \"a\" is there twice"},
-             Fault{"{\"levels\": [\"../a\"]}", "/levels/0: \"../a\", expected the name of a level"},
-             Fault{"{\"levels\": [\"a\\u001b\"]}", "/levels/0: \"a?\", expected the name of a level"},
-             Fault{"{\"levels\": \"a\"}", "/levels: is string, expected a list"},
-             Fault{"{\"palette\": \"/etc/passwd\"}", "/palette: \"/etc/passwd\", expected a path"},
-             Fault{"{\"music\": \"a/../../b.mod\"}", "/music: \"a/../../b.mod\", expected a path"},
-             Fault{"{\"music\": \"none.mod\"}", "/music: there is no file "},
-             Fault{"{\"classes\": {\"x\": {}}}", "/classes/x: has no \"is\""},
-             Fault{"{\"classes\": {\"func_door\": {\"is\": \"func_wall\"}}}",
-                   "/classes/func_door: is a class of the engine"},
-             Fault{"{\"classes\": {\"x\": {\"is\": \"func_dor\"}}}", "/classes/x/is: \"func_dor\", expected a class"},
-             Fault{"{\"classes\": {\"x\": {\"is\": \"y\"}, \"y\": {\"is\": \"x\"}}}",
-                   "/classes/x/is: \"y\", expected a class"},
-             Fault{"{\"classes\": {\"x\": {\"is\": \"light\"}}}",
-                   "/classes/x: stands for light, which the map compiler"},
-             Fault{"{\"classes\": {\"x\": {\"is\": \"func_door\", \"keys\": {\"spead\": \"3\"}}}}",
-                   "/classes/x/keys/spead: is unknown, expected a key of func_door"},
-             Fault{"{\"classes\": {\"x\": {\"keys\": {\"speed\": \"fast\"}, \"is\": \"func_door\"}}}",
-                   "/classes/x/keys/speed: \"fast\", expected a number"},
-             Fault{"{\"classes\": {\"x\": {\"is\": \"func_door\", \"keys\": {\"speed\": \"\"}}}}",
-                   "/classes/x/keys/speed: \"\", expected a number"},
-             Fault{"{\"classes\": {\"x\": {\"is\": \"func_door\", \"keys\": {\"spawnflags\": \"4.5\"}}}}",
-                   "/classes/x/keys/spawnflags: \"4.5\", expected a whole number"},
-             Fault{"{\"classes\": {\"x\": {\"is\": \"misc_model\", \"keys\": {\"up\": \"x\"}}}}",
-                   "/classes/x/keys/up: \"x\", expected y or z"},
-             Fault{"{\"classes\": {\"x\": {\"is\": \"misc_sprite\", \"keys\": {\"texture\": \"lamp\"}}}}",
-                   "/classes/x/keys/texture: \"lamp\", expected a texture that begins with '{'"},
-             Fault{"{\"classes\": {\"x\": {\"is\": \"misc_rain\", \"keys\": {\"size\": \"64\"}}}}",
-                   "/classes/x/keys/size: \"64\", expected 3 numbers"},
-             Fault{"{\"classes\": {\"x\": {\"is\": \"func_door\", \"keys\": {\"speed\": 3}}}}",
-                   "/classes/x/keys/speed: is number, expected a text"},
-             Fault{"{\"classes\": {\"x\": {\"as\": \"func_door\"}}}", "/classes/x/as: is unknown"},
-         }) {
-        folder.write("game.json", std::string(text));
+    const auto expect_fault = [&](const std::string& text, const std::string& said) {
+        folder.write("game.json", text);
         const std::string found = test::refusal<FileError>([&] { read_game_definition(folder.path()); });
-        EXPECT_TRUE(found.starts_with(file + ": " + said)) << text << ": " << found;
+        EXPECT_TRUE(found.starts_with(folder.path("game.json") + ": " + said)) << text << ": " << found;
+    };
+    expect_fault("", "line 1, column 1: no JSON: syntax error");
+    expect_fault("{\"title\":\n \"x\",", "line 2, column 6: no JSON: syntax error");
+    std::istringstream rows(kFaults);
+    for (std::string row; std::getline(rows, row);) {
+        const std::string text = row.substr(0, row.find(" => ")), said = row.substr(text.size() + 4);
+        const std::size_t colon = text.find(": ");
+        if (text.find_first_of("{[") == 0)
+            expect_fault(text, said);
+        else
+            expect_fault(R"({"classes": {"x": {"is": ")" + text.substr(0, colon) + R"(", "keys": {)" +
+                             text.substr(colon + 2) + "}}}}",
+                         "/classes/x/keys" + said);
     }
 }
 

@@ -56,8 +56,8 @@ std::int64_t doubled_shadow(const std::vector<ClipVertex>& polygon) {
 /// A corner on the plane stays a corner of all its faces; where an edge leaves the view there, the crossing beside it
 /// is another corner, which lies on the screen's border exactly. A polygon that only touches the plane is one point.
 void expect_no_corner_twice(const std::vector<ClipVertex>& polygon, int seed) {
-    const auto is_first = [&](const ClipVertex& vertex) { return vertex.position == polygon[0].position; };
-    if (std::all_of(polygon.begin(), polygon.end(), is_first)) return;
+    if (std::ranges::all_of(polygon, [&](const ClipVertex& vertex) { return vertex.position == polygon[0].position; }))
+        return;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const ClipVertex &here = polygon[i], &next = polygon[(i + 1) % polygon.size()];
         EXPECT_TRUE(here.position != next.position || here.borders != next.borders) << seed << ", " << i;
@@ -88,8 +88,7 @@ TEST(HardCaseC1, NoPolygonGetsACornerTwiceOrLosesOneInside) {
         const auto rest = clipped(polygon, kAtDepth4);
         expect_no_corner_twice(rest, i);
         for (const ClipVertex& vertex : polygon) {
-            const bool is_kept = std::any_of(
-                rest.begin(), rest.end(), [&](const ClipVertex& other) { return other.position == vertex.position; });
+            const bool is_kept = std::ranges::count(rest, vertex.position, &ClipVertex::position) != 0;
             ASSERT_EQ(is_kept, vertex.position.z >= View::from_int(4)) << i;
         }
     }
@@ -107,10 +106,8 @@ TEST(HardCaseC2, BothSidesOfAnEdgeCutItAtTheSameBits) {
         const auto forth = clipped({{a, 0}, {b, 0}, other}, kAtDepth4),
                    back = clipped({{b, 0}, {a, 0}, one}, kAtDepth4);
         const auto cut = cross_plane(a, kAtDepth4.distance(a), b, kAtDepth4.distance(b));
-        const auto has_cut = [&](const std::vector<ClipVertex>& polygon) {
-            return std::any_of(polygon.begin(), polygon.end(), [&](const ClipVertex& v) { return v.position == cut; });
-        };
-        ASSERT_TRUE(has_cut(forth) && has_cut(back)) << i;
+        for (const auto& polygon : {forth, back})
+            ASSERT_NE(std::ranges::count(polygon, cut, &ClipVertex::position), 0) << i;
     }
 }
 
@@ -215,8 +212,7 @@ TEST(HardCaseC5, PolygonsSeenEdgeOnHaveNoArea) {
         }
         ASSERT_EQ(ask(line), "0") << line;
         // A frame does not ask: it clips whatever does not come near the eye, from whose surroundings the eye is moved.
-        const bool is_near = std::any_of(corners.begin(), corners.end(), [](const Vec& v) { return v.z < 4; });
-        if (is_near) continue;
+        if (std::ranges::any_of(corners, [](const Vec& v) { return v.z < 4; })) continue;
         ++far_count;
         worst = std::max(worst, reference::area(frame.points_of(corners)));
     }
@@ -313,14 +309,13 @@ double largest_distance(const std::vector<reference::ScreenPoint>& corners,
 TEST(HardCaseC8, NearPolygonsAreCutAndNotPushed) {
     std::mt19937 random(88);
     FrameOutline frame;
-    const auto projection = reference::make_projection(320, 200, 4.0 / 3, 90);
     double worst = 0;
     int seen = 0;
     for (int i = 0; i < 20000; ++i) {
         const std::vector<Vec> corners = random_triangle(random, i % 2 ? 300 : 20);
         std::vector<reference::ScreenPoint> expected;
-        for (const Vec& corner : reference::clip_to_view(corners, 1.0 / 16384, 1e9, projection))
-            expected.push_back(reference::project(corner, projection));
+        for (const Vec& corner : reference::clip_to_view(corners, 1.0 / 16384, 1e9, kProjection))
+            expected.push_back(reference::project(corner, kProjection));
         const auto found = frame.points_of(corners);
         if (expected.size() < 3 || found.empty()) {
             ASSERT_LE(reference::area(expected) + reference::area(found), 0.01) << i;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include "engine/raster/scan.h"
 #include "tests/hard_cases/hard_case.h"
@@ -36,6 +37,12 @@ void add_engine_triangle(const Triangle& triangle, CoverageMap& map) {
     for_each_covered(triangle, map, [](std::int32_t& count) { ++count; });
 }
 
+CoverageMap covered_by(const std::vector<Triangle>& triangles) {
+    CoverageMap map;
+    for (const Triangle& triangle : triangles) add_engine_triangle(triangle, map);
+    return map;
+}
+
 /// Empty if the engine covers the triangles as the rule says; else a picture: + hit, | missing, - too much. `found`: an
 /// empty map.
 std::string difference(const std::vector<Triangle>& triangles, CoverageMap found = {}) {
@@ -48,11 +55,8 @@ std::string difference(const std::vector<Triangle>& triangles, CoverageMap found
 }
 
 std::int32_t count_pixels(const Triangle& triangle) {
-    CoverageMap map;
-    add_engine_triangle(triangle, map);
-    std::int32_t sum = 0;
-    for (const std::int32_t count : map.counts) sum += count;
-    return sum;
+    const CoverageMap map = covered_by({triangle});
+    return std::accumulate(map.counts.begin(), map.counts.end(), 0);
 }
 
 constexpr GridPoint sixteenths(std::int64_t x, std::int64_t y) {
@@ -84,12 +88,10 @@ std::vector<Triangle> tiling(std::mt19937& random, std::int64_t across, std::int
 TEST(HardCaseE1, AMeshCoversEveryPixelOnce) {
     std::mt19937 random(1);
     CoverageMap once;
-    std::fill(once.counts.begin(), once.counts.end(), 1);
+    std::ranges::fill(once.counts, 1);
     for (int i = 0; i < 60; ++i) {
-        CoverageMap found;
-        for (const Triangle& triangle : tiling(random, random_integer(random, 1, 40), random_integer(random, 1, 30)))
-            add_engine_triangle(triangle, found);
-        ASSERT_EQ(reference::picture_of_difference(once, found), "") << i;
+        const std::int32_t across = random_integer(random, 1, 40), down = random_integer(random, 1, 30);
+        ASSERT_EQ(reference::picture_of_difference(once, covered_by(tiling(random, across, down))), "") << i;
     }
 }
 
@@ -144,10 +146,10 @@ TEST(HardCaseE4, MovingAnEdgeUpByASixteenthNeverGivesBack) {
         std::int32_t covered = 0;
         CoverageMap before;
         for (int step = 0; step < 40; ++step, left -= 16, right -= 16) {
-            CoverageMap after;
-            add_engine_triangle({{{-99 * 256, left}, {419 * 256, right}, {160 * 256, 3000 * 256}}}, after);
-            add_engine_triangle({{{-99 * 256, left}, {160 * 256, 3000 * 256}, {-99 * 256, 3000 * 256}}}, after);
-            add_engine_triangle({{{419 * 256, right}, {419 * 256, 3000 * 256}, {160 * 256, 3000 * 256}}}, after);
+            const GridPoint from{-99 * 256, left}, to{419 * 256, right}, middle{160 * 256, 3000 * 256},
+                below_from{-99 * 256, 3000 * 256}, below_to{419 * 256, 3000 * 256};
+            const CoverageMap after =
+                covered_by({{from, to, middle}, {from, middle, below_from}, {to, below_to, middle}});
             std::int32_t wrong = 0;
             for (std::size_t pixel = 0; pixel < after.counts.size(); ++pixel) {
                 const std::int32_t count = after.counts[pixel], gained = count - before.counts[pixel];
@@ -216,23 +218,12 @@ TEST(HardCaseE9, ASharedSplitCornerLeavesNoCrack) {
         const GridPoint middle{(top.x + bottom.x) / 2 + random_integer(random, -1, 1),
                                100 * 256 + random_integer(random, -9, 9)};
         const GridPoint left{0, 100 * 256}, right{320 * 256, 100 * 256};
-        const auto count_wrong = [&](const std::vector<Triangle>& triangles) {
-            CoverageMap map;
-            for (const Triangle& triangle : triangles) add_engine_triangle(triangle, map);
-            CoverageMap whole;
-            add_engine_triangle({left, top, bottom}, whole);
-            add_engine_triangle({right, top, bottom}, whole);
-            return !std::equal(map.counts.begin(), map.counts.end(), whole.counts.begin());
-        };
-        cracked += count_wrong({{left, top, bottom}, {right, top, middle}, {right, middle, bottom}});
-        ASSERT_EQ(
-            difference({{left, top, middle}, {left, middle, bottom}, {right, top, middle}, {right, middle, bottom}}),
-            "");
-        CoverageMap split;
-        for (const Triangle& triangle : {Triangle{left, top, middle}, Triangle{left, middle, bottom},
-                                         Triangle{right, top, middle}, Triangle{right, middle, bottom}})
-            add_engine_triangle(triangle, split);
-        ASSERT_LE(*std::max_element(split.counts.begin(), split.counts.end()), 1);
+        const std::vector<Triangle> whole{{left, top, bottom}, {right, top, bottom}},
+            on_one_side{{left, top, bottom}, {right, top, middle}, {right, middle, bottom}},
+            split{{left, top, middle}, {left, middle, bottom}, {right, top, middle}, {right, middle, bottom}};
+        cracked += covered_by(on_one_side).counts != covered_by(whole).counts;
+        ASSERT_EQ(difference(split), "");
+        ASSERT_LE(std::ranges::max(covered_by(split).counts), 1);
     }
     EXPECT_GT(cracked, 0) << "no T-junction cracked: the case is not tried";
 }
@@ -241,7 +232,7 @@ TEST(HardCaseE10, NeitherOrderNorWindingChangesThePicture) {
     std::mt19937 random(10);
     std::vector<Triangle> triangles = tiling(random, 23, 17);
     std::vector<std::size_t> order(triangles.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::iota(order.begin(), order.end(), 0);
     std::vector<std::int32_t> first_picture;
     for (int i = 0; i < 10; ++i) {
         CoverageMap picture;

@@ -50,6 +50,9 @@ inline std::int32_t random_integer(std::mt19937& random, std::int32_t low, std::
     return std::uniform_int_distribution<std::int32_t>(low, high)(random);
 }
 
+/// Of 320x200 on 4:3, 90 degrees across.
+inline const reference::Projection kProjection = reference::make_projection(320, 200, 4.0 / 3, 90);
+
 /// The frame's own way from a polygon in the world to its polygon on the screen: 320x200 on 4:3, 90 degrees across, the
 /// eye at the origin, and the world's axes those of viewspace.
 struct FrameOutline {

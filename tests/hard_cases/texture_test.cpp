@@ -15,7 +15,7 @@ namespace {
 using reference::TexturedCorner;
 using Corners = std::array<TexturedCorner, 3>;
 
-const reference::Projection kProjection = reference::make_projection(320, 200, 4.0 / 3, 90);
+constexpr std::array kModes{Texturing::Affine, Texturing::Every16, Texturing::Bounded, Texturing::Exact};
 
 std::string texspan_fields(const Corners& corners, int row, int first, int end) {
     std::string line = "320 200 4 3 90";
@@ -123,8 +123,7 @@ TEST(HardCaseX3, NoSampleOutsideTheSurfaceUpToTheLastPixel) {
         const int width = random_integer(random, 1, 64), height = random_integer(random, 1, 48);
         const int column = random_integer(random, 0, 300), length = random_integer(random, 1, 320 - column);
         const TextureGradients gradients = gradients_of(receding_wall(), {column, 110});
-        for (const Texturing texturing :
-             {Texturing::Affine, Texturing::Every16, Texturing::Bounded, Texturing::Exact}) {
+        for (const Texturing texturing : kModes) {
             const TexelLimits limits = make_texel_limits(width, height, 512);
             for (const TexelBlock& block : blocks_of(gradients, {110, column, column + length}, texturing, limits))
                 for (const std::int64_t at : {0, block.count - 1}) {
@@ -171,7 +170,7 @@ TEST(HardCaseX3, NoSampleBeyondTheTexelsOfTheSpansOwnEnds) {
         const TextureGradients gradients = gradients_of(wall, {(span.first + span.end) / 2, 110});
         // Half of the room is what the exact mode may be off by; a step that is rounded down drifts by 320 * 2^-16.
         const double room = 1.0 / 16;
-        for (const Texturing texturing : {Texturing::Affine, Texturing::Every16, Texturing::Bounded, Texturing::Exact})
+        for (const Texturing texturing : kModes)
             for (const TexelBlock& block : blocks_of(gradients, span, texturing, no_limits))
                 for (const std::int64_t at : {0, block.count - 1}) {
                     const double u = static_cast<double>(block.u_16 + at * block.u_step_16) / 65536;
@@ -235,8 +234,7 @@ TEST(HardCaseX9, SpansOf1AndOfABlockAndOneMore) {
     const TextureGradients gradients = gradients_of(one_to_one(10, 20, 0, 0), {10, 22});
     const TexelLimits limits = make_texel_limits(320, 320, 512);
     for (const int length : {1, 2, 15, 16, 17, 31, 32, 33, 255, 256, 257})
-        for (const Texturing texturing :
-             {Texturing::Affine, Texturing::Every16, Texturing::Bounded, Texturing::Exact}) {
+        for (const Texturing texturing : kModes) {
             std::int32_t column = 10;
             for (const TexelBlock& block : blocks_of(gradients, {22, 10, 10 + length}, texturing, limits))
                 for (std::int64_t i = 0; i < block.count; ++i, ++column) {

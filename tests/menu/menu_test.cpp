@@ -30,19 +30,28 @@ class MenuOfThree : public testing::Test {
             return page;
         });
     }
+    MenuEvent handle(const Controls& controls) { return menu_.handle(controls, kCanvas, 1, kShown); }
     MenuEvent act(MenuAction action) {
         Controls controls;
         controls.menu = {action};
-        return menu_.handle(controls, kCanvas, 1, kShown);
+        return handle(controls);
+    }
+    MenuEvent point_at(std::int32_t x_px, std::int32_t y_px, bool has_moved, bool is_pressed) {
+        Controls controls;
+        controls.pointer = Pointer{x_px, y_px, has_moved, is_pressed};
+        return handle(controls);
+    }
+    static std::string numbered_lines(int count) {
+        std::string text;
+        for (int i = 0; i < count; ++i) text += "line " + std::to_string(i) + "\n";
+        return text;
     }
     // The pointer in the middle of a row, or at its left.
     MenuEvent point(std::size_t row, bool is_pressed, bool is_left = false) {
         const MenuLayout layout = lay_out(menu_.page(), {menu_.chosen(), 0, 1}, kCanvas);
         const Area& area = layout.items[row].area;
-        Controls controls;
         const std::int32_t x = is_left ? area.x + 1 : area.x + area.width - 2, y = area.y + area.height / 2;
-        controls.pointer = Pointer{kShown.x_px + 4 * x + 2, 4 * y + 2, true, is_pressed};
-        return menu_.handle(controls, kCanvas, 1, kShown);
+        return point_at(kShown.x_px + 4 * x + 2, 4 * y + 2, true, is_pressed);
     }
 
     // The picture of the menu, as text.
@@ -97,7 +106,7 @@ TEST_F(MenuOfThree, BackAndEscapeCloseThePageOrDoWhatItSays) {
     menu_.close();
     Controls escape;
     escape.commands = {Action::Menu};
-    EXPECT_EQ(menu_.handle(escape, kCanvas, 1, kShown), MenuEvent::WentBack);
+    EXPECT_EQ(handle(escape), MenuEvent::WentBack);
     EXPECT_FALSE(menu_.is_open());
 }
 
@@ -119,26 +128,23 @@ TEST_F(MenuOfThree, APointerThatRestsChoosesNothing) {
     Controls controls;
     controls.pointer = Pointer{kShown.x_px + 4 * (area.x + 8), 4 * (area.y + 4), false, false};
     controls.menu = {MenuAction::Down};
-    menu_.handle(controls, kCanvas, 1, kShown);
+    handle(controls);
     EXPECT_EQ(menu_.chosen(), 1u);
 }
 
 TEST_F(MenuOfThree, APressOutsideTheRowsDoesNothing) {
+    EXPECT_EQ(point_at(3, 3, true, true), MenuEvent::None);
     Controls controls;
     controls.pointer = Pointer{3, 3, true, true};
-    EXPECT_EQ(menu_.handle(controls, kCanvas, 1, kShown), MenuEvent::None);
     EXPECT_EQ(menu_.handle(controls, kCanvas, 1, PresentRect{}), MenuEvent::None);  // nothing is shown
     EXPECT_TRUE(menu_.is_open());
 }
 
 TEST_F(MenuOfThree, APressAnywhereClosesATextWithoutRows) {
     menu_.open([] { return MenuPage{"Text", "to read"}; });
-    Controls controls;
-    controls.pointer = Pointer{3, 3, true, false};
-    menu_.handle(controls, kCanvas, 1, kShown);
+    point_at(3, 3, true, false);
     EXPECT_EQ(menu_.depth(), 2u) << "it only moves";
-    controls.pointer = Pointer{3, 3, false, true};
-    EXPECT_EQ(menu_.handle(controls, kCanvas, 1, kShown), MenuEvent::WentBack);
+    EXPECT_EQ(point_at(3, 3, false, true), MenuEvent::WentBack);
     EXPECT_EQ(menu_.depth(), 1u);
 }
 
@@ -152,25 +158,23 @@ TEST_F(MenuOfThree, APageThatWaitsForAKeyTakesAnyButEscape) {
     Controls controls;
     controls.menu = {MenuAction::Accept};
     controls.pressed = input_named("Enter");
-    menu_.handle(controls, kCanvas, 1, kShown);
+    handle(controls);
     EXPECT_EQ(pressed, input_named("Enter"));
     EXPECT_EQ(menu_.depth(), 2u) << "what is bound is not what it does in a menu";
     controls = {};
     controls.commands = {Action::Menu};
     controls.pressed = input_named("Mouse 5");  // which opens the menu, too, but may be bound to something else
-    menu_.handle(controls, kCanvas, 1, kShown);
+    handle(controls);
     EXPECT_EQ(pressed, input_named("Mouse 5"));
     EXPECT_EQ(menu_.depth(), 2u);
     controls.pressed = input_named("Escape");
-    menu_.handle(controls, kCanvas, 1, kShown);
+    handle(controls);
     EXPECT_EQ(pressed, input_named("Mouse 5"));
     EXPECT_EQ(menu_.depth(), 1u);
 }
 
 TEST_F(MenuOfThree, ATextTooLongForAPageIsReadToItsEnd) {
-    std::string text;
-    for (int i = 0; i < 60; ++i) text += "line " + std::to_string(i) + "\n";
-    menu_.open([=] { return MenuPage{"Text", text + "end"}; });
+    menu_.open([] { return MenuPage{"Text", numbered_lines(60) + "end"}; });
     int steps = 0;
     while (act(MenuAction::Down) == MenuEvent::Moved) ASSERT_LT(++steps, 100);
     EXPECT_GT(steps, 20);
@@ -180,9 +184,7 @@ TEST_F(MenuOfThree, ATextTooLongForAPageIsReadToItsEnd) {
 
 // It opens at its beginning; what follows comes with the keys, then the rows.
 TEST_F(MenuOfThree, ALongTextAboveRowsIsReadFromItsBeginning) {
-    std::string text;
-    for (int i = 0; i < 30; ++i) text += "line " + std::to_string(i) + "\n";
-    menu_.open([=] { return MenuPage{"Text", text, {{"No", "", "", [] {}}, {"Yes", "", "", [] {}}}}; });
+    menu_.open([] { return MenuPage{"Text", numbered_lines(30), {{"No", "", "", [] {}}, {"Yes", "", "", [] {}}}}; });
     const std::string top = drawn();
     EXPECT_EQ(act(MenuAction::Up), MenuEvent::Moved);
     EXPECT_EQ(menu_.chosen(), 1u);
@@ -239,11 +241,10 @@ void expect_apart(const MenuLayout& layout, CanvasSize canvas) {
         const Area& body = layout.body;
         areas.push_back({body.x + body.width / 2, body.y + body.height, 1, 3 + 3 * layout.scale});  // the mark
     }
+    SCOPED_TRACE(std::to_string(canvas.width_px) + "x" + std::to_string(canvas.height_px));
     for (std::size_t i = 0; i < areas.size(); ++i) {
-        EXPECT_TRUE(is_in(areas[i], canvas)) << i << " at " << canvas.width_px << "x" << canvas.height_px;
-        for (std::size_t j = 0; j < i; ++j)
-            EXPECT_FALSE(overlap(areas[i], areas[j]))
-                << j << ", " << i << " at " << canvas.width_px << "x" << canvas.height_px;
+        EXPECT_TRUE(is_in(areas[i], canvas)) << i;
+        for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(overlap(areas[i], areas[j])) << j << ", " << i;
     }
 }
 
@@ -271,8 +272,7 @@ TEST(MenuLayout, EveryRowCanBeSeen) {
                 return lay_out(page, {row, item, 1 + static_cast<std::int32_t>(i % 2)}, {320, 200});
             };
             const auto is_shown = [&](const MenuLayout& layout) {
-                const auto is_chosen = [&](const MenuLayout::Item& item) { return item.row == row; };
-                return std::any_of(layout.items.begin(), layout.items.end(), is_chosen);
+                return std::ranges::any_of(layout.items, [&](const auto& item) { return item.row == row; });
             };
             MenuLayout layout = lay_out_from(first);
             while (row == 0 && !page.text.empty() && !is_shown(layout) && layout.has_more_below)

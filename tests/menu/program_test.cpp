@@ -3,12 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <functional>
 #include <map>
 
 #include "engine/effects/palette_effects.h"
 #include "engine/io/files.h"
 #include "engine/platform/headless.h"
 #include "tests/support/folders.h"
+#include "tests/support/named_action.h"
+#include "tests/support/script.h"
 #include "tests/support/scripted_input.h"
 #include "tests/walk/walked_level.h"
 #include "tools/gallery/program/gallery_screen.h"
@@ -16,46 +19,65 @@
 namespace oblong {
 namespace {
 
-using ByPoll = std::map<std::int64_t, Controls>;  // by poll; in all others the player walks ahead
+// What is done at polls: "10 menu; 12 up*3 accept; 20 unfocused". A command by its name, or actions in a menu.
+using ByPoll = std::map<std::int64_t, Controls>;
 
-Controls pressing(Action command) {
-    Controls controls;
-    controls.commands = {command};
-    return controls;
+ByPoll by_poll(const std::string& text) {
+    const std::map<std::string, MenuAction> in_menus{
+        {"up", MenuAction::Up}, {"down", MenuAction::Down}, {"accept", MenuAction::Accept}, {"back", MenuAction::Back}};
+    ByPoll script;
+    for (const test::ScriptLine& line : test::script_lines(text))
+        for (const test::Words& words : line.actions) {
+            Controls& controls = script[std::stoi(words.at(0))];
+            for (std::size_t i = 1; i < words.size(); ++i) {
+                const std::string word = words[i].substr(0, words[i].find('*'));
+                const std::size_t times = word == words[i] ? 1 : std::stoul(words[i].substr(word.size() + 1));
+                if (const auto found = in_menus.find(word); found != in_menus.end())
+                    controls.menu.insert(controls.menu.end(), times, found->second);
+                else if (word == "unfocused")
+                    controls.has_focus = false;
+                else
+                    controls.commands.push_back(test::action_named(word));
+            }
+        }
+    return script;
 }
 
-Controls acting(std::vector<MenuAction> actions) {
-    Controls controls;
-    controls.menu = std::move(actions);
-    return controls;
-}
-
-// A whole program, played by a script in a folder of its own.
+// A whole program, played by a script in a folder of its own; in all polls the player walks ahead.
 class ProgramOfTheDemo : public testing::Test {
   protected:
-    static Controls at_poll(const ByPoll& script, std::int64_t poll) {
-        const auto found = script.find(poll);
-        Controls controls = found == script.end() ? Controls{} : found->second;
-        controls.moves.set(Action::Forward);
-        return controls;
-    }
+    struct Shown {
+        std::vector<std::uint8_t> pixels;
+        Palette palette;
+    };
     void play_on(Platform& platform, const Options& options) {
         PreferencesStore store(options.folders.config_file);
         store.begin_with(options.preferences);
         Program(options, load_program_files(options, assets_), store, platform, {.open_gallery = open_gallery}).run();
     }
-    // The number of pictures shown.
-    std::int64_t play(std::int64_t frames, const Options& options, const ByPoll& script) {
-        std::int64_t shown = 0;
+    // The last picture; `shown_` is the number of all.
+    Shown play(
+        std::int64_t frames, const Options& options, const std::string& script,
+        const std::function<void(std::int64_t)>& at_poll = [](std::int64_t) {}) {
+        Shown last;
+        shown_ = 0;
         HeadlessPlatform platform(
             frames, 35,
-            [&](std::int64_t poll) {
+            [&, all = by_poll(script)](std::int64_t poll) {
+                at_poll(poll);
                 polls_ = static_cast<std::size_t>(poll) + 1;
-                return test::scripted_input(at_poll(script, poll));
+                const auto found = all.find(poll);
+                Controls controls = found == all.end() ? Controls{} : found->second;
+                controls.moves.set(Action::Forward);
+                return test::scripted_input(controls);
             },
-            [&](Framebuffer, const Palette&) { ++shown; });
+            [&](Framebuffer picture, const Palette& palette) {
+                ++shown_;
+                const std::size_t size = pixel_count(picture.width_px, picture.height_px);
+                last = {{picture.pixels, picture.pixels + size}, palette};
+            });
         play_on(platform, options);
-        return shown;
+        return last;
     }
     Options recording() const {
         Options options;
@@ -67,97 +89,66 @@ class ProgramOfTheDemo : public testing::Test {
         options.folders = {path("oblong.cfg"), path("data")};
         return options;
     }
+    Preferences kept() const { return PreferencesStore(path("oblong.cfg")).kept(); }
     // Of the first walk that was saved.
-    std::int64_t saved_tick(SaveKind kind = SaveKind::Walk) const {
-        return SaveSlots(path("data")).load({kind, 1}).game->state.tick;
-    }
+    std::int64_t saved_tick() const { return SaveSlots(path("data")).load({SaveKind::Walk, 1}).game->state.tick; }
     std::size_t recorded_ticks() const { return read_parsed(path("walk.demo"), decode_demo).ticks.size(); }
     std::string path(const char* name) const { return folder_.path(name); }
 
     std::size_t polls_ = 0;  // of the last play(): a paused game is not drawn at each
+    std::int64_t shown_ = 0;
     const std::string assets_ = test::build_folder() + "/assets";
     const test::TemporaryFolder folder_;
 };
 
 TEST_F(ProgramOfTheDemo, NothingIsSimulatedWhileTheMenuIsOpen) {
-    play(60, recording(), {});
+    play(60, recording(), "");
     ASSERT_EQ(recorded_ticks(), polls_);
-    const Controls menu = pressing(Action::Menu),
-                   gallery = acting({MenuAction::Up, MenuAction::Up, MenuAction::Up, MenuAction::Accept});
-    Controls unfocused;
-    unfocused.has_focus = false;
-    for (const auto& [name, script] : std::map<std::string, ByPoll>{
-             {"by its key", {{10, menu}, {29, menu}}},
-             {"by lost focus, until the player goes on", {{10, unfocused}, {29, acting({MenuAction::Accept})}}},
-             {"through the gallery", {{10, menu}, {11, gallery}, {20, menu}, {29, menu}}}}) {
+    for (const char* script : {"10 menu; 29 menu", "10 unfocused; 29 accept",   // until the player goes on
+                               "10 menu; 11 up*3 accept; 20 menu; 29 menu"}) {  // through the gallery
         play(60, recording(), script);
-        EXPECT_EQ(recorded_ticks(), polls_ - 20) << name;
+        EXPECT_EQ(recorded_ticks(), polls_ - 20) << script;
     }
 }
 
 TEST_F(ProgramOfTheDemo, RestartingKeepsTheSettings) {
-    play(60, keeping(),
-         {{5, pressing(Action::Brighter)}, {6, pressing(Action::Brighter)}, {20, pressing(Action::Restart)}});
-    EXPECT_EQ(PreferencesStore(path("oblong.cfg")).kept().light().brightness_100, 200);
+    play(60, keeping(), "5 brighter; 6 brighter; 20 restart");
+    EXPECT_EQ(kept().light().brightness_100, 200);
     EXPECT_FALSE(SaveSlots(path("data")).last_walk()) << "two seconds are no walk";
 }
 
 // The sixth row from the end of the menu is Keys, and the fifth from the end of that makes it brighter.
 TEST_F(ProgramOfTheDemo, TheMenuDoesWhatAKeyDoes) {
-    const auto up = [](std::size_t rows) {
-        std::vector<MenuAction> actions(rows, MenuAction::Up);
-        actions.push_back(MenuAction::Accept);
-        return acting(actions);
-    };
-    play(60, keeping(), {{5, pressing(Action::Menu)}, {6, up(6)}, {7, up(5)}});
-    EXPECT_EQ(PreferencesStore(path("oblong.cfg")).kept().light().brightness_100, 140);
+    play(60, keeping(), "5 menu; 6 up*6 accept; 7 up*5 accept");
+    EXPECT_EQ(kept().light().brightness_100, 140);
 }
 
 // A Quake level looks as on a tube until the player says otherwise, and what the player says of it is not the museum's.
 TEST_F(ProgramOfTheDemo, LightIsKeptAGame) {
     OBLONG_NEEDS_SHARED_LEVELS();
-    const auto play_dm4 = [&](Options options, std::int64_t brighter_at) {
-        options.level = (test::find_shared_folder() / "levels" / "dm4.bsp").string();
-        options.palette = (test::find_shared_folder() / "levels" / "gfx" / "palette.lmp").string();
-        Palette shown;
-        HeadlessPlatform platform(
-            20, 35,
-            [=](std::int64_t poll) {
-                return test::scripted_input(poll == brighter_at ? pressing(Action::Brighter) : Controls{});
-            },
-            [&](Framebuffer, const Palette& palette) { shown = palette; });
-        play_on(platform, options);
-        return shown;
+    const std::filesystem::path levels = test::find_shared_folder() / "levels";
+    const auto play_dm4 = [&](Options options, const std::string& script) {
+        options.level = (levels / "dm4.bsp").string();
+        options.palette = (levels / "gfx" / "palette.lmp").string();
+        return play(20, options, script).palette.colours;
     };
-    const Palette quakes =
-        read_parsed((test::find_shared_folder() / "levels" / "gfx" / "palette.lmp").string(), read_palette);
+    const Palette quakes = read_parsed((levels / "gfx" / "palette.lmp").string(), read_palette);
     const Palette tube = apply_palette_effects(quakes, {{}, {}, {}, make_tube_table()}, 0);
-    EXPECT_EQ(play_dm4(keeping(), 5).colours, tube.colours);
-    const Preferences kept = PreferencesStore(path("oblong.cfg")).kept();
-    EXPECT_EQ(kept.light_of(kQuake), (Light{140, 100, true}));
-    EXPECT_EQ(kept.light_of(kMuseum), Light{});
+    EXPECT_EQ(play_dm4(keeping(), "5 brighter"), tube.colours);
+    EXPECT_EQ(kept().light_of(kQuake), (Light{140, 100, true}));
+    EXPECT_EQ(kept().light_of(kMuseum), Light{});
     Options plain = keeping();
     plain.light = {{"tube-light", "off"}};
-    EXPECT_EQ(play_dm4(plain, -1).colours, quakes.colours) << "as the command line says";
-    EXPECT_TRUE(PreferencesStore(path("oblong.cfg")).kept().light_of(kQuake).is_of_tube) << "and not the file";
+    EXPECT_EQ(play_dm4(plain, ""), quakes.colours) << "as the command line says";
+    EXPECT_TRUE(kept().light_of(kQuake).is_of_tube) << "and not the file";
 }
 
 TEST_F(ProgramOfTheDemo, TheGalleryIsDrawnInTheMuseumFromAnyLevel) {
     const auto gallery_from = [&](const std::string& level) {
         Options options;
         options.level = level;
-        const ByPoll script{{10, pressing(Action::Menu)},
-                            {11, acting({MenuAction::Up, MenuAction::Up, MenuAction::Up, MenuAction::Accept})}};
-        Palette palette;
-        std::vector<std::uint8_t> pixels;
-        HeadlessPlatform platform(
-            20, 35, [&](std::int64_t poll) { return test::scripted_input(at_poll(script, poll)); },
-            [&](Framebuffer picture, const Palette& its) {
-                pixels.assign(picture.pixels, picture.pixels + pixel_count(picture.width_px, picture.height_px));
-                palette = its;
-            });
-        play_on(platform, options);
-        return std::pair(pixels, palette.colours);
+        const Shown last = play(20, options, "10 menu; 11 up*3 accept");
+        return std::pair(last.pixels, last.palette.colours);
     };
     std::filesystem::copy_file(assets_ + "/demo.bsp", path("other.bsp"));
     folder_.write("palette.lmp", std::vector<std::uint8_t>(768, 99));
@@ -169,11 +160,10 @@ TEST_F(ProgramOfTheDemo, AWalkThatCantBeSavedIsLeftOnlyAfterAQuestion) {
     Options options = recording();
     options.folders = {path("oblong.cfg"), path("no_folder/data")};
     std::ofstream(path("no_folder")) << "a file";
-    const Controls leave = acting({MenuAction::Up, MenuAction::Accept});
-    ByPoll script{{90, pressing(Action::Menu)}, {91, leave}};
-    EXPECT_EQ(play(200, options, script), 200) << "it waits for an answer";
-    script[95] = acting({MenuAction::Down, MenuAction::Accept});
-    EXPECT_LT(play(200, options, script), 100);
+    play(200, options, "90 menu; 91 up accept");
+    EXPECT_EQ(shown_, 200) << "it waits for an answer";
+    play(200, options, "90 menu; 91 up accept; 95 down accept");
+    EXPECT_LT(shown_, 100);
 }
 
 // Its folder is away for a while.
@@ -182,21 +172,12 @@ TEST_F(ProgramOfTheDemo, ADemoThatCantBeWrittenIsLeftOnlyAfterAQuestion) {
     options.record = path("away/walk.demo");
     const std::string folder = path("away");
     std::filesystem::create_directory(folder);
-    const ByPoll script{{90, pressing(Action::Menu)},
-                        {91, acting({MenuAction::Up, MenuAction::Accept})},
-                        {100, acting({MenuAction::Accept})},  // "No": back to "Quit"
-                        {110, acting({MenuAction::Accept})}};
-    HeadlessPlatform platform(
-        200, 35,
-        [&](std::int64_t poll) {
-            if (poll == 50) std::filesystem::remove(folder);
-            if (poll == 105) std::filesystem::create_directory(folder);
-            polls_ = static_cast<std::size_t>(poll);
-            return test::scripted_input(at_poll(script, poll));
-        },
-        [](Framebuffer, const Palette&) {});
-    play_on(platform, options);
-    EXPECT_EQ(polls_, 110u);
+    // "No" leads back to "Quit".
+    play(200, options, "90 menu; 91 up accept; 100 accept; 110 accept", [&](std::int64_t poll) {
+        if (poll == 50) std::filesystem::remove(folder);
+        if (poll == 105) std::filesystem::create_directory(folder);
+    });
+    EXPECT_EQ(polls_, 111u);
     EXPECT_EQ(read_parsed(options.record, decode_demo).ticks.size(), 90u);
 }
 
@@ -204,15 +185,12 @@ TEST_F(ProgramOfTheDemo, OptionsThatCantBeSavedAreToldOnceInTheMenu) {
     Options options = recording();
     options.folders.config_file = path("no_folder/oblong.cfg");
     std::ofstream(path("no_folder")) << "a file";
-    ByPoll script{{5, pressing(Action::Brighter)}, {10, pressing(Action::Menu)}, {15, acting({MenuAction::Back})}};
+    const std::string script = "5 brighter; 10 menu; 15 back";
     play(100, options, script);
     EXPECT_EQ(recorded_ticks(), 10u) << "it waits for an answer";
-    script[50] = acting({MenuAction::Accept});
-    script[60] = pressing(Action::Menu);
-    script[65] = acting({MenuAction::Back});
-    script[70] = pressing(Action::Darker);  // it tries again after a second, and at the end
     testing::internal::CaptureStderr();
-    play(200, options, script);
+    play(200, options,
+         script + "; 50 accept; 60 menu; 65 back; 70 darker");  // tries again after a second, and at the end
     const std::string said = testing::internal::GetCapturedStderr();
     EXPECT_GT(recorded_ticks(), 60u);
     EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
@@ -220,23 +198,19 @@ TEST_F(ProgramOfTheDemo, OptionsThatCantBeSavedAreToldOnceInTheMenu) {
 }
 
 TEST_F(ProgramOfTheDemo, RestartAsksOnceThereIsSomethingToLose) {
-    play(120, keeping(), {{100, pressing(Action::Restart)}, {101, acting({MenuAction::Accept})}});  // "No"
+    play(120, keeping(), "100 restart; 101 accept");  // "No"
     EXPECT_GT(saved_tick(), 110) << "saved on leaving, as it was";
 }
 
 TEST_F(ProgramOfTheDemo, AWalkThatIsBegunAgainIsKept) {
-    play(300, keeping(), {{100, pressing(Action::Restart)}, {101, acting({MenuAction::Down, MenuAction::Accept})}});
+    play(300, keeping(), "100 restart; 101 down accept");
     EXPECT_NEAR(static_cast<double>(saved_tick()), 100, 2);
     EXPECT_GT(SaveSlots(path("data")).load({SaveKind::Walk, 2}).game->state.tick, 190);
 }
 
 TEST_F(ProgramOfTheDemo, AWalkSavedToASlotIsSavedOnLeavingAllTheSame) {
-    const ByPoll script{{100, pressing(Action::Menu)},
-                        {101, acting({MenuAction::Down, MenuAction::Accept})},  // "Save"
-                        {102, acting({MenuAction::Accept})},                    // "Slot 1"
-                        {110, pressing(Action::Menu)},
-                        {111, acting({MenuAction::Up, MenuAction::Accept})}};  // "Quit"
-    EXPECT_LT(play(200, keeping(), script), 115);
+    play(200, keeping(), "100 menu; 101 down accept; 102 accept; 110 menu; 111 up accept");  // "Save", "Slot 1"; "Quit"
+    EXPECT_LT(shown_, 115);
     ASSERT_TRUE(SaveSlots(path("data")).load({SaveKind::Numbered, 1}).game);
     ASSERT_TRUE(SaveSlots(path("data")).last_walk()) << "\"Continue\" resumes it";
     EXPECT_GT(saved_tick(), 103);
@@ -250,10 +224,7 @@ TEST_F(ProgramOfTheDemo, AWalkGoesOnIfTheTitleCannotBeShown) {
     std::filesystem::copy_file(assets_ + "/demo.bsp", path("game/maps/hall.bsp"));
     folder_.write("game/game.json", R"({"title": "Hall", "levels": ["hall"], "demo": "damaged.demo"})");
     folder_.write("game/damaged.demo", "damaged");
-    play(100, options,
-         {{20, pressing(Action::Menu)},
-          {21, acting({MenuAction::Up, MenuAction::Up, MenuAction::Accept})},  // "Title"
-          {22, acting({MenuAction::Accept})}});                                // "OK"
+    play(100, options, "20 menu; 21 up up accept; 22 accept");  // "Title"; "OK"
     EXPECT_EQ(recorded_ticks(), polls_ - 3) << "of the menu";
 }
 
@@ -262,7 +233,7 @@ TEST_F(ProgramOfTheDemo, ATitleOverALevelLeadsToThatLevel) {
     Options options = keeping();
     options.shows_title = true;
     options.level = path("other.bsp");
-    play(150, options, {{5, acting({MenuAction::Accept})}});  // "Walk"
+    play(150, options, "5 accept");  // "Walk"
     ASSERT_TRUE(SaveSlots(path("data")).last_walk());
     EXPECT_EQ(SaveSlots(path("data")).last_walk()->game->level.name, path("other.bsp"));
 }
@@ -270,21 +241,17 @@ TEST_F(ProgramOfTheDemo, ATitleOverALevelLeadsToThatLevel) {
 TEST_F(ProgramOfTheDemo, TheTitleLeadsToAWalkAndTheMenuBackToIt) {
     Options options = keeping();
     options.shows_title = true;
-    ByPoll script{{5, acting({MenuAction::Accept})},  // no walk yet: "Walk"
-                  {90, pressing(Action::Menu)},
-                  {91, acting({MenuAction::Up, MenuAction::Up, MenuAction::Accept})},  // "Title"
-                  {100, acting({MenuAction::Accept})},                                 // "Continue"
-                  {120, pressing(Action::Menu)},
-                  {121, acting({MenuAction::Up, MenuAction::Accept})}};  // "Quit"
-    EXPECT_LT(play(200, options, script), 125) << "the program is left before the script ends";
+    // No walk yet: "Walk"; "Title", "Continue"; "Quit".
+    play(200, options, "5 accept; 90 menu; 91 up up accept; 100 accept; 120 menu; 121 up accept");
+    EXPECT_LT(shown_, 125) << "the program is left before the script ends";
     EXPECT_NEAR(static_cast<double>(saved_tick()), 84 + 19, 3);
 }
 
 // A window that notes what is shown; nothing happens but the script.
 class CountingPlatform final : public test::ScriptedPlatform {
   public:
-    explicit CountingPlatform(const ByPoll& script)
-        : ScriptedPlatform(100, [this, script](std::int64_t poll) {
+    explicit CountingPlatform(const std::string& text)
+        : ScriptedPlatform(100, [this, script = by_poll(text)](std::int64_t poll) {
               polls_ = poll + 1;
               const auto found = script.find(poll);
               return test::scripted_input(found == script.end() ? Controls{} : found->second);
@@ -312,8 +279,7 @@ class CountingPlatform final : public test::ScriptedPlatform {
 };
 
 TEST_F(ProgramOfTheDemo, NothingIsDrawnWhileNothingChanges) {
-    ByPoll script{{20, pressing(Action::Menu)}, {40, acting({MenuAction::Down})}, {80, pressing(Action::Menu)}};
-    CountingPlatform platform(script);
+    CountingPlatform platform("20 menu; 40 down; 80 menu");
     play_on(platform, Options{});
     std::int64_t paused = 0;
     for (const std::int64_t poll : platform.shown) paused += poll > 21 && poll <= 80;
@@ -334,7 +300,7 @@ TEST_F(ProgramOfTheDemo, APictureStaysForTheTimeOfItsMachine) {
     renderer.draw(view, settings);
     const Events events = events_of(renderer.draw_and_count(view, settings), settings.accuracy);
     for (const Processor machine : kProcessors) {
-        CountingPlatform platform({});
+        CountingPlatform platform("");
         Options options;
         options.preferences.machine = machine;
         options.preferences.flashes = Flashes::Off;  // or the palette turns between two pictures
@@ -351,7 +317,7 @@ TEST_F(ProgramOfTheDemo, APictureStaysForTheTimeOfItsMachine) {
 
 // The museum's palette takes four steps a second, between a 386's pictures too.
 TEST_F(ProgramOfTheDemo, ThePaletteTurnsWhileAPictureStays) {
-    CountingPlatform platform({});
+    CountingPlatform platform("");
     Options options;
     options.preferences.machine = Processor::I386;
     play_on(platform, options);
@@ -365,9 +331,7 @@ TEST_F(ProgramOfTheDemo, ThePaletteTurnsWhileAPictureStays) {
 }
 
 TEST_F(ProgramOfTheDemo, APageThatOpensByItselfIsDrawn) {
-    Controls unfocused;
-    unfocused.has_focus = false;
-    CountingPlatform platform({{20, unfocused}});
+    CountingPlatform platform("20 unfocused");
     play_on(platform, Options{});
     ASSERT_FALSE(platform.shown.empty());
     EXPECT_EQ(platform.shown.back(), 21) << "paused, and nothing after it";
@@ -377,7 +341,7 @@ TEST_F(ProgramOfTheDemo, APageThatOpensByItselfIsDrawn) {
 TEST(ErrorWindow, ALongErrorIsReadToItsEnd) {
     std::string text;
     for (int i = 0; i < 40; ++i) text += "line " + std::to_string(i) + "\n";
-    for (const Controls& closing : {acting({MenuAction::Accept}), pressing(Action::Menu)}) {
+    for (const char* closing : {"50 accept", "50 menu"}) {
         constexpr std::int64_t kClosing = 50;
         std::int64_t polls = 0;
         std::vector<std::vector<std::uint8_t>> shown;
@@ -385,7 +349,7 @@ TEST(ErrorWindow, ALongErrorIsReadToItsEnd) {
             2 * kClosing, 35,
             [&](std::int64_t poll) {
                 polls = poll;
-                return test::scripted_input(poll == kClosing ? closing : acting({MenuAction::Down}));
+                return test::scripted_input(by_poll(poll == kClosing ? closing : std::to_string(poll) + " down")[poll]);
             },
             [&](Framebuffer picture, const Palette&) { shown.emplace_back(picture.pixels, picture.row(200)); });
         show_error(text, platform);

@@ -55,8 +55,12 @@ class LivePreferences : public testing::Test {
         return all;
     }
 
-    static std::function<void(Preferences&)> setting(const std::string& name, const std::string& text) {
-        return [=](Preferences& preferences) { test::preference_named(name).parse(preferences, text); };
+    // "NAME VALUE"
+    static std::function<void(Preferences&)> setting(const std::string& change) {
+        const std::size_t space = change.find(' ');
+        return [=](Preferences& preferences) {
+            test::preference_named(change.substr(0, space)).parse(preferences, change.substr(space + 1));
+        };
     }
 
     const std::function<void(Preferences&)> nothing_ = [](Preferences&) {};
@@ -69,24 +73,15 @@ class LivePreferences : public testing::Test {
 TEST_F(LivePreferences, ThePictureChangesAtOnceAndTheGameDoesNot) {
     const std::vector<Shown> plain = play(nothing_);
     ASSERT_EQ(plain.size(), static_cast<std::size_t>(kFrames));
-    for (const auto& [name, text] : std::vector<std::pair<std::string, std::string>>{{"fov", "100"},
-                                                                                     {"display", "16:9"},
-                                                                                     {"aspect-projection", "square"},
-                                                                                     {"brightness", "2"},
-                                                                                     {"accuracy", "1991"},
-                                                                                     {"dial-subpixel-bits", "0"},
-                                                                                     {"dial-shades", "16"},
-                                                                                     {"dial-light", "nearest"},
-                                                                                     {"dial-dither", "on"},
-                                                                                     {"dial-perspective", "affine"},
-                                                                                     {"view-bob", "100"},
-                                                                                     {"view-roll", "100"},
-                                                                                     {"text-size", "2"}}) {
-        const std::vector<Shown> changed = play(setting(name, text));
+    for (const std::string change :
+         {"fov 100", "display 16:9", "aspect-projection square", "brightness 2", "accuracy 1991",
+          "dial-subpixel-bits 0", "dial-shades 16", "dial-light nearest", "dial-dither on", "dial-perspective affine",
+          "view-bob 100", "view-roll 100", "text-size 2"}) {
+        const std::vector<Shown> changed = play(setting(change));
         for (std::size_t frame = 0; frame < changed.size(); ++frame) {
             const bool is_changed = frame >= static_cast<std::size_t>(kChanged);
-            EXPECT_EQ(changed[frame].pixels != plain[frame].pixels, is_changed) << name << ", frame " << frame;
-            EXPECT_EQ(changed[frame].state_hash, plain[frame].state_hash) << name;
+            EXPECT_EQ(changed[frame].pixels != plain[frame].pixels, is_changed) << change << ", frame " << frame;
+            EXPECT_EQ(changed[frame].state_hash, plain[frame].state_hash) << change;
         }
     }
 }
@@ -95,7 +90,7 @@ TEST_F(LivePreferences, ThePictureChangesAtOnceAndTheGameDoesNot) {
 TEST_F(LivePreferences, AnotherModeMakesThePictureAnew) {
     ViewOptions large;
     large.preferences.mode = {400, 300, {4, 3}};
-    const std::vector<Shown> begun = play(nothing_, large), changed = play(setting("mode", "400x300"));
+    const std::vector<Shown> begun = play(nothing_, large), changed = play(setting("mode 400x300"));
     EXPECT_EQ(changed[kChanged - 1].width_px, 320);
     for (std::size_t frame = kChanged; frame < begun.size(); ++frame) {
         EXPECT_EQ(changed[frame].width_px, 400);
@@ -107,16 +102,17 @@ TEST_F(LivePreferences, AnotherModeMakesThePictureAnew) {
 
 TEST_F(LivePreferences, TheWindowChangesAtOnceAndThePictureDoesNot) {
     const std::vector<Shown> plain = play(nothing_);
-    const auto rect_with = [&](const std::string& name, const std::string& text) {
-        const std::vector<Shown> changed = play(setting(name, text));
-        EXPECT_EQ(changed[kChanged - 1].rect, plain[0].rect) << name;
-        EXPECT_EQ(changed[kChanged].pixels, plain[kChanged].pixels) << name;
-        EXPECT_NE(changed[kChanged].rect, plain[kChanged].rect) << name;
+    const auto rect_with = [&](const std::string& change) {
+        const std::vector<Shown> changed = play(setting(change));
+        EXPECT_EQ(changed[kChanged - 1].rect, plain[0].rect) << change;
+        EXPECT_EQ(changed[kChanged].pixels, plain[kChanged].pixels) << change;
+        EXPECT_NE(changed[kChanged].rect, plain[kChanged].rect) << change;
         return changed[kChanged].rect;
     };
-    EXPECT_TRUE(rect_with("crt", "on").has_crt_look);
-    EXPECT_EQ(rect_with("aspect-display", "square").height_px * 8, rect_with("aspect-display", "square").width_px * 5);
-    const std::vector<Shown> dark = play(setting("gamma", "1.8"));
+    EXPECT_TRUE(rect_with("crt on").has_crt_look);
+    const PresentRect square = rect_with("aspect-display square");
+    EXPECT_EQ(square.height_px * 8, square.width_px * 5);
+    const std::vector<Shown> dark = play(setting("gamma 1.8"));
     EXPECT_EQ(dark[kChanged].pixels, plain[kChanged].pixels);
     EXPECT_EQ(dark[kChanged - 1].palette.colours, plain[kChanged - 1].palette.colours);
     EXPECT_NE(dark[kChanged].palette.colours, plain[kChanged].palette.colours);
@@ -134,9 +130,8 @@ TEST_F(LivePreferences, ColoursOfSignsChangeAtOnce) {
     ViewOptions options;
     options.map = MapView::PlayerUp;
     options.wireframe = Wireframe::Over;
-    const std::vector<Shown> plain = play(nothing_, options),
-                             red_green = play(setting("colours", "red-green"), options),
-                             blue_yellow = play(setting("colours", "blue-yellow"), options);
+    const std::vector<Shown> plain = play(nothing_, options), red_green = play(setting("colours red-green"), options),
+                             blue_yellow = play(setting("colours blue-yellow"), options);
     EXPECT_EQ(red_green[kChanged - 1].pixels, plain[kChanged - 1].pixels);
     EXPECT_NE(red_green[kChanged].pixels, plain[kChanged].pixels);
     EXPECT_NE(blue_yellow[kChanged].pixels, plain[kChanged].pixels);
@@ -146,11 +141,10 @@ TEST_F(LivePreferences, ColoursOfSignsChangeAtOnce) {
 TEST_F(LivePreferences, SteeringChangesAtOnce) {
     mouse_x_ = 4;
     const std::vector<Shown> plain = play(nothing_);
-    for (const auto& [name, text] :
-         std::vector<std::pair<std::string, std::string>>{{"mouse-sensitivity", "300"}, {"always-run", "off"}}) {
-        const std::vector<Shown> changed = play(setting(name, text));
-        EXPECT_EQ(changed[kChanged - 1].state_hash, plain[kChanged - 1].state_hash) << name;
-        EXPECT_NE(changed.back().state_hash, plain.back().state_hash) << name;
+    for (const std::string change : {"mouse-sensitivity 300", "always-run off"}) {
+        const std::vector<Shown> changed = play(setting(change));
+        EXPECT_EQ(changed[kChanged - 1].state_hash, plain[kChanged - 1].state_hash) << change;
+        EXPECT_NE(changed.back().state_hash, plain.back().state_hash) << change;
     }
 }
 

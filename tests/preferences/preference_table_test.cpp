@@ -197,8 +197,7 @@ TEST(PreferenceTable, LightIsKeptAGame) {
 
 TEST(PreferenceTable, LightsOfGamesThatSayNothingAreRefusedWhole) {
     const auto values = all_kept_values();
-    const KeptValue& lights = **std::find_if(values.begin(), values.end(),
-                                             [](const KeptValue* value) { return value->name == "game-lights"; });
+    const KeptValue& lights = **std::ranges::find(values, "game-lights", &KeptValue::name);
     for (const char* text : {"quake", "quake:1", "quake:1:1", "quake:1:1:maybe", "quake:9:1:on", "quake:1:3:on",
                              "museum:1:1:on", ":1:1:on", "a:1:1:on:", "a:1:1:on b", "a:x:1:on"}) {
         Preferences preferences;

@@ -31,20 +31,10 @@ class ForgetfulDisk {
     /// A call that has ended. True if what may be lost is another now.
     bool note(const SystemCall& call) {
         if (call.result < 0) return false;
-        switch (call.number) {
-            case SYS_openat:
-                return note_opening(call);
-            case SYS_write:
-                return note_writing(call);
-            case SYS_fsync:
-            case SYS_fdatasync:
-                return note_syncing(call);
-            case SYS_close:
-                open_.erase(call.arguments[0]);
-                return false;
-            default:
-                break;
-        }
+        if (call.number == SYS_openat) return note_opening(call);
+        if (call.number == SYS_write) return note_writing(call);
+        if (call.number == SYS_fsync || call.number == SYS_fdatasync) return note_syncing(call);
+        if (call.number == SYS_close) open_.erase(call.arguments[0]);
         if (!is_below(call.path)) return false;
         if (!call.second_path.empty()) return change({call.path, {}, call.second_path, now(call.path)});
         return change({call.path, call.number == kMakeFolder ? std::optional(kFolder) : std::nullopt, "", {}});
@@ -126,13 +116,11 @@ class ForgetfulDisk {
             files_[*file].sure = files_[*file].written;
             return true;
         }
-        std::vector<Change> unsure;
-        for (const Change& each : pending_)
-            if (folder_of(each.name) == open->second)
-                apply(each, names_);
-            else
-                unsure.push_back(each);
-        pending_ = unsure;
+        std::erase_if(pending_, [&](const Change& each) {
+            if (folder_of(each.name) != open->second) return false;
+            apply(each, names_);
+            return true;
+        });
         return true;
     }
     // Nothing, half or all of what is not sure of each file's content has been written.

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -129,34 +130,19 @@ class TracedProcess {
         }
     }
     void read_arguments() {
-        const std::uint64_t* const given = call_.arguments;
-        switch (call_.number) {
-            case SYS_openat:
-            case SYS_mkdirat:
-            case SYS_unlinkat:
-                call_.path = text(given[1]);
-                break;
-            case SYS_renameat:
-            case SYS_renameat2:
-                call_.path = text(given[1]);
-                call_.second_path = text(given[3]);
-                break;
-            case SYS_write:
-                call_.data = memory(given[1], given[2]);
-                break;
+        // Which arguments of a call are names.
+        static const std::map<std::uint64_t, std::vector<std::size_t>> kNames{
+            {SYS_openat, {1}},      {SYS_mkdirat, {1}},      {SYS_unlinkat, {1}},
+            {SYS_renameat, {1, 3}}, {SYS_renameat2, {1, 3}},
 #ifdef SYS_rename
-            case SYS_mkdir:
-            case SYS_unlink:
-                call_.path = text(given[0]);
-                break;
-            case SYS_rename:
-                call_.path = text(given[0]);
-                call_.second_path = text(given[1]);
-                break;
+            {SYS_mkdir, {0}},       {SYS_unlink, {0}},       {SYS_rename, {0, 1}},
 #endif
-            default:
-                break;
-        }
+        };
+        if (call_.number == SYS_write) call_.data = memory(call_.arguments[1], call_.arguments[2]);
+        const auto found = kNames.find(call_.number);
+        if (found == kNames.end()) return;
+        call_.path = text(call_.arguments[found->second[0]]);
+        if (found->second.size() > 1) call_.second_path = text(call_.arguments[found->second[1]]);
     }
 
     pid_t child_ = 0;

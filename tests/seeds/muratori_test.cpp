@@ -27,7 +27,7 @@ TEST(SeedM1, PixelsAspectIsWidthOverDisplayTimesHeight) {
           Row{{360, 480, {4, 3}}, {9, 16}}, Row{{320, 200, {8, 5}}, {1, 1}}}) {
         EXPECT_EQ(row.mode.pixel(), row.a.inverse()) << row.mode.width_px << "x" << row.mode.height_px;
         const Projection projection = make_projection(row.mode, Degrees::from_int(90));
-        const double y_scale = number(projection.y.multiplier) / number(projection.x.multiplier);
+        const double y_scale = number_of(projection.y.multiplier) / number_of(projection.x.multiplier);
         EXPECT_NEAR(y_scale * static_cast<double>(row.a.numerator) / static_cast<double>(row.a.denominator), 1, 1e-9);
     }
 }
@@ -46,9 +46,9 @@ TEST(SeedM3, MultipliersAndVerticalFieldsOfViewOf60And90And120Degrees) {
     for (const Row& row : {Row{60, 277.128129211, 230.940107676, 46.826449}, Row{90, 160, 133.333333333, 73.739795},
                            Row{120, 92.376043070, 76.980035892, 104.821821}}) {
         const Projection projection = make_projection(k320x200, Degrees::from_int(row.field_of_view));
-        EXPECT_NEAR(number(projection.x.multiplier), row.x_multiplier, 1e-9);
-        EXPECT_NEAR(number(projection.y.multiplier), row.y_multiplier, 1e-9);
-        const double half = std::atan(100 / number(projection.y.multiplier));
+        EXPECT_NEAR(number_of(projection.x.multiplier), row.x_multiplier, 1e-9);
+        EXPECT_NEAR(number_of(projection.y.multiplier), row.y_multiplier, 1e-9);
+        const double half = std::atan(100 / number_of(projection.y.multiplier));
         EXPECT_NEAR(half * 360 / std::numbers::pi, row.vertical_field_of_view, 1e-6);
     }
 }
@@ -56,7 +56,7 @@ TEST(SeedM3, MultipliersAndVerticalFieldsOfViewOf60And90And120Degrees) {
 TEST(SeedM3b, WidthCancelsFromTheMultiplierOfY) {
     for (const int degrees : {60, 90, 120}) {
         const auto y_multiplier = [degrees](std::int32_t width_px) {
-            return number(make_projection({width_px, 200, {4, 3}}, Degrees::from_int(degrees)).y.multiplier);
+            return number_of(make_projection({width_px, 200, {4, 3}}, Degrees::from_int(degrees)).y.multiplier);
         };
         const double expected = 4.0 / 3 * 200 / (2 * std::tan(degrees * std::numbers::pi / 360));
         for (const std::int32_t width_px : {200, 320, 333, 640, 1920})
@@ -68,8 +68,8 @@ TEST(SeedM4, RowsGrowDownwardWhereYGrowsUpward) {
     const Projection projection = make_projection(k320x200, Degrees::from_int(90));
     const ScreenPosition above = project(view_point(0, 1, 4), projection),
                          below = project(view_point(0, -1, 4), projection);
-    EXPECT_NEAR(number(above.y), 66.667, 1.0 / 256);
-    EXPECT_NEAR(number(below.y), 133.333, 1.0 / 256) << "where the listed sign would put y = +1";
+    EXPECT_NEAR(number_of(above.y), 66.667, 1.0 / 256);
+    EXPECT_NEAR(number_of(below.y), 133.333, 1.0 / 256) << "where the listed sign would put y = +1";
 }
 
 TEST(SeedM5, CentreIsHalfThePicturesHeightInPixelsWhateverTheDisplay) {
@@ -87,7 +87,7 @@ TEST(SeedM9, FourThirdsWrittenAs1Point33MissesByAQuarterOfAPixel) {
     EXPECT_EQ(rounded.pixel(), (Ratio{83'125, 100'000}));
     // What lies on the first row's upper border.
     const auto top = [](const ScreenMode& mode) {
-        return number(project(view_point(0, 3, 4), make_projection(mode, Degrees::from_int(90))).y);
+        return number_of(project(view_point(0, 3, 4), make_projection(mode, Degrees::from_int(90))).y);
     };
     EXPECT_EQ(top(k320x200), 0);
     EXPECT_EQ(top(rounded), 0.25);
@@ -112,8 +112,8 @@ TEST(SeedM10, AspectAndFieldOfViewInTwoMultipliersCostNothing) {
     const auto expect = [](const auto& projected, const Projection& projection, const CountedOperations& operations) {
         const ScreenPosition position = project(view_point(3, 2, 7), projection);
         const SeedPixel<double> found = projected(0.0);
-        EXPECT_NEAR(found.x, number(position.x), 1.0 / 256);
-        EXPECT_NEAR(found.y, number(position.y), 1.0 / 256);
+        EXPECT_NEAR(found.x, number_of(position.x), 1.0 / 256);
+        EXPECT_NEAR(found.y, number_of(position.y), 1.0 / 256);
         EXPECT_EQ(operations_of([&] { projected(Counted<double>(0)); }), operations);
     };
     expect(naively, square, {2, 2, 2});

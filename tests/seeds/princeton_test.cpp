@@ -41,8 +41,8 @@ TEST(SeedP3, ObliqueMatrixShiftsByDepthAlongTheAnglePhi) {
         oblique.rows[1][2] = multiply(length, convert<Entry>(phi.sine));
         oblique.rows[2][2] = Entry{};
         const Vec3<Entry> shown = *point_of(oblique * point(entry(3), entry(5), entry(4)));
-        EXPECT_NEAR(number(shown.x), row.x, 1e-8);
-        EXPECT_NEAR(number(shown.y), row.y, 1e-8);
+        EXPECT_NEAR(number_of(shown.x), row.x, 1e-8);
+        EXPECT_NEAR(number_of(shown.y), row.y, 1e-8);
     }
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <cmath>
-
+#include "engine/io/doubles.h"
 #include "engine/math/matrix.h"
 
 /// Short ways to write the numbers of the seeds, and to read those of the engine.
@@ -24,11 +23,6 @@ constexpr Vec4 point(Entry x, Entry y, Entry z) {
 /// A whole point in viewspace.
 constexpr Vec3<View> view_point(std::int64_t x, std::int64_t y, std::int64_t z) {
     return {View::from_int(x), View::from_int(y), View::from_int(z)};
-}
-
-template <class Int, int Frac>
-double number(Fixed<Int, Frac> value) {
-    return std::ldexp(static_cast<double>(value.raw), -Frac);
 }
 
 /// Seed 2's and seed 4's projection: (x, y, z, 1) to (x, y, z, z / d).

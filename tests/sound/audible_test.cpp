@@ -17,10 +17,21 @@ SoundSource source_at(Sound sound, int x, int y, int z = 46, std::uint32_t seria
 
 const Listener kListener{world_vector(0, 0, 46), Angle{}, false};  // looks along +x: right is -y
 
-Audible audible_now(const GameLevel& level, const GameState& state, const Listener& listener,
-                    std::span<const SoundSource> sources) {
+// In a box, from z = 20 to 220.
+SoundSource area_at(Sound sound, int x, int y, int to_x, int to_y) {
+    SoundSource area = source_at(sound, x, y, 20);
+    area.box.maxs = world_vector(to_x, to_y, 220);
+    return area;
+}
+
+Listener listener_at(int x, int y) {
+    return {world_vector(x, y, 46), Angle{}, false};
+}
+
+Audible audible_now(const ToyGame& game, const std::vector<SoundSource>& sources,
+                    const Listener& listener = kListener) {
     HeardFrom nowhere;
-    return audible_sounds(level, state, listener, sources, nowhere);
+    return audible_sounds(game.level, game.state, listener, sources, nowhere);
 }
 
 // (1 - d / range)^2 of the gain, to the sides with constant power.
@@ -53,19 +64,15 @@ TEST(Levels, OfABoxAreThoseOfItsNearestPoint) {
 
 TEST(Audible, LeavesOutWhatIsOutOfRangeAndTracesNothingForIt) {
     const ToyGame game(with_wall());
-    const std::vector<SoundSource> sources{source_at(Sound::Hum, -170, 0), source_at(Sound::Wind, -2'000, 0)};
-    const Audible audible = audible_now(game.level, game.state, kListener, sources);
+    const Audible audible = audible_now(game, {source_at(Sound::Hum, -170, 0), source_at(Sound::Wind, -2'000, 0)});
     EXPECT_TRUE(audible.sounds.empty());
     EXPECT_EQ(audible.traces, 0);
 }
 
 TEST(Audible, IsMuffledAndSofterBehindAWall) {
     const ToyGame game(with_wall());
-    const auto heard = [&](int x) {
-        const std::vector<SoundSource> one{source_at(Sound::GateStart, x, 0, 46, 1)};
-        return audible_now(game.level, game.state, kListener, one);
-    };
-    const Audible behind = heard(300), before = heard(-300);
+    const Audible behind = audible_now(game, {source_at(Sound::GateStart, 300, 0, 46, 1)}),
+                  before = audible_now(game, {source_at(Sound::GateStart, -300, 0, 46, 1)});
     ASSERT_EQ(behind.sounds.size(), 1u);
     ASSERT_EQ(before.sounds.size(), 1u);
     EXPECT_TRUE(behind.sounds[0].levels.is_muffled);
@@ -80,13 +87,9 @@ TEST(Audible, IsMuffledAndSofterBehindAWall) {
 TEST(Audible, AnAreaIsNeitherMuffledNorMuchSofterBehindAColumn) {
     const ToyGame game(with_column());
     for (const Sound sound : {Sound::Rain, Sound::Wind, Sound::Water, Sound::Lava}) {
-        SoundSource area = source_at(sound, 80, -100, 20);
-        area.box.maxs = world_vector(280, 100, 220);
-        const std::vector<SoundSource> sources{area};
         double before_db = 0;
         for (int y = -80; y <= 80; y += 4) {
-            const Listener ear{world_vector(20, y, 46), Angle{}, false};
-            const Audible audible = audible_now(game.level, game.state, ear, sources);
+            const Audible audible = audible_now(game, {area_at(sound, 80, -100, 280, 100)}, listener_at(20, y));
             ASSERT_EQ(audible.sounds.size(), 1u);
             const VoiceLevels levels = audible.sounds[0].levels;
             EXPECT_FALSE(levels.is_muffled) << y;
@@ -100,17 +103,13 @@ TEST(Audible, AnAreaIsNeitherMuffledNorMuchSofterBehindAColumn) {
         }
     }
     // The column does stand between: a sound of one place is behind it.
-    const std::vector<SoundSource> one{source_at(Sound::Fire, 120, 0)};
-    EXPECT_TRUE(
-        audible_now(game.level, game.state, {world_vector(20, 0, 46), {}, false}, one).sounds[0].levels.is_muffled);
+    const Audible one = audible_now(game, {source_at(Sound::Fire, 120, 0)}, listener_at(20, 0));
+    EXPECT_TRUE(one.sounds[0].levels.is_muffled);
 }
 
 TEST(Audible, AnAreaBehindAWallIsMuffled) {
     const ToyGame game(with_wall());
-    SoundSource area = source_at(Sound::Rain, 140, -100, 20);
-    area.box.maxs = world_vector(340, 100, 220);
-    const std::vector<SoundSource> sources{area};
-    const Audible audible = audible_now(game.level, game.state, kListener, sources);
+    const Audible audible = audible_now(game, {area_at(Sound::Rain, 140, -100, 340, 100)});
     ASSERT_EQ(audible.sounds.size(), 1u);
     EXPECT_TRUE(audible.sounds[0].levels.is_muffled);
     EXPECT_EQ(audible.traces, static_cast<int>(kMostLinesOfASource));
@@ -119,17 +118,15 @@ TEST(Audible, AnAreaBehindAWallIsMuffled) {
 /// What is heard of an area and of a place as one passes a column: by lines of at most four times ago.
 TEST(Audible, OfLoopsThatAreKnownNoLinesAreTracedForFourTicks) {
     const ToyGame game(with_column());
-    SoundSource area = source_at(Sound::Rain, 80, -100, 20);
-    area.box.maxs = world_vector(280, 100, 220);
-    const std::vector<SoundSource> sources{area, source_at(Sound::Fire, 120, 0)};
+    const std::vector<SoundSource> sources{area_at(Sound::Rain, 80, -100, 280, 100), source_at(Sound::Fire, 120, 0)};
     HeardFrom heard_from;
     std::int32_t traces = 0, all_traces = 0;
     bool is_muffled = false, has_changed = false;
     for (int tick = 0; tick < 80; ++tick) {
-        const Listener ear{world_vector(20, 2 * tick - 80, 46), Angle{}, false};
+        const Listener ear = listener_at(20, 2 * tick - 80);
         heard_from.start();
         const Audible audible = audible_sounds(game.level, game.state, ear, sources, heard_from);
-        const Audible now = audible_now(game.level, game.state, ear, sources);
+        const Audible now = audible_now(game, sources, ear);
         ASSERT_EQ(audible.sounds.size(), now.sounds.size());
         EXPECT_EQ(audible.traces == 0, tick % 4 != 0) << tick;
         for (std::size_t i = 0; tick % 4 == 0 && i < now.sounds.size(); ++i)
@@ -160,9 +157,9 @@ TEST(Audible, IsMuffledUnderWaterAllOfIt) {
     const ToyGame game(with_wall());
     Listener diver = kListener;
     diver.is_under_water = true;
-    const std::vector<SoundSource> sources{source_at(Sound::GateStart, -300, 0, 46, 1),
-                                           source_at(Sound::UnderWater, 0, 0)};
-    for (const AudibleSound& sound : audible_now(game.level, game.state, diver, sources).sounds)
+    for (const AudibleSound& sound :
+         audible_now(game, {source_at(Sound::GateStart, -300, 0, 46, 1), source_at(Sound::UnderWater, 0, 0)}, diver)
+             .sounds)
         EXPECT_EQ(sound.levels.is_muffled, sound.sound != Sound::UnderWater);
 }
 
@@ -170,7 +167,7 @@ TEST(Audible, OneVoiceForALoopHoweverManySound) {
     const ToyGame game(with_wall());
     std::vector<SoundSource> sources;
     for (int i = 0; i < 50; ++i) sources.push_back(source_at(Sound::Water, -100 - i, i % 2 == 0 ? 200 : -200));
-    const Audible audible = audible_now(game.level, game.state, kListener, sources);
+    const Audible audible = audible_now(game, sources);
     ASSERT_EQ(audible.sounds.size(), 1u);
     EXPECT_LE(audible.traces, static_cast<int>(kMostSourcesOfALoop * kMostLinesOfASource));
     const VoiceLevels levels = audible.sounds[0].levels;
@@ -182,7 +179,7 @@ TEST(Audible, HasNoMoreThanItsMostAndKeepsTheLoudest) {
     std::vector<SoundSource> sources;
     for (int i = 0; i < 60; ++i)
         sources.push_back(source_at(Sound::GateStop, -10 * i, 0, 46, 1 + static_cast<std::uint32_t>(i)));
-    const Audible audible = audible_now(game.level, game.state, kListener, sources);
+    const Audible audible = audible_now(game, sources);
     ASSERT_EQ(audible.sounds.size(), kMostAudible);
     for (const AudibleSound& sound : audible.sounds) EXPECT_LE(sound.serial, kMostAudible + 8);
 }

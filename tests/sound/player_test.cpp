@@ -143,21 +143,25 @@ TEST(GameSound, IsSilentWhereItsFilesAreMissing) {
     EXPECT_NE(testing::internal::GetCapturedStderr().find("nowhere/sounds/step_stone1.flac"), std::string::npos);
 }
 
-// Walks on until steps are heard.
-void walk(ToyGame& game, GameSound& sound, int ticks) {
-    for (int i = 0; i < ticks; ++i) {
-        const GameState before = game.state;
-        const TickReport report = step(game.level, game.state, kAhead);
-        sound.note_tick(before, game.state, report);
+// A walk, heard by these settings.
+struct WalkedSound : TestSound {
+    explicit WalkedSound(const SoundSettings& settings) {
+        sound.set(settings);
+        sound.enter(&game.level);
     }
-}
+    void walk(int ticks) {
+        for (int i = 0; i < ticks; ++i) {
+            const GameState before = game.state;
+            const TickReport report = step(game.level, game.state, kAhead);
+            sound.note_tick(before, game.state, report);
+        }
+    }
+    ToyGame game{with_wall()};
+};
 
 TEST(GameSound, PlaysAWalkAndHoldsItInAMenu) {
-    ToyGame game(with_wall());
-    TestSound test;
-    test.sound.set(kOn);
-    test.sound.enter(&game.level);
-    walk(game, test.sound, 35);
+    WalkedSound test(kOn);
+    test.walk(35);
     EXPECT_GT(test.last->starts, 0);
     test.sound.play_music(kTitleMusic);
     const std::int32_t loud_256 = test.last->music_volume_256;
@@ -171,26 +175,20 @@ TEST(GameSound, PlaysAWalkAndHoldsItInAMenu) {
 }
 
 TEST(GameSound, WritesCaptionsWithoutADevice) {
-    ToyGame game(with_wall());
-    TestSound test;
-    test.sound.set({0, 80, 60, true});
-    test.sound.enter(&game.level);
-    walk(game, test.sound, 20);
+    WalkedSound test({0, 80, 60, true});
+    test.walk(20);
     EXPECT_EQ(test.opened, 0);
     EXPECT_EQ(test.sound.captions(), std::vector<std::string>{"footsteps on stone"});
 }
 
 TEST(GameSound, StopsWhatPlaysWhereSoundsAreTurnedOff) {
-    ToyGame game(with_wall());
-    TestSound test;
-    test.sound.set(kOn);
-    test.sound.enter(&game.level);
-    walk(game, test.sound, 12);
+    WalkedSound test(kOn);
+    test.walk(12);
     ASSERT_FALSE(test.last->voices.empty());
     test.sound.set({100, 0, 60, false});
     EXPECT_TRUE(test.last->voices.empty());
     test.sound.set(kOn);
-    walk(game, test.sound, 12);
+    test.walk(12);
     ASSERT_FALSE(test.last->voices.empty());
     test.sound.set({100, 0, 60, true});
     EXPECT_TRUE(test.last->voices.empty()) << "captions go on, sounds don't";

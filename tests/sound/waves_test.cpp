@@ -40,9 +40,8 @@ int step_at(const Wave& wave, std::size_t i) {
 
 std::vector<std::string> files_of(Sound sound) {
     std::vector<std::string> names;
-    for (int variant = 0; variant < row_of(sound).variants; ++variant) {
+    for (int variant = 0; variant < row_of(sound).variants; ++variant)
         names.push_back(std::filesystem::path(file_of(sound, variant)).stem().string());
-    }
     return names;
 }
 

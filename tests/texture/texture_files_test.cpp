@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numeric>
 
 #include "engine/io/files.h"
 #include "engine/io/wad.h"
@@ -28,6 +29,16 @@ class TextureFiles : public testing::Test {
     }
     std::string write_png(const std::string& name, int width, int height) const {
         return write(name, encode_indexed_png(test::scattered_texels(width * height, 256), width, height, palette_));
+    }
+    MipTexture texture(const std::string& name, int colours = 256) const {
+        return make_mip_texture(name, 16, 16, test::scattered_texels(256, colours), palette_);
+    }
+    /// The names of what was packed.
+    std::vector<std::string> packed() const {
+        std::vector<std::string> names;
+        const auto wad = read_file(path("out.wad"));
+        for (const WadTexture& one : read_wad(wad)) names.push_back(one.name);
+        return names;
     }
     /// What the error says, all of it; empty if there is none.
     std::string complaint_of_packing(const std::string& png) const { return complaint_of_packing(std::vector{png}); }
@@ -59,7 +70,7 @@ TEST_F(TextureFiles, WhatIsNeitherAWadNorALevelIsNotUnpacked) {
 }
 
 TEST_F(TextureFiles, NameInAWadsDirectoryCounts) {
-    auto bytes = write_wad(std::vector{make_mip_texture("wall", 16, 16, test::scattered_texels(256, 256), palette_)});
+    auto bytes = write_wad(std::vector{texture("wall")});
     bytes[12] = 0;  // of the name before the texels
     unpack_textures(write("unnamed.wad", bytes), path("out"), palette_);
     EXPECT_TRUE(std::filesystem::exists(path("out/wall.png")));
@@ -71,10 +82,7 @@ TEST_F(TextureFiles, AFolderStandsForItsPictures) {
     write("all/notes.txt", {1});
     const std::string more = write_png("more.png", 16, 16);
     EXPECT_TRUE(pack_textures({path("all"), more}, {}, path("out.wad"), palette_).empty());
-    std::vector<std::string> names;
-    const auto wad = read_file(path("out.wad"));
-    for (const WadTexture& texture : read_wad(wad)) names.push_back(texture.name);
-    EXPECT_EQ(names, (std::vector<std::string>{"*c", "A", "b", "more"}));
+    EXPECT_EQ(packed(), (std::vector<std::string>{"*c", "A", "b", "more"}));
     std::filesystem::create_directories(path("none"));
     EXPECT_EQ(complaint_of_packing(path("none")),
               path("none") + ": folder: has no pictures, expected PNG, TGA, JPEG or BMP files");
@@ -110,9 +118,6 @@ TEST_F(TextureFiles, WhatALevelWouldNotShowAsMeantIsNamed) {
 }
 
 TEST_F(TextureFiles, OddTexturesOfAWadAreNamedAndTheRestIsUnpacked) {
-    const auto texture = [&](const std::string& name) {
-        return make_mip_texture(name, 16, 16, test::scattered_texels(256, 256), palette_);
-    };
     const auto good = write_wad(std::vector{texture("one"), texture("two"), texture("three")});
     constexpr std::size_t kMiptex_bytes = 40 + 256 + 64 + 16 + 4, kTwo = 12 + kMiptex_bytes,
                           kEntry = 12 + 3 * kMiptex_bytes + 32;
@@ -155,18 +160,12 @@ TEST_F(TextureFiles, OddPicturesAreNamedAndTheRestIsPacked) {
                                odd + ": image: 30x16, expected multiples of 16 up to 4096",
                                name + ": name: 'sixteen_letters_' has 16 characters, expected 1 to 15 of a texture's "
                                       "name"}));
-    const auto wad = read_file(path("out.wad"));
-    const auto textures = read_wad(wad);
-    ASSERT_EQ(textures.size(), 1u);
-    EXPECT_EQ(textures[0].name, "wall");
+    EXPECT_EQ(packed(), std::vector<std::string>{"wall"});
     EXPECT_NE(complaint_of_packing({path("all"), path("absent.png")}).find("absent.png: open: "), std::string::npos);
 }
 
 TEST_F(TextureFiles, NoneIsUnpackedOverAnother) {
-    const auto texture = [&](const std::string& name, int seed) {
-        return make_mip_texture(name, 16, 16, test::scattered_texels(256, seed), palette_);
-    };
-    const std::string file = write("two.wad", write_wad(std::vector{texture("*a", 256), texture("#a", 7)}));
+    const std::string file = write("two.wad", write_wad(std::vector{texture("*a"), texture("#a", 7)}));
     EXPECT_EQ(unpack_textures(file, path("out"), palette_),
               TextureWarnings{"texture '#a': is the second one for the file '#a.png', expected one for each"});
     EXPECT_EQ(decode_png(read_file(path("out/#a.png"))).indices, test::scattered_texels(256, 256));
@@ -227,7 +226,7 @@ TEST_F(TrueColours, OfAPngWithAnotherPaletteAreWhatCounts) {
     Palette reversed = palette_;
     std::reverse(reversed.colours.begin(), reversed.colours.end());
     std::vector<std::uint8_t> texels(256);
-    for (std::size_t i = 0; i < 256; ++i) texels[i] = static_cast<std::uint8_t>(i);
+    std::iota(texels.begin(), texels.end(), std::uint8_t{0});
     const auto file = write("reversed.png", encode_indexed_png(texels, 16, 16, reversed));
     const MipTexture texture = read_png_texture(file, palette_, {.may_glow = true});
     for (std::size_t i = 0; i < 256; ++i) EXPECT_EQ(texture.mips[0][i], 255 - i);
@@ -304,10 +303,9 @@ TEST(Quantise, DitheringPassesOnTheSixteenthsOfFloydAndSteinberg) {
         std::vector<std::uint8_t> expected(32 * 32, 50);
         const std::size_t place = row * 32 + 10, ahead = row == 4 ? 1 : static_cast<std::size_t>(-1);
         expected[place] = 100;
-        expected[place + ahead] = 50 + 7;
-        expected[place + 32 - ahead] = 50 + 3;
-        expected[place + 32] = 50 + 5;
-        expected[place + 32 + ahead] = 50 + 1;
+        for (const auto& [at, sixteenths] :
+             {std::pair{ahead, 7}, {32 - ahead, 3}, {std::size_t{32}, 5}, {32 + ahead, 1}})
+            expected[place + at] = static_cast<std::uint8_t>(50 + sixteenths);
         EXPECT_EQ(indices_of(spoilt.image, scene.palette, kOrdinaryColours, Dither::FloydSteinberg), expected);
     }
 }

@@ -19,16 +19,10 @@ int coordinate(std::minstd_rand& random) {
 }
 
 std::string number(std::minstd_rand& random) {
-    switch (below(8, random)) {
-        case 0:
-            return std::to_string(odd_number(random));
-        case 1:
-            return "0." + std::to_string(below(1000, random));
-        case 2:
-            return "-1";
-        default:
-            return std::to_string(below(64, random) * 4);
-    }
+    const std::size_t kind = below(8, random);
+    if (kind == 0) return std::to_string(odd_number(random));
+    if (kind == 1) return "0." + std::to_string(below(1000, random));
+    return kind == 2 ? "-1" : std::to_string(below(64, random) * 4);
 }
 
 std::string numbers(std::size_t count, std::minstd_rand& random) {
@@ -50,24 +44,13 @@ std::string value_of(const EntityKey& key, std::minstd_rand& random) {
     if (key.name == "_surface") return one_of(kTextures, random);
     if (key.name == "_external_map") return one_of(kExternalMaps, random);
     if (key.name == "_external_map_classname") return std::string(one_of(entity_classes(), random).name);
-    switch (key.kind) {
-        case KeyKind::Text:
-            return below(2, random) ? "mmamm" : std::string(key.usual);
-        case KeyKind::Numbers:
-            return numbers(key.least + below(1u + key.most - key.least, random), random);
-        case KeyKind::Choice:
-        case KeyKind::Flags:
-            return key.values.empty() ? number(random) : std::string(one_of(key.values, random).value);
-        case KeyKind::Name:
-        case KeyKind::Target:
-        case KeyKind::Place:
-            return one_of(kNames, random);
-        case KeyKind::Texture:
-            return "{bars";
-        case KeyKind::Whole:
-            break;
-    }
-    return number(random);
+    using enum KeyKind;
+    if (key.kind == Text) return below(2, random) ? "mmamm" : std::string(key.usual);
+    if (key.kind == Numbers) return numbers(key.least + below(1u + key.most - key.least, random), random);
+    if ((key.kind == Choice || key.kind == Flags) && !key.values.empty())
+        return std::string(one_of(key.values, random).value);
+    if (key.kind == Name || key.kind == Target || key.kind == Place) return one_of(kNames, random);
+    return key.kind == Texture ? "{bars" : number(random);
 }
 
 std::string pair_of(const EntityClass& its_class, std::minstd_rand& random) {
@@ -93,14 +76,10 @@ std::string box_brush(std::minstd_rand& random) {
 std::string any_brush(std::minstd_rand& random) {
     const test::Whole middle{coordinate(random), coordinate(random), coordinate(random)};
     const int size = 8 + static_cast<int>(below(10, random)) * 8, sides = 3 + static_cast<int>(below(6, random));
-    switch (below(6, random)) {
-        case 0:
-            return test::prism(middle, size, size, sides, one_of(kTextures, random));
-        case 1:
-            return test::ball(middle, size, 3, sides, one_of(kTextures, random));
-        default:
-            return box_brush(random);
-    }
+    const std::size_t kind = below(6, random);
+    if (kind == 0) return test::prism(middle, size, size, sides, one_of(kTextures, random));
+    if (kind == 1) return test::ball(middle, size, 3, sides, one_of(kTextures, random));
+    return box_brush(random);
 }
 
 std::string new_entity(bool has_brushes, std::minstd_rand& random) {
@@ -137,32 +116,24 @@ void replace_texture(std::string& text, std::minstd_rand& random) {
 
 void mutate_entities(std::string& text, bool has_brushes, std::minstd_rand& random) {
     const std::size_t line_end = class_line_end(text, random);
-    switch (below(10, random)) {
-        case 0:
-        case 1:
-            text += new_entity(has_brushes, random);
-            return;
-        case 2:
-        case 3:
-            if (line_end != std::string::npos)
-                text.insert(line_end + 1, pair_of(one_of(entity_classes(), random), random));
-            return;
-        case 4:
-        case 5:
-            if (has_brushes && line_end != std::string::npos) text.insert(line_end + 1, box_brush(random));
-            return;
-        case 6:
-        case 7:
-            return replace_coordinate(text, random);
-        case 8:
-            return replace_texture(text, random);
-        default:
-            break;
+    const std::size_t kind = below(10, random);
+    const bool has_line = line_end != std::string::npos;
+    if (kind < 2) {
+        text += new_entity(has_brushes, random);
+    } else if (kind < 4) {
+        if (has_line) text.insert(line_end + 1, pair_of(one_of(entity_classes(), random), random));
+    } else if (kind < 6) {
+        if (has_brushes && has_line) text.insert(line_end + 1, box_brush(random));
+    } else if (kind < 8) {
+        replace_coordinate(text, random);
+    } else if (kind == 8) {
+        replace_texture(text, random);
+    } else {
+        Bytes bytes;
+        set_text(bytes, text);
+        mutate_bytes(bytes);
+        text = text_of(bytes);
     }
-    Bytes bytes;
-    set_text(bytes, text);
-    mutate_bytes(bytes);
-    text = text_of(bytes);
 }
 
 std::string made_map(Input seeds) {

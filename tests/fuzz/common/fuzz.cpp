@@ -66,16 +66,11 @@ std::size_t below(std::size_t limit, std::minstd_rand& random) {
 
 std::int64_t odd_number(std::minstd_rand& random) {
     const std::int64_t power = std::int64_t{1} << below(33, random);
-    switch (below(4, random)) {
-        case 0:
-            return static_cast<std::int64_t>(below(9, random)) - 4;
-        case 1:
-            return power - 1 + static_cast<std::int64_t>(below(3, random));
-        case 2:
-            return 1 - power - static_cast<std::int64_t>(below(3, random));
-        default:
-            return static_cast<std::int64_t>(random()) * 2 + static_cast<std::int64_t>(random() & 1);
-    }
+    const std::size_t kind = below(4, random);
+    if (kind == 0) return static_cast<std::int64_t>(below(9, random)) - 4;
+    if (kind == 1) return power - 1 + static_cast<std::int64_t>(below(3, random));
+    if (kind == 2) return 1 - power - static_cast<std::int64_t>(below(3, random));
+    return static_cast<std::int64_t>(random()) * 2 + static_cast<std::int64_t>(random() & 1);
 }
 
 std::string number_text(std::minstd_rand& random) {

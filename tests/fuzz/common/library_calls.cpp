@@ -47,34 +47,30 @@ bool is_whole(const Picture& picture) {
 
 void FedWindow::call(LibraryCalls& arguments) {
     const std::int32_t width = arguments.number(), height = arguments.number();
-    switch (arguments.below(8)) {
-        case 0:
-            size_ = {width, height};
-            return;
-        case 1: {
-            const ScreenMode before = window_.mode(), mode{width, height, {arguments.number(), arguments.number()}};
-            const bool is_taken = accepts([&] { window_.set_mode(mode); });
-            expect(is_taken == is_allowed(mode), "a mode that windows can have");
-            expect(window_.mode() == (is_taken ? mode : before), "the mode that was set");
-            if (width > 100 || height > 100) window_.set_mode({24, 16});
-            const auto is_black = [&](PixelPosition) { return is_taken ? 0 : kUnknown; };
-            return check_drawn(
-                window_.canvas(), [] {}, is_black);
-        }
-        case 2:
-            now_us_ = static_cast<std::uint64_t>(std::int64_t{width} << arguments.below(33));
-            return;
-        case 3:
-            window_.capture_mouse(width & 1);
-            window_.set_full_screen(height & 1);
-            return void(accepts([&] { window_.is_down(arguments.bytes()); }));
-        case 4:
-            next_.pointer = Pointer{width, height, false, false};
-            return;
-        case 5:
-            return show();
-        default:
-            return feed(arguments);
+    const std::size_t kind = arguments.below(8);
+    if (kind == 0) {
+        size_ = {width, height};
+    } else if (kind == 1) {
+        const ScreenMode before = window_.mode(), mode{width, height, {arguments.number(), arguments.number()}};
+        const bool is_taken = accepts([&] { window_.set_mode(mode); });
+        expect(is_taken == is_allowed(mode), "a mode that windows can have");
+        expect(window_.mode() == (is_taken ? mode : before), "the mode that was set");
+        if (width > 100 || height > 100) window_.set_mode({24, 16});
+        const auto is_black = [&](PixelPosition) { return is_taken ? 0 : kUnknown; };
+        check_drawn(
+            window_.canvas(), [] {}, is_black);
+    } else if (kind == 2) {
+        now_us_ = static_cast<std::uint64_t>(std::int64_t{width} << arguments.below(33));
+    } else if (kind == 3) {
+        window_.capture_mouse(width & 1);
+        window_.set_full_screen(height & 1);
+        accepts([&] { window_.is_down(arguments.bytes()); });
+    } else if (kind == 4) {
+        next_.pointer = Pointer{width, height, false, false};
+    } else if (kind == 5) {
+        show();
+    } else {
+        feed(arguments);
     }
 }
 

@@ -35,20 +35,11 @@ void alter_field(Bytes& lump, std::size_t record, std::minstd_rand& random) {
     const std::int64_t old = test::number_at(lump, at, width);
     const auto as_float = std::bit_cast<float>(static_cast<std::uint32_t>(old));
     std::int64_t value = odd_number(random);
-    switch (below(4, random)) {
-        case 0:
-            value = old + static_cast<std::int64_t>(below(5, random)) - 2;
-            break;
-        case 1:
-            value = test::number_at(lump, below(records, random) * record + field, width);
-            break;
-        case 2:
-            if (size == 4)
-                value = std::bit_cast<std::uint32_t>(as_float + static_cast<float>(below(65, random)) / 4 - 8);
-            break;
-        default:
-            break;
-    }
+    const std::size_t kind = below(4, random);
+    if (kind == 0) value = old + static_cast<std::int64_t>(below(5, random)) - 2;
+    if (kind == 1) value = test::number_at(lump, below(records, random) * record + field, width);
+    if (kind == 2 && size == 4)
+        value = std::bit_cast<std::uint32_t>(as_float + static_cast<float>(below(65, random)) / 4 - 8);
     test::put_number(lump, at, width, value);
 }
 

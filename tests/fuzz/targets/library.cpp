@@ -89,22 +89,14 @@ class Session : LibraryCalls {
     void change_picture() {
         Picture& changed = picture();
         const std::int32_t width = number(), height = number();
-        switch (below(4)) {
-            case 0:
-                changed.width_px = width;
-                return;
-            case 1:
-                changed.pixels.resize(std::min<std::size_t>(byte(), 200));
-                return;
-            case 2:
-                if (width >= 0 && height >= 0 && width < 30 && height < 30)
-                    changed = {width, height, std::vector<std::uint8_t>(pixel_count(width, height))};
-                break;
-            default:
-                if (accepts([&] { changed = Picture::of_size(width, height); })) {
-                    expect(is_whole(changed) && width > 0 && height > 0, "a picture of one pixel or more");
-                    if (std::max(width, height) > 100) changed = Picture::of_size(30, 20);
-                }
+        const std::size_t kind = below(4);
+        if (kind == 0) return void(changed.width_px = width);
+        if (kind == 1) return changed.pixels.resize(std::min<std::size_t>(byte(), 200));
+        if (kind == 2 && width >= 0 && height >= 0 && width < 30 && height < 30)
+            changed = {width, height, std::vector<std::uint8_t>(pixel_count(width, height))};
+        if (kind == 3 && accepts([&] { changed = Picture::of_size(width, height); })) {
+            expect(is_whole(changed) && width > 0 && height > 0, "a picture of one pixel or more");
+            if (std::max(width, height) > 100) changed = Picture::of_size(30, 20);
         }
         for (std::uint8_t& pixel : changed.pixels)
             pixel = static_cast<std::uint8_t>(height + 37 * (&pixel - changed.pixels.data()));
@@ -159,53 +151,46 @@ void Session::draw() {
     const ScreenMode& mode = kModes[below(std::size(kModes))];
     const std::int32_t radius = std::clamp(width, 0, 8192);
     const auto is_inside = [&](PixelPosition pixel) { return is_in_circle(mode, at, radius, pixel); };
-    switch (below(10)) {
-        case 0:
-            return check([&] { clear(canvas, colour); }, [](PixelPosition) { return true; });
-        case 1:
-            return check([&] { set_pixel(canvas, x, y, colour); }, [&](PixelPosition pixel) { return pixel == at; });
-        case 2:
-            return check([&] { draw_line(canvas, x, y, width, height, colour); },
-                         [&](PixelPosition pixel) { return is_on_line(at, second, pixel); });
-        case 3:
-            return check([&] { fill_rectangle(canvas, x, y, width, height, colour); },
-                         [&](PixelPosition pixel) { return area.has(pixel.column, pixel.row); });
-        case 4:
-            return check([&] { draw_rectangle(canvas, x, y, width, height, colour); },
-                         [&](PixelPosition pixel) { return area.has_on_border(pixel.column, pixel.row); });
-        case 5:
-            return check([&] { fill_circle(canvas, mode, x, y, width, colour); }, is_inside);
-        case 6:
-            return check_drawn(
-                canvas, [&] { draw_circle(canvas, mode, x, y, width, colour); },
-                [&](PixelPosition pixel) {
-                    const auto [column, row] = pixel;
-                    const bool is_border = !is_inside({column - 1, row}) || !is_inside({column + 1, row}) ||
-                                           !is_inside({column, row - 1}) || !is_inside({column, row + 1});
-                    return !is_inside(pixel) ? kNone : is_border ? index : kUnknown;
-                });
-        case 7: {
-            const auto clamped = [](PixelPosition corner) {
-                constexpr std::int32_t kMost = 1 << 20;
-                return PixelPosition{std::clamp(corner.column, -kMost, kMost), std::clamp(corner.row, -kMost, kMost)};
-            };
-            return check([&] { fill_triangle(canvas, at, second, third, colour); },
-                         [&](PixelPosition pixel) {
-                             return is_in_triangle({clamped(at), clamped(second), clamped(third)}, pixel);
-                         });
-        }
-        case 8: {
-            const ScreenMode any{third.column, third.row, {width, height}};
-            expect(accepts([&] { fill_circle(canvas, any, x, y, 20, colour); }) == is_allowed(any) &&
-                       accepts([&] { draw_circle(canvas, any, x, y, 20, colour); }) == is_allowed(any),
-                   "a mode that windows can have");
-            return;
-        }
-        default: {
-            const PlainRectangle all{0, 0, canvas.width_px, canvas.height_px};
-            expect(pixel_at(canvas, x, y) == (all.has(x, y) ? canvas.row(y)[x] : 0), "the pixel's colour");
-        }
+    const std::size_t kind = below(10);
+    if (kind == 0) check([&] { clear(canvas, colour); }, [](PixelPosition) { return true; });
+    if (kind == 1) check([&] { set_pixel(canvas, x, y, colour); }, [&](PixelPosition pixel) { return pixel == at; });
+    if (kind == 2)
+        check([&] { draw_line(canvas, x, y, width, height, colour); },
+              [&](PixelPosition pixel) { return is_on_line(at, second, pixel); });
+    if (kind == 3)
+        check([&] { fill_rectangle(canvas, x, y, width, height, colour); },
+              [&](PixelPosition pixel) { return area.has(pixel.column, pixel.row); });
+    if (kind == 4)
+        check([&] { draw_rectangle(canvas, x, y, width, height, colour); },
+              [&](PixelPosition pixel) { return area.has_on_border(pixel.column, pixel.row); });
+    if (kind == 5) check([&] { fill_circle(canvas, mode, x, y, width, colour); }, is_inside);
+    if (kind == 6)
+        check_drawn(
+            canvas, [&] { draw_circle(canvas, mode, x, y, width, colour); },
+            [&](PixelPosition pixel) {
+                const auto [column, row] = pixel;
+                const bool is_border = !is_inside({column - 1, row}) || !is_inside({column + 1, row}) ||
+                                       !is_inside({column, row - 1}) || !is_inside({column, row + 1});
+                return !is_inside(pixel) ? kNone : is_border ? index : kUnknown;
+            });
+    if (kind == 7) {
+        const auto clamped = [](PixelPosition corner) {
+            constexpr std::int32_t kMost = 1 << 20;
+            return PixelPosition{std::clamp(corner.column, -kMost, kMost), std::clamp(corner.row, -kMost, kMost)};
+        };
+        check([&] { fill_triangle(canvas, at, second, third, colour); },
+              [&](PixelPosition pixel) {
+                  return is_in_triangle({clamped(at), clamped(second), clamped(third)}, pixel);
+              });
     }
+    if (kind == 8) {
+        const ScreenMode any{third.column, third.row, {width, height}};
+        expect(accepts([&] { fill_circle(canvas, any, x, y, 20, colour); }) == is_allowed(any) &&
+                   accepts([&] { draw_circle(canvas, any, x, y, 20, colour); }) == is_allowed(any),
+               "a mode that windows can have");
+    }
+    const PlainRectangle all{0, 0, canvas.width_px, canvas.height_px};
+    expect(pixel_at(canvas, x, y) == (all.has(x, y) ? canvas.row(y)[x] : 0), "the pixel's colour");
 }
 
 void Session::stamp() {
@@ -218,50 +203,44 @@ void Session::stamp() {
     const auto texel_or_none = [](int texel) { return texel == kTransparent ? kNone : texel; };
     const PlainRectangle area{x, y, source.width_px, source.height_px};
     bool is_taken = true;
-    switch (below(5)) {
-        case 0:
-            check_drawn(
-                canvas, [&] { is_taken = accepts([&] { draw_picture(canvas, source, x, y); }); },
-                [&](PixelPosition pixel) {
-                    if (!is_taken || !area.has(pixel.column, pixel.row)) return kNone;
-                    const auto texel = (pixel.row - area.y) * area.width + pixel.column - area.x;
-                    return texel_or_none(source.pixels[static_cast<std::size_t>(texel)]);
-                });
-            expect(is_taken == is_whole(source), "a picture with all of its pixels");
-            return;
-        case 1:
-            return check_drawn(
-                canvas, [&] { is_taken = accepts([&] { draw_turned(canvas, source, x, y, degrees, scale); }); },
-                [&](PixelPosition pixel) {
-                    return !is_taken || scale < 1 ? kNone
-                                                  : texel_or_none(turned_texel(source, at, degrees, scale, pixel));
-                });
-        case 2: {
-            const PicturePart part{number(),      number(),      degrees,       scale,
-                                   below(2) != 0, below(2) != 0, below(2) != 0, number()};
-            const std::int64_t times = std::clamp(part.scale, 1, kLargestMode_px);
-            const PlainRectangle whole{x, y, part.width_px * times, part.height_px * times};
-            return check_drawn(
-                canvas, [&] { accepts([&] { draw_part(canvas, source, part, x, y); }); },
-                [&](PixelPosition pixel) { return whole.has(pixel.column, pixel.row) ? kUnknown : kNone; });
-        }
-        case 3: {
-            const std::string text = bytes();
-            const std::int64_t times = std::clamp(scale, 1, 256);
-            const PlainRectangle line{x, y - 2 * times, 6 * times * std::ssize(text), 10 * times};
-            return check_drawn(
-                canvas, [&] { draw_label(canvas, x, y, text, degrees, scale); },
-                [&](PixelPosition pixel) { return line.has(pixel.column, pixel.row) ? kUnknown : kNone; });
-        }
-        default: {
-            static const test::TemporaryFolder folder;
-            const std::string file = folder.path("saved.png");
-            const bool is_saved = accepts([&] { save_picture(file, canvas, greys()); });
-            expect(is_saved == (canvas.width_px > 0 && canvas.height_px > 0), "a file of a picture with pixels");
-            if (is_saved)
-                expect(checksum(load_picture(file, greys()).canvas()) == checksum(canvas),
-                       "the picture that was saved");
-        }
+    const std::size_t kind = below(5);
+    if (kind == 0) {
+        check_drawn(
+            canvas, [&] { is_taken = accepts([&] { draw_picture(canvas, source, x, y); }); },
+            [&](PixelPosition pixel) {
+                if (!is_taken || !area.has(pixel.column, pixel.row)) return kNone;
+                const auto texel = (pixel.row - area.y) * area.width + pixel.column - area.x;
+                return texel_or_none(source.pixels[static_cast<std::size_t>(texel)]);
+            });
+        expect(is_taken == is_whole(source), "a picture with all of its pixels");
+    } else if (kind == 1) {
+        check_drawn(
+            canvas, [&] { is_taken = accepts([&] { draw_turned(canvas, source, x, y, degrees, scale); }); },
+            [&](PixelPosition pixel) {
+                return !is_taken || scale < 1 ? kNone : texel_or_none(turned_texel(source, at, degrees, scale, pixel));
+            });
+    } else if (kind == 2) {
+        const PicturePart part{number(),      number(),      degrees,       scale,
+                               below(2) != 0, below(2) != 0, below(2) != 0, number()};
+        const std::int64_t times = std::clamp(part.scale, 1, kLargestMode_px);
+        const PlainRectangle whole{x, y, part.width_px * times, part.height_px * times};
+        check_drawn(
+            canvas, [&] { accepts([&] { draw_part(canvas, source, part, x, y); }); },
+            [&](PixelPosition pixel) { return whole.has(pixel.column, pixel.row) ? kUnknown : kNone; });
+    } else if (kind == 3) {
+        const std::string text = bytes();
+        const std::int64_t times = std::clamp(scale, 1, 256);
+        const PlainRectangle line{x, y - 2 * times, 6 * times * std::ssize(text), 10 * times};
+        check_drawn(
+            canvas, [&] { draw_label(canvas, x, y, text, degrees, scale); },
+            [&](PixelPosition pixel) { return line.has(pixel.column, pixel.row) ? kUnknown : kNone; });
+    } else {
+        static const test::TemporaryFolder folder;
+        const std::string file = folder.path("saved.png");
+        const bool is_saved = accepts([&] { save_picture(file, canvas, greys()); });
+        expect(is_saved == (canvas.width_px > 0 && canvas.height_px > 0), "a file of a picture with pixels");
+        if (is_saved)
+            expect(checksum(load_picture(file, greys()).canvas()) == checksum(canvas), "the picture that was saved");
     }
 }
 
@@ -341,37 +320,28 @@ void Session::build() {
         if (!accepts([&] { built.model = std::make_unique<Model>(file, greys(), scale); })) return;
         built.pictures = built.model->add_picture(Picture::of_size(1, 1)) + 1;
     };
-    switch (below(9)) {
-        case 0:
-            built = {};
-            return;
-        case 8: {
-            const std::int32_t scale = number();
-            if (accepts([&] { built.model = std::make_unique<Model>(Model::sprite(picture(), scale)); }))
-                built.pictures = 1;
-            return;
-        }
-        case 1:
-            return load(corpus + "mdl/tetrahedron.mdl");
-        case 2:
-            return load(level_file().substr(0, level_file().rfind('/')) + "/t.obj");
-        case 3:
-        case 4: {
-            const Picture& added = picture();
-            const bool is_taken =
-                accepts([&] { expect(built.model->add_picture(added) == built.pictures, "the next number"); });
-            expect(is_taken == (is_whole(added) && !added.pixels.empty()), "a picture with all of its pixels");
-            built.pictures += is_taken;
-            return;
-        }
-        default: {
-            const Corner a = corner(), b = corner(), c = corner();
-            const std::int32_t number = static_cast<std::int32_t>(below(5)) - 1;
-            expect(accepts([&] { built.model->add_triangle(a, b, c, number); }) ==
-                       (number >= 0 && number < built.pictures),
-                   "a picture that was added");
-        }
+    const std::size_t kind = below(9);
+    if (kind == 0) return void(built = {});
+    if (kind == 8) {
+        const std::int32_t scale = number();
+        if (accepts([&] { built.model = std::make_unique<Model>(Model::sprite(picture(), scale)); }))
+            built.pictures = 1;
+        return;
     }
+    if (kind == 1) return load(corpus + "mdl/tetrahedron.mdl");
+    if (kind == 2) return load(level_file().substr(0, level_file().rfind('/')) + "/t.obj");
+    if (kind < 5) {
+        const Picture& added = picture();
+        const bool is_taken =
+            accepts([&] { expect(built.model->add_picture(added) == built.pictures, "the next number"); });
+        expect(is_taken == (is_whole(added) && !added.pixels.empty()), "a picture with all of its pixels");
+        built.pictures += is_taken;
+        return;
+    }
+    const Corner a = corner(), b = corner(), c = corner();
+    const std::int32_t shown = static_cast<std::int32_t>(below(5)) - 1;
+    expect(accepts([&] { built.model->add_triangle(a, b, c, shown); }) == (shown >= 0 && shown < built.pictures),
+           "a picture that was added");
     expect(built.model->frame_count() >= 1, "a frame");
     const auto [least, greatest] = built.model->bounds(number());
     expect(least.x_256 <= greatest.x_256 && least.z_256 <= greatest.z_256, "a box");
@@ -430,38 +400,30 @@ void Session::use_level() {
                        east = number(), north = number(), up = number();
     const bool is_there = entity >= 0 && entity < std::ssize(entities);
     constexpr const char* kPresets[] = {"1991", "1994", "1996", "pixel", "bounded", "exact", "", "none"};
-    switch (below(8)) {
-        case 6: {
-            const bool is_hidden = below(2) != 0;
-            if (accepts([&] { scene.hide_entity(entity, is_hidden); })) hidden_[entity] = is_hidden;
-            return;
-        }
-        case 7:
-            expect(accepts([&] {
-                       scene.entity_pose(entity);
-                       scene.touches(pose(), entity);
-                   }) == is_there,
-                   "an entity that is there");
-            return;
-        case 0:
-            if (accepts([&] { scene.move_entity(entity, east, north, up); })) moved_[entity] = {east, north, up};
-            return;
-        case 1:
-            if (accepts([&] { scene.turn_entity(entity, east); })) turned_[entity] = east;
-            return;
-        case 2:
-            return void(accepts([&] { scene.set_accuracy(kPresets[below(std::size(kPresets))]); }));
-        case 3: {
-            const std::int32_t found = scene.find_entity("classname", "light", entity);
-            expect(found == -1 || (found > entity && scene.entity_value(found, "classname") == "light"), "a light");
-            return;
-        }
-        case 4:
-            expect(accepts([&] { scene.entity_value(entity, bytes()); }) == is_there, "an entity that is there");
-            return;
-        default:
-            scene.palette_at(pose(), std::int64_t{east} << below(33));
-            expect(scene.start().z_256 > 0, "the same start");
+    const std::size_t kind = below(8);
+    if (kind == 6) {
+        const bool is_hidden = below(2) != 0;
+        if (accepts([&] { scene.hide_entity(entity, is_hidden); })) hidden_[entity] = is_hidden;
+    } else if (kind == 7) {
+        expect(accepts([&] {
+                   scene.entity_pose(entity);
+                   scene.touches(pose(), entity);
+               }) == is_there,
+               "an entity that is there");
+    } else if (kind == 0) {
+        if (accepts([&] { scene.move_entity(entity, east, north, up); })) moved_[entity] = {east, north, up};
+    } else if (kind == 1) {
+        if (accepts([&] { scene.turn_entity(entity, east); })) turned_[entity] = east;
+    } else if (kind == 2) {
+        accepts([&] { scene.set_accuracy(kPresets[below(std::size(kPresets))]); });
+    } else if (kind == 3) {
+        const std::int32_t found = scene.find_entity("classname", "light", entity);
+        expect(found == -1 || (found > entity && scene.entity_value(found, "classname") == "light"), "a light");
+    } else if (kind == 4) {
+        expect(accepts([&] { scene.entity_value(entity, bytes()); }) == is_there, "an entity that is there");
+    } else {
+        scene.palette_at(pose(), std::int64_t{east} << below(33));
+        expect(scene.start().z_256 > 0, "the same start");
     }
 }
 
