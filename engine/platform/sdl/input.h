@@ -48,8 +48,10 @@ class GamePads {
     void add(std::int32_t device_index);
     void remove(std::int32_t id, std::vector<InputEvent>& events);
     Input numbered(Input input, std::int32_t id) const;
-    void take_button(const SDL_ControllerButtonEvent& event, std::vector<InputEvent>& events);
-    void take_axis(const SDL_ControllerAxisEvent& event, std::vector<InputEvent>& events);
+    void take_button(const SDL_ControllerButtonEvent& event, std::vector<InputEvent>& events,
+                     std::vector<InputEvent>& of_each);
+    void take_axis(const SDL_ControllerAxisEvent& event, std::vector<InputEvent>& events,
+                   std::vector<InputEvent>& of_each);
     void use_pad(std::int32_t id, std::vector<InputEvent>& events);
 
     bool is_available_ = false;
