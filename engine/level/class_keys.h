@@ -133,9 +133,7 @@ inline constexpr std::array kSmooth{
     number("_phong_angle", "89", "largest angle in degrees between faces that `_phong` smooths"),
     number("_phong_group", "0", "`_phong` smooths within groups of one number"),
 };
-inline constexpr std::array kLeastColour{
-    numbers("_minlight_color", 3, 3, "", "colour of the least light"),
-};
+inline constexpr std::array kLeastColour{numbers("_minlight_color", 3, 3, "", "colour of the least light")};
 inline constexpr auto kLitBrushes = joined(kSmooth, kLeastColour,
                                            std::array{
                                                number("_minlight", "0", "least light on it, 0 to 255"),
@@ -148,9 +146,7 @@ inline constexpr std::array kNoise{
     EntityKey{"noise", Text, "",
               "a FLAC or WAV file in place of the usual sound: path below the game's or the level's folder"},
 };
-inline constexpr std::array kInside{
-    number("_mirrorinside", "0", "1: its faces are seen from inside, too"),
-};
+inline constexpr std::array kInside{number("_mirrorinside", "0", "1: its faces are seen from inside, too")};
 inline constexpr auto kMadeOfBrushes = joined(kLitBrushes, kInside,
                                               std::array{
                                                   number("_shadow", "0", "1: it casts shadows, from where it begins"),
