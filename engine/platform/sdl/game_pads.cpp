@@ -1,5 +1,3 @@
-#include <SDL.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -50,10 +48,6 @@ std::string_view makers_name(const MakersNames& names, Input input) {
 }
 
 }  // namespace
-
-void GamePads::Close::operator()(SDL_GameController* controller) const {
-    SDL_GameControllerClose(controller);
-}
 
 GamePads::GamePads() : is_available_(SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER) == 0) {
     if (!is_available_) std::fprintf(stderr, "oblong: no gamepads: %s\n", SDL_GetError());
@@ -106,7 +100,7 @@ void GamePads::add(std::int32_t device_index) {
     std::int32_t number = 1;  // the least that is free
     const auto has_number = [&](const Pad& pad) { return pad.number == number; };
     while (std::any_of(pads_.begin(), pads_.end(), has_number)) ++number;
-    pads_.push_back({id, number, std::unique_ptr<SDL_GameController, Close>(controller)});
+    pads_.push_back({id, number, Owned<SDL_GameController>(controller)});
 }
 
 void GamePads::remove(std::int32_t id, std::vector<InputEvent>& events) {
