@@ -29,10 +29,6 @@ View greatest_depth_above(InverseZ other) {
     return View::from_raw((std::int64_t{1} << kBits) / (2 * other.raw + 1));
 }
 
-InverseZ clamped(InverseZ inverse_z) {
-    return std::clamp(inverse_z, InverseZ{}, kGreatestInverseZ);
-}
-
 /// How many columns, from one with this 1/z and level on, have the same level; may exceed `most`. `step` is not 0.
 std::int64_t columns_of_level(InverseZ inverse_z, InverseZ step, std::int32_t level, const FogDepths& depths,
                               std::int64_t most) {
@@ -143,7 +139,8 @@ void append_fog_run(const FogRun& run, std::vector<FogRun>& runs) {
 void append_fog_runs(const Span& span, const LinearQuantity<InverseZ>& inverse_z, const FogDepths& depths,
                      std::vector<FogRun>& runs) {
     for (std::int32_t column = span.first; column < span.end;) {
-        const InverseZ here = clamped(inverse_z.at(column, span.y)), step = inverse_z.per_column;
+        const InverseZ here = std::clamp(inverse_z.at(column, span.y), InverseZ{}, kGreatestInverseZ);
+        const InverseZ step = inverse_z.per_column;
         const std::int32_t level = depths.level_at(here), left = span.end - column;
         const std::int64_t count = step == InverseZ{} ? left : columns_of_level(here, step, level, depths, left);
         const auto end = static_cast<std::int32_t>(column + std::min<std::int64_t>(count, left));

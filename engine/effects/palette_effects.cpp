@@ -36,10 +36,6 @@ void apply_tint(const Tint& tint, Palette& palette) {
                   mixed(colour.blue, tint.colour.blue)};
 }
 
-void apply_gamma(const GammaTable& gamma, Palette& palette) {
-    for (Rgb8& colour : palette.colours) colour = {gamma[colour.red], gamma[colour.green], gamma[colour.blue]};
-}
-
 std::vector<PaletteCycle> shown_cycles(const std::vector<PaletteCycle>& cycles, Flashes flashes) {
     if (flashes == Flashes::Off) return {};
     std::vector<PaletteCycle> shown = cycles;
@@ -124,10 +120,6 @@ GammaTable make_tube_table() {
     return table;
 }
 
-bool PaletteEffects::is_plain() const {
-    return cycles.empty() && liquid.share_256 == 0 && flash.share_256 == 0 && !gamma;
-}
-
 PaletteEffects palette_effects_at(const Level& level, const LevelEffects& effects, const Palette& palette,
                                   const Vec3<World>& eye, Flashes flashes) {
     PaletteEffects shown;
@@ -141,7 +133,8 @@ Palette apply_palette_effects(const Palette& palette, const PaletteEffects& effe
     for (const PaletteCycle& cycle : effects.cycles) apply_cycle(cycle, time_ms, shown);
     apply_tint(effects.liquid, shown);
     apply_tint(effects.flash, shown);
-    if (effects.gamma) apply_gamma(*effects.gamma, shown);
+    if (const auto& gamma = effects.gamma)
+        for (Rgb8& to : shown.colours) to = {(*gamma)[to.red], (*gamma)[to.green], (*gamma)[to.blue]};
     return shown;
 }
 

@@ -51,7 +51,7 @@ struct PaletteEffects {
     std::optional<GammaTable> gamma;
 
     /// Whether there are none.
-    bool is_plain() const;
+    bool is_plain() const { return cycles.empty() && liquid.share_256 == 0 && flash.share_256 == 0 && !gamma; }
 };
 
 /// The cycles of a level, and the tint of the liquid at the eye. Cycles are limited to kReducedCycleRate if flashes are

@@ -29,7 +29,7 @@ ScreenRectangle pixels_of_part(const MeshBox& from, const MeshBox& to, const Mes
                                const MeshTransform& transform, const Sight& sight) {
     const ViewBox box = to_view.is_usable ? view_box_of(from, to, to_view) : ViewBox{};
     if (box.nearest_z() < kExactFrom) {
-        const LevelBox in_world = world_box(transform, from, to);
+        const LevelBox in_world = world_box(transform.to_world, from, to);
         return sight.may_show_part(in_world) ? rectangle_of(in_world, sight.view) : ScreenRectangle{};
     }
     const ScreenOutline outline = outline_of(box, sight.view.projection);

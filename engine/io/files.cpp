@@ -98,10 +98,6 @@ bool is_written_in_place(const std::string& path) {
     return fs::exists(status) && !fs::is_directory(status);
 }
 
-}  // namespace
-
-namespace {
-
 // A regular file; nothing else is opened, as that may wait, or do something.
 File open_regular(const std::string& path) {
     std::error_code ignored;

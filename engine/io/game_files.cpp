@@ -168,10 +168,6 @@ std::vector<std::string> read_lit_file_beside(const std::string& level_file, Lev
     return {};
 }
 
-bool GameFiles::has_paks() const {
-    return !paks().empty();
-}
-
 const std::vector<std::string>& GameFiles::paks() const {
     if (paks_) return *paks_;
     paks_.emplace();

@@ -66,7 +66,7 @@ class GameFiles {
     explicit GameFiles(std::vector<std::string> folders) : folders_(std::move(folders)) {}
 
     /// True if one of the folders has a pak file.
-    bool has_paks() const;
+    bool has_paks() const { return !paks().empty(); }
 
     /// The path of a file of that name, as "gfx/palette.lmp": in the first folder that has it; else in a pak file,
     /// folders in order, the highest number first. Throws FileError for a broken pak file.

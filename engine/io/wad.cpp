@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "engine/base/input_error.h"
+#include "engine/base/little_endian.h"
 #include "engine/base/table.h"
 #include "engine/base/text.h"
 
@@ -26,9 +26,7 @@ ByteView part_of(ByteView bytes, std::size_t offset, std::size_t size, const std
 }
 
 std::uint32_t u32_at(ByteView bytes, std::size_t offset, const std::string& what) {
-    const ByteView four = part_of(bytes, offset, 4, what);
-    return four[0] | static_cast<std::uint32_t>(four[1]) << 8 | static_cast<std::uint32_t>(four[2]) << 16 |
-           static_cast<std::uint32_t>(four[3]) << 24;
+    return little_endian_u32(part_of(bytes, offset, 4, what).data());
 }
 
 std::string name_at(ByteView bytes, std::size_t offset) {
@@ -44,7 +42,7 @@ WadTexture wad_texture(ByteView file, ByteView entry) {
 }
 
 void append_u32(Bytes& bytes, std::size_t value) {
-    for (int shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<std::uint8_t>(value >> shift));
+    append_little_endian(bytes, static_cast<std::uint32_t>(value));
 }
 
 void append_name(Bytes& bytes, const std::string& name) {

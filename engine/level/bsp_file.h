@@ -220,18 +220,8 @@ Index<Record> check_index(const LumpReader& in, std::int32_t number, const BspFi
     return Index<Record>(in.check_index(number, file.count(lump), what));
 }
 
-/// A box of six numbers, mins and maxs, in floats or 16-bit integers.
-LevelBox read_box(LumpReader& in, bool has_floats);
 /// Three floats within the world.
 Vec3<World> read_world_vector(LumpReader& in);
-
-/// Checks that every node has at most one parent, and every path down ends within kMaxTreeDepth steps; that each model
-/// has a tree of its own, whose nodes hold its faces, on their planes.
-void check_node_tree(const BspFile& file, const Level& level);
-/// Checks that every path down ends within kMaxTreeDepth steps; subtrees may be shared.
-void check_clip_nodes(const BspFile& file, const Table<ClipNode>& clip_nodes);
-/// Checks that the packed row of each leaf decodes to the world's number of visible leaves, inside the lump.
-void check_visibility(const BspFile& file, const Level& level);
 
 /// Deeper trees are rejected, so that recursion is safe. Real levels stay below 100.
 inline constexpr int kMaxTreeDepth = 1024;

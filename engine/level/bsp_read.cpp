@@ -9,69 +9,6 @@
 namespace oblong {
 namespace {
 
-std::vector<std::uint8_t> copy_lump(const BspFile& file, Lump lump) {
-    const auto bytes = file.lump_bytes(lump);
-    return {bytes.begin(), bytes.end()};
-}
-
-std::vector<Entity> read_entities(const BspFile& file) {
-    const auto bytes = file.lump_bytes(Lump::Entities);
-    const std::string text(bytes.begin(), bytes.end());
-    return parse_entities(text, "lump 'entities'", file.range(Lump::Entities).offset);
-}
-
-void read_geometry(const BspFile& file, Level& level) {
-    level.planes = read_planes(file);
-    level.vertices = read_vertices(file);
-    level.edges = read_edges(file);
-    level.surf_edges = read_surf_edges(file);
-    level.textures = read_textures(file);
-    for (const TextureIndex texture : level.textures.indices())
-        if (level.sky.is_none() && material_of_texture(level.textures[texture].name) == Material::Sky)
-            level.sky = texture;
-    level.texinfos = read_texinfos(file, level);
-    level.faces = read_faces(file, level, read_vertex_floats(file));
-    light_flagged_faces(level);
-    level.lighting = copy_lump(file, Lump::Lighting);
-    level.coloured_lighting = read_coloured_lighting(file);
-}
-
-void read_trees(const BspFile& file, Level& level) {
-    level.mark_faces = read_mark_faces(file);
-    level.nodes = read_nodes(file);
-    level.clip_nodes = read_clip_nodes(file);
-    level.leaves = read_leaves(file);
-    level.models = read_models(file);
-    check_node_tree(file, level);
-    check_clip_nodes(file, level.clip_nodes);
-}
-
-void read_visibility(const BspFile& file, Level& level) {
-    level.visibility = copy_lump(file, Lump::Visibility);
-    if (level.visibility.empty())
-        for (Leaf& leaf : level.leaves) leaf.visibility_offset = -1;
-    check_visibility(file, level);
-}
-
-}  // namespace
-
-Level read_bsp(std::span<const std::uint8_t> bytes) {
-    const BspFile file = open_bsp(bytes);
-    Level level;
-    level.entities = read_entities(file);
-    read_geometry(file, level);
-    read_trees(file, level);
-    read_visibility(file, level);
-    return level;
-}
-
-std::vector<MipTexture> read_bsp_textures(std::span<const std::uint8_t> bytes) {
-    const Table<MipTexture> textures = read_textures(open_bsp(bytes));
-    return {textures.begin(), textures.end()};
-}
-
-namespace {
-
 template <class Record>
 [[noreturn]] void fail_in_record(const BspFile& file, Lump lump, Index<Record> index, const std::string& what) {
     const std::int64_t size = item(file.format.record_sizes, lump);
@@ -118,6 +55,7 @@ class TreeCheck {
     Counts parents_, depths_;
 };
 
+/// Checks that every path down ends within kMaxTreeDepth steps; subtrees may be shared.
 template <class TreeNode>
 void check_depths(const BspFile& file, Lump lump, const Table<TreeNode>& nodes) {
     const auto depths = TreeCheck<TreeNode>(nodes).find_depths();
@@ -161,8 +99,8 @@ void check_faces_of_nodes(const BspFile& file, const Level& level, ModelIndex mo
     }
 }
 
-}  // namespace
-
+/// Checks that every node has at most one parent, and every path down ends within kMaxTreeDepth steps; that each model
+/// has a tree of its own, whose nodes hold its faces, on their planes.
 void check_node_tree(const BspFile& file, const Level& level) {
     TreeCheck<Node>::Counts parents = TreeCheck<Node>(level.nodes).parent_counts();
     for (const NodeIndex node : level.nodes.indices())
@@ -179,10 +117,7 @@ void check_node_tree(const BspFile& file, const Level& level) {
     }
 }
 
-void check_clip_nodes(const BspFile& file, const Table<ClipNode>& clip_nodes) {
-    check_depths(file, Lump::ClipNodes, clip_nodes);
-}
-
+/// Checks that the packed row of each leaf decodes to the world's number of visible leaves, inside the lump.
 void check_visibility(const BspFile& file, const Level& level) {
     LumpReader in(file, Lump::Visibility);
     const std::int64_t row_size = (level.world().visible_leaf_count + 7) / 8;
@@ -203,6 +138,67 @@ void check_visibility(const BspFile& file, const Level& level) {
         work_left -= packed_row_size(in, start, row_size);
         if (work_left < 0) in.fail("rows of visible leaves overlap, expected each to have its own bytes");
     }
+}
+
+std::vector<std::uint8_t> copy_lump(const BspFile& file, Lump lump) {
+    const auto bytes = file.lump_bytes(lump);
+    return {bytes.begin(), bytes.end()};
+}
+
+std::vector<Entity> read_entities(const BspFile& file) {
+    const auto bytes = file.lump_bytes(Lump::Entities);
+    const std::string text(bytes.begin(), bytes.end());
+    return parse_entities(text, "lump 'entities'", file.range(Lump::Entities).offset);
+}
+
+void read_geometry(const BspFile& file, Level& level) {
+    level.planes = read_planes(file);
+    level.vertices = read_vertices(file);
+    level.edges = read_edges(file);
+    level.surf_edges = read_surf_edges(file);
+    level.textures = read_textures(file);
+    for (const TextureIndex texture : level.textures.indices())
+        if (level.sky.is_none() && material_of_texture(level.textures[texture].name) == Material::Sky)
+            level.sky = texture;
+    level.texinfos = read_texinfos(file, level);
+    level.faces = read_faces(file, level, read_vertex_floats(file));
+    light_flagged_faces(level);
+    level.lighting = copy_lump(file, Lump::Lighting);
+    level.coloured_lighting = read_coloured_lighting(file);
+}
+
+void read_trees(const BspFile& file, Level& level) {
+    level.mark_faces = read_mark_faces(file);
+    level.nodes = read_nodes(file);
+    level.clip_nodes = read_clip_nodes(file);
+    level.leaves = read_leaves(file);
+    level.models = read_models(file);
+    check_node_tree(file, level);
+    check_depths(file, Lump::ClipNodes, level.clip_nodes);
+}
+
+void read_visibility(const BspFile& file, Level& level) {
+    level.visibility = copy_lump(file, Lump::Visibility);
+    if (level.visibility.empty())
+        for (Leaf& leaf : level.leaves) leaf.visibility_offset = -1;
+    check_visibility(file, level);
+}
+
+}  // namespace
+
+Level read_bsp(std::span<const std::uint8_t> bytes) {
+    const BspFile file = open_bsp(bytes);
+    Level level;
+    level.entities = read_entities(file);
+    read_geometry(file, level);
+    read_trees(file, level);
+    read_visibility(file, level);
+    return level;
+}
+
+std::vector<MipTexture> read_bsp_textures(std::span<const std::uint8_t> bytes) {
+    const Table<MipTexture> textures = read_textures(open_bsp(bytes));
+    return {textures.begin(), textures.end()};
 }
 
 }  // namespace oblong

@@ -38,6 +38,14 @@ std::int32_t read_float_bound(LumpReader& in, bool is_maximum) {
     return *bound;
 }
 
+/// A box of six numbers, mins and maxs, in floats or 16-bit integers.
+LevelBox read_box(LumpReader& in, bool has_floats) {
+    LevelBox box;
+    for (std::int32_t& bound : box.mins) bound = has_floats ? read_float_bound(in, false) : in.read_i16();
+    for (std::int32_t& bound : box.maxs) bound = has_floats ? read_float_bound(in, true) : in.read_i16();
+    return box;
+}
+
 /// The faces of a node or a model; `read` reads numbers of its width.
 template <class Read>
 IndexRange<Face> read_face_range(const LumpReader& in, const BspFile& file, Read read) {
@@ -100,13 +108,6 @@ SubModel read_model(LumpReader& in, const BspFile& file) {
 }
 
 }  // namespace
-
-LevelBox read_box(LumpReader& in, bool has_floats) {
-    LevelBox box;
-    for (std::int32_t& bound : box.mins) bound = has_floats ? read_float_bound(in, false) : in.read_i16();
-    for (std::int32_t& bound : box.maxs) bound = has_floats ? read_float_bound(in, true) : in.read_i16();
-    return box;
-}
 
 Table<FaceIndex, MarkFace> read_mark_faces(const BspFile& file) {
     return read_records<Table<FaceIndex, MarkFace>>(file, Lump::MarkFaces, [&](LumpReader& in) {

@@ -35,6 +35,22 @@ inline constexpr EntityKey required(EntityKey key) {
     key.is_required = true;
     return key;
 }
+template <class Row, std::size_t... Sizes>
+constexpr auto joined(const std::array<Row, Sizes>&... groups) {
+    std::array<Row, (Sizes + ...)> all;
+    auto next = all.begin();
+    ((next = std::copy(groups.begin(), groups.end(), next)), ...);
+    return all;
+}
+template <class... Names>
+constexpr std::array<EntityKey, sizeof...(Names)> without_effect(Names... names) {
+    return {number(names, "", kNoEffect)...};
+}
+/// Values that say it all.
+template <class... Names>
+constexpr std::array<KeyValue, sizeof...(Names)> values(Names... names) {
+    return {KeyValue{names, ""}...};
+}
 
 inline constexpr std::array kFalloffs{KeyValue{"0", "linear"}, KeyValue{"1", "1 / distance"},
                                       KeyValue{"2", "1 / distance squared"}, KeyValue{"3", "constant"},
@@ -56,23 +72,15 @@ inline constexpr std::array kUps{KeyValue{"y", "y"}, KeyValue{"z", "z"}};
 inline constexpr std::array kShadings{KeyValue{"flat", "one colour per triangle"},
                                       KeyValue{"gouraud", "interpolated between corners"},
                                       KeyValue{"phong", "a normal per pixel"}};
-inline constexpr std::array kPresetValues{KeyValue{"1991", ""},
-                                          KeyValue{"1994", ""},
-                                          KeyValue{"1996", ""},
-                                          KeyValue{"pixel", ""},
-                                          KeyValue{"bounded", ""},
-                                          KeyValue{"exact", ""},
-                                          KeyValue{"other", "dials of its own"}};
-inline constexpr std::array kProjectionValues{KeyValue{"square", ""}, KeyValue{"display", ""}};
-inline constexpr std::array kDisplayValues{KeyValue{"display", ""}, KeyValue{"square", ""}, KeyValue{"fill", ""}};
-inline constexpr std::array kOffOn{KeyValue{"off", ""}, KeyValue{"on", ""}};
-inline constexpr std::array kWireframeValues{KeyValue{"off", ""}, KeyValue{"over", ""}, KeyValue{"alone", ""}};
-inline constexpr std::array kZoomValues{
-    KeyValue{"off", ""}, KeyValue{"10", ""},  KeyValue{"20", ""}, KeyValue{"30", ""}, KeyValue{"40", ""},
-    KeyValue{"50", ""},  KeyValue{"60", ""},  KeyValue{"70", ""}, KeyValue{"80", ""}, KeyValue{"90", ""},
-    KeyValue{"100", ""}, KeyValue{"110", ""}, KeyValue{"120", ""}};
-inline constexpr std::array kMachineValues{KeyValue{"386", ""}, KeyValue{"486", ""}, KeyValue{"pentium", ""},
-                                           KeyValue{"today", ""}};
+inline constexpr auto kPresetValues = joined(values("1991", "1994", "1996", "pixel", "bounded", "exact"),
+                                             std::array{KeyValue{"other", "dials of its own"}});
+inline constexpr auto kProjectionValues = values("square", "display");
+inline constexpr auto kDisplayValues = values("display", "square", "fill");
+inline constexpr auto kOffOn = values("off", "on");
+inline constexpr auto kWireframeValues = values("off", "over", "alone");
+inline constexpr auto kZoomValues =
+    values("off", "10", "20", "30", "40", "50", "60", "70", "80", "90", "100", "110", "120");
+inline constexpr auto kMachineValues = values("386", "486", "pentium", "today");
 inline constexpr std::array kNoYes{KeyValue{"0", "no"}, KeyValue{"1", "yes"}};
 
 inline constexpr std::array kSkillFlags{
@@ -103,13 +111,8 @@ inline constexpr std::array kTimerFlags{KeyValue{"1", "starts on"}};
 inline constexpr std::array kHealthFlags{KeyValue{"1", "15"}, KeyValue{"2", "100"}};
 inline constexpr std::array kExitFlags{KeyValue{"1", "no intermission (Quake)"}};
 
-template <std::size_t... Sizes>
-constexpr auto joined(const std::array<EntityKey, Sizes>&... groups) {
-    std::array<EntityKey, (Sizes + ...)> all;
-    auto next = all.begin();
-    ((next = std::copy(groups.begin(), groups.end(), next)), ...);
-    return all;
-}
+inline constexpr EntityKey kSoundsKey{"sounds", Whole, "", kNoEffect};
+inline constexpr std::array kSounds{kSoundsKey};
 
 // Keys of every entity.
 inline constexpr std::array kOfAll{
@@ -137,9 +140,7 @@ inline constexpr std::array kSmooth{
     number("_phong_angle", "89", "largest angle in degrees between faces that `_phong` smooths"),
     number("_phong_group", "0", "`_phong` smooths within groups of one number"),
 };
-inline constexpr std::array kLeastColour{
-    numbers("_minlight_color", 3, 3, "", "colour of the least light"),
-};
+inline constexpr std::array kLeastColour{numbers("_minlight_color", 3, 3, "", "colour of the least light")};
 inline constexpr auto kLitBrushes = joined(kSmooth, kLeastColour,
                                            std::array{
                                                number("_minlight", "0", "least light on it, 0 to 255"),
@@ -152,15 +153,13 @@ inline constexpr std::array kNoise{
     EntityKey{"noise", Text, "",
               "a FLAC or WAV file in place of the usual sound: path below the game's or the level's folder"},
 };
-inline constexpr std::array kInside{
-    number("_mirrorinside", "0", "1: its faces are seen from inside, too"),
-};
+inline constexpr std::array kInside{number("_mirrorinside", "0", "1: its faces are seen from inside, too")};
 inline constexpr auto kMadeOfBrushes = joined(kLitBrushes, kInside,
                                               std::array{
                                                   number("_shadow", "0", "1: it casts shadows, from where it begins"),
                                                   number("alpha", "1", "opacity, above 0 to 1"),
                                                   number("dmg", "", kNoEffect),
-                                                  EntityKey{"sounds", Whole, "", kNoEffect},
+                                                  kSoundsKey,
                                               });
 
 inline constexpr std::array kWorld{
@@ -171,7 +170,7 @@ inline constexpr std::array kWorld{
     EntityKey{"mapversion", Whole, "", "220: the source is in Valve's format"},
     number("health", "0", "the player's, up to 999; without it nothing hurts"),
     number("angle", "", kNoEffect),
-    EntityKey{"sounds", Whole, "", kNoEffect},
+    kSoundsKey,
     numbers("light", 1, 4, "0", "least light everywhere, 0 to 255"),
     number("_minlight", "0", "the same; overrides `light`"),
     number("_sunlight", "0", "brightness of the sun: parallel light from sky faces"),
@@ -291,7 +290,7 @@ inline constexpr std::array kTriggerOnce{
     number("health", "0", "above 0: fires when the player comes near, as there are no shots"),
     kLenses,
     number("wait", "", kNoEffect),
-    EntityKey{"sounds", Whole, "", kNoEffect},
+    kSoundsKey,
     flags(kTriggerFlags),
 };
 inline constexpr std::array kSecret{EntityKey{"netname", Text, "", "what the end calls it if it was missed"}};
@@ -299,7 +298,7 @@ inline constexpr std::array kTriggerMultiple{
     number("health", "0", "as in `trigger_once`"),
     kLenses,
     number("wait", "0.2", "seconds until it can fire again"),
-    EntityKey{"sounds", Whole, "", kNoEffect},
+    kSoundsKey,
     flags(kTriggerFlags),
 };
 inline constexpr EntityKey kViewWait = number("wait", "-1", "seconds until it can fire again; -1: never");
@@ -321,7 +320,7 @@ inline constexpr std::array kBudget{
 };
 inline constexpr std::array kCounter{
     number("count", "2", "number of activations"),
-    EntityKey{"sounds", Whole, "", kNoEffect},
+    kSoundsKey,
     flags(kCounterFlags),
 };
 inline constexpr std::array kHurt{
@@ -333,11 +332,7 @@ inline constexpr std::array kTimer{
     number("random", "0", "seconds that they may be off"),
     flags(kTimerFlags),
 };
-inline constexpr std::array kPlayed{
-    number("speed", "", kNoEffect),
-    number("volume", "", kNoEffect),
-    number("impulse", "", kNoEffect),
-};
+inline constexpr auto kPlayed = without_effect("speed", "volume", "impulse");
 inline constexpr std::array kPlayedAgain{
     number("delay", "2", "least seconds between two times"),
     number("wait", "20", "most seconds between two times"),
@@ -348,7 +343,7 @@ inline constexpr std::array kRelay{
 };
 inline constexpr std::array kTeleport{
     required({"target", Place, "", "the exit, an `info_teleport_destination`"}),
-    EntityKey{"sounds", Whole, "", kNoEffect},
+    kSoundsKey,
 };
 inline constexpr std::array kPush{
     number("speed", "1000", "tenths of units a second"),
@@ -358,7 +353,6 @@ inline constexpr std::array kExit{
     EntityKey{"map", Text, "", "name of the next level; usually the next in `game.json`, or the end"},
     flags(kExitFlags),
 };
-inline constexpr std::array kSounds{EntityKey{"sounds", Whole, "", kNoEffect}};
 inline constexpr EntityKey kItemModel{
     "model", Text, "", "an OBJ or MDL in place of the usual model: path below the level's folder or its parent"};
 inline constexpr EntityKey model_scale(std::string_view usual, std::string_view does) {
@@ -432,13 +426,9 @@ inline constexpr std::array kModel{
     EntityKey{"dither", Choice, "0", "whether an OBJ's pictures are dithered", kNoYes},
 };
 // Used by Quake only.
-inline constexpr std::array kOfQuake{
-    number("speed", "", kNoEffect),         number("height", "", kNoEffect),
-    number("dmg", "", kNoEffect),           number("wait", "", kNoEffect),
-    number("health", "", kNoEffect),        EntityKey{"sounds", Whole, "", kNoEffect},
-    number("count", "", kNoEffect),         number("style", "", kNoEffect),
-    EntityKey{"mdl", Text, "", kNoEffect},  EntityKey{"model", Text, "", kNoEffect},
-    numbers("mangle", 3, 3, "", kNoEffect),
-};
+inline constexpr auto kOfQuake =
+    joined(without_effect("speed", "height", "dmg", "wait", "health"), kSounds, without_effect("count", "style"),
+           std::array{EntityKey{"mdl", Text, "", kNoEffect}, EntityKey{"model", Text, "", kNoEffect},
+                      numbers("mangle", 3, 3, "", kNoEffect)});
 
 }  // namespace oblong::class_keys

@@ -64,8 +64,7 @@ void LevelScene::move_entity(std::int32_t entity, std::int32_t east_256, std::in
     const auto within = [](std::int32_t offset_256) {
         return std::clamp(world_from_256(offset_256), -kFarthestMoved, kFarthestMoved);
     };
-    if (state.turning_door(entity))
-        throw FileError(state.file, "entity " + std::to_string(entity), "turns, expected a door that moves");
+    if (state.turning_door(entity)) state.refuse(entity, "turns, expected a door that moves");
     for (EntityBrushes& each : state.brushes)
         if (each.placed.model == model) each.placed.offset = {within(east_256), within(north_256), within(up_256)};
     state.list_brushes();
@@ -75,8 +74,7 @@ void LevelScene::turn_entity(std::int32_t entity, std::int32_t degrees_256) {
     State& state = *state_;
     const ModelIndex model = state.brushes_of(entity);
     const std::optional<std::size_t> door = state.turning_door(entity);
-    if (!door)
-        throw FileError(state.file, "entity " + std::to_string(entity), "does not turn, expected a func_door_rotating");
+    if (!door) state.refuse(entity, "does not turn, expected a func_door_rotating");
     state.turned[*door] = angle_from_256(degrees_256);
     for (EntityBrushes& each : state.brushes)
         if (each.placed.model == model) each.is_open = state.turned[*door] != Angle{};
@@ -97,8 +95,7 @@ void LevelScene::hide_entity(std::int32_t entity, bool is_hidden) {
             each.is_hidden = is_hidden;
             is_found = true;
         }
-    if (!is_found)
-        throw FileError(state.file, "entity " + std::to_string(entity), "is not seen, expected brushes or a model");
+    if (!is_found) state.refuse(entity, "is not seen, expected brushes or a model");
     state.list_brushes();
 }
 

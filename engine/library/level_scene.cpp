@@ -56,16 +56,9 @@ LevelScene::LevelScene(const File& bsp_file, const Palette& palette, ScreenMode 
     state.list_brushes();
 }
 
-LevelScene::~LevelScene() {
-    delete state_;
-}
-
-LevelScene::LevelScene(LevelScene&& other) noexcept : state_(std::exchange(other.state_, nullptr)) {}
-
-LevelScene& LevelScene::operator=(LevelScene&& other) noexcept {
-    std::swap(state_, other.state_);
-    return *this;
-}
+LevelScene::~LevelScene() = default;
+LevelScene::LevelScene(LevelScene&& other) noexcept = default;
+LevelScene& LevelScene::operator=(LevelScene&& other) noexcept = default;
 
 void LevelScene::set_mode(const ScreenMode& mode) {
     state_->mode = checked(mode);

@@ -42,18 +42,19 @@ struct LevelScene::State {
           is_model_hidden(models.models.size()),
           work(std::make_unique<FrameWorkspace>(level, mode)) {}
 
+    [[noreturn]] void refuse(std::int32_t entity_number, const std::string& what) const {
+        throw FileError(file, "entity " + std::to_string(entity_number), what);
+    }
     const Entity& entity(std::int32_t number) const {
         if (number < 0 || as_size(number) >= level.entities.size())
-            throw FileError(
-                file, "entity " + std::to_string(number),
-                "is not there, expected " + (level.entities.empty() ? "none: the level has no entities"
-                                                                    : bounds_text(0, std::ssize(level.entities) - 1)));
+            refuse(number, "is not there, expected " + (level.entities.empty()
+                                                            ? "none: the level has no entities"
+                                                            : bounds_text(0, std::ssize(level.entities) - 1)));
         return item(level.entities, number);
     }
     ModelIndex brushes_of(std::int32_t number) const {
         const std::optional<ModelIndex> model = brush_model_of(entity(number), level);
-        if (!model)
-            throw FileError(file, "entity " + std::to_string(number), "has no brushes, expected a door or its like");
+        if (!model) refuse(number, "has no brushes, expected a door or its like");
         return *model;
     }
     /// The index in `models` of the model of a turning door.

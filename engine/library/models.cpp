@@ -64,7 +64,7 @@ Model::Model() : state_(new State{std::make_shared<Mesh>(), {}, false}) {
 
 Model::Model(const File& file, const Palette& palette, std::int32_t scale_256, const ModelOptions& options) {
     ObjModel read = read_model(file, palette, scale_256, options);
-    state_ = new State{std::make_shared<Mesh>(std::move(read.mesh)), std::move(read.warnings), false};
+    state_.reset(new State{std::make_shared<Mesh>(std::move(read.mesh)), std::move(read.warnings), false});
 }
 
 // Two triangles that face ahead.
@@ -91,16 +91,9 @@ Model Model::sprite(const Picture& picture, std::int32_t scale_256) {
     return model;
 }
 
-Model::~Model() {
-    delete state_;
-}
-
-Model::Model(Model&& other) noexcept : state_(std::exchange(other.state_, nullptr)) {}
-
-Model& Model::operator=(Model&& other) noexcept {
-    std::swap(state_, other.state_);
-    return *this;
-}
+Model::~Model() = default;
+Model::Model(Model&& other) noexcept = default;
+Model& Model::operator=(Model&& other) noexcept = default;
 
 std::int32_t Model::add_picture(const Picture& picture) {
     std::vector<Skin>& skins = state_->mesh->skins;

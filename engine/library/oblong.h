@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <exception>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -199,7 +200,7 @@ class Window {
 
   private:
     struct State;
-    State* state_;
+    std::unique_ptr<State> state_;
 };
 
 // Sound
@@ -237,7 +238,7 @@ class Speaker {
 
   private:
     struct State;
-    State* state_;
+    std::unique_ptr<State> state_;
 };
 
 // Places in the world: x east, y north, z up
@@ -306,7 +307,7 @@ class Model {
     friend class Stage;
     friend class LevelScene;
     struct State;
-    State* state_;
+    std::unique_ptr<State> state_;
 };
 
 /// Draws models without a level.
@@ -333,7 +334,7 @@ class Stage {
 
   private:
     struct State;
-    State* state_;
+    std::unique_ptr<State> state_;
 };
 
 // Levels
@@ -402,7 +403,7 @@ class LevelScene {
 
   private:
     struct State;
-    State* state_;
+    std::unique_ptr<State> state_;
 };
 
 }  // namespace oblong

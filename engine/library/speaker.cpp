@@ -38,16 +38,9 @@ Speaker::Speaker() : state_(new State) {
     }
 }
 
-Speaker::~Speaker() {
-    delete state_;
-}
-
-Speaker::Speaker(Speaker&& other) noexcept : state_(std::exchange(other.state_, nullptr)) {}
-
-Speaker& Speaker::operator=(Speaker&& other) noexcept {
-    std::swap(state_, other.state_);
-    return *this;
-}
+Speaker::~Speaker() = default;
+Speaker::Speaker(Speaker&& other) noexcept = default;
+Speaker& Speaker::operator=(Speaker&& other) noexcept = default;
 
 std::int32_t Speaker::load(const File& file) {
     const SoundSamples sound = read_parsed(file, [](std::span<const std::uint8_t> bytes) {

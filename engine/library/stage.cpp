@@ -43,16 +43,9 @@ Stage::Stage(const Palette& palette, ScreenMode mode) : state_(new State(palette
     look({});
 }
 
-Stage::~Stage() {
-    delete state_;
-}
-
-Stage::Stage(Stage&& other) noexcept : state_(std::exchange(other.state_, nullptr)) {}
-
-Stage& Stage::operator=(Stage&& other) noexcept {
-    std::swap(state_, other.state_);
-    return *this;
-}
+Stage::~Stage() = default;
+Stage::Stage(Stage&& other) noexcept = default;
+Stage& Stage::operator=(Stage&& other) noexcept = default;
 
 void Stage::look(const Pose& eye, std::int32_t field_of_view) {
     State& state = *state_;

@@ -164,27 +164,19 @@ void Window::State::take_input() {
     platform.change_window(settings);
 }
 
-Window::Window(const std::string& title, ScreenMode mode, WindowSize size) : palette(even_palette()), state_(nullptr) {
+Window::Window(const std::string& title, ScreenMode mode, WindowSize size) : palette(even_palette()) {
     checked(mode);
     std::unique_ptr<Platform> platform = open_platform(title, size);
     Platform& shown_by = *platform;
-    state_ = new State(std::move(platform), shown_by, mode);
+    state_.reset(new State(std::move(platform), shown_by, mode));
 }
 
 Window::Window(Platform& platform, ScreenMode mode)
     : palette(even_palette()), state_(new State(nullptr, platform, mode)) {}
 
-Window::~Window() {
-    delete state_;
-}
-
-Window::Window(Window&& other) noexcept : palette(other.palette), state_(std::exchange(other.state_, nullptr)) {}
-
-Window& Window::operator=(Window&& other) noexcept {
-    std::swap(palette, other.palette);
-    std::swap(state_, other.state_);
-    return *this;
-}
+Window::~Window() = default;
+Window::Window(Window&& other) noexcept = default;
+Window& Window::operator=(Window&& other) noexcept = default;
 
 bool Window::show() {
     State& state = *state_;

@@ -247,11 +247,6 @@ const HighlightTable& highlights_of(const PlacedMesh& placed, MeshScratch& scrat
     return scratch.highlights;
 }
 
-/// The direction from the mesh's origin to the eye, for highlights.
-Vec3<Unit> toward_eye(const PlacedMesh& placed, const ViewContext& view) {
-    return normalised(widening_difference(view.eye, placed.position));
-}
-
 }  // namespace
 
 CornerValues corner_values(const PlacedMesh& placed, std::size_t number, const WorldVertex& vertex,
@@ -297,11 +292,12 @@ MeshCounts draw_mesh(const PlacedMesh& placed, const MeshDrawing& drawing, const
     MeshCounts counts;
     const std::optional<MeshPlacement> placement = place_mesh(placed, drawing.transform, drawing.view, scratch);
     if (!placement) return counts;
+    const Vec3<Unit> toward_eye = normalised(widening_difference(drawing.view.eye, placed.position));
     const MeshContext mesh{*placement,
                            target,
                            drawing,
                            highlights_of(placed, scratch),
-                           halfway(drawing.light.directional.toward, toward_eye(placed, drawing.view)),
+                           halfway(drawing.light.directional.toward, toward_eye),
                            {"", 1, 1, {placed.colour}}};
     any_facing(mesh, drawing.parts, scratch, [&](const MeshTriangle& triangle) {
         draw_if_in_view(triangle, mesh, scratch, counts);

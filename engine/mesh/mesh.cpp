@@ -21,15 +21,12 @@ auto normal_of(const std::vector<MeshVertex>& vertices, const Corners& corners) 
     return cross(item(vertices, corners[2]).position - a, item(vertices, corners[1]).position - a);
 }
 
-std::int64_t largest_part(const NormalSum& normal) {
-    return std::max({std::abs(normal[0]), std::abs(normal[1]), std::abs(normal[2])});
-}
-
 /// How many low bits of the normals to drop so that the sum of all fits 64 bits.
 int bits_too_many(const std::vector<MeshVertex>& vertices, std::span<const Corners> triangles) {
     std::int64_t largest = 0;
     for (const Corners& corners : triangles)
-        largest = std::max(largest, largest_part(raw_of(normal_of(vertices, corners))));
+        for (const std::int64_t part : raw_of(normal_of(vertices, corners)))
+            largest = std::max(largest, std::abs(part));
     const int bits = log2_floor(static_cast<std::uint64_t>(largest) | 1) + log2_floor(triangles.size() | 1) + 2;
     return std::max(bits - 62, 0);
 }

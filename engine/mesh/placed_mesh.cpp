@@ -48,26 +48,6 @@ struct Interval {
           half(std::max(convert<Entry>(high) - convert<Entry>(low), Entry{}) / 2) {}
 };
 
-/// The box in the world that holds both boxes.
-LevelBox world_box(const Matrix4& to_world, const MeshBox& from, const MeshBox& to) {
-    const std::array sides{Interval(std::min(from.mins.x, to.mins.x), std::max(from.maxs.x, to.maxs.x)),
-                           Interval(std::min(from.mins.y, to.mins.y), std::max(from.maxs.y, to.maxs.y)),
-                           Interval(std::min(from.mins.z, to.mins.z), std::max(from.maxs.z, to.maxs.z))};
-    LevelBox box;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto& row = to_world.rows[axis];
-        Entry middle = row[3], half;
-        for (std::size_t side = 0; side < 3; ++side) {
-            middle = saturating_sum(middle, multiply(row[side], sides[side].middle));
-            const Entry reach = multiply(row[side], sides[side].half);
-            half = saturating_sum(half, reach < Entry{} ? -std::max(reach, -Entry::highest()) : reach);
-        }
-        box.mins[axis] = box_coordinate(floor_of(saturating_sum(middle, -half)) - 1);
-        box.maxs[axis] = box_coordinate(floor_of(saturating_sum(middle, half)) + 2);
-    }
-    return box;
-}
-
 }  // namespace
 
 const MeshFrame& frame_of(const PlacedMesh& placed) {
@@ -93,8 +73,23 @@ LevelBox world_box(const PlacedMesh& placed) {
     return world_box(matrix_of(placed), {from.mins, from.maxs}, {to.mins, to.maxs});
 }
 
-LevelBox world_box(const MeshTransform& transform, const MeshBox& from, const MeshBox& to) {
-    return world_box(transform.to_world, from, to);
+LevelBox world_box(const Matrix4& to_world, const MeshBox& from, const MeshBox& to) {
+    const std::array sides{Interval(std::min(from.mins.x, to.mins.x), std::max(from.maxs.x, to.maxs.x)),
+                           Interval(std::min(from.mins.y, to.mins.y), std::max(from.maxs.y, to.maxs.y)),
+                           Interval(std::min(from.mins.z, to.mins.z), std::max(from.maxs.z, to.maxs.z))};
+    LevelBox box;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto& row = to_world.rows[axis];
+        Entry middle = row[3], half;
+        for (std::size_t side = 0; side < 3; ++side) {
+            middle = saturating_sum(middle, multiply(row[side], sides[side].middle));
+            const Entry reach = multiply(row[side], sides[side].half);
+            half = saturating_sum(half, reach < Entry{} ? -std::max(reach, -Entry::highest()) : reach);
+        }
+        box.mins[axis] = box_coordinate(floor_of(saturating_sum(middle, -half)) - 1);
+        box.maxs[axis] = box_coordinate(floor_of(saturating_sum(middle, half)) + 2);
+    }
+    return box;
 }
 
 TurningShape turning_shape(const PlacedMesh& placed) {

@@ -48,8 +48,8 @@ std::optional<MeshTransform> make_mesh_transform(const PlacedMesh& placed);
 /// The bounding box in the world of a frame or of two blended frames: whole units, rounded outward, plus one unit. The
 /// mesh has a frame.
 LevelBox world_box(const PlacedMesh& placed);
-/// That of a part in two frames.
-LevelBox world_box(const MeshTransform& transform, const MeshBox& from, const MeshBox& to);
+/// That of a part in two frames. `to_world`: MeshTransform's.
+LevelBox world_box(const Matrix4& to_world, const MeshBox& from, const MeshBox& to);
 
 /// The arguments of turning_box().
 struct TurningShape {

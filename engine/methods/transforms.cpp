@@ -13,22 +13,13 @@ namespace {
 
 using Vec60 = Vec3<Sine60>;
 
-Sine60 scaled(Unit component, Sine60 factor) {
-    return product<Sine60>(component, factor);
-}
-Vec60 scaled(const Vec3<Unit>& v, Sine60 factor) {
-    return {scaled(v.x, factor), scaled(v.y, factor), scaled(v.z, factor)};
-}
-
-Sine60 scaled(Sine60 component, Sine60 factor) {
-    return product<Sine60>(component, factor);
-}
-Vec60 scaled(const Vec60& v, Sine60 factor) {
-    return {scaled(v.x, factor), scaled(v.y, factor), scaled(v.z, factor)};
-}
-
 Sine60 times(Unit a, Sine60 b) {
     return product<Sine60>(a, b);
+}
+
+template <class Number>
+Vec60 scaled(const Vec3<Number>& v, Sine60 factor) {
+    return {product<Sine60>(v.x, factor), product<Sine60>(v.y, factor), product<Sine60>(v.z, factor)};
 }
 
 constexpr Unit kWholeUnit = Unit::from_int(1);
@@ -38,7 +29,7 @@ constexpr Vec3<Unit> kAxisX{kWholeUnit, {}, {}}, kAxisY{{}, kWholeUnit, {}}, kAx
 
 Vec3<Unit> rotate_about_axis(const Vec3<Unit>& direction, const Vec3<Unit>& axis, Angle angle) {
     const auto [sine60, cosine60] = sine_cosine(angle);
-    const Sine60 along_axis = scaled(dot(axis, direction), Sine60::from_int(1) - cosine60);
+    const Sine60 along_axis = product<Sine60>(dot(axis, direction), Sine60::from_int(1) - cosine60);
     return saturating_convert<Unit>(scaled(direction, cosine60) + scaled(cross(axis, direction), sine60) +
                                     scaled(axis, along_axis));
 }

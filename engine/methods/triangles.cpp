@@ -6,6 +6,7 @@
 #include "engine/fixed/arithmetic.h"
 #include "engine/math/soft_float.h"
 #include "engine/math/vec.h"
+#include "engine/mesh/mesh_pixels.h"
 #include "engine/raster/edges.h"
 
 namespace oblong {
@@ -99,15 +100,7 @@ void TriangleScanner::scan(const ScreenTriangle& triangle, std::vector<Span>& sp
     if (method_ == TriangleMethod::FlatParts) scan_flat_parts(clockwise, part_, rows_);
     if (method_ == TriangleMethod::EdgeWalking) scan_convex(clockwise, rows_);
     if (method_ == TriangleMethod::EdgeFunctions) scan_edge_functions(clockwise, part_, kernel_, rows_);
-    append_rows(spans);
-}
-
-void TriangleScanner::append_rows(std::vector<Span>& spans) const {
-    for (std::int32_t y = std::max(rows_.first, part_.first_row); y < rows_.end; ++y) {
-        const Span span{y, std::max(item(rows_.left, y), part_.first_column),
-                        std::min(item(rows_.right, y), part_.end_column)};
-        if (span.first < span.end) spans.push_back(span);
-    }
+    append_spans(rows_, part_, spans);
 }
 
 BarycentricWeights barycentric_weights(const ScreenTriangle& triangle, ScreenVertex place) {

@@ -38,8 +38,6 @@ class TriangleScanner {
     void scan(const ScreenTriangle& triangle, std::vector<Span>& spans);
 
   private:
-    void append_rows(std::vector<Span>& spans) const;
-
     TriangleMethod method_;
     ScreenRectangle part_;
     EdgeRowKernel kernel_;

@@ -1,11 +1,11 @@
 #include "engine/models/level_models.h"
 
 #include <algorithm>
+#include <compare>
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <set>
-#include <tuple>
 #include <utility>
 
 #include "engine/base/table.h"
@@ -38,9 +38,7 @@ struct ModelFile {
     World scale = World::from_int(1);
     bool is_z_up = false;
     Dither dither = Dither::None;
-    bool operator<(const ModelFile& b) const {
-        return std::tie(path, scale, is_z_up, dither) < std::tie(b.path, b.scale, b.is_z_up, b.dither);
-    }
+    std::strong_ordering operator<=>(const ModelFile&) const = default;
 };
 
 /// Of a level's models, each reading counted: the size of the file, and of the mesh made of it. A few letters in the
@@ -87,7 +85,10 @@ class ModelFinder {
 class LevelModelReader {
   public:
     LevelModelReader(const Level& level, const Palette& palette, const ModelFolders& folders)
-        : level_(level), palette_(palette), finder_(folders), shows_classes_(folders.has_quakes_models()) {}
+        : level_(level),
+          palette_(palette),
+          finder_(folders),
+          shows_classes_(!folders.named.empty() || folders.game != nullptr) {}
 
     LevelModels read() {
         for (const Entity& entity : level_.entities) {
@@ -302,7 +303,7 @@ class LevelModelReader {
     const Level& level_;
     const Palette& palette_;
     ModelFinder finder_;
-    bool shows_classes_;
+    bool shows_classes_;  ///< Quake's own, with models
     std::int64_t world_type_ = 0;
     bool has_health_ = false;
     LevelModels models_;

@@ -42,9 +42,6 @@ struct ModelFolders {
     std::string own = {};             ///< of Oblong's lens and keys, searched after the others; empty: none
     const GameFiles* game = nullptr;  ///< with pak files, or null; searched last
     std::vector<std::string> games = {};
-
-    /// False: Quake's own classes show no models.
-    bool has_quakes_models() const { return !named.empty() || game != nullptr; }
 };
 
 inline constexpr std::size_t kMostLevelModels = 4096;

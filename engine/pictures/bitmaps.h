@@ -7,21 +7,29 @@
 #include "engine/base/input_error.h"
 #include "engine/base/little_endian.h"
 #include "engine/pictures/picture.h"
+#include "engine/view/screen.h"
 
 // Shared by the decoders of pictures.
 namespace oblong {
 
 inline constexpr std::int32_t kLargestPictureSide_px = 4096;
 
+[[noreturn]] inline void refuse_picture(const std::string& what_is_wrong) {
+    throw InputError("image", what_is_wrong);
+}
+
 /// Throws InputError unless a picture's sides are in range.
 inline void check_picture_size(std::int64_t width_px, std::int64_t height_px) {
     if (width_px < 1 || height_px < 1 || width_px > kLargestPictureSide_px || height_px > kLargestPictureSide_px)
-        throw InputError("image", std::to_string(width_px) + "x" + std::to_string(height_px) +
-                                      " pixels, expected 1 to " + std::to_string(kLargestPictureSide_px) + " a side");
+        refuse_picture(std::to_string(width_px) + "x" + std::to_string(height_px) + " pixels, expected 1 to " +
+                       std::to_string(kLargestPictureSide_px) + " a side");
 }
 
-[[noreturn]] inline void refuse_picture(const std::string& what_is_wrong) {
-    throw InputError("image", what_is_wrong);
+/// Throws InputError unless so many pixels are to be written as a picture's sides say.
+inline void check_pixels_to_write(std::size_t pixels, std::int32_t width_px, std::int32_t height_px) {
+    if (width_px <= 0 || height_px <= 0 || pixels != pixel_count(width_px, height_px))
+        refuse_picture(std::to_string(pixels) + " pixels of " + std::to_string(width_px) + "x" +
+                       std::to_string(height_px) + ", expected all, and one or more a side");
 }
 
 inline std::span<const std::uint8_t> take_of_picture(LittleEndianReader& in, std::size_t count) {

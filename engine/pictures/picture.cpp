@@ -8,10 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include "engine/base/input_error.h"
 #include "engine/base/table.h"
 #include "engine/pictures/bitmaps.h"
-#include "engine/view/screen.h"
 
 // Only this file uses stb: for JPEGs.
 #define STBI_ONLY_JPEG
@@ -81,7 +79,7 @@ void check_huffman_tables(std::span<const std::uint8_t> file, std::size_t table,
         const auto counts = file.subspan(table + 1, std::min(kLengths, file.size() - table - 1));
         const auto codes = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
         if (codes > kMostCodes)
-            throw InputError("image", "a Huffman table of " + std::to_string(codes) + " codes, expected 256 at most");
+            refuse_picture("a Huffman table of " + std::to_string(codes) + " codes, expected 256 at most");
         table += 1 + kLengths + codes;
     }
 }
@@ -102,7 +100,7 @@ void check_jpeg_segments(std::span<const std::uint8_t> file) {
         const std::size_t end = at + 2 + std::size_t{file[at + 2]} * 256 + file[at + 3];
         if (marker == 0xc4) check_huffman_tables(file, at + 4, end);
         if (marker == 0xda && ++scans > kMostScans)
-            throw InputError("image", "a JPEG of more than " + std::to_string(kMostScans) + " scans, expected fewer");
+            refuse_picture("a JPEG of more than " + std::to_string(kMostScans) + " scans, expected fewer");
         at = end;
     }
 }
@@ -116,7 +114,7 @@ void check_jpeg_size(std::span<const std::uint8_t> file) {
     const stbi_io_callbacks callbacks = Source::callbacks();
     Source source(file);
     if (!stbi_info_from_callbacks(&callbacks, &source, &width, &height, &channels))
-        throw InputError("image", std::string("not a readable JPEG (stb: ") + stbi_failure_reason() + ")");
+        refuse_picture(std::string("not a readable JPEG (stb: ") + stbi_failure_reason() + ")");
     check_picture_size(width, height);
 }
 
@@ -128,8 +126,8 @@ PngImage decode_jpeg(std::span<const std::uint8_t> file) {
     Source source(file);
     const std::unique_ptr<stbi_uc, FreePixels> pixels(
         stbi_load_from_callbacks(&callbacks, &source, &width, &height, &channels, STBI_rgb_alpha));
-    if (!pixels) throw InputError("image", std::string("a damaged picture (stb: ") + stbi_failure_reason() + ")");
-    if (source.is_short()) throw InputError("image", "the file ends within the picture, expected all of it");
+    if (!pixels) refuse_picture(std::string("a damaged picture (stb: ") + stbi_failure_reason() + ")");
+    if (source.is_short()) refuse_picture("the file ends within the picture, expected all of it");
     PngImage image{width, height, {}, {}};
     image.colours.reserve(pixel_count(width, height));
     for (std::size_t i = 0; i < pixel_count(width, height); ++i) {
@@ -150,7 +148,7 @@ PngImage decode_picture(std::span<const std::uint8_t> file) {
     if (begins_with(file, "BM")) return decode_bmp(file);
     if (begins_with(file, "\xff\xd8")) return decode_jpeg(file);
     if (may_be_tga(file)) return decode_tga(file);
-    throw InputError("image", "not a readable PNG, JPEG, BMP or TGA");
+    refuse_picture("not a readable PNG, JPEG, BMP or TGA");
 }
 
 }  // namespace oblong

@@ -5,29 +5,10 @@
 #include <cstdio>
 #include <string>
 
-#include "engine/base/input_error.h"
 #include "engine/pictures/bitmaps.h"
-#include "engine/pictures/picture.h"
-#include "engine/view/screen.h"
 
 namespace oblong {
 namespace {
-
-/// libpng's state of one picture to write. Its simplified interface needs no jumps: a failing call returns 0 and leaves
-/// a message.
-class PngWriter {
-  public:
-    PngWriter() { image.version = PNG_IMAGE_VERSION; }
-    ~PngWriter() { png_image_free(&image); }
-    PngWriter(const PngWriter&) = delete;
-    PngWriter& operator=(const PngWriter&) = delete;
-
-    void expect(int succeeded, const std::string& what) const {
-        if (succeeded == 0) throw InputError("image", what + " (libpng: " + image.message + ")");
-    }
-
-    png_image image{};
-};
 
 /// libpng's state of reading a file, row by row: its simplified interface for reading puts interlaced pixels of 16 bits
 /// in wrong places in some versions. An error of libpng jumps out of its functions: steps have no destructors.
@@ -45,8 +26,7 @@ class PngReader {
 
     template <class Steps>
     void run(const char* fault, const Steps& steps) {
-        if (setjmp(png_jmpbuf(png_)) != 0)
-            throw InputError("image", std::string(fault) + " (libpng: " + message_ + ")");
+        if (setjmp(png_jmpbuf(png_)) != 0) refuse_picture(std::string(fault) + " (libpng: " + message_ + ")");
         steps(png_, info_);
     }
 
@@ -188,23 +168,20 @@ PngImage decode_png(std::span<const std::uint8_t> file) {
 
 std::vector<std::uint8_t> encode_indexed_png(std::span<const std::uint8_t> pixels, std::int32_t width_px,
                                              std::int32_t height_px, const Palette& palette) {
-    const bool is_sane = width_px > 0 && height_px > 0;
-    if (!is_sane || pixels.size() != pixel_count(width_px, height_px)) {
-        throw InputError("image", std::to_string(pixels.size()) + " pixels of " + std::to_string(width_px) + "x" +
-                                      std::to_string(height_px) + ", expected all, and one or more a side");
-    }
+    check_pixels_to_write(pixels.size(), width_px, height_px);
     std::vector<std::uint8_t> colormap;
     for (const Rgb8& colour : palette.colours) colormap.insert(colormap.end(), {colour.red, colour.green, colour.blue});
-    PngWriter state;
-    png_image& image = state.image;
+    // libpng's simplified interface needs no jumps: a failing call returns 0 and leaves a message. It frees its memory.
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
     image.width = static_cast<png_uint_32>(width_px);
     image.height = static_cast<png_uint_32>(height_px);
     image.format = PNG_FORMAT_RGB_COLORMAP;
     image.colormap_entries = 256;
     png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
     std::vector<std::uint8_t> file(size);
-    state.expect(png_image_write_to_memory(&image, file.data(), &size, 0, pixels.data(), 0, colormap.data()),
-                 "the picture could not be compressed");
+    if (png_image_write_to_memory(&image, file.data(), &size, 0, pixels.data(), 0, colormap.data()) == 0)
+        refuse_picture(std::string("the picture could not be compressed (libpng: ") + image.message + ")");
     file.resize(size);
     return file;
 }

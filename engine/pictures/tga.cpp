@@ -4,7 +4,6 @@
 
 #include "engine/base/table.h"
 #include "engine/pictures/bitmaps.h"
-#include "engine/view/screen.h"
 
 namespace oblong {
 namespace {

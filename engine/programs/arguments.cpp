@@ -18,9 +18,11 @@ namespace oblong {
 
 namespace {
 
-std::string kernel_names() {
+/// The names of rows, with commas between them.
+template <class Rows>
+std::string row_names(const Rows& rows) {
     std::string names;
-    for (const Kernels& kernels : all_kernels()) names += (names.empty() ? "" : ", ") + std::string(kernels.name);
+    for (const auto& row : rows) names += (names.empty() ? "" : ", ") + std::string(row.name);
     return names;
 }
 
@@ -31,14 +33,9 @@ std::optional<std::int32_t> whole_number(const std::string& text) {
     return value;
 }
 
-struct Pair {
-    std::int32_t first, second;
-};
-
-/// Two whole numbers from `least` to `most` with `between` between them. Throws UsageError(expected).
-Pair parse_pair(const std::string& text, char between, std::int32_t least, std::int32_t most,
-                const std::string& expected) {
-    const std::size_t at = text.find(between);
+/// "320x200", both from `least` to `most`. Throws UsageError(expected).
+WindowSize parse_size(const std::string& text, std::int32_t least, std::int32_t most, const std::string& expected) {
+    const std::size_t at = text.find('x');
     const auto first = at == std::string::npos ? std::nullopt : whole_number(text.substr(0, at));
     const auto second = at == std::string::npos ? std::nullopt : whole_number(text.substr(at + 1));
     const auto fits = [&](std::optional<std::int32_t> value) { return value && *value >= least && *value <= most; };
@@ -76,15 +73,13 @@ std::size_t parse_choice(const std::string& option, const std::string& text, std
 void parse_mode_size(const std::string& text, ScreenMode& mode) {
     const std::string expected = "--mode: '" + text + "', expected WIDTHxHEIGHT from 8x8 to " +
                                  std::to_string(kLargestMode_px) + "x" + std::to_string(kLargestMode_px);
-    const Pair size = parse_pair(text, 'x', 8, kLargestMode_px, expected);
-    mode.width_px = size.first;
-    mode.height_px = size.second;
+    const WindowSize size = parse_size(text, 8, kLargestMode_px, expected);
+    mode.width_px = size.width_px;
+    mode.height_px = size.height_px;
 }
 
 WindowSize parse_window_size(const std::string& text) {
-    const std::string expected = "--window: '" + text + "', expected WIDTHxHEIGHT from 1x1 to 16384x16384";
-    const Pair size = parse_pair(text, 'x', 1, 16384, expected);
-    return {size.first, size.second};
+    return parse_size(text, 1, 16384, "--window: '" + text + "', expected WIDTHxHEIGHT from 1x1 to 16384x16384");
 }
 
 Ratio parse_display(const std::string& text) {
@@ -122,12 +117,12 @@ std::int32_t parse_brightness(const std::string& text) {
 
 const Kernels& parse_instructions(const std::string& text) {
     const Kernels* const kernels = text.empty() ? &best_kernels() : find_kernels(text);
-    if (!kernels) throw UsageError("--instructions: '" + text + "', expected one of " + kernel_names());
+    if (!kernels) throw UsageError("--instructions: '" + text + "', expected one of " + row_names(all_kernels()));
     return *kernels;
 }
 
 std::string instructions_help() {
-    return "the instructions that draw: " + kernel_names() + " (default: the first); the picture is the same";
+    return "the instructions that draw: " + row_names(all_kernels()) + " (default: the first); the picture is the same";
 }
 
 void check_view(const ScreenMode& mode, Degrees field_of_view) {
@@ -144,12 +139,6 @@ Preset parse_preset(const std::string& text) {
 
 namespace {
 
-std::string names_of_dials() {
-    std::string names;
-    for (const Dial& dial : all_dials()) names += (names.empty() ? "" : ", ") + std::string(dial.name);
-    return names;
-}
-
 std::optional<std::int32_t> dial_value(const Dial& dial, const std::string& text) {
     for (const DialSetting& setting : dial.settings)
         if (setting.name == text) return setting.value;
@@ -162,8 +151,7 @@ std::optional<std::int32_t> dial_value(const Dial& dial, const std::string& text
 }  // namespace
 
 std::string values_of(const Dial& dial) {
-    std::string text;
-    for (const DialSetting& setting : dial.settings) text += (text.empty() ? "" : ", ") + std::string(setting.name);
+    const std::string text = row_names(dial.settings);
     if (dial.least == dial.greatest) return text;
     return text + ", or any from " + value_text(dial, dial.least) + " to " + value_text(dial, dial.greatest);
 }
@@ -173,7 +161,7 @@ void parse_dial(const std::string& text, Accuracy& accuracy) {
     if (equals == std::string::npos) throw UsageError("--dial: '" + text + "', expected NAME=VALUE");
     const std::string name = text.substr(0, equals), value = text.substr(equals + 1);
     const Dial* const dial = dial_named(name);
-    if (!dial) throw UsageError("--dial: '" + name + "', expected one of " + names_of_dials());
+    if (!dial) throw UsageError("--dial: '" + name + "', expected one of " + row_names(all_dials()));
     const std::optional<std::int32_t> number = dial_value(*dial, value);
     if (!number) throw UsageError("--dial: '" + text + "', expected one of " + values_of(*dial));
     dial->set(accuracy, *number);

@@ -12,7 +12,17 @@
 namespace oblong {
 
 namespace {
+
 constexpr const char* kNoDash = "no dash";
+
+std::string fault_of_empty(const std::string& text) {
+    return text.empty() ? "is empty, expected a value" : "";
+}
+
+std::string fault_of_dash(const std::string& text) {
+    return text == "-" ? "'-' is neither standard input nor output here, expected a name" : "";
+}
+
 }  // namespace
 
 CommandOption& CommandOption::require() {
@@ -44,18 +54,6 @@ CommandOption& CommandOption::accept_no_value(const std::string& instead) {
     option_->expected(0, 1)->default_str(instead);
     return *this;
 }
-
-namespace {
-
-std::string fault_of_empty(const std::string& text) {
-    return text.empty() ? "is empty, expected a value" : "";
-}
-
-std::string fault_of_dash(const std::string& text) {
-    return text == "-" ? "'-' is neither standard input nor output here, expected a name" : "";
-}
-
-}  // namespace
 
 template <class Value>
 CommandOption CommandArguments::add(const std::string& names, Value& value, const std::string& help) {

@@ -61,10 +61,6 @@ void ModuleChannel::swap() {
     at_32 = 0;
 }
 
-void ModuleChannel::skip() {
-    next.begin = std::min(next.begin + offset, next.end);
-}
-
 void ModuleChannel::strike() {
     heard_period_8 = period_8;
     swap();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -49,7 +50,7 @@ struct ModuleChannel {
     /// Takes its loop for the end of what is playing; where nothing is, that begins.
     void swap();
     /// Begins the next note `offset` values later.
-    void skip();
+    void skip() { next.begin = std::min(next.begin + offset, next.end); }
     /// Starts the next note's sample at the channel's period.
     void strike();
     /// A note's period with the channel's finetune.

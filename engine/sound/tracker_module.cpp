@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "engine/base/input_error.h"
+#include "engine/base/little_endian.h"
 
 namespace oblong {
 namespace {
@@ -15,10 +15,6 @@ constexpr int kMostSample = 31;
 constexpr std::uint8_t kOthersRestart = 127;  // of other trackers of 4 channels, in place of an order
 constexpr std::size_t kOrderCount = kTitleBytes + kSamples * kSampleHeadBytes, kOrders = kOrderCount + 2;
 constexpr std::size_t kSignature = kOrders + kMostOrders, kPatternsAt = kSignature + 4;
-
-[[noreturn]] void fail(std::size_t offset, const std::string& what) {
-    throw InputError("offset " + std::to_string(offset), what);
-}
 
 std::size_t doubled_u16(std::span<const std::uint8_t> file, std::size_t at) {
     return 2 * (std::size_t{file[at]} * 256 + file[at + 1]);
@@ -99,9 +95,9 @@ void check_sample_numbers(std::span<const std::uint8_t> file, std::size_t notes)
     std::size_t bad = 0;
     for (std::size_t i = 0; i < notes; ++i)
         if (sample_number(file, kPatternsAt + i * kNoteBytes) > kMostSample) ++bad;
-    if (bad > kFew && bad > notes / 4)
-        fail(kPatternsAt, std::to_string(bad) + " of " + std::to_string(notes) +
-                              " notes name samples above 31, expected the notes of a tracker module, not packed");
+    expect_at(kPatternsAt, bad <= kFew || bad <= notes / 4,
+              std::to_string(bad) + " of " + std::to_string(notes) +
+                  " notes name samples above 31, expected the notes of a tracker module, not packed");
 }
 
 // Effect 8 pans a channel from left, 0, to right, 255; DOS trackers wrote 128 for right.
@@ -195,18 +191,16 @@ std::size_t read_values(std::vector<std::int8_t>& values, std::span<const std::u
 }  // namespace
 
 TrackerModule parse_module(std::span<const std::uint8_t> file) {
-    if (file.size() < kPatternsAt)
-        fail(file.size(),
-             "the file ends here, expected a tracker module of at least " + std::to_string(kPatternsAt) + " bytes");
+    expect_at(file.size(), file.size() >= kPatternsAt,
+              "the file ends here, expected a tracker module of at least " + std::to_string(kPatternsAt) + " bytes");
     const std::string_view signature(reinterpret_cast<const char*>(file.data()) + kSignature, 4);
     TrackerModule module;
     module.channels = channels_of(signature);
-    if (module.channels == 0)
-        fail(kSignature,
-             "'" + std::string(signature) + "', expected 'M.K.' or '8CHN', as a tracker module of 31 samples has it");
+    expect_at(kSignature, module.channels > 0,
+              "'" + std::string(signature) + "', expected 'M.K.' or '8CHN', as a tracker module of 31 samples has it");
     const std::size_t order_count = file[kOrderCount];
-    if (order_count < 1 || order_count > kMostOrders)
-        fail(kOrderCount, std::to_string(order_count) + " patterns to play, expected 1 to 128");
+    expect_at(kOrderCount, order_count >= 1 && order_count <= kMostOrders,
+              std::to_string(order_count) + " patterns to play, expected 1 to 128");
     const auto orders = file.subspan(kOrders, order_count);
     module.orders.assign(orders.begin(), orders.end());
     if (file[kOrderCount + 1] < order_count) module.restart = file[kOrderCount + 1];
@@ -224,8 +218,8 @@ TrackerModule parse_module(std::span<const std::uint8_t> file) {
                                           sample_bytes, patterns_of(orders));
     module.channels = layout.channels;
     module.notes.resize(layout.patterns * kPatternRows * module.channels);
-    if ((file.size() - kPatternsAt) / kNoteBytes < module.notes.size())
-        fail(file.size(), "the file ends here, expected " + std::to_string(layout.patterns) + " patterns");
+    expect_at(file.size(), (file.size() - kPatternsAt) / kNoteBytes >= module.notes.size(),
+              "the file ends here, expected " + std::to_string(layout.patterns) + " patterns");
     check_sample_numbers(file, std::min(patterns_of(orders) * kPatternRows * module.channels, module.notes.size()));
     std::size_t at = kPatternsAt;
     for (ModuleNote& note : module.notes) {

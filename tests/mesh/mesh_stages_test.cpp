@@ -235,7 +235,7 @@ TEST(MeshStages, ThePartsBoxesHoldTheirTriangles) {
         transform_to_world(mesh.frames[0].vertices, transform, world);
         for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
             const MeshBox& part = parts[triangle / kPartTriangles];
-            const LevelBox box = world_box(transform, part, part);
+            const LevelBox box = world_box(transform.to_world, part, part);
             for (const std::uint32_t vertex : mesh.triangles[triangle].vertices) {
                 const Vec3<World>& p = world[vertex].position;
                 for (const auto& [axis, place] : {std::pair{0u, p.x}, std::pair{1u, p.y}, std::pair{2u, p.z}})

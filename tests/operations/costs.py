@@ -195,8 +195,11 @@ def write_prices(path, prices, errors):
         text = file.read()
     names = re.findall(r'\{"([^"]+)", \{', text)
     rows = "".join(f'    {{"{name}", {{{numbers([10 * price for price in row], ".0f")}}}}},\n' for name, row in zip(names, zip(*prices), strict=True))
-    lines = [f"//   {level:8} {setting:13} {numbers(errors[level, setting, kind], '+5.1f')}\n"
-             for level, setting, kind in sorted(errors) if is_preset((level, setting, kind))]
+    by_preset = {}
+    for key, value in sorted(errors.items()):
+        if is_preset(key):
+            by_preset.setdefault(key[1], []).append(value)
+    lines = [f"//   {preset:13} {numbers(largest(values), '4.1f')}\n" for preset, values in sorted(by_preset.items())]
     lines += [f"// presets, at most: {numbers(largest(value for key, value in errors.items() if is_preset(key)), '.1f')}\n",
               f"// any setting, at most: {numbers(largest(errors.values()), '.1f')}\n"]
     text = re.sub(r"(?<=per cent:\n)(//.*\n)*", lambda _: "".join(lines), text)

@@ -4,9 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "engine/base/input_error.h"
-#include "engine/base/little_endian.h"
-#include "engine/pictures/picture.h"
+#include "engine/base/table.h"
+#include "engine/pictures/bitmaps.h"
 
 // PNGs with 8-bit palettes, as all of the game's own. Unpacked by stb.
 #define STB_IMAGE_IMPLEMENTATION
@@ -23,7 +22,6 @@ using Bytes = std::vector<std::uint8_t>;
 using ByteView = std::span<const std::uint8_t>;
 
 constexpr std::array<std::uint8_t, 8> kSignature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-constexpr std::uint32_t kLargestSide_px = 4096;
 constexpr std::size_t kHeadBytes = 13, kChunkBytes = 12;
 
 std::uint32_t u32_at(ByteView bytes, std::size_t at) {
@@ -61,7 +59,7 @@ int predicted(int filter, int left, int above, int corner) {
     const int by_left = std::abs(paeth - left), by_above = std::abs(paeth - above),
               by_corner = std::abs(paeth - corner);
     const int nearest = by_left <= by_above && by_left <= by_corner ? left : by_above <= by_corner ? above : corner;
-    return std::array{0, left, above, (left + above) / 2, nearest}[static_cast<std::size_t>(filter)];
+    return std::array{0, left, above, (left + above) / 2, nearest}[as_size(filter)];
 }
 
 /// Converts rows, each of which begins with its filter type (PNG, 9.2), to indices.
@@ -69,7 +67,7 @@ Bytes unfiltered(ByteView rows, std::size_t width, std::size_t height) {
     Bytes pixels(width * height);
     for (std::size_t y = 0; y < height; ++y) {
         const ByteView row = rows.subspan(y * (width + 1), width + 1);
-        if (row[0] > 4) throw InputError("image", "filter " + std::to_string(row[0]) + ", expected 0 to 4");
+        if (row[0] > 4) refuse_picture("filter " + std::to_string(row[0]) + ", expected 0 to 4");
         for (std::size_t x = 0; x < width; ++x) {
             const std::size_t at = y * width + x;
             const int left = x > 0 ? pixels[at - 1] : 0, above = y > 0 ? pixels[at - width] : 0;
@@ -87,15 +85,13 @@ PngImage decode_png(std::span<const std::uint8_t> file) {
     const std::uint32_t width = u32_at(chunks.head, 0), height = u32_at(chunks.head, 4);
     const bool is_indexed = chunks.head.size() == kHeadBytes && chunks.head[8] == 8 && chunks.head[9] == 3 &&
                             chunks.head[12] == 0 && chunks.palette.size() >= 3;
-    if (!is_indexed) throw InputError("image", "a PNG of another kind, expected 8-bit indices, not interlaced");
-    if (width < 1 || height < 1 || width > kLargestSide_px || height > kLargestSide_px)
-        throw InputError("image",
-                         std::to_string(width) + "x" + std::to_string(height) + " pixels, expected 1 to 4096 a side");
+    if (!is_indexed) refuse_picture("a PNG of another kind, expected 8-bit indices, not interlaced");
+    check_picture_size(width, height);
     Bytes rows(std::size_t{width + 1} * height);
     const int unpacked = stbi_zlib_decode_buffer(reinterpret_cast<char*>(rows.data()), static_cast<int>(rows.size()),
                                                  reinterpret_cast<const char*>(chunks.packed.data()),
                                                  static_cast<int>(chunks.packed.size()));
-    if (unpacked != static_cast<int>(rows.size())) throw InputError("image", "a damaged PNG");
+    if (unpacked != static_cast<int>(rows.size())) refuse_picture("a damaged PNG");
 
     PngImage image{static_cast<std::int32_t>(width), static_cast<std::int32_t>(height), {}, {}};
     image.indices = unfiltered(rows, width, height);
@@ -104,10 +100,7 @@ PngImage decode_png(std::span<const std::uint8_t> file) {
         const std::uint8_t alpha = i < chunks.alphas.size() ? chunks.alphas[i] : std::uint8_t{255};
         image.colours.push_back({{rgb[0], rgb[1], rgb[2]}, alpha});
     }
-    for (const std::uint8_t index : image.indices)
-        if (index >= image.colours.size())
-            throw InputError("image", "a pixel of colour " + std::to_string(index) +
-                                          ", expected one of the palette's " + std::to_string(image.colours.size()));
+    for (const std::uint8_t index : image.indices) palette_colour(image.colours, index);
     return image;
 }
 

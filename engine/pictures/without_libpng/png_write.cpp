@@ -4,10 +4,7 @@
 #include <string_view>
 
 #include "engine/base/checksum.h"
-#include "engine/base/input_error.h"
-#include "engine/base/little_endian.h"
-#include "engine/pictures/picture.h"
-#include "engine/view/screen.h"
+#include "engine/pictures/bitmaps.h"
 
 namespace oblong {
 namespace {
@@ -53,9 +50,7 @@ Bytes stored(ByteView bytes) {
 
 std::vector<std::uint8_t> encode_indexed_png(std::span<const std::uint8_t> pixels, std::int32_t width_px,
                                              std::int32_t height_px, const Palette& palette) {
-    if (width_px <= 0 || height_px <= 0 || pixels.size() != pixel_count(width_px, height_px))
-        throw InputError("image", std::to_string(pixels.size()) + " pixels of " + std::to_string(width_px) + "x" +
-                                      std::to_string(height_px) + ", expected all, and one or more a side");
+    check_pixels_to_write(pixels.size(), width_px, height_px);
     Bytes head, colours, rows;
     append_big_endian(head, static_cast<std::uint32_t>(width_px));
     append_big_endian(head, static_cast<std::uint32_t>(height_px));

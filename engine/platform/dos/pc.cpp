@@ -40,10 +40,6 @@ std::uint64_t Pc::now_us() {
     return counts / kTimerHz * 1'000'000 + counts % kTimerHz * 1'000'000 / kTimerHz;
 }
 
-void Pc::note(InputEvent::Kind kind, Input input) {
-    input_.events.push_back({kind, input, 0, 0});
-}
-
 void Pc::take_key(std::uint16_t usage, bool is_released) {
     const Input key{Device::Key, usage};
     if (is_released) return held_.erase(usage) != 0 ? note(InputEvent::Kind::Release, key) : void();

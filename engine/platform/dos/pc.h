@@ -27,7 +27,7 @@ class Pc : public Platform {
     void take_keys();
     void take_key(std::uint16_t usage, bool is_released);
     void take_mouse();
-    void note(InputEvent::Kind kind, Input input);
+    void note(InputEvent::Kind kind, Input input) { input_.events.push_back({kind, input, 0, 0}); }
 
     Vga vga_;
     WindowSettings settings_;

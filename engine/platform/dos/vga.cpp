@@ -71,10 +71,6 @@ void copy_to_planes(Framebuffer picture) {
     }
 }
 
-void copy(Framebuffer picture) {
-    for (std::int32_t y = 0; y < kMode13h.height_px; ++y) std::memcpy(screen() + 320 * y, picture.row(y), 320);
-}
-
 void copy_nearest(Framebuffer picture) {
     std::array<std::int32_t, kMode13h.width_px> columns;
     for (std::int32_t x = 0; x < kMode13h.width_px; ++x) columns[as_size(x)] = x * picture.width_px / kMode13h.width_px;
@@ -143,7 +139,7 @@ void Vga::show(Framebuffer picture, const Palette& palette) {
     if (mode != kMode13h)
         copy_to_planes(picture);
     else if (size == kMode13h)
-        copy(picture);
+        for (std::int32_t y = 0; y < kMode13h.height_px; ++y) std::memcpy(screen() + 320 * y, picture.row(y), 320);
     else
         copy_nearest(picture);
 }

@@ -1,7 +1,5 @@
 #include "engine/platform/sdl/crt_look.h"
 
-#include <SDL.h>
-
 #include <vector>
 
 #include "engine/platform/crt_mask.h"

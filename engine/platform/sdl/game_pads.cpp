@@ -1,5 +1,3 @@
-#include <SDL.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -51,10 +49,6 @@ std::string_view makers_name(const MakersNames& names, Input input) {
 
 }  // namespace
 
-void GamePads::Close::operator()(SDL_GameController* controller) const {
-    SDL_GameControllerClose(controller);
-}
-
 GamePads::GamePads() : is_available_(SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER) == 0) {
     if (!is_available_) std::fprintf(stderr, "oblong: no gamepads: %s\n", SDL_GetError());
 }
@@ -72,31 +66,18 @@ Input GamePads::numbered(Input input, std::int32_t id) const {
 }
 
 void GamePads::take(const SDL_Event& event, std::vector<InputEvent>& events, std::vector<InputEvent>& of_each) {
-    using Kind = InputEvent::Kind;
-    const auto note_axis = [&](bool is_positive, std::int32_t value) {
-        const auto axis = static_cast<PadAxis>(event.caxis.axis);
-        of_each.push_back({Kind::Axis, numbered(pad_axis(axis, is_positive), event.caxis.which), value, 0});
-    };
-    if (event.type == SDL_CONTROLLERDEVICEREMOVED)
-        of_each.push_back({Kind::ReleasePad, numbered({Device::PadButton, 0}, event.cdevice.which), 0, 0});
-    if (event.type == SDL_CONTROLLERBUTTONDOWN || event.type == SDL_CONTROLLERBUTTONUP)
-        of_each.push_back({event.cbutton.state == SDL_PRESSED ? Kind::Press : Kind::Release,
-                           numbered({Device::PadButton, event.cbutton.button}, event.cbutton.which), 0, 0});
-    if (event.type == SDL_CONTROLLERAXISMOTION && event.caxis.axis < SDL_CONTROLLER_AXIS_MAX) {
-        note_axis(true, event.caxis.value);
-        note_axis(false, -event.caxis.value);
-    }
-
     switch (event.type) {
         case SDL_JOYDEVICEADDED:  // also for joysticks that are no gamepads
             return add(event.jdevice.which);
         case SDL_CONTROLLERDEVICEREMOVED:
+            of_each.push_back(
+                {InputEvent::Kind::ReleasePad, numbered({Device::PadButton, 0}, event.cdevice.which), 0, 0});
             return remove(event.cdevice.which, events);
         case SDL_CONTROLLERBUTTONDOWN:
         case SDL_CONTROLLERBUTTONUP:
-            return take_button(event.cbutton, events);
+            return take_button(event.cbutton, events, of_each);
         case SDL_CONTROLLERAXISMOTION:
-            return take_axis(event.caxis, events);
+            return take_axis(event.caxis, events, of_each);
         default:
             return;
     }
@@ -119,7 +100,7 @@ void GamePads::add(std::int32_t device_index) {
     std::int32_t number = 1;  // the least that is free
     const auto has_number = [&](const Pad& pad) { return pad.number == number; };
     while (std::any_of(pads_.begin(), pads_.end(), has_number)) ++number;
-    pads_.push_back({id, number, std::unique_ptr<SDL_GameController, Close>(controller)});
+    pads_.push_back({id, number, Owned<SDL_GameController>(controller)});
 }
 
 void GamePads::remove(std::int32_t id, std::vector<InputEvent>& events) {
@@ -127,25 +108,28 @@ void GamePads::remove(std::int32_t id, std::vector<InputEvent>& events) {
     if (used_ == id) use_pad(kNone, events);
 }
 
-void GamePads::take_button(const SDL_ControllerButtonEvent& event, std::vector<InputEvent>& events) {
+void GamePads::take_button(const SDL_ControllerButtonEvent& event, std::vector<InputEvent>& events,
+                           std::vector<InputEvent>& of_each) {
     const Input button{Device::PadButton, event.button};
-    if (event.state == SDL_PRESSED) {
-        use_pad(event.which, events);
-        events.push_back({InputEvent::Kind::Press, button, 0, 0});
-    } else if (event.which == used_) {
-        events.push_back({InputEvent::Kind::Release, button, 0, 0});
-    }
+    const auto kind = event.state == SDL_PRESSED ? InputEvent::Kind::Press : InputEvent::Kind::Release;
+    of_each.push_back({kind, numbered(button, event.which), 0, 0});
+    if (event.state == SDL_PRESSED) use_pad(event.which, events);
+    if (event.which == used_) events.push_back({kind, button, 0, 0});
 }
 
-void GamePads::take_axis(const SDL_ControllerAxisEvent& event, std::vector<InputEvent>& events) {
+void GamePads::take_axis(const SDL_ControllerAxisEvent& event, std::vector<InputEvent>& events,
+                         std::vector<InputEvent>& of_each) {
     if (event.axis >= SDL_CONTROLLER_AXIS_MAX) return;
     const std::int32_t value = event.value;
+    const auto axis = static_cast<PadAxis>(event.axis);
+    const Input ahead = pad_axis(axis, true), back = pad_axis(axis, false);
+    of_each.push_back({InputEvent::Kind::Axis, numbered(ahead, event.which), value, 0});
+    of_each.push_back({InputEvent::Kind::Axis, numbered(back, event.which), -value, 0});
     const bool is_other = used_ != kNone && event.which != used_;
     if (is_other && std::abs(value) < kFullAxis / 2) return;  // another pad's stick at rest
     use_pad(event.which, events);
-    const auto axis = static_cast<PadAxis>(event.axis);
-    events.push_back({InputEvent::Kind::Axis, pad_axis(axis, true), value, 0});
-    events.push_back({InputEvent::Kind::Axis, pad_axis(axis, false), -value, 0});
+    events.push_back({InputEvent::Kind::Axis, ahead, value, 0});
+    events.push_back({InputEvent::Kind::Axis, back, -value, 0});
 }
 
 void GamePads::use_pad(std::int32_t id, std::vector<InputEvent>& events) {

@@ -1,11 +1,8 @@
 #include "engine/platform/sdl/input.h"
 
-#include <SDL.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <utility>
 
 namespace oblong {
 namespace {
@@ -29,13 +26,6 @@ Input wheel_of(WheelTurn turn) {
     return {Device::MouseWheel, static_cast<std::uint16_t>(turn)};
 }
 
-// Counts of the device, without the system's acceleration and scale.
-void ask_for_raw_motion() {
-    SDL_SetHint(SDL_HINT_MOUSE_RELATIVE_SYSTEM_SCALE, "0");
-    SDL_SetHint(SDL_HINT_MOUSE_RELATIVE_MODE_WARP, "0");
-    SDL_SetHint(SDL_HINT_MOUSE_RELATIVE_SCALING, "0");
-}
-
 // The window of an event; null if it is of none.
 SDL_Window* window_of(const SDL_Event& event) {
     switch (event.type) {
@@ -57,14 +47,13 @@ SDL_Window* window_of(const SDL_Event& event) {
     }
 }
 
-bool is_printable_key(Input input) {
-    return input.device == Device::Key && input.code >= SDL_SCANCODE_A && input.code <= SDL_SCANCODE_SLASH;
-}
-
 }  // namespace
 
+// Asks for counts of the device, without the system's acceleration and scale.
 SdlInput::SdlInput(SDL_Window* window) : window_(window) {
-    ask_for_raw_motion();
+    SDL_SetHint(SDL_HINT_MOUSE_RELATIVE_SYSTEM_SCALE, "0");
+    SDL_SetHint(SDL_HINT_MOUSE_RELATIVE_MODE_WARP, "0");
+    SDL_SetHint(SDL_HINT_MOUSE_RELATIVE_SCALING, "0");
 }
 
 // Events of another window of the program stay for its own poll, as far as there is room; those of the pads go to the
@@ -73,7 +62,7 @@ PlatformInput SdlInput::poll() {
     constexpr std::size_t kMostKept = 1000;
     std::vector<SDL_Event> kept;
     for (SDL_Event event; SDL_PollEvent(&event);) {
-        if (!is_of_another(event))
+        if (SDL_Window* const window = window_of(event); window == nullptr || window == window_)
             take(event);
         else if (kept.size() < kMostKept)
             kept.push_back(event);
@@ -92,13 +81,10 @@ PlatformInput SdlInput::poll() {
     return input;
 }
 
-void SdlInput::note(InputEvent::Kind kind, Input input) {
-    events_.push_back({kind, input, 0, 0});
-}
-
 // The letter on the user's keyboard: the key W is Z on a French one.
 std::string SdlInput::local_name_of(Input input) const {
-    if (!is_printable_key(input)) return pads_.local_name_of(input);
+    if (input.device != Device::Key || input.code < SDL_SCANCODE_A || input.code > SDL_SCANCODE_SLASH)
+        return pads_.local_name_of(input);
     const std::string name = name_of_letter(SDL_GetKeyFromScancode(static_cast<SDL_Scancode>(input.code)));
     return name.empty() ? name_of(input) : name;
 }
@@ -111,15 +97,6 @@ void SdlInput::capture_mouse(bool is_captured) {
     SDL_GetRelativeMouseState(nullptr, nullptr);
     note(InputEvent::Kind::ReleasePressed);
     pointer_.reset();
-}
-
-bool SdlInput::take_textures_lost() {
-    return std::exchange(are_textures_lost_, false);
-}
-
-bool SdlInput::is_of_another(const SDL_Event& event) const {
-    SDL_Window* const window = window_of(event);
-    return window != nullptr && window != window_;
 }
 
 void SdlInput::take(const SDL_Event& event) {

@@ -1,22 +1,13 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/platform/input.h"
-
-struct _SDL_GameController;
-struct SDL_ControllerAxisEvent;
-struct SDL_ControllerButtonEvent;
-struct SDL_KeyboardEvent;
-struct SDL_MouseButtonEvent;
-struct SDL_MouseMotionEvent;
-struct SDL_MouseWheelEvent;
-struct SDL_Window;
-union SDL_Event;
+#include "engine/platform/sdl/owned.h"
 
 namespace oblong {
 
@@ -37,19 +28,18 @@ class GamePads {
     std::string local_name_of(Input input) const;
 
   private:
-    struct Close {
-        void operator()(_SDL_GameController* controller) const;
-    };
     struct Pad {
         std::int32_t id, number;
-        std::unique_ptr<_SDL_GameController, Close> controller;
+        Owned<SDL_GameController> controller;
     };
 
     void add(std::int32_t device_index);
     void remove(std::int32_t id, std::vector<InputEvent>& events);
     Input numbered(Input input, std::int32_t id) const;
-    void take_button(const SDL_ControllerButtonEvent& event, std::vector<InputEvent>& events);
-    void take_axis(const SDL_ControllerAxisEvent& event, std::vector<InputEvent>& events);
+    void take_button(const SDL_ControllerButtonEvent& event, std::vector<InputEvent>& events,
+                     std::vector<InputEvent>& of_each);
+    void take_axis(const SDL_ControllerAxisEvent& event, std::vector<InputEvent>& events,
+                   std::vector<InputEvent>& of_each);
     void use_pad(std::int32_t id, std::vector<InputEvent>& events);
 
     bool is_available_ = false;
@@ -72,17 +62,16 @@ class SdlInput {
     void capture_mouse(bool is_captured);
     bool is_closed() const { return is_closed_; }
     /// True once after the renderer lost its textures.
-    bool take_textures_lost();
+    bool take_textures_lost() { return std::exchange(are_textures_lost_, false); }
 
   private:
-    bool is_of_another(const SDL_Event& event) const;
     void take(const SDL_Event& event);
     void take_key(const SDL_KeyboardEvent& key);
     void take_button(const SDL_MouseButtonEvent& button);
     void take_wheel(const SDL_MouseWheelEvent& wheel);
     void take_motion(const SDL_MouseMotionEvent& motion);
     void take_window_event(std::uint8_t event);
-    void note(InputEvent::Kind kind, Input input = {});
+    void note(InputEvent::Kind kind, Input input = {}) { events_.push_back({kind, input, 0, 0}); }
     void point_at(std::int32_t x, std::int32_t y);
 
     SDL_Window* window_;

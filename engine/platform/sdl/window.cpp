@@ -1,5 +1,3 @@
-#include <SDL.h>
-
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -18,20 +16,6 @@
 #include "engine/platform/sdl/sdl.h"
 
 namespace oblong {
-
-void DestroySdl::operator()(SDL_Window* window) const {
-    SDL_DestroyWindow(window);
-}
-void DestroySdl::operator()(SDL_Renderer* renderer) const {
-    SDL_DestroyRenderer(renderer);
-}
-void DestroySdl::operator()(SDL_Texture* texture) const {
-    SDL_DestroyTexture(texture);
-}
-void DestroySdl::operator()(SDL_Surface* surface) const {
-    SDL_FreeSurface(surface);
-}
-
 namespace {
 
 [[noreturn]] void fail(const char* what) {

@@ -218,7 +218,7 @@ std::int32_t list(const Registers& registers) {
 
 }  // namespace
 
-std::int32_t system_call_of_files(Registers& registers, bool& is_known) {
+std::int32_t system_call_of_files(const Registers& registers, bool& is_known) {
     const auto text = [](std::uint32_t address) { return reinterpret_cast<const char*>(address); };
     const std::uint32_t b = registers.ebx, c = registers.ecx, d = registers.edx;
     switch (registers.eax) {
@@ -249,17 +249,6 @@ std::int32_t system_call_of_files(Registers& registers, bool& is_known) {
             return make_folder(text(b));
         case 296:
             return make_folder(text(c));
-        case 54:
-            return kNoTerminal;  // ioctl
-        case 85:
-        case 305:
-            return kInvalid;  // readlink: there are no links
-        case 118:
-        case 148:
-            return 0;  // fsync
-        case 55:
-        case 221:
-            return 0;  // fcntl: no other program locks files
         case 140:
             return seek(registers);
         case 145:

@@ -33,16 +33,12 @@ void set_gate(std::uint32_t number, std::uint32_t address) {
 void set_controllers(std::uint8_t first_line, std::uint8_t second_line, std::uint8_t mask,
                      std::uint8_t mask_of_second) {
     constexpr std::uint8_t kInitialise = 0x11, kSecondIsOnLine2 = 4, kOnLine2 = 2, k8086 = 1;
-    write_port(kFirst, kInitialise);
-    write_port(kSecond, kInitialise);
-    write_port(kFirst + 1, first_line);
-    write_port(kSecond + 1, second_line);
-    write_port(kFirst + 1, kSecondIsOnLine2);
-    write_port(kSecond + 1, kOnLine2);
-    write_port(kFirst + 1, k8086);
-    write_port(kSecond + 1, k8086);
-    write_port(kFirst + 1, mask);
-    write_port(kSecond + 1, mask_of_second);
+    const auto set = [](std::uint16_t port, const std::uint8_t(&words)[4]) {
+        write_port(port, kInitialise);
+        for (const std::uint8_t word : words) write_port(static_cast<std::uint16_t>(port + 1), word);
+    };
+    set(kFirst, {first_line, kSecondIsOnLine2, k8086, mask});
+    set(kSecond, {second_line, kOnLine2, k8086, mask_of_second});
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ MemoryState memory_state();
 
 // files.cpp: files of the archive behind the program, and files that the game writes, which stay in memory.
 void start_files(const std::uint8_t* archive);
-std::int32_t system_call_of_files(Registers& registers, bool& is_known);
+std::int32_t system_call_of_files(const Registers& registers, bool& is_known);
 
 // dos_files.cpp: stores files of the game's folder, /oblong, in a DOS file; without DOS there is no such folder.
 /// Reads the files of an earlier run.
@@ -88,7 +88,7 @@ void read_kept_files();
 std::int32_t keep_files();
 
 // system_calls.cpp
-std::int32_t system_call(Registers& registers);
+std::int32_t system_call(const Registers& registers);
 
 // missing_instructions.cpp
 /// Emulates an instruction that a 486 lacks; false for any other.

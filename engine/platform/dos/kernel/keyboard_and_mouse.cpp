@@ -23,13 +23,9 @@ bool wait_until(std::uint8_t mask, std::uint8_t wanted) {
     return false;
 }
 
-void command(std::uint8_t byte) {
+void send(std::uint16_t port, std::uint8_t byte) {
     wait_until(kIsBusy, 0);
-    write_port(kControl, byte);
-}
-void send(std::uint8_t byte) {
-    wait_until(kIsBusy, 0);
-    write_port(kData, byte);
+    write_port(port, byte);
 }
 std::uint8_t receive() {
     return wait_until(kHasByte, kHasByte) ? read_port(kData) : 0;
@@ -37,8 +33,8 @@ std::uint8_t receive() {
 
 void tell_mouse(std::uint8_t byte) {
     constexpr std::uint8_t kToMouse = 0xd4;
-    command(kToMouse);
-    send(byte);
+    send(kControl, kToMouse);
+    send(kData, byte);
     receive();  // the acknowledgement
 }
 
@@ -49,11 +45,11 @@ void start_mouse() {
     constexpr std::uint8_t kInterrupts = 0x03, kDisabled = 0x30;  // bits of keyboard and mouse
     constexpr std::uint8_t kDefaults = 0xf6, kReport = 0xf4;      // 100 reports a second, four counts a millimetre
     const WithoutInterrupts during;
-    command(kEnableMouse);
-    command(kReadSettings);
+    send(kControl, kEnableMouse);
+    send(kControl, kReadSettings);
     const std::uint8_t settings = receive();
-    command(kWriteSettings);
-    send(static_cast<std::uint8_t>((settings | kInterrupts) & ~kDisabled));
+    send(kControl, kWriteSettings);
+    send(kData, static_cast<std::uint8_t>((settings | kInterrupts) & ~kDisabled));
     tell_mouse(kDefaults);
     tell_mouse(kReport);
 }

@@ -1,3 +1,4 @@
+#include "engine/platform/dos/kernel/file_table.h"
 #include "engine/platform/dos/kernel/kernel.h"
 
 // Linux's system calls, by number (asm/unistd_32.h), as far as the C and C++ libraries use them. Others fail, and are
@@ -9,7 +10,7 @@ void set_thread_segment(std::uint32_t address);  // start.cpp
 
 namespace {
 
-constexpr std::int32_t kNotThere = -38, kNoMemory = -12, kNoDevice = -19, kTryLater = -11;
+constexpr std::int32_t kNotThere = -38, kNoDevice = -19, kTryLater = -11;
 
 struct TimeOfCall {
     std::uint32_t seconds, nanoseconds;
@@ -92,44 +93,46 @@ std::int32_t own_call(const Registers& registers, bool& is_known) {
     return 0;
 }
 
+/// Calls that always have the same result.
+struct Answer {
+    std::int32_t result;
+    std::uint16_t calls[12];  // 0: none
+};
+constexpr Answer kAnswers[] = {
+    {1, {20, 24, 47, 49, 50, 199, 200, 201, 202, 224, 258}},  // ids of process, thread, user, group
+    {0, {125, 219, 240}},                                     // mprotect, madvise, futex
+    {0, {174, 175, 311}},                                     // signals, robust list
+    {0, {162, 267, 407}},                                     // nanosleep
+    {0, {118, 148}},                                          // fsync
+    {0, {55, 221}},                                           // fcntl: no other program locks files
+    {kInvalid, {85, 305}},                                    // readlink: there are no links
+    {kNoMemory, {163}},                                       // mremap
+    {kNoTerminal, {54}},                                      // ioctl
+    {kTryLater, {120, 435}},                                  // clone: there are no other threads
+    {kNotThere, {386}},                                       // rseq
+};
+
+std::int32_t answered_call(const Registers& registers, bool& is_known) {
+    for (const Answer& answer : kAnswers)
+        for (const std::uint16_t call : answer.calls)
+            if (call != 0 && call == registers.eax) return answer.result;
+    is_known = false;
+    return 0;
+}
+
 std::int32_t call_of_process(const Registers& registers, bool& is_known) {
     const std::uint32_t b = registers.ebx, c = registers.ecx;
     switch (registers.eax) {
         case 1:
         case 252:
             leave(static_cast<std::uint8_t>(b));  // exit
-        case 20:
-        case 24:
-        case 47:
-        case 49:
-        case 50:
-        case 199:
-        case 200:
-        case 201:
-        case 202:
-        case 224:
-        case 258:
-            return 1;  // ids of process, thread, user, group
         case 45:
             return static_cast<std::int32_t>(move_heap_end(b));
         case 91:
             free_pages(reinterpret_cast<void*>(b), whole_pages(c));
             return 0;  // munmap
-        case 163:
-            return kNoMemory;  // mremap
         case 192:
             return take_mapping(registers);
-        case 120:
-        case 435:
-            return kTryLater;  // clone: there are no other threads
-        case 125:
-        case 219:
-        case 240:
-            return 0;  // mprotect, madvise, futex
-        case 174:
-        case 175:
-        case 311:
-            return 0;  // signals, robust list
         case 238:
         case 270:
             leave(1);  // tkill: abort()
@@ -143,14 +146,8 @@ std::int32_t call_of_process(const Registers& registers, bool& is_known) {
             return write_time(c, false);
         case 403:
             return write_time(c, true);
-        case 162:
-        case 267:
-        case 407:
-            return 0;  // nanosleep
         case 355:
             return fill_random(reinterpret_cast<std::uint8_t*>(b), c);
-        case 386:
-            return kNotThere;  // rseq
         default:
             is_known = false;
             return 0;
@@ -159,11 +156,9 @@ std::int32_t call_of_process(const Registers& registers, bool& is_known) {
 
 }  // namespace
 
-std::int32_t system_call(Registers& registers) {
-    using Group = std::int32_t (*)(Registers&, bool&);
-    constexpr Group kGroups[] = {system_call_of_files,
-                                 [](Registers& r, bool& is_known) { return call_of_process(r, is_known); },
-                                 [](Registers& r, bool& is_known) { return own_call(r, is_known); }};
+std::int32_t system_call(const Registers& registers) {
+    using Group = std::int32_t (*)(const Registers&, bool&);
+    constexpr Group kGroups[] = {system_call_of_files, answered_call, call_of_process, own_call};
     for (const Group group : kGroups) {
         bool is_known = true;
         const std::int32_t result = group(registers, is_known);
