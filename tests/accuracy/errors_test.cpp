@@ -3,17 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <set>
 
 #include "engine/frame/frame.h"
-#include "engine/frame/frame_counts.h"
 #include "engine/frame/frame_record.h"
 #include "engine/frame/workspace.h"
-#include "engine/io/files.h"
 #include "engine/measure/texel_error.h"
 #include "tests/accuracy/scenes_fixture.h"
-#include "tests/support/folders.h"
 #include "tools/render/camera_list.h"
 
 namespace oblong::test {

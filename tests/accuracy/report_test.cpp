@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "tests/accuracy/scenes_fixture.h"
@@ -157,15 +156,16 @@ TEST(Notes, SayWhereMoreAccuracyIsFurtherOffAndWhy) {
 }
 
 TEST(Numbers, HaveThreeDigits) {
-    EXPECT_EQ(number_text(0), "0");
-    EXPECT_EQ(number_text(0.0213456), "0.0213");
-    EXPECT_EQ(number_text(0.1), "0.100");
-    EXPECT_EQ(number_text(375.4), "375");
-    EXPECT_EQ(number_text(12446), "12,400");
-    EXPECT_EQ(number_text(-12446789), "-12,400,000");
-    EXPECT_EQ(number_text(0.000001), "below 0.00001");
-    EXPECT_EQ(number_text(9.999), "10.0");
-    EXPECT_EQ(number_text(999.7), "1,000");
+    for (const auto& [number, text] : {std::pair{0.0, "0"},
+                                       {0.0213456, "0.0213"},
+                                       {0.1, "0.100"},
+                                       {375.4, "375"},
+                                       {12446, "12,400"},
+                                       {-12446789, "-12,400,000"},
+                                       {0.000001, "below 0.00001"},
+                                       {9.999, "10.0"},
+                                       {999.7, "1,000"}})
+        EXPECT_EQ(number_text(number), text);
 }
 
 TEST(HeatMap, BrightensWithTheLogarithmOfTheError) {

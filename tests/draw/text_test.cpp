@@ -14,25 +14,22 @@ Lines lines_of_columns(std::string_view text, int columns) {
     return lines_of(text, columns * kGlyphAdvance_px);
 }
 
-TEST(Lines, ShortTextIsOneLine) {
-    EXPECT_EQ(lines_of_columns("", 5), Lines{""});
-    EXPECT_EQ(lines_of_columns("a b c", 5), Lines{"a b c"});
+TEST(Lines, BreakAtLineFeedsAndTheLastSpaceThatFitsOrCutAWord) {
+    for (const auto& [text, columns, lines] : {std::tuple{"", 5, Lines{""}},
+                                               {"a b c", 5, {"a b c"}},
+                                               {"one two three", 7, {"one two", "three"}},
+                                               {"one two three", 8, {"one two", "three"}},
+                                               {"one two three", 6, {"one", "two", "three"}},
+                                               {"one\n\ntwo three", 5, {"one", "", "two", "three"}},
+                                               {"abcdefgh ij", 3, {"abc", "def", "gh", "ij"}},
+                                               {"Höhle Größe", 5, {"Höhle", "Größe"}},
+                                               {"ÄÖÜßé ¿Dónde?", 3, {"ÄÖÜ", "ßé", "¿Dó", "nde", "?"}},
+                                               // No UTF-8: a letter each.
+                                               {"\xff\xc3\xff…", 2, {"\xff\xc3", "\xff…"}}})
+        EXPECT_EQ(lines_of_columns(text, columns), lines) << text << ", " << columns;
     EXPECT_EQ(lines_of("a b", 3 * kGlyphAdvance_px - 1), (Lines{"a", "b"}));
-}
-
-TEST(Lines, BreakAtTheLastSpaceThatFits) {
-    EXPECT_EQ(lines_of_columns("one two three", 7), (Lines{"one two", "three"}));
-    EXPECT_EQ(lines_of_columns("one two three", 8), (Lines{"one two", "three"}));
-    EXPECT_EQ(lines_of_columns("one two three", 6), (Lines{"one", "two", "three"}));
-}
-
-TEST(Lines, BreakAtLineFeeds) {
-    EXPECT_EQ(lines_of_columns("one\n\ntwo three", 5), (Lines{"one", "", "two", "three"}));
-}
-
-TEST(Lines, LongWordsAreCut) {
-    EXPECT_EQ(lines_of_columns("abcdefgh ij", 3), (Lines{"abc", "def", "gh", "ij"}));
     EXPECT_EQ(lines_of("ab", -20), (Lines{"a", "b"}));
+    EXPECT_EQ(text_width_px("Höhle – 5 €"), 11 * kGlyphAdvance_px);
 }
 
 // Whatever the width: every line fits, and nothing but spaces and line feeds is lost.
@@ -50,13 +47,6 @@ TEST(Lines, HoldAllWordsAndFit) {
         }
         EXPECT_EQ(kept, letters) << columns;
     }
-}
-
-TEST(Lines, CountLettersAndNeverCutOne) {
-    EXPECT_EQ(text_width_px("Höhle – 5 €"), 11 * kGlyphAdvance_px);
-    EXPECT_EQ(lines_of_columns("Höhle Größe", 5), (Lines{"Höhle", "Größe"}));
-    EXPECT_EQ(lines_of_columns("ÄÖÜßé ¿Dónde?", 3), (Lines{"ÄÖÜ", "ßé", "¿Dó", "nde", "?"}));
-    EXPECT_EQ(lines_of_columns("\xff\xc3\xff…", 2), (Lines{"\xff\xc3", "\xff…"})) << "no UTF-8: a letter each";
 }
 
 constexpr std::u32string_view kAlike = U"\u00a0¦ª\u00ad²³µ¹º×÷ĐȘșȚț‐‑–—−‘’‚“”„•‹›",

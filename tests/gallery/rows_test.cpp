@@ -1,11 +1,9 @@
 // What holds for every row of the gallery. What a row shows is tested beside what it shows: Row::test.
 
-#include <iterator>
 #include <set>
 #include <sstream>
 
 #include "tests/gallery/gallery_fixture.h"
-#include "tests/support/folders.h"
 #include "tools/gallery/page.h"
 #include "tools/gallery/row.h"
 
@@ -151,16 +149,18 @@ TEST(GalleryPage, EveryPictureIsALinkAndEveryLinkLeadsSomewhere) {
     EXPECT_EQ(links.size(), pictures + rows.size());
 }
 
+template <bool kIsWhole>
+Figures long_figure(const RowInput&, Canvas&) {
+    const std::string name = "a figure whose name is longer than a line of the canvas has room for, by";
+    return {{name + (kIsWhole ? " far" : ""), "1"}};
+}
+
 TEST_F(GalleryRows, LinesOfFiguresAreWrappedNotCut) {
     Row row = gallery_rows().front();
     row.parameters.clear();
-    row.draw = [](const RowInput&, Canvas&) {
-        return Figures{{"a figure whose name is longer than a line of the canvas has room for, by far", "1"}};
-    };
+    row.draw = long_figure<true>;
     const Drawn whole = draw(row, {});
-    row.draw = [](const RowInput&, Canvas&) {
-        return Figures{{"a figure whose name is longer than a line of the canvas has room for, by", "1"}};
-    };
+    row.draw = long_figure<false>;
     EXPECT_NE(draw(row, {}).pixels, whole.pixels) << "the last word shows";
 }
 

@@ -2,8 +2,7 @@
 
 #include <limits>
 
-#include "tests/support/levels.h"
-#include "tests/support/refusal.h"
+#include "tests/level/level_file.h"
 
 namespace oblong::test {
 
@@ -83,19 +82,21 @@ const std::vector<Damage> kDamages = {
     {"model's faces, overflowing", Lump::Models, 56, 4, 0x7fffffff},
 };
 
-TEST(BadInput, OneWrongNumberNamesItsLump) {
-    for (const Damage& damage : kDamages) {
-        Lumps lumps = make_tiny_lumps();
-        put_number(lump_of(lumps, damage.lump), damage.offset, damage.size, damage.value);
-        const std::string where = fault_of(join_lumps(29, lumps));
-        EXPECT_TRUE(where.starts_with(lump_label(static_cast<std::size_t>(damage.lump)) + ","))
-            << damage.what << ": '" << where << "'";
-    }
+std::string fault_in(const Lumps& lumps) {
+    return fault_of(join_lumps(29, lumps));
 }
-
 std::string fault_with(const Damage& damage, Lumps lumps = make_tiny_lumps()) {
     put_number(lump_of(lumps, damage.lump), damage.offset, damage.size, damage.value);
-    return fault_of(join_lumps(29, lumps));
+    return fault_in(lumps);
+}
+testing::AssertionResult is_in(const char* lump, const std::string& where) {
+    if (where.starts_with("lump '" + std::string(lump) + "', offset ")) return testing::AssertionSuccess();
+    return testing::AssertionFailure() << "'" << where << "', expected lump " << lump;
+}
+
+TEST(BadInput, OneWrongNumberNamesItsLump) {
+    for (const Damage& damage : kDamages)
+        EXPECT_TRUE(is_in(kLumpNames[static_cast<std::size_t>(damage.lump)], fault_with(damage))) << damage.what;
 }
 
 /// Indices are in range, but the face would be invisible, or its texture would lie askew.
@@ -105,11 +106,11 @@ TEST(BadInput, AFaceThatIsNotClockwiseOnItsPlaneIsRefused) {
                                  {"a plane below", Lump::Planes, 12, 4, bits_of(6.5F)},
                                  {"a plane above", Lump::Planes, 12, 4, bits_of(9.5F)},
                                  {"a corner off the plane", Lump::Vertices, 2 * 12 + 8, 4, bits_of(9.5F)}})
-        EXPECT_TRUE(fault_with(damage).starts_with("lump 'faces', offset ")) << damage.what;
+        EXPECT_TRUE(is_in("faces", fault_with(damage))) << damage.what;
     Lumps backward = make_tiny_lumps();
     lump_of(backward, Lump::SurfEdges).clear();
     ByteWriter(lump_of(backward, Lump::SurfEdges)).i32(-4).i32(-3).i32(2).i32(-1);
-    EXPECT_TRUE(fault_of(join_lumps(29, backward)).starts_with("lump 'faces', offset "));
+    EXPECT_TRUE(is_in("faces", fault_in(backward)));
     put_number(lump_of(backward, Lump::Faces), 2, 2, 1);
     put_number(lump_of(backward, Lump::Planes), 8, 4, bits_of(-1));
     EXPECT_EQ(fault_with({"a normal down", Lump::Planes, 12, 4, bits_of(-8)}, backward).substr(0, 12), "lump 'faces'")
@@ -130,28 +131,27 @@ TEST(BadInput, FacesAsCompilersLeaveThemAreTaken) {
 TEST(BadInput, TreesOfModelsAreTheirOwn) {
     const auto with_model = [](std::int32_t root, Lumps lumps = make_tiny_lumps(), std::int32_t faces = 1) {
         ByteWriter(lump_of(lumps, Lump::Models)).number(36, 0).i32(root).number(16, 0).i32(0).i32(faces);
-        return fault_of(join_lumps(29, lumps));
+        return fault_in(lumps);
     };
     EXPECT_EQ(with_model(-1), "") << "a leaf";
-    EXPECT_TRUE(with_model(0).starts_with("lump 'models', offset ")) << "the world's tree";
+    EXPECT_TRUE(is_in("models", with_model(0))) << "the world's tree";
     EXPECT_EQ(with_model(0, make_tiny_lumps(), 0), "") << "without faces, as qbsp writes it";
     Lumps two = make_tiny_lumps();
     ByteWriter(lump_of(two, Lump::Nodes)).i32(0).i16(-1).i16(-1).number(16, 0);
     EXPECT_EQ(with_model(1, two), "");
     put_number(lump_of(two, Lump::Nodes), 6, 2, 1);
-    EXPECT_TRUE(with_model(1, two).starts_with("lump 'models', offset ")) << "a node of the world's tree";
-    EXPECT_TRUE(fault_with({"the world begins at its second node", Lump::Models, 36, 4, 1}, two)
-                    .starts_with("lump 'models', offset "));
-    EXPECT_TRUE(fault_with({"a node's face of no model", Lump::Models, 60, 4, 0}).starts_with("lump 'nodes', offset "));
+    EXPECT_TRUE(is_in("models", with_model(1, two))) << "a node of the world's tree";
+    EXPECT_TRUE(is_in("models", fault_with({"the world begins at its second node", Lump::Models, 36, 4, 1}, two)));
+    EXPECT_TRUE(is_in("nodes", fault_with({"a node's face of no model", Lump::Models, 60, 4, 0})));
     Lumps planes = make_tiny_lumps();
     ByteWriter(lump_of(planes, Lump::Planes)).f32(0).f32(0).f32(1).f32(9).i32(2);
-    EXPECT_TRUE(fault_with({"a node's plane", Lump::Nodes, 0, 4, 1}, planes).starts_with("lump 'nodes', offset "));
+    EXPECT_TRUE(is_in("nodes", fault_with({"a node's plane", Lump::Nodes, 0, 4, 1}, planes)));
     // The same of a node below the root, which has the face then.
     Bytes& nodes = lump_of(planes, Lump::Nodes);
     nodes.insert(nodes.end(), nodes.begin(), nodes.begin() + 24);
     put_number(nodes, 22, 2, 0);
     put_number(nodes, 4, 2, 1);
-    EXPECT_EQ(fault_of(join_lumps(29, planes)), "");
+    EXPECT_EQ(fault_in(planes), "");
     const std::uint32_t at = number_at(join_lumps(29, planes), 4 + 5 * 8, 4);
     EXPECT_EQ(fault_with({"a lower node's plane", Lump::Nodes, 24, 4, 1}, planes),
               "lump 'nodes', offset " + std::to_string(at + 24));
@@ -161,9 +161,9 @@ TEST(BadInput, TreesOfModelsAreTheirOwn) {
 TEST(BadInput, HugeLitFacesAreRefusedInLevelsWithoutLightAsWell) {
     Lumps lumps = make_tiny_lumps();
     lump_of(lumps, Lump::Lighting).clear();
-    EXPECT_EQ(fault_of(join_lumps(29, lumps)), "");
+    EXPECT_EQ(fault_in(lumps), "");
     put_number(lump_of(lumps, Lump::TexInfos), 0, 4, bits_of(200.F));  // the face is 32 units wide
-    EXPECT_TRUE(fault_of(join_lumps(29, lumps)).starts_with("lump 'faces', offset "));
+    EXPECT_TRUE(is_in("faces", fault_in(lumps)));
 }
 
 TEST(BadInput, ErrorTellsTheByteOfTheFile) {
@@ -198,7 +198,7 @@ TEST(BadInput, BrokenEntitiesAreFound) {
     for (const char* text : {"{", "{ \"key\" }", "{ \"key", "\"classname\" \"worldspawn\"", "{ key \"value\" }", "}"}) {
         Lumps lumps = make_tiny_lumps();
         lump_of(lumps, Lump::Entities).assign(text, text + std::string_view(text).size());
-        EXPECT_TRUE(fault_of(join_lumps(29, lumps)).starts_with("lump 'entities', offset ")) << text;
+        EXPECT_TRUE(is_in("entities", fault_in(lumps))) << text;
     }
 }
 
@@ -207,17 +207,17 @@ TEST(BadInput, CycleOfTwoClipNodesIsFound) {
     Bytes& nodes = lump_of(lumps, Lump::ClipNodes);
     nodes.clear();
     ByteWriter(nodes).i32(0).i16(1).i16(-2).i32(0).i16(-1).i16(0);
-    EXPECT_TRUE(fault_of(join_lumps(29, lumps)).starts_with("lump 'clipnodes'"));
+    EXPECT_TRUE(is_in("clipnodes", fault_in(lumps)));
     put_number(nodes, 14, 2, -1);  // the way back: now a chain
-    EXPECT_EQ(fault_of(join_lumps(29, lumps)), "");
+    EXPECT_EQ(fault_in(lumps), "");
 }
 
 TEST(BadInput, ClipNodesMayShareASubtreeAndNodesMayNot) {
     Lumps lumps = make_tiny_lumps();
     ByteWriter(lump_of(lumps, Lump::ClipNodes)).i32(0).i16(0).i16(0);
-    EXPECT_EQ(fault_of(join_lumps(29, lumps)), "");
+    EXPECT_EQ(fault_in(lumps), "");
     ByteWriter(lump_of(lumps, Lump::Nodes)).i32(0).i16(0).i16(0).number(8, 0).i32(0).i16(0).i16(0);
-    EXPECT_TRUE(fault_of(join_lumps(29, lumps)).starts_with("lump 'nodes'"));
+    EXPECT_TRUE(is_in("nodes", fault_in(lumps)));
 }
 
 /// Adds 1,000 copies of a lump's last record, of so many bytes.
@@ -272,7 +272,7 @@ TEST(BadInput, WhatIsSharedOrMissingOverAndOverIsRefused) {
     for (const auto& [what, expected, spoil] : kSharings) {
         Lumps lumps = make_tiny_lumps();
         spoil(lumps);
-        const std::string where = fault_of(join_lumps(29, lumps));
+        const std::string where = fault_in(lumps);
         EXPECT_TRUE(where.starts_with(expected)) << what << ": '" << where << "'";
     }
 }
@@ -289,59 +289,49 @@ TEST(BadInput, UnknownVersionAndShortFilesNameTheHeader) {
     EXPECT_EQ(fault_of(Bytes(123, 0)), "header, offset 0");
 }
 
-class BadRealLevel : public OfLevel {
-  protected:
-    void SetUp() override {
-        OfLevel::SetUp();
-        if (!IsSkipped()) file_ = bytes_of_level(GetParam());
-    }
-    Bytes file_;
-};
+class BadRealLevel : public LevelFile {};
 
 TEST_P(BadRealLevel, CutAtALumpsBorderItNamesALump) {
-    std::vector<std::size_t> borders;
     for (std::size_t lump = 0; lump < kLumpCount; ++lump) {
-        const std::size_t start = number_at(file_, 4 + lump * 8, 4), size = number_at(file_, 8 + lump * 8, 4);
-        for (const std::size_t cut : {start, start + size / 2, start + size - 1}) borders.push_back(cut);
+        const std::size_t start = lump_offset(lump), size = lump_size(lump);
+        for (const std::size_t cut : {start, start + size / 2, start + size - 1}) {
+            const std::string where = fault_of(Bytes(file_.begin(), file_.begin() + static_cast<std::ptrdiff_t>(cut)));
+            EXPECT_TRUE(names_a_lump(where)) << "cut at " << cut << ": '" << where << "'";
+        }
     }
-    for (const std::size_t cut : borders) {
-        const std::string where = fault_of(Bytes(file_.begin(), file_.begin() + static_cast<std::ptrdiff_t>(cut)));
-        EXPECT_TRUE(names_a_lump(where)) << "cut at " << cut << ": '" << where << "'";
-    }
+}
+
+/// The file with another number in its header.
+Bytes with_header(Bytes file, std::size_t offset, std::int64_t value) {
+    put_number(file, offset, 4, value);
+    return file;
 }
 
 TEST_P(BadRealLevel, LumpOutsideTheFileIsNamed) {
     const auto size = static_cast<std::int64_t>(file_.size());
     for (std::size_t lump = 0; lump < kLumpCount; ++lump) {
+        const std::size_t place = 4 + lump * 8;
         for (const std::int64_t value :
-             {std::int64_t{-1}, std::int64_t{-2147483648}, std::int64_t{2147483647}, size + 1}) {
-            for (const std::size_t field : {4 + lump * 8, 8 + lump * 8}) {
-                Bytes bad = file_;
-                put_number(bad, field, 4, value);
-                EXPECT_TRUE(fault_of(bad).starts_with(lump_label(lump))) << kLumpNames[lump] << ' ' << value;
-            }
-        }
-        Bytes in_header = file_;
-        put_number(in_header, 4 + lump * 8, 4, kBspHeaderSize - 1);
-        EXPECT_TRUE(fault_of(in_header).starts_with(lump_label(lump))) << kLumpNames[lump];
+             {std::int64_t{-1}, std::int64_t{-2147483648}, std::int64_t{2147483647}, size + 1})
+            for (const std::size_t field : {place, place + 4})
+                EXPECT_TRUE(is_in(kLumpNames[lump], fault_of(with_header(file_, field, value)))) << value;
+        EXPECT_TRUE(is_in(kLumpNames[lump], fault_of(with_header(file_, place, kBspHeaderSize - 1))));
     }
 }
 
 // A lump moved by a record, or emptied, may by chance hold a valid level: then it is read.
 TEST_P(BadRealLevel, LumpMovedOrResizedIsReadOrNamesALump) {
     for (std::size_t lump = 0; lump < kLumpCount; ++lump) {
-        const auto offset = number_at(file_, 4 + lump * 8, 4), size = number_at(file_, 8 + lump * 8, 4);
+        const auto offset = static_cast<std::int64_t>(lump_offset(lump)),
+                   size = static_cast<std::int64_t>(lump_size(lump));
         const std::int64_t record = kBspFormats[0].record_sizes[lump];
-        for (const std::int64_t change : {-record, std::int64_t{-1}, std::int64_t{1}, record}) {
-            Bytes moved = file_, resized = file_, emptied = file_;
-            put_number(moved, 4 + lump * 8, 4, offset + change);
-            put_number(resized, 8 + lump * 8, 4, size + change);
-            put_number(emptied, 8 + lump * 8, 4, 0);
-            for (const Bytes& bad : {moved, resized, emptied}) {
-                const std::string where = fault_of(bad);
+        for (const std::int64_t change : {-record, std::int64_t{-1}, std::int64_t{1}, record})
+            for (const auto& [field, value] : {std::pair{4 + lump * 8, offset + change},
+                                               {8 + lump * 8, size + change},
+                                               {8 + lump * 8, std::int64_t{0}}}) {
+                const std::string where = fault_of(with_header(file_, field, value));
                 EXPECT_TRUE(where.empty() || names_a_lump(where)) << where;
             }
-        }
     }
 }
 

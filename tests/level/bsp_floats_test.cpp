@@ -11,8 +11,19 @@
 namespace oblong::test::bsp_floats_test {
 namespace {
 
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInfinity = std::numeric_limits<float>::infinity();
+
+using Axis = std::array<float, 4>;
+using Place = std::array<float, 3>;
+
 FloatBits bits_of(float value) {
     return FloatBits{std::bit_cast<std::uint32_t>(value)};
+}
+FloatBits3 bits_of(const Place& p) {
+    return {bits_of(p[0]), bits_of(p[1]), bits_of(p[2])};
+}
+std::array<FloatBits, 4> bits_of(const Axis& axis) {
+    return {bits_of(axis[0]), bits_of(axis[1]), bits_of(axis[2]), bits_of(axis[3])};
 }
 
 TEST(BspFloats, FixedIsRoundedToNearestTiesUp) {
@@ -27,8 +38,7 @@ TEST(BspFloats, FixedIsRoundedToNearestTiesUp) {
 
 TEST(BspFloats, LimitIsExclusiveAndNothingElsePasses) {
     EXPECT_EQ(to_fixed(bits_of(99.99F), 0, 100), 100);
-    for (const float bad : {100.F, -100.F, 3e38F, std::numeric_limits<float>::infinity(),
-                            -std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()})
+    for (const float bad : {100.F, -100.F, 3e38F, kInfinity, -kInfinity, kNan})
         EXPECT_FALSE(to_fixed(bits_of(bad), 0, 100).has_value()) << bad;
 }
 
@@ -55,17 +65,16 @@ TEST(BspFloats, BoundsRoundOutward) {
     EXPECT_EQ(ceil_to_int(bits_of(7.F)), 7);
     EXPECT_EQ(ceil_to_int(bits_of(1048576.F)), 1048576);
     EXPECT_FALSE(ceil_to_int(bits_of(1048577.F)).has_value());
-    EXPECT_FALSE(floor_to_int(bits_of(std::numeric_limits<float>::quiet_NaN())).has_value());
+    EXPECT_FALSE(floor_to_int(bits_of(kNan)).has_value());
 }
 
 TEST(BspFloats, TexelsOfAPolygonAreRoundedToCells) {
-    const std::vector<FloatBits3> polygon = {{bits_of(-0.5F), bits_of(0), bits_of(0)},
-                                             {bits_of(32), bits_of(100), bits_of(0)},
-                                             {bits_of(16.5F), bits_of(50), bits_of(0)}};
-    const TexelRange range = texel_range(polygon, {bits_of(1), bits_of(0), bits_of(0), bits_of(0)});
+    const std::vector<FloatBits3> polygon = {bits_of(Place{-0.5F, 0, 0}), bits_of(Place{32, 100, 0}),
+                                             bits_of(Place{16.5F, 50, 0})};
+    const TexelRange range = texel_range(polygon, bits_of(Axis{1, 0, 0, 0}));
     EXPECT_EQ(range.min, -16);
     EXPECT_EQ(range.extent, 48);  // -16 to 32: a value on a border needs no further cell
-    const TexelRange moved = texel_range(polygon, {bits_of(1), bits_of(0), bits_of(0), bits_of(0.5F)});
+    const TexelRange moved = texel_range(polygon, bits_of(Axis{1, 0, 0, 0.5F}));
     EXPECT_EQ(moved.min, 0);
     EXPECT_EQ(moved.extent, 48);  // 0 to 32.5
 }
@@ -77,7 +86,7 @@ double stored(double value) {
 }
 
 /// texel / 16 in the machine's doubles, and then its float.
-float cell_in_floats(const std::array<float, 3>& p, const std::array<float, 4>& axis) {
+float cell_in_floats(const Place& p, const Axis& axis) {
     std::array<double, 3> products;
     for (std::size_t i = 0; i < 3; ++i) products[i] = stored(double{p[i]} * double{axis[i]});
     const double two = stored(products[0] + products[1]);
@@ -95,13 +104,9 @@ TEST(BspFloats, TexelsAreRoundedAsDoublesAreAndThenToFloats) {
     };
     int on_border = 0;
     for (int i = 0; i < 200000; ++i) {
-        const std::array<float, 3> p{static_cast<float>(random() % 512) * 16.F - 4096.F, small(), small()};
-        const std::array<float, 4> axis{1.F, small(), random() % 2 ? 1.F : small(),
-                                        random() % 2 ? -p[1] * 2.F : small()};
-        const std::array<FloatBits, 4> axis_bits{bits_of(axis[0]), bits_of(axis[1]), bits_of(axis[2]),
-                                                 bits_of(axis[3])};
-        const std::vector<FloatBits3> corner = {{bits_of(p[0]), bits_of(p[1]), bits_of(p[2])}};
-        const TexelRange range = texel_range(corner, axis_bits);
+        const Place p{static_cast<float>(random() % 512) * 16.F - 4096.F, small(), small()};
+        const Axis axis{1.F, small(), random() % 2 ? 1.F : small(), random() % 2 ? -p[1] * 2.F : small()};
+        const TexelRange range = texel_range(std::vector{bits_of(p)}, bits_of(axis));
         const float cell = cell_in_floats(p, axis);
         ASSERT_EQ(range.min, 16 * std::floor(cell)) << "case " << i;
         ASSERT_EQ(range.min + range.extent, 16 * std::ceil(cell)) << "case " << i;
@@ -111,25 +116,20 @@ TEST(BspFloats, TexelsAreRoundedAsDoublesAreAndThenToFloats) {
 }
 
 TEST(BspFloats, TexelsTooSmallForFloatsAreZero) {
-    const std::vector<FloatBits3> corner = {{bits_of(-0x1p-100F), bits_of(0), bits_of(0)}};
-    const auto range = [&](float axis) {
-        return texel_range(corner, {bits_of(axis), bits_of(0), bits_of(0), bits_of(0)});
-    };
-    EXPECT_EQ(range(0x1p-49F).min, -16) << "the least float";
-    EXPECT_EQ(range(0x1p-50F).min, 0) << "a tie between it and 0";
-    EXPECT_EQ(range(0x1p-120F).min, 0);
+    const std::vector corner{bits_of(Place{-0x1p-100F, 0, 0})};
+    // The least float, a tie between it and 0, and less.
+    for (const auto& [axis, least] : {std::pair{0x1p-49F, -16}, {0x1p-50F, 0}, {0x1p-120F, 0}})
+        EXPECT_EQ(texel_range(corner, bits_of(Axis{axis, 0, 0, 0})).min, least) << axis;
 }
 
 TEST(BspFloats, NumbersAreNamed) {
-    EXPECT_EQ(describe(bits_of(1.5F)), "1.500000");
-    EXPECT_EQ(describe(bits_of(-2097152.25F)), "-2097152.250000");
-    EXPECT_EQ(describe(bits_of(1e-6F)), "0.000001");
-    EXPECT_EQ(describe(bits_of(std::numeric_limits<float>::max())), "2^127 or more");
-}
-
-TEST(BspFloats, OddOnesAreNamed) {
-    EXPECT_EQ(describe(bits_of(std::numeric_limits<float>::quiet_NaN())), "nan");
-    EXPECT_EQ(describe(bits_of(-std::numeric_limits<float>::infinity())), "-inf");
+    for (const auto& [number, name] : {std::pair{1.5F, "1.500000"},
+                                       {-2097152.25F, "-2097152.250000"},
+                                       {1e-6F, "0.000001"},
+                                       {std::numeric_limits<float>::max(), "2^127 or more"},
+                                       {kNan, "nan"},
+                                       {-kInfinity, "-inf"}})
+        EXPECT_EQ(describe(bits_of(number)), name);
 }
 
 }  // namespace

@@ -2,23 +2,24 @@
 
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <limits>
 
-#include "engine/base/input_error.h"
 #include "engine/base/text.h"
-#include "engine/level/entities.h"
-#include "engine/level/side.h"
-#include "tests/support/bsp_writer.h"
-#include "tests/support/point.h"
-#include "tests/support/refusal.h"
+#include "tests/support/levels.h"
 
-namespace oblong {
+namespace oblong::test {
 
 namespace {
 
-Level read_tiny(test::Lumps lumps = test::make_tiny_lumps()) {
-    return read_bsp(test::join_lumps(29, lumps));
+Level read_tiny(const Lumps& lumps = make_tiny_lumps()) {
+    return read_bsp(join_lumps(29, lumps));
+}
+
+/// The tiny level's lumps, or others, with other numbers of 4 bytes.
+Lumps tiny_with(Lump lump, std::initializer_list<std::pair<std::size_t, std::int64_t>> numbers,
+                Lumps lumps = make_tiny_lumps()) {
+    for (const auto& [offset, number] : numbers) put_number(lump_of(lumps, lump), offset, 4, number);
+    return lumps;
 }
 
 TEST(TinyLevel, FaceCoversItsTexels) {
@@ -35,7 +36,7 @@ TEST(TinyLevel, FaceCoversItsTexels) {
 
 TEST(TinyLevel, NumbersAreInTheFormatsOfTheEngine) {
     const Level level = read_tiny();
-    EXPECT_EQ(level.vertices[VertexIndex(3)], test::point_at(32, 16, 8));
+    EXPECT_EQ(level.vertices[VertexIndex(3)], point_at(32, 16, 8));
     EXPECT_EQ(level.planes.front().normal.z, Unit::from_int(1));
     EXPECT_EQ(level.planes.front().distance, PlaneDistance::from_int(8));
     EXPECT_EQ(level.planes.front().axis, 2);
@@ -47,22 +48,22 @@ TEST(TinyLevel, NumbersAreInTheFormatsOfTheEngine) {
 
 TEST(TinyLevel, PointOnThePlaneBelongsToItsBack) {
     const Level level = read_tiny();
-    Vec3<World> p = test::point_at(1, 1, 8);
+    Vec3<World> p = point_at(1, 1, 8);
     EXPECT_EQ(find_leaf(level, level.world(), p), kSolidOutside);
     p.z += World::ulp();
     EXPECT_EQ(find_leaf(level, level.world(), p), LeafIndex(1));
 }
 
 /// The tiny level of eight light samples with a lump of this name, size and offset from its place behind its list.
-test::Bytes with_extension(std::string_view name, int size, int shift = 0, int lumps = 1) {
-    test::Bytes file = test::join_lumps(29, test::make_tiny_lumps()), colours;
-    for (int i = 0; i < 24; ++i) test::ByteWriter(colours).u8(10 * i);
-    test::append_extension(file, name, colours, size, shift, lumps);
+Bytes with_extension(std::string_view name, int size, int shift = 0, int lumps = 1) {
+    Bytes file = join_lumps(29, make_tiny_lumps()), colours;
+    for (int i = 0; i < 24; ++i) ByteWriter(colours).u8(10 * i);
+    append_extension(file, name, colours, size, shift, lumps);
     return file;
 }
 
 TEST(TinyLevel, ColoursOfItsLightAreBehindTheOtherLumps) {
-    const auto colours_of = [](const test::Bytes& file) { return read_bsp(file).coloured_lighting; };
+    const auto colours_of = [](const Bytes& file) { return read_bsp(file).coloured_lighting; };
     const auto colours = colours_of(with_extension("RGBLIGHTING", 24));
     ASSERT_EQ(colours.size(), 3 * read_tiny().lighting.size());
     for (std::size_t i = 0; i < colours.size(); ++i) EXPECT_EQ(colours[i], 10 * i);
@@ -71,7 +72,8 @@ TEST(TinyLevel, ColoursOfItsLightAreBehindTheOtherLumps) {
     EXPECT_TRUE(read_tiny().coloured_lighting.empty());
     for (const auto& [size, shift, lumps] :
          {std::array{24, 1, 1}, {25, 0, 1}, {-1, 0, 1}, {24, -1000, 1}, {24, 0, 9}}) {
-        const std::string said = test::refusal([&] { read_bsp(with_extension("RGBLIGHTING", size, shift, lumps)); });
+        const Bytes file = with_extension("RGBLIGHTING", size, shift, lumps);
+        const std::string said = refusal([&] { read_bsp(file); });
         EXPECT_NE(said.find("BSPX"), std::string::npos) << said;
         EXPECT_NE(said.find("expected an end within the"), std::string::npos) << said;
     }
@@ -80,8 +82,8 @@ TEST(TinyLevel, ColoursOfItsLightAreBehindTheOtherLumps) {
 TEST(TinyLevel, ColoursOfItsLightMayBeInAFileBesideIt) {
     Level level = read_tiny();
     const auto file = [](int version, int colours) {
-        test::Bytes bytes;
-        test::ByteWriter out(bytes);
+        Bytes bytes;
+        ByteWriter out(bytes);
         out.text("QLIT").i32(version);
         for (int i = 0; i < colours; ++i) out.u8(5 * i);
         return bytes;
@@ -89,35 +91,32 @@ TEST(TinyLevel, ColoursOfItsLightMayBeInAFileBesideIt) {
     read_lit_file(file(1, 24), level);
     ASSERT_EQ(level.coloured_lighting.size(), 24u);
     EXPECT_EQ(level.coloured_lighting[23], 115);
-    const auto said = [&](const test::Bytes& bytes) { return test::refusal([&] { read_lit_file(bytes, level); }); };
-    EXPECT_NE(said(file(2, 24)).find("version 1"), std::string::npos);
-    EXPECT_NE(said({'Q', 'L', 'I'}).find("version 1"), std::string::npos);
-    EXPECT_NE(said(file(1, 23)).find("23 bytes of colours, expected 24"), std::string::npos);
+    for (const auto& wrong : {std::pair{file(2, 24), "version 1"},
+                              {Bytes{'Q', 'L', 'I'}, "version 1"},
+                              {file(1, 23), "23 bytes of colours, expected 24"}})
+        EXPECT_NE(refusal([&] { read_lit_file(wrong.first, level); }).find(wrong.second), std::string::npos)
+            << wrong.second;
 }
 
 TEST(TinyLevel, IsTheSameInAllFormats) {
-    const test::Lumps lumps = test::make_tiny_lumps();
-    EXPECT_EQ(read_tiny(), read_bsp(test::join_lumps(version_from_letters("BSP2"), test::widen_lumps(lumps, true))));
-    EXPECT_EQ(read_tiny(), read_bsp(test::join_lumps(version_from_letters("2PSB"), test::widen_lumps(lumps, false))));
+    const Lumps lumps = make_tiny_lumps();
+    EXPECT_EQ(read_tiny(), read_bsp(join_lumps(version_from_letters("BSP2"), widen_lumps(lumps, true))));
+    EXPECT_EQ(read_tiny(), read_bsp(join_lumps(version_from_letters("2PSB"), widen_lumps(lumps, false))));
 }
 
 /// Bounds of 2^20 are taken: compilers write such for empty nodes.
 TEST(TinyLevel, BoxesOfNodesAndLeavesEndWithTheWorld) {
-    test::Lumps lumps = test::widen_lumps(test::make_tiny_lumps(), true);
-    for (const std::size_t axis : {0u, 1u, 2u}) {
-        test::put_number(test::lump_of(lumps, Lump::Nodes), 12 + axis * 4, 4, std::bit_cast<std::int32_t>(-1048576.F));
-        test::put_number(test::lump_of(lumps, Lump::Leaves), 44 + 20 + axis * 4, 4,
-                         std::bit_cast<std::int32_t>(1048576.F));
-    }
-    const Level level = read_bsp(test::join_lumps(version_from_letters("BSP2"), lumps));
+    const auto low = std::bit_cast<std::int32_t>(-1048576.F), high = std::bit_cast<std::int32_t>(1048576.F);
+    const Lumps wide = widen_lumps(make_tiny_lumps(), true),
+                lumps = tiny_with(Lump::Leaves, {{64, high}, {68, high}, {72, high}},
+                                  tiny_with(Lump::Nodes, {{12, low}, {16, low}, {20, low}}, wide));
+    const Level level = read_bsp(join_lumps(version_from_letters("BSP2"), lumps));
     EXPECT_EQ(level.nodes.front().box.mins, (std::array{-524287, -524287, -524287}));
     EXPECT_EQ(level.leaves[LeafIndex(1)].box.maxs, (std::array{524287, 524287, 524287}));
 }
 
 TEST(TinyLevel, MissingTextureBecomesACheckerboard) {
-    test::Lumps lumps = test::make_tiny_lumps();
-    test::put_number(test::lump_of(lumps, Lump::Textures), 4, 4, -1);
-    const Level level = read_tiny(lumps);
+    const Level level = read_tiny(tiny_with(Lump::Textures, {{4, -1}}));
     ASSERT_EQ(level.textures.size(), 1u);
     const MipTexture& texture = level.textures.front();
     EXPECT_TRUE(texture.is_missing);
@@ -128,10 +127,7 @@ TEST(TinyLevel, MissingTextureBecomesACheckerboard) {
 }
 
 TEST(TinyLevel, TextureWhoseTexelsAreElsewhereKeepsItsName) {
-    test::Lumps lumps = test::make_tiny_lumps();
-    for (std::size_t mip = 0; mip < 4; ++mip)
-        test::put_number(test::lump_of(lumps, Lump::Textures), 32 + mip * 4, 4, 0);
-    const Level level = read_tiny(lumps);
+    const Level level = read_tiny(tiny_with(Lump::Textures, {{32, 0}, {36, 0}, {40, 0}, {44, 0}}));
     EXPECT_TRUE(level.textures.front().is_missing);
     EXPECT_EQ(level.textures.front().name, "floor");
 }
@@ -140,9 +136,7 @@ TEST(TinyLevel, TextureWhoseTexelsAreElsewhereKeepsItsName) {
 TEST(TinyLevel, ATextureOfASizeThatCannotBeDrawnBecomesACheckerboard) {
     for (const std::uint32_t size : {0u, 1u, 8u, 24u, 100u, 16400u, 0x80000000u, 0xffffffffu})
         for (const std::size_t side : {24u, 28u}) {
-            test::Lumps lumps = test::make_tiny_lumps();
-            test::put_number(test::lump_of(lumps, Lump::Textures), side, 4, static_cast<std::int32_t>(size));
-            const Level level = read_tiny(lumps);
+            const Level level = read_tiny(tiny_with(Lump::Textures, {{side, size}}));
             EXPECT_TRUE(level.textures.front().is_missing) << size;
             EXPECT_EQ(level.textures.front().width, 64) << size;
             ASSERT_EQ(texture_warnings(level).size(), 1u) << size;
@@ -154,15 +148,14 @@ TEST(TinyLevel, ATextureOfASizeThatCannotBeDrawnBecomesACheckerboard) {
 // 16 bits hold both: indices up to the number of clipnodes, and contents near 65,536.
 TEST(TinyLevel, MoreThan32767ClipNodesAreToldFromContents) {
     constexpr std::int32_t kCount = 40000;
-    test::Lumps lumps = test::make_tiny_lumps();
-    test::Bytes& nodes = test::lump_of(lumps, Lump::ClipNodes);
+    Lumps lumps = make_tiny_lumps();
+    Bytes& nodes = lump_of(lumps, Lump::ClipNodes);
     nodes.clear();
     const auto child = [](std::int32_t index) { return index < kCount ? index : contents::kWater; };
     const auto is_child = [](ClipChild found, std::int32_t expected) {
         return found == (expected < 0 ? ClipChild(expected) : ClipChild(ClipNodeIndex(expected)));
     };
-    for (std::int32_t i = 0; i < kCount; ++i)
-        test::ByteWriter(nodes).i32(0).i16(child(2 * i + 1)).i16(child(2 * i + 2));
+    for (std::int32_t i = 0; i < kCount; ++i) ByteWriter(nodes).i32(0).i16(child(2 * i + 1)).i16(child(2 * i + 2));
     const Level level = read_tiny(lumps);
     for (std::int32_t i = 0; i < kCount; ++i) {
         const auto& children = level.clip_nodes[ClipNodeIndex(i)].children;
@@ -174,30 +167,27 @@ TEST(TinyLevel, MoreThan32767ClipNodesAreToldFromContents) {
 TEST(TinyLevel, MaterialsGoByNameOrFlag) {
     for (const auto& [name, material] :
          {std::pair{"*lava", Material::Liquid}, {"sky1", Material::Sky}, {"floor", Material::Lit}}) {
-        test::Lumps lumps = test::make_tiny_lumps();
-        test::Bytes& textures = test::lump_of(lumps, Lump::Textures);
+        Lumps lumps = make_tiny_lumps();
+        Bytes& textures = lump_of(lumps, Lump::Textures);
         std::fill_n(textures.begin() + 8, 16, std::uint8_t{0});
         std::copy_n(name, std::string_view(name).size(), textures.begin() + 8);
         const Level level = read_tiny(lumps);
         EXPECT_EQ(level.texinfos.front().material, material) << name;
         EXPECT_EQ(level.sky.is_none(), material != Material::Sky) << name;
     }
-    test::Lumps flagged = test::make_tiny_lumps();
-    test::put_number(test::lump_of(flagged, Lump::TexInfos), 36, 4, 1);
+    const Lumps flagged = tiny_with(Lump::TexInfos, {{36, 1}});
     EXPECT_EQ(read_tiny(flagged).texinfos.front().material, Material::Lit) << "only a name makes a liquid";
-    EXPECT_EQ(read_tiny(flagged).faces.front().light_offset,
-              read_tiny(test::make_tiny_lumps()).faces.front().light_offset);
-    test::Lumps dark = flagged;
-    test::put_number(test::lump_of(dark, Lump::Faces), 16, 4, -1);
+    EXPECT_EQ(read_tiny(flagged).faces.front().light_offset, read_tiny().faces.front().light_offset);
+    const Lumps dark = tiny_with(Lump::Faces, {{16, -1}}, flagged);
     EXPECT_EQ(read_tiny(dark).texinfos.front().material, Material::Unlit) << "no face has light";
-    test::put_number(test::lump_of(flagged, Lump::TexInfos), 0, 4, std::bit_cast<std::int32_t>(200.F));
-    EXPECT_GT(read_tiny(flagged).faces.front().texel_extent_u, 2000) << "a lit one would be refused";
+    const Lumps wide = tiny_with(Lump::TexInfos, {{0, std::bit_cast<std::int32_t>(200.F)}}, flagged);
+    EXPECT_GT(read_tiny(wide).faces.front().texel_extent_u, 2000) << "a lit one would be refused";
 }
 
 TEST(TinyLevel, WithoutLightOrVisibilityThereAreNoOffsets) {
-    test::Lumps lumps = test::make_tiny_lumps();
-    test::lump_of(lumps, Lump::Lighting).clear();
-    test::lump_of(lumps, Lump::Visibility).clear();
+    Lumps lumps = make_tiny_lumps();
+    lump_of(lumps, Lump::Lighting).clear();
+    lump_of(lumps, Lump::Visibility).clear();
     const Level level = read_tiny(lumps);
     EXPECT_EQ(level.faces.front().light_offset, -1);
     EXPECT_EQ(level.leaves[LeafIndex(1)].visibility_offset, -1);
@@ -213,20 +203,14 @@ TEST(Entities, PairsComeInTheirOrder) {
     EXPECT_EQ(entities[2].value("c", "other"), "");
 }
 
-TEST(Entities, FirstOfEqualKeysCounts) {
-    const auto entities = parse_entities("{ \"a\" \"1\" \"a\" \"2\" }", "text");
+TEST(Entities, FirstOfEqualKeysCountsACommentInAQuoteIsTextAndAZeroEndsIt) {
+    using namespace std::string_view_literals;
+    const auto entities = parse_entities("{ \"a\" \"1\" \"a\" \"2\" \"music\" \"a//b\" }\0{"sv, "text");
+    ASSERT_EQ(entities.size(), 1u);
     EXPECT_EQ(entities[0].value("a"), "1");
     EXPECT_EQ(entities[0].value("b", "otherwise"), "otherwise");
-}
-
-TEST(Entities, TextEndsAtAZero) {
-    using namespace std::string_view_literals;
-    EXPECT_EQ(parse_entities("{}\0{"sv, "text").size(), 1u);
+    EXPECT_EQ(entities[0].value("music"), "a//b");
     EXPECT_TRUE(parse_entities("", "text").empty());
-}
-
-TEST(Entities, CommentInAQuoteIsText) {
-    EXPECT_EQ(parse_entities("{ \"music\" \"a//b\" }", "text")[0].value("music"), "a//b");
 }
 
 TEST(Entities, QuotesBehindBackslashesAreText) {
@@ -237,16 +221,12 @@ TEST(Entities, QuotesBehindBackslashesAreText) {
     EXPECT_EQ(entities[1].value("a"), R"(b\\)");
 }
 
-struct Fault {
-    const char* text;
-    const char* where;
-};
-
 TEST(Entities, FaultsTellTheirOffset) {
-    for (const Fault& fault :
-         {Fault{"x", "maps, offset 100"}, Fault{"{ \"key\" }", "maps, offset 108"},
-          Fault{"{ \"key\" \"val", "maps, offset 108"}, Fault{"{ \"a\" \"b\"", "maps, offset 109"}})
-        EXPECT_EQ(test::place_of_refusal([&] { parse_entities(fault.text, "maps", 100); }), fault.where) << fault.text;
+    for (const auto& fault :
+         {std::pair{"x", 100}, {"{ \"key\" }", 108}, {"{ \"key\" \"val", 108}, {"{ \"a\" \"b\"", 109}})
+        EXPECT_EQ(place_of_refusal([&] { parse_entities(fault.first, "maps", 100); }),
+                  "maps, offset " + std::to_string(fault.second))
+            << fault.first;
 }
 
 TEST(Decimal, RoundsToNearest) {
@@ -282,4 +262,4 @@ TEST(WorldVector, TakesThreeNumbersThatFit) {
 
 }  // namespace
 
-}  // namespace oblong
+}  // namespace oblong::test

@@ -1,32 +1,12 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
-#include "engine/level/bsp_read.h"
-#include "engine/level/level.h"
 #include "engine/level/trace.h"
-#include "tests/support/bsp_writer.h"
-#include "tests/support/folders.h"
-#include "tests/support/levels.h"
-#include "tests/support/point.h"
+#include "tests/level/level_file.h"
 
 namespace oblong::test {
 namespace {
 
-class RealLevel : public testing::TestWithParam<const char*> {
-  protected:
-    void SetUp() override {
-        OBLONG_NEEDS_SHARED_LEVELS();
-        file_ = read_shared_file(std::string(GetParam()) + ".bsp");
-        level_ = read_bsp(file_);
-    }
-
-    std::size_t lump_offset(std::size_t lump) const { return number_at(file_, 4 + lump * 8, 4); }
-    std::size_t lump_size(std::size_t lump) const { return number_at(file_, 8 + lump * 8, 4); }
-
-    std::vector<std::uint8_t> file_;
-    Level level_;
-};
+class RealLevel : public LevelFile {};
 
 // Lump numbers and record sizes as the format's description has them, not as the engine does.
 TEST_P(RealLevel, HoldsEveryRecordOfTheFile) {
@@ -55,11 +35,10 @@ TEST_P(RealLevel, BoxesOfModelsJustHoldTheirFaces) {
         LevelBox faces{{99999, 99999, 99999}, {-99999, -99999, -99999}};
         for (const FaceIndex face : model.faces) {
             for (const SurfEdge edge : level_.edges_of(level_.faces[face])) {
-                const Vec3<World>& p = level_.vertices[level_.start_of(edge)];
-                const std::array<std::int32_t, 3> raw{p.x.raw, p.y.raw, p.z.raw};
+                const Point p = to_point(level_.vertices[level_.start_of(edge)]);
                 for (std::size_t axis = 0; axis < 3; ++axis) {
-                    faces.mins[axis] = std::min(faces.mins[axis], raw[axis] >> World::kFractionBits);
-                    faces.maxs[axis] = std::max(faces.maxs[axis], -(-raw[axis] >> World::kFractionBits));
+                    faces.mins[axis] = std::min(faces.mins[axis], static_cast<LevelNumber>(std::floor(p[axis])));
+                    faces.maxs[axis] = std::max(faces.maxs[axis], static_cast<LevelNumber>(std::ceil(p[axis])));
                 }
             }
         }
@@ -129,14 +108,10 @@ TEST_P(RealLevel, FromOutsideEveryLeafIsVisible) {
     EXPECT_FALSE(is_in_set(visible, LeafIndex(level_.world().visible_leaf_count + 1)));
 }
 
-INSTANTIATE_TEST_SUITE_P(Shared, RealLevel, testing::ValuesIn(kRealLevels));
+OBLONG_FOR_REAL_LEVELS(RealLevel);
 
-class RealTrace : public OfLevel {
+class RealTrace : public LevelFile {
   protected:
-    void SetUp() override {
-        OfLevel::SetUp();
-        if (!IsSkipped()) level_ = read_level(GetParam());
-    }
     const SubModel& world() const { return level_.world(); }
     Vec3<World> random_point() { return random_point_in(world().box, random_); }
 
@@ -156,7 +131,6 @@ class RealTrace : public OfLevel {
         }
     }
 
-    Level level_;
     std::mt19937 random_{3};
 };
 
@@ -177,9 +151,7 @@ TEST_P(RealTrace, NeverEndsInSolidAndStaysOnItsWay) {
         ASSERT_NE(hull_contents(level_, world(), hull, result.end), contents::kSolid);
         const double fraction = result.fraction.raw * 0x1p-30;
         ASSERT_TRUE(fraction >= 0 && fraction <= 1);
-        const Point on_way = along(to_point(from), to_point(to), fraction), end = to_point(result.end);
-        const Point off = end - on_way;
-        ASSERT_LE(dot(off, off), 0.01 * 0.01);
+        ASSERT_LE(length(to_point(result.end) - along(to_point(from), to_point(to), fraction)), 0.01);
         ASSERT_TRUE(result.is_hit || result.end == to);
     });
     EXPECT_GT(hits, 4000);

@@ -2,12 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <bit>
-#include <cmath>
-#include <random>
-
-#include "engine/level/bsp_read.h"
-#include "tests/support/levels.h"
+#include "tests/level/level_file.h"
 #include "tests/support/random.h"
 
 namespace oblong::test::side_test {
@@ -28,11 +23,11 @@ struct FilePlane {
     float normal[3], distance;
 };
 
-float float_at(const test::Bytes& bytes, std::size_t offset) {
-    return std::bit_cast<float>(test::number_at(bytes, offset, 4));
+float float_at(const Bytes& bytes, std::size_t offset) {
+    return std::bit_cast<float>(number_at(bytes, offset, 4));
 }
 
-std::vector<FilePlane> file_planes(const test::Bytes& lump) {
+std::vector<FilePlane> file_planes(const Bytes& lump) {
     std::vector<FilePlane> planes;
     for (std::size_t at = 0; at < lump.size(); at += 20)
         planes.push_back(
@@ -47,15 +42,13 @@ int exact_side(const FilePlane& plane, Vec3<World> p) {
     return (sum > 0) - (sum < 0);
 }
 
-class RealSides : public test::OfLevel {
+class RealSides : public LevelFile {
   protected:
     void SetUp() override {
-        OfLevel::SetUp();
+        LevelFile::SetUp();
         if (IsSkipped()) return;
-        const test::Bytes file = test::read_shared_file(std::string(GetParam()) + ".bsp");
-        level_ = read_bsp(file);
-        lumps_ = test::split_lumps(file);
-        planes_ = file_planes(test::lump_of(lumps_, Lump::Planes));
+        lumps_ = split_lumps(file_);
+        planes_ = file_planes(lump_of(lumps_, Lump::Planes));
     }
 
     /// Points where sides are in doubt: all vertices, and whole-unit points of the level's box; and others.
@@ -63,7 +56,7 @@ class RealSides : public test::OfLevel {
         std::mt19937 random(1993);
         std::vector<Vec3<World>> points(level_.vertices.begin(), level_.vertices.end());
         for (int i = 0; i < 3000; ++i) {
-            Vec3<World> p = test::random_point_in(level_.world().box, random);
+            Vec3<World> p = random_point_in(level_.world().box, random);
             points.push_back(p);
             const auto to_whole = [](World part) { return World::from_raw(part.raw & ~0xfff); };
             points.push_back({to_whole(p.x), to_whole(p.y), to_whole(p.z)});
@@ -73,18 +66,17 @@ class RealSides : public test::OfLevel {
 
     /// The walk down the file's own nodes.
     std::int32_t exact_leaf(Vec3<World> p) {
-        const test::Bytes& nodes = test::lump_of(lumps_, Lump::Nodes);
+        const Bytes& nodes = lump_of(lumps_, Lump::Nodes);
         std::int32_t child = 0;
         while (child >= 0) {
             const std::size_t at = static_cast<std::size_t>(child) * 24;
-            const bool is_front = exact_side(planes_[test::number_at(nodes, at, 4)], p) > 0;
-            child = static_cast<std::int16_t>(test::number_at(nodes, at + (is_front ? 4 : 6), 2));
+            const bool is_front = exact_side(planes_[number_at(nodes, at, 4)], p) > 0;
+            child = static_cast<std::int16_t>(number_at(nodes, at + (is_front ? 4 : 6), 2));
         }
         return -1 - child;
     }
 
-    Level level_;
-    test::Lumps lumps_;
+    Lumps lumps_;
     std::vector<FilePlane> planes_;
 };
 
@@ -111,10 +103,10 @@ OBLONG_FOR_REAL_LEVELS(RealSides);
 
 /// A plane, through the reader, in a level whose face has another.
 LevelPlane read_plane(const FilePlane& plane) {
-    test::Lumps lumps = test::make_tiny_lumps();
-    test::Bytes& lump = test::lump_of(lumps, Lump::Planes);
-    test::ByteWriter(lump).f32(plane.normal[0]).f32(plane.normal[1]).f32(plane.normal[2]).f32(plane.distance).i32(3);
-    return read_bsp(test::join_lumps(29, lumps)).planes.back();
+    Lumps lumps = make_tiny_lumps();
+    Bytes& lump = lump_of(lumps, Lump::Planes);
+    ByteWriter(lump).f32(plane.normal[0]).f32(plane.normal[1]).f32(plane.normal[2]).f32(plane.distance).i32(3);
+    return read_bsp(join_lumps(29, lumps)).planes.back();
 }
 
 FilePlane random_plane(std::mt19937& random) {
@@ -140,7 +132,7 @@ TEST(PlaneSide, IsExactInTheWholeWorld) {
         const FilePlane plane = random_plane(random);
         const LevelPlane level_plane = read_plane(plane);
         for (int j = 0; j < 20; ++j) {
-            const Vec3<World> any = test::random_world(random);
+            const Vec3<World> any = random_world(random);
             for (const Vec3<World>& p : {any, drop_onto(plane, any)})
                 ASSERT_EQ(plane_side(level_plane, p), exact_side(plane, p));
         }
@@ -156,7 +148,7 @@ TEST(PlaneSide, DistanceKeepsItsStatedBound) {
     std::mt19937 random(7);
     for (int i = 0; i < 2000; ++i) {
         const FilePlane plane = random_plane(random);
-        const Vec3<World> any = test::random_world(random);
+        const Vec3<World> any = random_world(random);
         const double exact = plane.normal[0] * number_of(any.x) + plane.normal[1] * number_of(any.y) +
                              plane.normal[2] * number_of(any.z) - plane.distance;
         ASSERT_NEAR(number_of(plane_distance(read_plane(plane), any)), exact, std::ldexp(1, -10));

@@ -4,12 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
-#include "engine/level/bsp_read.h"
-#include "engine/level/side.h"
 #include "tests/support/levels.h"
-#include "tests/support/point.h"
 
 namespace oblong::test {
 namespace {
@@ -69,28 +64,34 @@ TEST(Trace, StopsA32ndBeforeTheWallOfARoom) {
     EXPECT_FALSE(result.is_all_solid);
 }
 
-TEST(Trace, GoesAllTheWayWhereNothingIs) {
-    const Level room = make_convex(box_planes(100, -1), false);
-    const TraceResult result = trace(room, {-99, -99, -99}, {99, 98, 97});
-    EXPECT_EQ(result.end, to_world({99, 98, 97}));
-    EXPECT_EQ(result.fraction, Unit::from_int(1));
-    EXPECT_FALSE(result.is_hit);
-}
-
-TEST(Trace, NearerThanA32ndItStaysAndMayLeave) {
-    const Level room = make_convex(box_planes(100, -1), false);
-    const Point near{100 - 1. / 64, 0, 0};
-    EXPECT_EQ(trace(room, near, {101, 0, 0}).end, to_world(near));
-    EXPECT_EQ(trace(room, near, {101, 0, 0}).fraction.raw, 0);
-    EXPECT_FALSE(trace(room, near, {-50, 0, 0}).is_hit);
-    EXPECT_FALSE(trace(room, near, {100 - 1. / 64, 50, 50}).is_hit) << "along the wall";
-}
-
-TEST(Trace, WayThatEndsInFrontOfAPlaneIsFree) {
-    const Level room = make_convex(box_planes(100, -1), false);
-    EXPECT_EQ(trace(room, {0, 0, 0}, {100 - 1. / 64, 0, 0}).end, to_world({100 - 1. / 64, 0, 0}));
-    EXPECT_FALSE(trace(room, {0, 0, 0}, {100, 0, 0}).is_hit) << "on the plane is in front";
-    EXPECT_TRUE(trace(room, {0, 0, 0}, {100 + 1. / 4096, 0, 0}).is_hit);
+/// Ways in a room 200 units wide, and around a block of 64, that end where they would or before.
+TEST(Trace, EndsA32ndBeforeWhatItMeets) {
+    const Level room = make_convex(box_planes(100, -1), false), block = make_convex(box_planes(32, 1), true);
+    constexpr double kStop = 32 + 1. / 32, kNear = 100 - 1. / 64;
+    struct Way {
+        const char* what;
+        const Level& level;
+        Point from, to, end;
+    };
+    for (const auto& [what, level, from, to, end] :
+         {Way{"where nothing is", room, {-99, -99, -99}, {99, 98, 97}, {99, 98, 97}},
+          {"nearer than a 32nd it stays", room, {kNear, 0, 0}, {101, 0, 0}, {kNear, 0, 0}},
+          {"and may leave", room, {kNear, 0, 0}, {-50, 0, 0}, {-50, 0, 0}},
+          {"along the wall", room, {kNear, 0, 0}, {kNear, 50, 50}, {kNear, 50, 50}},
+          {"to nearer than a 32nd", room, {0, 0, 0}, {kNear, 0, 0}, {kNear, 0, 0}},
+          {"on the plane is in front", room, {0, 0, 0}, {100, 0, 0}, {100, 0, 0}},
+          {"behind the plane", room, {0, 0, 0}, {100 + 1. / 4096, 0, 0}, {100 - 1. / 32, 0, 0}},
+          {"a block from one side", block, {-100, 0, 0}, {100, 0, 0}, {-kStop, 0, 0}},
+          {"and the other", block, {100, 5, 0}, {-100, 5, 0}, {kStop, 5, 0}},
+          {"from above", block, {0, 0, 1000}, {0, 0, -1000}, {0, 0, kStop}},
+          {"past it", block, {-100, 33, 0}, {100, 33, 0}, {100, 33, 0}}}) {
+        const TraceResult result = trace(level, from, to);
+        EXPECT_EQ(result.end, to_world(end)) << what;
+        EXPECT_EQ(result.is_hit, end != to) << what;
+        EXPECT_NEAR(number_of(result.fraction), length(end - from) / length(to - from), 0x1p-20) << what;
+    }
+    EXPECT_EQ(trace(room, {kNear, 0, 0}, {101, 0, 0}).fraction.raw, 0);
+    EXPECT_EQ(trace(block, {0, 0, 1000}, {0, 0, -1000}).normal.z, Unit::from_int(1));
 }
 
 // Solid from x = 1/51 or 1/33 down to 0, and from -1/64 down. The point 1/32 before the latter is inside the former,
@@ -111,16 +112,6 @@ TEST(Trace, BacksOffFromAStopInsideSolid) {
         EXPECT_EQ(hull_contents(level, level.world(), Hull::Player, result.end), contents::kEmpty);
         EXPECT_LE(to_point(result.end).x, 1. / 32 + 1. / 4096);
     }
-}
-
-TEST(Trace, MeetsABlockFromEverySide) {
-    const Level block = make_convex(box_planes(32, 1), true);
-    const double stop = 32 + 1. / 32;
-    EXPECT_EQ(trace(block, {-100, 0, 0}, {100, 0, 0}).end, to_world({-stop, 0, 0}));
-    EXPECT_EQ(trace(block, {100, 5, 0}, {-100, 5, 0}).end, to_world({stop, 5, 0}));
-    EXPECT_EQ(trace(block, {0, 0, 1000}, {0, 0, -1000}).end, to_world({0, 0, stop}));
-    EXPECT_EQ(trace(block, {0, 0, 1000}, {0, 0, -1000}).normal.z, Unit::from_int(1));
-    EXPECT_FALSE(trace(block, {-100, 33, 0}, {100, 33, 0}).is_hit) << "past it";
 }
 
 TEST(Trace, FromSolidItMovesOutAndThroughSolidItStays) {
@@ -160,7 +151,7 @@ std::vector<FilePlane> random_room(std::mt19937& random, double radius, int coun
 Point random_point(std::mt19937& random, double size) {
     std::uniform_real_distribution<double> part(-size, size);
     const double x = part(random), y = part(random);
-    return to_point(to_world({x, y, part(random)}));
+    return to_point(point_at(x, y, part(random)));
 }
 
 /// How near a point is to the nearest wall; negative behind it.
@@ -216,11 +207,12 @@ TEST(Floor, IsFoundBelowAPoint) {
 
 TEST(Floor, IsNotFoundTooFarBelowOrFromSolid) {
     const Level level = tiny_level();
-    EXPECT_TRUE(find_floor(level, at_height(136), World::from_int(129)));
-    EXPECT_FALSE(find_floor(level, at_height(136), World::from_int(128)));
-    EXPECT_FALSE(find_floor(level, at_height(136), World::from_int(127)));
-    EXPECT_FALSE(find_floor(level, at_height(4), World::from_int(128)));
-    EXPECT_FALSE(find_floor(level, point_at(0, 0, -524288), World::from_int(128)));
+    for (const auto& [from, most, is_found] : {std::tuple{at_height(136), 129, true},
+                                               {at_height(136), 128, false},
+                                               {at_height(136), 127, false},
+                                               {at_height(4), 128, false},
+                                               {point_at(0, 0, -524288), 128, false}})
+        EXPECT_EQ(find_floor(level, from, World::from_int(most)).has_value(), is_found) << from.z.raw << ", " << most;
 }
 
 TEST(Floor, IsWhereSolidBeginsInRealLevels) {

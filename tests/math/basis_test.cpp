@@ -2,11 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <numbers>
-#include <random>
 
-#include "engine/math/vec.h"
 #include "engine/methods/transforms.h"
 #include "tests/math/vectors.h"
 
@@ -44,15 +41,12 @@ Axes turn_by_turn(Axes axes, long double yaw_to_right, long double pitch_up, lon
     return axes;
 }
 
-void expect_near(const Vec3<Unit>& got, const Vector& expected) {
-    const std::array parts{got.x, got.y, got.z};
-    for (std::size_t i = 0; i < 3; ++i) ASSERT_LE(std::abs(parts[i].raw - std::ldexp(expected[i], 30)), 0.51);
-}
-
 void expect_near(const Basis& got, const Axes& expected) {
-    expect_near(got.right, expected.right);
-    expect_near(got.up, expected.up);
-    expect_near(got.forward, expected.forward);
+    for (const auto& [axis, exact] :
+         {std::pair{got.right, expected.right}, {got.up, expected.up}, {got.forward, expected.forward}}) {
+        const std::array parts{axis.x, axis.y, axis.z};
+        for (std::size_t i = 0; i < 3; ++i) ASSERT_LE(std::abs(parts[i].raw - std::ldexp(exact[i], 30)), 0.51);
+    }
 }
 
 TEST(Basis, EqualsOneTurnAfterTheOther) {
@@ -67,9 +61,8 @@ TEST(Basis, EqualsOneTurnAfterTheOther) {
         const Angle yaw = any(0), pitch = any(2), roll = any(4);
         const long double y = radians_of(yaw), p = radians_of(pitch), r = radians_of(roll);
         // Quake's angles run the other way: counter-clockwise yaw turns left, pitch down, roll sinks the right side.
-        expect_near(view_basis(yaw, pitch, roll), turn_by_turn(quake, -y, -p, -r));
-        expect_near(y_up_basis(yaw, pitch, roll), turn_by_turn(y_up, y, p, r));
-        if (HasFatalFailure()) return;
+        ASSERT_NO_FATAL_FAILURE(expect_near(view_basis(yaw, pitch, roll), turn_by_turn(quake, -y, -p, -r)));
+        ASSERT_NO_FATAL_FAILURE(expect_near(y_up_basis(yaw, pitch, roll), turn_by_turn(y_up, y, p, r)));
     }
 }
 
@@ -90,12 +83,9 @@ TEST(ToView, IsTheExactDotProductRoundedOnce) {
             const Int128 sum = Int128{axis.x.raw} * (Int128{point.x.raw} - eye.x.raw) +
                                Int128{axis.y.raw} * (Int128{point.y.raw} - eye.y.raw) +
                                Int128{axis.z.raw} * (Int128{point.z.raw} - eye.z.raw) + (1 << 25);
-            return static_cast<std::int64_t>(sum >> 26);
+            return View::from_raw(static_cast<std::int64_t>(sum >> 26));
         };
-        const Vec3<View> seen = to_view(point, eye, basis);
-        ASSERT_EQ(seen.x.raw, exact(basis.right));
-        ASSERT_EQ(seen.y.raw, exact(basis.up));
-        ASSERT_EQ(seen.z.raw, exact(basis.forward));
+        ASSERT_EQ(to_view(point, eye, basis), (Vec3<View>{exact(basis.right), exact(basis.up), exact(basis.forward)}));
     }
 }
 
@@ -103,8 +93,7 @@ TEST(ToView, IsTheExactDotProductRoundedOnce) {
 TEST(LookAt, EqualsTheBasisOfItsAngles) {
     std::mt19937 random(1);
     for (int i = 0; i < 5'000; ++i) {
-        const Angle yaw = Angle::from_bam(random()),
-                    pitch = Angle::from_bam(static_cast<int>(random() % 30'000) - 15'000);
+        const Angle yaw = random_angle(random), pitch = Angle::from_bam(random_below(random, 30'000) - 15'000);
         const Basis expected = view_basis(yaw, pitch, {});
         const auto step = [](Unit component) { return World::from_raw(component.raw); };
         const Vec3<World> target{step(expected.forward.x), step(expected.forward.y), step(expected.forward.z)};

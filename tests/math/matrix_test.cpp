@@ -2,12 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <random>
-
 #include "engine/methods/transforms.h"
+#include "tests/support/random.h"
 
-namespace oblong {
+namespace oblong::test::matrix_test {
 namespace {
 
 __extension__ using Int128 = __int128;
@@ -66,8 +64,7 @@ void expect_inverses_of_random_integers(int count, int range) {
     for (int k = 0; k < count; ++k) {
         Integers<N> integers{};
         for (auto& row : integers)
-            for (auto& entry : row)
-                entry = static_cast<std::int64_t>(random() % static_cast<unsigned>(2 * range + 1)) - range;
+            for (auto& entry : row) entry = random_below(random, 2 * range + 1) - range;
         const Int128 det = determinant<N>(integers);
         const auto got = inverse(matrix_of<N>(integers));
         ASSERT_EQ(got.has_value(), det != 0);
@@ -114,14 +111,13 @@ TEST(HardCaseT6, HugeDependentRowsAreSingular) {
     for (int i = 0; i < 20'000; ++i) {
         Matrix4 dependent;
         for (std::size_t j = 0; j < 4; ++j) {
-            const auto any_multiple_of_4 = [&random] {
-                return static_cast<std::int64_t>(random() & ~std::uint64_t{3});
-            };
-            const std::int64_t a = any_multiple_of_4(), b = any_multiple_of_4(), c = any_multiple_of_4();
-            dependent.rows[0][j] = Entry::from_raw(a);
-            dependent.rows[1][j] = Entry::from_raw(b);
-            dependent.rows[2][j] = Entry::from_raw(c);
-            dependent.rows[3][j] = Entry::from_raw(a / 4 + b / 4 + c / 2);
+            std::int64_t mean = 0;
+            for (const std::size_t row : {0u, 1u, 2u}) {
+                const auto multiple_of_4 = static_cast<std::int64_t>(random() & ~std::uint64_t{3});
+                dependent.rows[row][j] = Entry::from_raw(multiple_of_4);
+                mean += multiple_of_4 / (row == 2 ? 2 : 4);
+            }
+            dependent.rows[3][j] = Entry::from_raw(mean);
         }
         ASSERT_FALSE(inverse(dependent)) << i;
     }
@@ -132,10 +128,8 @@ TEST(Matrix, ProductAppliesTheRightOneFirst) {
         return Vec3<Entry>{Entry::from_int(x), Entry::from_int(y), Entry::from_int(z)};
     };
     const Vec4 point{Entry::from_int(1), Entry::from_int(2), Entry::from_int(3)};
-    const auto moved_then_scaled = point_of(scaling(by(2, 2, 2)) * translation(by(10, 0, 0)) * point);
-    EXPECT_EQ(*moved_then_scaled, by(22, 4, 6));
-    const auto scaled_then_moved = point_of(translation(by(10, 0, 0)) * scaling(by(2, 2, 2)) * point);
-    EXPECT_EQ(*scaled_then_moved, by(12, 4, 6));
+    EXPECT_EQ(*point_of(scaling(by(2, 2, 2)) * translation(by(10, 0, 0)) * point), by(22, 4, 6));
+    EXPECT_EQ(*point_of(translation(by(10, 0, 0)) * scaling(by(2, 2, 2)) * point), by(12, 4, 6));
 }
 
 TEST(Matrix, ProductOfIntegersIsExact) {
@@ -158,16 +152,14 @@ TEST(HomogeneousVector, DividesByItsLastComponentAndDirectionsAreNoPoints) {
 TEST(ViewMatrix, GivesThePointsThatToViewGives) {
     std::mt19937 random(3);
     for (int i = 0; i < 5'000; ++i) {
-        const auto any = [&random] { return World::from_raw(static_cast<std::int32_t>(random()) / 16); };
-        const Vec3<World> eye{any(), any(), any()}, p{any(), any(), any()};
-        const Basis basis = view_basis(Angle::from_bam(random()), Angle::from_bam(random()), Angle::from_bam(random()));
+        const Vec3<World> eye = random_world(random, 4), p = random_world(random, 4);
+        const Basis basis = random_axes(random);
         const Vec4 got = view_matrix(basis, eye) * homogeneous(p);
         const Vec3<View> expected = to_view(p, eye, basis);
-        ASSERT_LE(std::abs(got.x.raw - expected.x.raw * 65536), 32768 + 4);
-        ASSERT_LE(std::abs(got.y.raw - expected.y.raw * 65536), 32768 + 4);
-        ASSERT_LE(std::abs(got.z.raw - expected.z.raw * 65536), 32768 + 4);
+        for (const auto& [is, exact] : {std::pair{got.x, expected.x}, {got.y, expected.y}, {got.z, expected.z}})
+            ASSERT_LE(std::abs(is.raw - exact.raw * 65536), 32768 + 4);
     }
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test::matrix_test

@@ -1,10 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
-#include <random>
 
-#include "engine/fixed/trig.h"
-#include "engine/math/matrix.h"
 #include "engine/methods/transforms.h"
 #include "tests/math/vectors.h"
 

@@ -70,16 +70,14 @@ TEST(Normalised, IsTheNearestUnitVectorOfVectorsOfEveryLength) {
         std::array<std::int64_t, 3> vector{};
         for (auto& component : vector) component = floor_shift(static_cast<std::int64_t>(random()), shift);
         if (vector == std::array<std::int64_t, 3>{}) continue;
-        expect_unit_in_direction_of(normalised_raw(vector), vector);
-        if (HasFatalFailure()) return;
+        ASSERT_NO_FATAL_FAILURE(expect_unit_in_direction_of(normalised_raw(vector), vector));
     }
 }
 
 TEST(Normalised, EndsOfTheRangeDoNotOverflow) {
     constexpr std::int64_t kLowest = std::numeric_limits<std::int64_t>::min();
-    expect_unit_in_direction_of(normalised_raw(std::array{kLowest, kLowest, kLowest}), {kLowest, kLowest, kLowest});
-    expect_unit_in_direction_of(normalised_raw(std::array{kLowest, std::int64_t{0}, std::int64_t{1}}), {kLowest, 0, 1});
-    expect_unit_in_direction_of(normalised_raw(std::array<std::int64_t, 3>{0, 0, -1}), {0, 0, -1});
+    for (const std::array<std::int64_t, 3>& end : {std::array{kLowest, kLowest, kLowest}, {kLowest, 0, 1}, {0, 0, -1}})
+        expect_unit_in_direction_of(normalised_raw(end), end);
 }
 
 TEST(HardCaseV9, ZeroVectorStaysZeroAndIsNotDividedBy) {

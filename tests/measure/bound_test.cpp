@@ -2,15 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <optional>
-#include <random>
 
 #include "engine/costs/costs.h"
 #include "engine/measure/texel_error.h"
 #include "engine/visibility/eye.h"
 #include "tests/frame/holes.h"
-#include "tests/support/folders.h"
+#include "tests/support/random.h"
 
 namespace oblong::test {
 namespace {
@@ -19,6 +17,9 @@ struct MeasuredStage {
     Stage stage;
     reference::Level level;
 };
+MeasuredStage measured_real_stage(const std::string& name) {
+    return {real_stage(name), reference::read_level(read_shared_file(name + ".bsp"))};
+}
 
 /// The rounding of a texture coordinate alone (engine/fixed/README.md): closer no texel can be to its place. Next to a
 /// wall that the eye all but touches, where a texel is hundreds of pixels wide, it is more than the bound.
@@ -38,31 +39,18 @@ double largest_error(MeasuredStage& measured, Camera camera, std::int32_t bound_
     return largest;
 }
 
-World units(double value) {
-    return World::from_raw(static_cast<std::int32_t>(std::lround(value * 4096)));
-}
-
 /// An eye 1 to 16 units before the middle of some face of the world, looking anywhere; none if that is in a wall.
 std::optional<Camera> camera_near_a_wall(const Level& level, std::mt19937& random) {
-    const auto part = [&random](double least, double greatest) {
-        return std::uniform_real_distribution<double>(least, greatest)(random);
-    };
     const IndexRange<Face> faces = level.world().faces;
-    const Face& face =
-        level.faces[FaceIndex(faces.first.number() + static_cast<int>(random() % static_cast<unsigned>(faces.count)))];
-    const LevelPlane& plane = level.planes[face.plane];
-    const double distance = part(1, 16) * (face.is_back ? -1 : 1);
-    std::array<double, 3> middle{};
-    for (const SurfEdge edge : level.edges_of(face)) {
-        const Vec3<World>& corner = level.vertices[level.start_of(edge)];
-        const std::array at{corner.x, corner.y, corner.z};
-        for (std::size_t axis = 0; axis < 3; ++axis) middle[axis] += at[axis].raw / 4096.0 / face.edges.count;
-    }
-    const auto moved = [&](double from, Unit normal) { return units(from + distance * normal.raw / (1 << 30)); };
+    const Face& face = level.faces[FaceIndex(faces.first.number() + random_below(random, faces.count))];
+    const double distance = random_between(random, 1, 16) * (face.is_back ? -1 : 1);
+    Point middle;
+    for (const SurfEdge edge : level.edges_of(face))
+        middle = middle + to_point(level.vertices[level.start_of(edge)]) * (1.0 / face.edges.count);
     Camera camera;
-    camera.eye = {moved(middle[0], plane.normal.x), moved(middle[1], plane.normal.y), moved(middle[2], plane.normal.z)};
-    camera.yaw = Angle::from_bam(static_cast<std::int32_t>(random() % 65536));
-    camera.pitch = Angle::from_bam(static_cast<std::int32_t>(random() % 24000) - 12000);
+    camera.eye = to_world(middle + to_point(level.planes[face.plane].normal) * distance);
+    camera.yaw = random_angle(random);
+    camera.pitch = Angle::from_bam(random_below(random, 24000) - 12000);
     if (!is_open(level, camera.eye)) return std::nullopt;
     return camera;
 }
@@ -95,8 +83,7 @@ TEST(Bound, HoldsNextToWallsOfRealLevels) {
     OBLONG_NEEDS_SHARED_LEVELS();
     for (const std::string name : kRealLevels) {
         SCOPED_TRACE(name);
-        const std::filesystem::path bsp = find_shared_folder() / "levels" / (name + ".bsp");
-        expect_within_the_bound({real_stage(name), reference::read_level(read_file_bytes(bsp))}, 60);
+        expect_within_the_bound(measured_real_stage(name), 60);
     }
 }
 
@@ -128,8 +115,7 @@ TEST(Bound, OfAPixelIsCheaperAndNearerThanDivisionsEvery16Pixels) {
     OBLONG_NEEDS_SHARED_LEVELS();
     for (const std::string name : kRealLevels) {
         SCOPED_TRACE(name);
-        const std::filesystem::path bsp = find_shared_folder() / "levels" / (name + ".bsp");
-        MeasuredStage measured{real_stage(name), reference::read_level(read_file_bytes(bsp))};
+        MeasuredStage measured = measured_real_stage(name);
         ObservedWorkspace work(measured.stage.level, measured.stage.mode);
         const Measured pixel = measure(measured, Preset::Pixel, work),
                        of_1996 = measure(measured, Preset::Year1996, work);

@@ -4,10 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <numeric>
-#include <random>
-
 #include "engine/fixed/wide.h"
 #include "engine/methods/mesh_stages.h"
 #include "engine/methods/transforms.h"
@@ -85,8 +81,8 @@ TEST(DrawMesh, LeavesOutNothingThatShows) {
         for (int ball_count = 0; ball_count < 3; ++ball_count) {
             const double ahead = std::exp2(4 + (i % 12) * 0.6 + far(random));
             PlacedMesh placed = placed_at(ball, world_point(ahead, far(random) * ahead, far(random) * ahead * 0.6));
-            placed.yaw = Angle::from_bam(random());
-            placed.roll = Angle::from_bam(random());
+            placed.yaw = random_angle(random);
+            placed.roll = random_angle(random);
             placed.shading = i % 2 == 0 ? Shading::Gouraud : Shading::Phong;
             placed.highlight = 100;
             if (i % 3 == 0) placed.scale.z = Entry::from_raw(Entry::from_int(1).raw / 2);
@@ -106,6 +102,10 @@ TEST(DrawMesh, LeavesOutNothingThatShows) {
     EXPECT_GT(hidden, 5);
 }
 
+bool is_same(const Span& a, const Span& b) {
+    return a.y == b.y && a.first == b.first && a.end == b.end;
+}
+
 TEST(DrawMesh, SpansOfSmallTrianglesAreThoseOfTheScan) {
     std::mt19937 random(8);
     const ScreenRectangle part{2, 9, 1, 8};
@@ -115,9 +115,7 @@ TEST(DrawMesh, SpansOfSmallTrianglesAreThoseOfTheScan) {
     for (int i = 0; i < 200'000; ++i) {
         // Within 2 to 10 pixels; on a coarse grid now and then, so that edges meet centres.
         const int reach = 512 << (i % 3), grid = i % 2 == 0 ? 1 : 64;
-        const auto place = [&] {
-            return Screen::from_raw(static_cast<std::int32_t>(random() % static_cast<unsigned>(reach)) / grid * grid);
-        };
+        const auto place = [&] { return Screen::from_raw(random_below(random, reach) / grid * grid); };
         std::array<ScreenVertex, 3> corners;
         for (ScreenVertex& corner : corners) corner = {place(), place()};
         find_triangle_spans(corners, part, rows, found);
@@ -126,12 +124,7 @@ TEST(DrawMesh, SpansOfSmallTrianglesAreThoseOfTheScan) {
             scan_convex(corners, rows);
             append_spans(rows, part, scanned);
         }
-        ASSERT_EQ(found.size(), scanned.size()) << i;
-        for (std::size_t row = 0; row < found.size(); ++row) {
-            ASSERT_EQ(found[row].y, scanned[row].y);
-            ASSERT_EQ(found[row].first, scanned[row].first);
-            ASSERT_EQ(found[row].end, scanned[row].end);
-        }
+        ASSERT_TRUE(std::equal(found.begin(), found.end(), scanned.begin(), scanned.end(), is_same)) << i;
         with_pixels += !found.empty();
     }
     EXPECT_GT(with_pixels, 30'000);
@@ -142,8 +135,8 @@ TEST(DrawMesh, PointsOfSmallAndOfHugeMeshesAreRoundedAlike) {
     Mesh mesh;
     for (int i = 0; i < 20'000; ++i) {
         PlacedMesh placed = placed_at(mesh, world_point(static_cast<double>(random() % 4000), i, -100));
-        placed.yaw = Angle::from_bam(random());
-        placed.pitch = Angle::from_bam(random());
+        placed.yaw = random_angle(random);
+        placed.pitch = random_angle(random);
         // Scales to either side of 2^5, points of all sizes.
         const auto scale = [&] { return Entry::from_raw(1 + (static_cast<std::int64_t>(random()) << (i % 7))); };
         placed.scale = {scale(), scale(), scale()};
@@ -155,30 +148,13 @@ TEST(DrawMesh, PointsOfSmallAndOfHugeMeshesAreRoundedAlike) {
     }
 }
 
-/// A direction turned by roll, pitch and yaw, in doubles.
-std::array<double, 3> turned(const PlacedMesh& placed, const Vec3<Unit>& v) {
-    const auto angle = [](Angle of) { return of.bam * (3.14159265358979323846 / 32768); };
-    double x = number_of(v.x), y = number_of(v.y), z = number_of(v.z);
-    const auto turn = [](double& from, double& to, double by) {
-        const double cosine = std::cos(by), sine = std::sin(by), old = from;
-        from = cosine * old - sine * to;
-        to = sine * old + cosine * to;
-    };
-    turn(y, z, angle(placed.roll));
-    turn(z, x, angle(placed.pitch));
-    turn(x, y, angle(placed.yaw));
-    return {x, y, z};
-}
-
 TEST(DrawMesh, NormalsOfMeshesThatAreScaledAlikeAreWithinThreeStepsOfTheRotation) {
     std::mt19937 random(10);
     Mesh mesh;
     double most = 0;
     for (int i = 0; i < 20'000; ++i) {
         PlacedMesh placed = placed_at(mesh);
-        placed.yaw = Angle::from_bam(random());
-        placed.pitch = Angle::from_bam(random());
-        placed.roll = Angle::from_bam(random());
+        turn_at_random(placed, random);
         const auto scale = Entry::from_raw((std::int64_t{1} << 32) + (static_cast<std::int64_t>(random()) << (i % 6)));
         const bool is_alike = i % 4 != 0;
         placed.scale = {scale, scale, is_alike ? scale : scale + scale};
@@ -193,9 +169,7 @@ TEST(DrawMesh, NormalsOfMeshesThatAreScaledAlikeAreWithinThreeStepsOfTheRotation
             ASSERT_EQ(found, normalised(transform->normals * convert<Entry>(normal)));
             continue;
         }
-        const std::array<double, 3> exact = turned(placed, normal);
-        most = std::max({most, std::abs(number_of(found.x) - exact[0]), std::abs(number_of(found.y) - exact[1]),
-                         std::abs(number_of(found.z) - exact[2])});
+        most = std::max(most, farthest_apart(to_point(found), MeshAxes(placed).turned(to_point(normal))));
     }
     EXPECT_LE(std::ldexp(most, 30), 3);
 }

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <random>
 
 #include "tests/mesh/mesh_picture.h"
 
@@ -24,12 +23,11 @@ void draw_all_ways(const Mesh& mesh, PlacedMesh placed, MeshPicture& picture) {
 }
 
 World any_world(std::mt19937& random) {
-    constexpr std::array kEnds{std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::max(), 0, 1,
-                               -1};
+    const World ends[] = {World::lowest(), World::highest(), World{}, World::ulp(), -World::ulp()};
     const auto kind = random() % 4;
-    if (kind == 0) return World::from_raw(kEnds[random() % kEnds.size()]);
-    if (kind == 1) return World::from_raw(static_cast<std::int32_t>(random() % 200'000) - 100'000);
-    if (kind == 2) return World::from_raw(static_cast<std::int32_t>(random() % 64) - 32);
+    if (kind == 0) return ends[random() % 5];
+    if (kind == 1) return World::from_raw(random_below(random, 200'000) - 100'000);
+    if (kind == 2) return World::from_raw(random_below(random, 64) - 32);
     return World::from_raw(static_cast<std::int32_t>(random()));
 }
 
@@ -60,8 +58,8 @@ TEST(HostileMeshes, AnyNumbersEnd) {
         const Mesh mesh = random_mesh(random);
         PlacedMesh placed;
         placed.position = i % 2 == 0 ? Vec3<World>{} : any_point(random);
-        placed.yaw = Angle::from_bam(random());
-        placed.pitch = Angle::from_bam(random());
+        placed.yaw = random_angle(random);
+        placed.pitch = random_angle(random);
         placed.skin = random() % 3 == 0 ? static_cast<std::uint32_t>(random()) : 0;
         const auto scale = [&] {
             return Entry::from_raw(static_cast<std::int64_t>(std::uint64_t{random()} << (random() % 31)));

@@ -5,12 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <random>
-
 #include "engine/mesh/mesh_stages.h"
 #include "tests/mesh/mesh_picture.h"
-#include "tests/support/point.h"
 
 namespace oblong::test {
 
@@ -40,9 +36,8 @@ TEST(MeshLight, OfAPlaceIsTheDotProductTimesWhatIsLeftOfItsRadius) {
         const Point p{anywhere(random), anywhere(random), anywhere(random)};
         const Vec3<Unit> normal = random_direction(random);
         const MovingLight light{to_world({10, 20, 30}), World::from_int(300), 128};
-        const Point q = to_point(to_world(p)), way{10 - q.x, 20 - q.y, 30 - q.z};
-        const double distance = std::sqrt(dot(way, way));
-        const double cosine = dot(to_point(normal), {way.x / distance, way.y / distance, way.z / distance});
+        const Point way = Point{10, 20, 30} - to_point(to_world(p));
+        const double distance = length(way), cosine = dot(to_point(normal), normalised(way));
         const double expected = distance >= 300 ? 0 : std::max(0.0, (300 - distance) / 2 * cosine);
         EXPECT_NEAR(diffuse_light(to_world(p), normal, light) / 256.0, expected, 0.01);
         lit += expected > 0;
@@ -64,11 +59,6 @@ TEST(MeshLight, AHighlightIsAPowerOfTheCosine) {
     const HighlightTable table = make_highlight_table(100);
     for (int cosine = 0; cosine <= 256; ++cosine)
         EXPECT_NEAR(table[static_cast<std::size_t>(cosine)] / 256.0, 100 * std::pow(cosine / 256.0, kShininess), 0.01);
-}
-
-/// A shade in exact arithmetic, by Colormap's definition.
-double shade_of_light(double light) {
-    return light < 128 ? 32 + (128 - light) * 31 / 128 : std::max(32 - (light - 128) * 32 / 128, 0.0);
 }
 
 /// A square across the view, seen head-on, whose corners have these normals.
@@ -97,8 +87,8 @@ TEST(Shading, FlatIsTheLightOfTheTrianglesOwnNormal) {
     const PlacedMesh placed = square(builder, {wrong, wrong, wrong, wrong}, Shading::Flat);
     MeshPicture picture(view_from({}));
     picture.draw(placed, numbered_shades(), {20, kFromEye, {}, 100});
-    EXPECT_EQ(picture.at(160, 100), std::lround(shade_of_light(120)));
-    EXPECT_EQ(picture.at(100, 60), std::lround(shade_of_light(120)));
+    EXPECT_EQ(picture.at(160, 100), std::lround(shade_in_doubles(120)));
+    EXPECT_EQ(picture.at(100, 60), std::lround(shade_in_doubles(120)));
 }
 
 TEST(Shading, GouraudsShadeGoesEvenlyOverTheScreen) {
@@ -109,7 +99,7 @@ TEST(Shading, GouraudsShadeGoesEvenlyOverTheScreen) {
     MeshPicture picture(view_from({}));
     picture.draw(placed, numbered_shades(), {20, kFromEye, {}, 100});
     std::array<double, 4> shades;
-    for (std::size_t i = 0; i < 4; ++i) shades[i] = shade_of_light(20 + 100 * -to_point(normals[i]).x);
+    for (std::size_t i = 0; i < 4; ++i) shades[i] = shade_in_doubles(20 + 100 * -to_point(normals[i]).x);
     for (std::int32_t y = 50; y < 150; ++y)
         for (std::int32_t x = 98; x < 222; ++x) {
             const Point at = place_on_square(x, y);
@@ -137,13 +127,13 @@ TEST(Shading, PhongsNormalGoesEvenlyAndItsHighlightWithIt) {
             const Point at = place_on_square(x, y);
             const double third = 1 / std::sqrt(3.0);
             const Point normal{-third, third - 2 * third * at.y, third - 2 * third * at.z};
-            const double cosine = -normal.x / std::sqrt(dot(normal, normal));
+            const double cosine = -normal.x / length(normal);
             const double light = 20 + 100 * cosine + 60 * std::pow(cosine, kShininess);
             // The cosine has steps of 1/256.
-            ASSERT_NEAR(picture.at(x, y), shade_of_light(light), 1.6) << x << ", " << y;
+            ASSERT_NEAR(picture.at(x, y), shade_in_doubles(light), 1.6) << x << ", " << y;
             brightest = std::min<double>(brightest, picture.at(x, y));
         }
-    EXPECT_NEAR(brightest, shade_of_light(180), 1.1);
+    EXPECT_NEAR(brightest, shade_in_doubles(180), 1.1);
 }
 
 /// A mesh of one vertex, whose normal goes from one direction to another.
@@ -180,8 +170,7 @@ TEST(HardCaseT5, ABlendIsOfLengthOneEndsExactlyAndStaysOnTheShorterArc) {
         double nearness = 1.1;
         for (int blend = 0; blend <= 256; blend += 8) {
             const Vec3<Unit> between = blended(mesh, blend);
-            const double length = std::sqrt(dot(to_point(between), to_point(between)));
-            ASSERT_NEAR(length, 1, 0x1p-24) << i << ' ' << blend;
+            ASSERT_NEAR(length(to_point(between)), 1, 0x1p-24) << i << ' ' << blend;
             // From `from` on, ever farther away: never back, never round the other side.
             ASSERT_LE(dot(to_point(between), to_point(from)), nearness + 0x1p-24) << i << ' ' << blend;
             nearness = dot(to_point(between), to_point(from));

@@ -4,6 +4,7 @@
 
 #include "engine/mesh/draw_mesh.h"
 #include "tests/support/palettes.h"
+#include "tests/support/random.h"
 #include "tests/support/views.h"
 #include "tools/gallery/mesh_scene.h"
 #include "tools/gallery/row.h"
@@ -65,6 +66,32 @@ inline PlacedMesh placed_at(const Mesh& mesh, const Vec3<World>& position = {}) 
     placed.mesh = &mesh;
     placed.position = position;
     return placed;
+}
+
+inline void turn_at_random(PlacedMesh& placed, auto& random) {
+    placed.yaw = random_angle(random);
+    placed.pitch = random_angle(random);
+    placed.roll = random_angle(random);
+}
+
+/// The columns of a mesh's rotation in doubles, by Quake's AngleVectors.
+struct MeshAxes {
+    Point ahead, left, up;
+
+    explicit MeshAxes(const PlacedMesh& placed) {
+        const double yaw = radians_of(placed.yaw), pitch = radians_of(placed.pitch), roll = radians_of(placed.roll);
+        const double sy = std::sin(yaw), cy = std::cos(yaw), sp = std::sin(pitch), cp = std::cos(pitch),
+                     sr = std::sin(roll), cr = std::cos(roll);
+        ahead = {cp * cy, cp * sy, -sp};
+        left = {sr * sp * cy - cr * sy, sr * sp * sy + cr * cy, sr * cp};
+        up = {cr * sp * cy + sr * sy, cr * sp * sy - sr * cy, cr * cp};
+    }
+    Point turned(const Point& p) const { return ahead * p.x + left * p.y + up * p.z; }
+};
+
+/// The largest difference of a coordinate.
+inline double farthest_apart(const Point& a, const Point& b) {
+    return std::max({std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.z - b.z)});
 }
 
 }  // namespace oblong::test

@@ -1,13 +1,8 @@
 // The pixels of meshes: texels and depth against rays in doubles. Coverage is that of the scan (draw_mesh_test.cpp).
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <random>
-
 #include "engine/view/project.h"
 #include "tests/mesh/mesh_picture.h"
-#include "tests/support/point.h"
 
 namespace oblong::test {
 namespace {

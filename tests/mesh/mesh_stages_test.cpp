@@ -3,46 +3,19 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <random>
-
 #include "engine/methods/mesh_stages.h"
 #include "tests/mesh/mesh_picture.h"
-#include "tests/support/point.h"
-#include "tests/support/random.h"
 
 namespace oblong::test::mesh_stages_test {
 namespace {
 
-constexpr double kTurn = 2 * 3.14159265358979323846;
-
-/// The columns of a rotation by Quake's angles, turns: ahead, left, up.
-struct Axes {
-    Point ahead, left, up;
-};
-
-Axes axes_of(double yaw, double pitch, double roll) {
-    const double sy = std::sin(yaw), cy = std::cos(yaw), sp = std::sin(pitch), cp = std::cos(pitch),
-                 sr = std::sin(roll), cr = std::cos(roll);
-    // Quake's AngleVectors: forward, right, up.
-    return {{cp * cy, cp * sy, -sp},
-            {sr * sp * cy - cr * sy, sr * sp * sy + cr * cy, sr * cp},
-            {cr * sp * cy + sr * sy, cr * sp * sy - sr * cy, cr * cp}};
-}
-
 PlacedMesh random_place(const Mesh& mesh, std::mt19937& random) {
-    std::uniform_real_distribution<double> anywhere(-2000, 2000), size(0.2, 3);
+    std::uniform_real_distribution<double> anywhere(-2000, 2000);
     PlacedMesh placed = placed_at(mesh, world_point(anywhere(random), anywhere(random), anywhere(random)));
-    placed.yaw = Angle::from_bam(random());
-    placed.pitch = Angle::from_bam(random());
-    placed.roll = Angle::from_bam(random());
-    const auto entry = [&] { return Entry::from_raw(std::llround(std::ldexp(size(random), 32))); };
+    turn_at_random(placed, random);
+    const auto entry = [&] { return fixed_of<Entry>(random_between(random, 0.2, 3)); };
     placed.scale = {entry(), entry(), entry()};
     return placed;
-}
-
-double turns(Angle angle) {
-    return angle.bam / 65536.0 * kTurn;
 }
 
 TEST(MeshStages, PointsAndNormalsGoToTheWorldAndToTheView) {
@@ -57,34 +30,20 @@ TEST(MeshStages, PointsAndNormalsGoToTheWorldAndToTheView) {
         const ViewContext view = view_from(random_world(random, 12), placed.roll, placed.yaw);
         std::vector<ViewVertex> seen;
         transform_to_view(mesh.frames[0].vertices, placed, *transform, view, seen);
-        const Axes axes = axes_of(turns(placed.yaw), turns(placed.pitch), turns(placed.roll));
-        const double sx = number_of(placed.scale.x), sy = number_of(placed.scale.y), sz = number_of(placed.scale.z);
-        const Point origin = to_point(placed.position);
+        const MeshAxes axes(placed);
+        const Point scale = to_point(placed.scale);
         for (std::size_t v = 0; v < world.size(); ++v) {
             const Point p = to_point(mesh.frames[0].vertices[v].position);
             const Point n = to_point(mesh.frames[0].vertices[v].normal);
-            const auto turned = [&](double x, double y, double z) {
-                return Point{axes.ahead.x * x + axes.left.x * y + axes.up.x * z,
-                             axes.ahead.y * x + axes.left.y * y + axes.up.y * z,
-                             axes.ahead.z * x + axes.left.z * y + axes.up.z * z};
-            };
-            const Point point = turned(p.x * sx, p.y * sy, p.z * sz), found = to_point(world[v].position);
-            ASSERT_NEAR(found.x, origin.x + point.x, 1.3e-4);
-            ASSERT_NEAR(found.y, origin.y + point.y, 1.3e-4);
-            ASSERT_NEAR(found.z, origin.z + point.z, 1.3e-4);
+            const Point point = to_point(placed.position) + axes.turned({p.x * scale.x, p.y * scale.y, p.z * scale.z});
+            ASSERT_LE(farthest_apart(to_point(world[v].position), point), 1.3e-4);
             // In the view places are more exact: they are not rounded to a place in the world.
-            const Point from_eye = origin + point - to_point(view.eye);
-            const auto exact = [&](const Vec3<Unit>& axis) { return dot(from_eye, to_point(axis)); };
-            ASSERT_NEAR(number_of(seen[v].position.x), exact(view.axes.right), 1.3e-5);
-            ASSERT_NEAR(number_of(seen[v].position.y), exact(view.axes.up), 1.3e-5);
-            ASSERT_NEAR(number_of(seen[v].position.z), exact(view.axes.forward), 1.3e-5);
+            const auto along = [&](const Vec3<Unit>& axis) { return dot(point - to_point(view.eye), to_point(axis)); };
+            const Point in_view{along(view.axes.right), along(view.axes.up), along(view.axes.forward)};
+            ASSERT_LE(farthest_apart(to_point(seen[v].position), in_view), 1.3e-5);
             // The inverse transpose of R S is R S^-1.
-            Point normal = turned(n.x / sx, n.y / sy, n.z / sz);
-            const double length = std::sqrt(dot(normal, normal));
-            const Point is = to_point(world[v].normal);
-            ASSERT_NEAR(is.x, normal.x / length, 1e-7);
-            ASSERT_NEAR(is.y, normal.y / length, 1e-7);
-            ASSERT_NEAR(is.z, normal.z / length, 1e-7);
+            const Point normal = normalised(axes.turned({n.x / scale.x, n.y / scale.y, n.z / scale.z}));
+            ASSERT_LE(farthest_apart(to_point(world[v].normal), normal), 1e-7);
         }
     }
 }
@@ -210,16 +169,23 @@ TEST(MeshStages, ClippedCornersHaveTheValuesOfTheirPlace) {
         ASSERT_LE(polygon.size(), 7u);
         if ((seen[0].outcode | seen[1].outcode | seen[2].outcode) == 0) continue;
         for (const ScreenCorner& corner : polygon) {
-            const double z = std::ldexp(1.0, 44) / static_cast<double>(corner.inverse_z.raw);
+            const double z = 1 / number_of(corner.inverse_z);
             if (z < 1) continue;
             const double px = std::ldexp(corner.screen.x.raw, -8) - 160, py = 100 - std::ldexp(corner.screen.y.raw, -8);
             const double x = z, y = -px / 160 * z, up = py / (160 / 1.2) * z;
-            ASSERT_NEAR(std::ldexp(static_cast<double>(corner.values.u.raw), -16), 1000 + 2 * y + up, 0.02 + z / 8000);
-            ASSERT_NEAR(std::ldexp(static_cast<double>(corner.values.v.raw), -16), 2000 - x + up, 0.02 + z / 8000);
+            ASSERT_NEAR(number_of(corner.values.u), 1000 + 2 * y + up, 0.02 + z / 8000);
+            ASSERT_NEAR(number_of(corner.values.v), 2000 - x + up, 0.02 + z / 8000);
             ++clipped;
         }
     }
     EXPECT_GT(clipped, 1000);
+}
+
+bool holds(const LevelBox& box, const Vec3<World>& place) {
+    const Point p = to_point(place);
+    for (const std::size_t axis : {0u, 1u, 2u})
+        if (p[axis] < box.mins[axis] || p[axis] > box.maxs[axis]) return false;
+    return true;
 }
 
 TEST(MeshStages, ThePartsBoxesHoldTheirTriangles) {
@@ -236,11 +202,8 @@ TEST(MeshStages, ThePartsBoxesHoldTheirTriangles) {
         for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
             const MeshBox& part = parts[triangle / kPartTriangles];
             const LevelBox box = world_box(transform.to_world, part, part);
-            for (const std::uint32_t vertex : mesh.triangles[triangle].vertices) {
-                const Vec3<World>& p = world[vertex].position;
-                for (const auto& [axis, place] : {std::pair{0u, p.x}, std::pair{1u, p.y}, std::pair{2u, p.z}})
-                    ASSERT_TRUE(place >= World::from_int(box.mins[axis]) && place <= World::from_int(box.maxs[axis]));
-            }
+            for (const std::uint32_t vertex : mesh.triangles[triangle].vertices)
+                ASSERT_TRUE(holds(box, world[vertex].position));
         }
     }
 }
@@ -296,12 +259,7 @@ TEST(MeshStages, ABoxHoldsAllVertices) {
         }
         std::vector<WorldVertex> world;
         transform_to_world(mesh.frames[0].vertices, *make_mesh_transform(placed), world);
-        for (const WorldVertex& vertex : world)
-            for (const auto& [axis, part] : {std::pair{0u, vertex.position.x}, std::pair{1u, vertex.position.y},
-                                             std::pair{2u, vertex.position.z}}) {
-                ASSERT_GE(part, World::from_int(box.mins[axis]));
-                ASSERT_LE(part, World::from_int(box.maxs[axis]));
-            }
+        for (const WorldVertex& vertex : world) ASSERT_TRUE(holds(box, vertex.position));
     }
 }
 

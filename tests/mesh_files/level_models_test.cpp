@@ -2,18 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "engine/io/files.h"
-#include "engine/level/bsp_read.h"
 #include "engine/level/entities.h"
 #include "engine/level/entity_classes.h"
 #include "engine/level/trace.h"
 #include "tests/mesh_files/mdl_writer.h"
-#include "tests/support/bsp_writer.h"
-#include "tests/support/folders.h"
-#include "tests/support/point.h"
-#include "tests/support/refusal.h"
+#include "tests/support/levels.h"
+#include "tests/support/script.h"
 
 namespace oblong::test {
 namespace {
@@ -32,7 +27,7 @@ class ModelFolder : public ::testing::Test {
         write_file(path(name), file);
     }
     LevelModels read(const std::string& entities, const std::string& named = "") const {
-        Level level = read_bsp(join_lumps(29, make_tiny_lumps()));
+        Level level = tiny_level();
         for (int i = 0; i < 2; ++i) level.models.push_back(SubModel(level.world()));  // "*1" and "*2"
         level.entities = parse_entities("{ \"classname\" \"worldspawn\" }" + entities, "test");
         return read_level_models(level, {}, {path("maps/level.bsp"), named, path("elsewhere")});
@@ -48,14 +43,23 @@ class ModelFolder : public ::testing::Test {
     const TemporaryFolder folder_;
 };
 
-std::string misc_model(const std::string& keys) {
-    return "{ \"classname\" \"misc_model\" \"origin\" \"5 6 70\" " + keys + " }";
+/// The text of an entity at 5 6 70, "CLASS KEY=VALUE ...".
+std::string entity(const std::string& text) {
+    const Words words = words_of(text);
+    std::string keys = "{ \"classname\" \"" + words[0] + "\" \"origin\" \"5 6 70\"";
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        const std::size_t equals = words[i].find('=');
+        keys += " \"" + words[i].substr(0, equals) + "\" \"" + words[i].substr(equals + 1) + "\"";
+    }
+    return keys + " }";
+}
+std::string thing(const std::string& keys = "") {
+    return entity("misc_model model=thing.mdl " + keys);
 }
 
 TEST_F(ModelFolder, AMiscModelShowsAFileAtItsPlace) {
     write_model("models/thing.mdl");
-    const LevelModels models =
-        read(misc_model("\"model\" \"models/thing.mdl\" \"angle\" \"90\" \"skin\" \"1\" \"scale\" \"0.5\""));
+    const LevelModels models = read(entity("misc_model model=models/thing.mdl angle=90 skin=1 scale=0.5"));
     ASSERT_EQ(models.models.size(), 1u);
     EXPECT_TRUE(models.warnings.empty());
     const PlacedMesh placed = at(models, 0);
@@ -70,10 +74,7 @@ TEST_F(ModelFolder, AMiscModelShowsAFileAtItsPlace) {
 
 TEST_F(ModelFolder, AnglesAreThoseOfACamera) {
     write_model("models/thing.mdl");
-    const PlacedMesh placed =
-        at(read(misc_model("\"model\" \"thing.mdl\" \"angles\" \"90 180 -90\" \"shading\" \"phong\" "
-                           "\"highlight\" \"200\"")),
-           0);
+    const PlacedMesh placed = at(read(thing("angles=\"90 180 -90\" shading=phong highlight=200")), 0);
     EXPECT_EQ(placed.pitch, kQuarterTurn);
     EXPECT_EQ(placed.yaw, kHalfTurn);
     EXPECT_EQ(placed.roll, -kQuarterTurn);
@@ -83,9 +84,7 @@ TEST_F(ModelFolder, AnglesAreThoseOfACamera) {
 
 TEST_F(ModelFolder, FramesGoByTimeAlone) {
     write_model("models/thing.mdl");
-    const LevelModels still = read(misc_model("\"model\" \"thing.mdl\"")),
-                      group = read(misc_model("\"model\" \"thing.mdl\" \"frame\" \"1\"")),
-                      separate = read(misc_model("\"model\" \"thing.mdl\" \"frames\" \"2\""));
+    const LevelModels still = read(thing()), group = read(thing("frame=1")), separate = read(thing("frames=2"));
     for (const std::int64_t turn_ms : {0, 300 * 1000}) {
         EXPECT_EQ(at(still, turn_ms + 250).frame, 0u);
         EXPECT_EQ(at(group, turn_ms + 99).frame, 1u);
@@ -97,9 +96,7 @@ TEST_F(ModelFolder, FramesGoByTimeAlone) {
 
 TEST_F(ModelFolder, OneFileIsReadOnce) {
     write_model("models/thing.mdl");
-    const std::string one = misc_model("\"model\" \"thing.mdl\""),
-                      large = misc_model("\"model\" \"thing.mdl\" \"scale\" \"2\"");
-    const LevelModels models = read(one + one + large + one);
+    const LevelModels models = read(thing() + thing() + thing("scale=2") + thing());
     EXPECT_EQ(models.models.size(), 4u);
     EXPECT_EQ(models.meshes.size(), 2u);
     EXPECT_EQ(at(models, 0, 3).mesh, at(models, 0, 0).mesh);
@@ -108,8 +105,8 @@ TEST_F(ModelFolder, OneFileIsReadOnce) {
 TEST_F(ModelFolder, WhatTurnsTurnsByTime) {
     write_model("models/thing.mdl", 8);
     write_model("models/other.mdl", 0x10);
-    const LevelModels models = read(misc_model("\"model\" \"thing.mdl\"") + misc_model("\"model\" \"other.mdl\"") +
-                                    misc_model("\"model\" \"other.mdl\" \"period\" \"8\""));
+    const LevelModels models =
+        read(thing() + entity("misc_model model=other.mdl") + entity("misc_model model=other.mdl period=8"));
     EXPECT_EQ(at(models, 900, 0).yaw, kQuarterTurn) << "100 degrees a second";
     EXPECT_EQ(at(models, 3600 * 1000, 0).yaw, Angle{});
     EXPECT_EQ(at(models, 900, 1).yaw, Angle{});
@@ -120,10 +117,8 @@ TEST_F(ModelFolder, ItemsOfQuakeStandOnTheFloor) {
     write_model("progs/armor.mdl", 8);
     write_model("progs/b_g_key.mdl");
     write_model("progs/flame.mdl");
-    const LevelModels models = read(R"({ "classname" "item_armor2" "origin" "5 6 70" }
-                                       { "classname" "light_torch_small_walltorch" "origin" "5 6 70" }
-                                       { "classname" "monster_ogre" "origin" "5 6 70" })",
-                                    path("progs"));
+    const LevelModels models =
+        read(entity("item_armor2") + entity("light_torch_small_walltorch") + entity("monster_ogre"), path("progs"));
     ASSERT_EQ(models.models.size(), 2u);
     EXPECT_EQ(at(models, 0, 0).position, point_at(5, 6, 8));
     EXPECT_EQ(at(models, 0, 0).skin, 1u);
@@ -144,9 +139,7 @@ TEST_F(ModelFolder, KeysAreThoseOfTheWorldsKind) {
 }
 
 TEST_F(ModelFolder, AMissingFileIsOneWarning) {
-    const std::string armor = R"({ "classname" "item_armor1" "origin" "5 6 70" })",
-                      cells = R"({ "classname" "item_cells" "origin" "1 2 3" })",
-                      shells = R"({ "classname" "item_shells" "origin" "1 2 3" })";
+    const std::string armor = entity("item_armor1"), cells = entity("item_cells"), shells = entity("item_shells");
     EXPECT_TRUE(read(armor + cells).warnings.empty()) << "nobody said where Quake's models are";
     const LevelModels models = read(armor + armor + cells + cells + shells, path("elsewhere"));
     EXPECT_TRUE(models.models.empty());
@@ -155,14 +148,14 @@ TEST_F(ModelFolder, AMissingFileIsOneWarning) {
               std::string::npos)
         << models.warnings[0];
     EXPECT_NE(models.warnings[1].find("maps/b_batt0.bsp is made of brushes"), std::string::npos) << models.warnings[1];
-    const LevelModels own = read(misc_model("\"model\" \"models/none.obj\""));
+    const LevelModels own = read(entity("misc_model model=models/none.obj"));
     ASSERT_EQ(own.warnings.size(), 1u);
     EXPECT_NE(own.warnings[0].find("there is no file models/none.obj for the model at 5 6 70"), std::string::npos);
 }
 
 TEST_F(ModelFolder, TheNamedFolderComesFirst) {
     write_model("progs/armor.mdl", 8);
-    const std::string armor = R"({ "classname" "item_armor1" "origin" "5 6 70" })";
+    const std::string armor = entity("item_armor1");
     EXPECT_TRUE(read(armor, path("elsewhere")).meshes.at(0)->turns) << "else beside the level";
     write_model("elsewhere/armor.mdl");
     EXPECT_FALSE(read(armor, path("elsewhere")).meshes.at(0)->turns);
@@ -172,8 +165,8 @@ TEST_F(ModelFolder, TheNamedFolderComesFirst) {
 TEST_F(ModelFolder, TheGamesFoldersAreSearched) {
     for (const char* below : {"game", "game/models"}) make_folder(path(below));
     write_model("game/models/chair.mdl");
-    Level level = read_bsp(join_lumps(29, make_tiny_lumps()));
-    level.entities = parse_entities(misc_model(R"("model" "models/chair.mdl")"), "test");
+    Level level = tiny_level();
+    level.entities = parse_entities(entity("misc_model model=models/chair.mdl"), "test");
     ModelFolders folders{path("drafts/level.bsp"), ""};
     EXPECT_EQ(read_level_models(level, {}, folders).meshes.size(), 0u);
     folders.games = {path("game")};
@@ -183,12 +176,10 @@ TEST_F(ModelFolder, TheGamesFoldersAreSearched) {
 constexpr const char* kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
 TEST_F(ModelFolder, LensesAndKeysHaveModelsOfTheirOwn) {
-    const std::string lens = R"({ "classname" "item_lens" "origin" "5 6 70" })",
-                      key = R"({ "classname" "item_key1" "origin" "5 6 70" })";
+    const std::string lens = entity("item_lens"), key = entity("item_key1");
     EXPECT_TRUE(read(lens + key).models.empty());
     EXPECT_TRUE(read(lens + key).warnings.empty()) << "as for Quake's classes, nobody named a file";
-    for (const char* name : {"lens.obj", "key_silver.obj"})
-        write_file(path(std::string("elsewhere/") + name), kTriangle);
+    for (const char* name : {"elsewhere/lens.obj", "elsewhere/key_silver.obj"}) write_file(path(name), kTriangle);
     const LevelModels models = read(lens + key);
     ASSERT_EQ(models.models.size(), 2u);
     EXPECT_EQ(at(models, 0).position, point_at(5, 6, 70)) << "where the level has it";
@@ -197,7 +188,7 @@ TEST_F(ModelFolder, LensesAndKeysHaveModelsOfTheirOwn) {
     EXPECT_EQ(models.models[1].entity, 2u);
     EXPECT_EQ(models.meshes.at(0)->frames[0].maxs.z, World::from_int(9)) << "y of the file is up; lenses are enlarged";
     EXPECT_EQ(models.meshes.at(1)->frames[0].maxs.z, World::from_int(12));
-    const LevelModels small = read(R"({ "classname" "item_lens" "origin" "5 6 70" "scale" "1.5" })");
+    const LevelModels small = read(entity("item_lens scale=1.5"));
     EXPECT_EQ(small.meshes.at(0)->frames[0].maxs.z, World::from_raw(3 * 2048));
     write_model("progs/w_s_key.mdl");
     EXPECT_EQ(read(key, path("progs")).meshes.at(0)->frames[0].maxs, point_at(100, 100, 100))
@@ -206,9 +197,7 @@ TEST_F(ModelFolder, LensesAndKeysHaveModelsOfTheirOwn) {
 
 TEST_F(ModelFolder, WhatIsGoneIsNotPlaced) {
     write_model("models/thing.mdl");
-    const std::string one = misc_model("\"model\" \"thing.mdl\""),
-                      turned = misc_model("\"model\" \"thing.mdl\" \"angle\" \"90\"");
-    const LevelModels models = read(one + turned);
+    const LevelModels models = read(thing() + thing("angle=90"));
     const std::vector<std::uint8_t> is_gone{1, 0};
     std::vector<PlacedMesh> placed;
     place_models(models, 0, {is_gone}, placed);
@@ -252,15 +241,14 @@ TEST_F(ModelFolder, BrushesThatCannotTurnAsTheyShouldAreReported) {
 
 TEST_F(ModelFolder, BadValuesAreReplacedAndReported) {
     write_model("models/thing.mdl");
-    for (const std::string key :
-         {"\"frame\" \"2\"", "\"skin\" \"-1\"", "\"scale\" \"0\"", "\"scale\" \"x\"", "\"up\" \"x\"",
-          "\"shading\" \"toon\"", "\"angles\" \"1 2\"", "\"frames\" \"3\"", "\"highlight\" \"256\""}) {
-        const LevelModels models = read(misc_model("\"model\" \"thing.mdl\" " + key));
+    for (const std::string key : {"frame=2", "skin=-1", "scale=0", "scale=x", "up=x", "shading=toon", "angles=\"1 2\"",
+                                  "frames=3", "highlight=256"}) {
+        const LevelModels models = read(thing(key));
         EXPECT_EQ(models.warnings.size(), 1u) << key;
         EXPECT_EQ(models.models.size(), 1u) << key;
     }
     for (const std::string model : {"", "../maps/level.bsp", "/etc/passwd"}) {
-        const LevelModels models = read(misc_model("\"model\" \"" + model + "\""));
+        const LevelModels models = read(entity("misc_model model=" + model));
         EXPECT_EQ(models.warnings.size(), 1u) << model;
         EXPECT_TRUE(models.models.empty()) << model;
     }
@@ -271,15 +259,15 @@ TEST_F(ModelFolder, ABrokenFileIsAnErrorThatNamesIt) {
     write_file(path("models/bad.mdl"), std::string("IDPO"));
     write_file(path("models/bad.obj"), std::string("v 1 2 x\n"));
     for (const std::string name : {"bad.mdl", "bad.obj"}) {
-        const std::string said = refusal<FileError>([&] { read(misc_model("\"model\" \"" + name + "\"")); });
+        const std::string said = refusal<FileError>([&] { read(entity("misc_model model=" + name)); });
         EXPECT_NE(said.find("models/" + name + ": "), std::string::npos) << said;
     }
 }
 
 TEST_F(ModelFolder, AnObjFileIsScaledWhereItIsRead) {
     write_file(path("models/lens.obj"), std::string("v 0 0 0\nv 0.001 0 0\nv 0 0.002 0\nf 1 2 3\n"));
-    const LevelModels y_up = read(misc_model("\"model\" \"lens.obj\" \"scale\" \"1000\"")),
-                      z_up = read(misc_model("\"model\" \"lens.obj\" \"scale\" \"1000\" \"up\" \"z\""));
+    const LevelModels y_up = read(entity("misc_model model=lens.obj scale=1000")),
+                      z_up = read(entity("misc_model model=lens.obj scale=1000 up=z"));
     EXPECT_EQ(at(y_up, 0).mesh->frames[0].maxs, point_at(0, 1, 2));
     EXPECT_EQ(at(z_up, 0).mesh->frames[0].maxs, point_at(1, 2, 0));
 }
@@ -290,7 +278,7 @@ TEST_F(ModelFolder, ALargeFileIsNotReadAgainAtEveryScale) {
     std::filesystem::resize_file(path("models/large.mdl"), std::uintmax_t{1} << 26);
     std::string entities;
     for (const char* scale : {"1", "2", "3", "2"})
-        entities += misc_model(std::string("\"model\" \"large.mdl\" \"scale\" \"") + scale + "\"");
+        entities += entity(std::string("misc_model model=large.mdl scale=") + scale);
     const LevelModels models = read(entities);
     EXPECT_EQ(models.meshes.size(), 2u);
     EXPECT_EQ(models.models.size(), 3u);

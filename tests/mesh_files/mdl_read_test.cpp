@@ -1,15 +1,11 @@
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <limits>
 
-#include "engine/base/input_error.h"
-#include "engine/io/doubles.h"
 #include "engine/mesh/mesh.h"
 #include "tests/mesh_files/mdl_writer.h"
 #include "tests/support/folders.h"
 #include "tests/support/point.h"
-#include "tests/support/refusal.h"
 
 namespace oblong::test {
 namespace {
@@ -42,7 +38,7 @@ TEST(MdlRead, ATetrahedronHasItsFramesSkinsAndTimes) {
     EXPECT_EQ(mesh.frame_sequences[1].ends_ms, (std::vector<std::int32_t>{100, 300}));
     ASSERT_EQ(mesh.skin_sequences.size(), 2u);
     EXPECT_EQ(mesh.skin_sequences[1].ends_ms, (std::vector<std::int32_t>{500, 750}));
-    EXPECT_EQ(mesh.frames[2].maxs, (Vec3<World>{World::from_int(50), World::from_int(50), World::from_int(50)}));
+    EXPECT_EQ(mesh.frames[2].maxs, point_at(50, 50, 50));
     EXPECT_NEAR(volume_6(mesh, mesh.frames[0]), 1e6, 1e-3);
 }
 
@@ -50,13 +46,12 @@ TEST(MdlRead, FramesOfAGroupTakeTurnsByTime) {
     const Mesh mesh = read_mdl(write_mdl(tetrahedron_model()));
     const auto shown = [&](std::int64_t time_ms) { return shown_at(mesh.frame_sequences[1], time_ms); };
     EXPECT_EQ(shown_at(mesh.frame_sequences[0], 12345), 0u);
-    EXPECT_EQ(shown(0), 1u);
-    EXPECT_EQ(shown(99), 1u);
-    EXPECT_EQ(shown(100), 2u);
-    EXPECT_EQ(shown(299), 2u);
-    EXPECT_EQ(shown(300), 1u);
-    EXPECT_EQ(shown(-1), 2u);
-    EXPECT_EQ(shown((std::int64_t{1} << 62) / 300 * 300), 1u);
+    for (const std::int64_t time_ms : {std::int64_t{0}, std::int64_t{300}, (std::int64_t{1} << 62) / 300 * 300}) {
+        EXPECT_EQ(shown(time_ms), 1u) << time_ms;
+        EXPECT_EQ(shown(time_ms + 99), 1u) << time_ms;
+        EXPECT_EQ(shown(time_ms + 100), 2u) << time_ms;
+        EXPECT_EQ(shown(time_ms - 1), 2u) << time_ms;
+    }
 }
 
 TEST(MdlRead, NormalsPointOutwardAndWeighTrianglesByTheirArea) {
@@ -101,41 +96,36 @@ TEST(MdlRead, AScaleIsAppliedBeforeRounding) {
     EXPECT_NEAR(number_of(mesh.frames[0].vertices[0].position.y), double{-0.3F} * 1000, 1.0 / 8192);
 }
 
+MdlFile tetrahedron_with(std::size_t offset, std::int64_t number) {
+    MdlFile file = write_mdl(tetrahedron_model());
+    put_number(file, offset, 4, number);
+    return file;
+}
+
 TEST(MdlRead, LyingCountsAreRefusedAtTheirPlace) {
-    const MdlFile good = write_mdl(tetrahedron_model());
-    ASSERT_EQ(fault_of(good), "");
+    ASSERT_EQ(fault_of(write_mdl(tetrahedron_model())), "");
     for (const std::size_t offset :
          {kMdlVersion, kMdlSkins, kMdlSkinWidth, kMdlSkinHeight, kMdlVertices, kMdlTriangles, kMdlFrames})
         for (const std::int64_t count :
-             {std::int64_t{0}, std::int64_t{-1}, std::int64_t{1} << 30, std::int64_t{1} << 31}) {
-            MdlFile file = good;
-            put_number(file, offset, 4, count);
-            EXPECT_EQ(fault_of(file), "header, offset " + std::to_string(offset)) << count;
-        }
-    MdlFile other = good;
-    put_number(other, kMdlVersion, 4, 7);
-    EXPECT_EQ(refusal([&] { read_mdl(other); }), "header, offset 4: version 7, expected 6");
+             {std::int64_t{0}, std::int64_t{-1}, std::int64_t{1} << 30, std::int64_t{1} << 31})
+            EXPECT_EQ(fault_of(tetrahedron_with(offset, count)), "header, offset " + std::to_string(offset)) << count;
+    EXPECT_EQ(refusal([&] { read_mdl(tetrahedron_with(kMdlVersion, 7)); }), "header, offset 4: version 7, expected 6");
     for (const auto& [offset, count] : {std::pair{kMdlVertices, 5},
                                         {kMdlTriangles, 5},
                                         {kMdlFrames, 3},
                                         {kMdlSkins, 3},
                                         {kMdlTriangles, 1 << 20},
-                                        {kMdlVertices, 1 << 20}}) {
-        MdlFile file = good;
-        put_number(file, offset, 4, count);
-        EXPECT_NE(fault_of(file), "") << offset << " " << count;
-    }
+                                        {kMdlVertices, 1 << 20}})
+        EXPECT_NE(fault_of(tetrahedron_with(offset, count)), "") << offset << " " << count;
 }
 
 TEST(MdlRead, NumbersThatAreNoneOrTooLargeAreRefused) {
-    const MdlFile good = write_mdl(tetrahedron_model());
     constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInfinity = std::numeric_limits<float>::infinity();
     for (std::size_t offset = kMdlScale; offset < kMdlOrigin + 12; offset += 4)
-        for (const float value : {kNan, kInfinity, -kInfinity, 1e30F, -32768.F}) {
-            MdlFile file = good;
-            put_number(file, offset, 4, std::bit_cast<std::uint32_t>(value));
-            EXPECT_EQ(fault_of(file), "header, offset " + std::to_string(offset)) << value;
-        }
+        for (const float value : {kNan, kInfinity, -kInfinity, 1e30F, -32768.F})
+            EXPECT_EQ(fault_of(tetrahedron_with(offset, std::bit_cast<std::uint32_t>(value))),
+                      "header, offset " + std::to_string(offset))
+                << value;
     MdlModel model = tetrahedron_model();
     model.scale = {1000, 1, 1};  // 100 steps: 100,000 units
     EXPECT_TRUE(fault_of(write_mdl(model)).starts_with("frame 0, offset "));

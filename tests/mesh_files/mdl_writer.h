@@ -40,10 +40,7 @@ struct MdlModel {
 };
 
 inline void put_frame(MdlFile& file, const std::vector<MdlStep>& steps) {
-    ByteWriter(file).i32(0);
-    ByteWriter(file).i32(0);
-    const std::string name = "stand1";
-    for (std::size_t i = 0; i < 16; ++i) file.push_back(i < name.size() ? static_cast<std::uint8_t>(name[i]) : 0);
+    ByteWriter(file).number(8, 0).text("stand1").text(std::string(10, '\0'));
     for (const MdlStep& step : steps) file.insert(file.end(), {step.x, step.y, step.z, 0});
 }
 
@@ -57,11 +54,7 @@ inline void put_skins(MdlFile& file, const MdlModel& model, const MdlSkins& skin
 
 inline void put_frames(MdlFile& file, const MdlFrames& frames) {
     ByteWriter(file).i32(frames.times.empty() ? 0 : 1);
-    if (!frames.times.empty()) {
-        ByteWriter(file).i32(static_cast<std::int64_t>(frames.times.size()));
-        ByteWriter(file).i32(0);
-        ByteWriter(file).i32(0);
-    }
+    if (!frames.times.empty()) ByteWriter(file).i32(static_cast<std::int64_t>(frames.times.size())).number(8, 0);
     for (const float time : frames.times) ByteWriter(file).f32(time);
     for (const auto& steps : frames.frames) put_frame(file, steps);
 }
@@ -76,14 +69,9 @@ inline MdlFile write_mdl(const MdlModel& model) {
     ByteWriter(file).i32(6);
     for (const float part : model.scale) ByteWriter(file).f32(part);
     for (const float part : model.origin) ByteWriter(file).f32(part);
-    for (int i = 0; i < 4; ++i) ByteWriter(file).f32(0);
-    ByteWriter(file).i32(static_cast<std::int64_t>(model.skins.size()));
-    ByteWriter(file).i32(model.skin_width);
-    ByteWriter(file).i32(model.skin_height);
-    ByteWriter(file).i32(static_cast<std::int64_t>(model.places.size()));
-    ByteWriter(file).i32(static_cast<std::int64_t>(model.triangles.size()));
-    ByteWriter(file).i32(static_cast<std::int64_t>(model.frames.size()));
-    for (int i = 0; i < 3; ++i) ByteWriter(file).i32(0);
+    ByteWriter(file).number(16, 0).i32(std::ssize(model.skins)).i32(model.skin_width).i32(model.skin_height);
+    ByteWriter(file).i32(std::ssize(model.places)).i32(std::ssize(model.triangles)).i32(std::ssize(model.frames));
+    ByteWriter(file).number(12, 0);
     for (const MdlSkins& skins : model.skins) put_skins(file, model, skins);
     for (const MdlPlace& place : model.places)
         for (const std::int32_t part : {place.on_seam, place.s, place.t}) ByteWriter(file).i32(part);

@@ -2,10 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-
-#include "engine/io/doubles.h"
 #include "engine/io/files.h"
 #include "tests/support/folders.h"
 #include "tests/support/palettes.h"
@@ -14,6 +10,8 @@
 
 namespace oblong::test::obj_test {
 namespace {
+
+using Texels = std::vector<std::uint8_t>;
 
 class ObjFiles : public ::testing::Test {
   protected:
@@ -27,6 +25,15 @@ class ObjFiles : public ::testing::Test {
         if (message.empty()) return message;
         EXPECT_NE(message.find("expected"), std::string::npos) << message;
         return message.substr(message.find("model.obj: ") + 11);
+    }
+
+    void write_picture(const std::string& name, std::int32_t width, std::int32_t height, const Texels& texels) const {
+        write_file(path(name), encode_indexed_png(texels, width, height, grey_palette()));
+    }
+    /// Of one colour.
+    void write_picture(const std::string& name, std::int32_t width, std::int32_t height,
+                       std::uint8_t colour = 1) const {
+        write_picture(name, width, height, Texels(as_size(width * height), colour));
     }
 
   private:
@@ -136,7 +143,7 @@ TEST_F(ObjFiles, NormalsThatFacesNameInVainAreComputed) {
 }
 
 TEST_F(ObjFiles, NamesMayHaveBlanksAndSigns) {
-    write_file(path("my wood.png"), encode_indexed_png(std::vector<std::uint8_t>{7, 8}, 2, 1, grey_palette()));
+    write_picture("my wood.png", 2, 1, {7, 8});
     const std::string material =
         "newmtl Dark Oak #2\nKd 0.5 0.5 0.5\nnewmtl Dark\nKd 1 1 1\n"
         "newmtl\t a  b \nmap_Kd  my wood.png # a note\n";
@@ -148,9 +155,9 @@ TEST_F(ObjFiles, NamesMayHaveBlanksAndSigns) {
          {"the materials.mtl", " the materials.mtl ", "one.mtl two.mtl", "none.mtl the\\ materials.mtl"}) {
         const ObjModel model = read("mtllib " + library + "\n" + faces);
         ASSERT_EQ(model.mesh.skins.size(), 3u) << library;
-        EXPECT_EQ(model.mesh.skins[0].texels, std::vector<std::uint8_t>{128});
-        EXPECT_EQ(model.mesh.skins[1].texels, std::vector<std::uint8_t>{223});
-        EXPECT_EQ(model.mesh.skins[2].texels, (std::vector<std::uint8_t>{7, 8}));
+        EXPECT_EQ(model.mesh.skins[0].texels, Texels{128});
+        EXPECT_EQ(model.mesh.skins[1].texels, Texels{223});
+        EXPECT_EQ(model.mesh.skins[2].texels, (Texels{7, 8}));
         EXPECT_EQ(model.warnings.size(), library[0] == 'n' ? 1u : 0u) << library;
     }
     EXPECT_EQ(read("usemtl no such\n" + kSquare + "f 1 2 3\n").warnings.at(0),
@@ -158,7 +165,7 @@ TEST_F(ObjFiles, NamesMayHaveBlanksAndSigns) {
 }
 
 TEST_F(ObjFiles, OptionsOfAPictureAreObeyedOrNamed) {
-    write_file(path("a 4x2.png"), encode_indexed_png(std::vector<std::uint8_t>(8, 1), 4, 2, grey_palette()));
+    write_picture("a 4x2.png", 4, 2);
     struct Case {
         std::string options;
         double u, v;  ///< of the place (0.25, 0.5), in texels from the skin's top left corner
@@ -191,8 +198,8 @@ TEST_F(ObjFiles, OptionsOfAPictureAreObeyedOrNamed) {
 }
 
 TEST_F(ObjFiles, MaterialsBecomeSkins) {
-    std::vector<std::uint8_t> texels = {10, 20, 30, 40, 50, 60, 70, 80};
-    write_file(path("wood.png"), encode_indexed_png(texels, 4, 2, grey_palette()));
+    Texels texels = {10, 20, 30, 40, 50, 60, 70, 80};
+    write_picture("wood.png", 4, 2, texels);
     write_file(
         path("m.mtl"),
         std::string("\xef\xbb\xbfnewmtl wood\r\nmap_Kd wood.png\r\nnewmtl red\r\nKd 0.5 0.5 0.5\r\nnewmtl gone\r\n"
@@ -204,8 +211,8 @@ TEST_F(ObjFiles, MaterialsBecomeSkins) {
     const Mesh& mesh = model.mesh;
     ASSERT_EQ(mesh.skins.size(), 3u);
     EXPECT_EQ(mesh.skins[0].texels, texels);
-    EXPECT_EQ(mesh.skins[1].texels, std::vector<std::uint8_t>{128});
-    EXPECT_EQ(mesh.skins[2].texels, std::vector<std::uint8_t>{223});  // the lightest that does not glow
+    EXPECT_EQ(mesh.skins[1].texels, Texels{128});
+    EXPECT_EQ(mesh.skins[2].texels, Texels{223});  // the lightest that does not glow
     EXPECT_EQ(mesh.triangles[1].skin, 1u);
     const MeshTexel& first = mesh.texels[mesh.triangles[0].vertices[0]];
     EXPECT_EQ(number_of(first.u), 1);
@@ -225,8 +232,8 @@ TEST_F(ObjFiles, AColourThatIsNoThreeNumbersIsNamedWithItsLine) {
 }
 
 TEST_F(ObjFiles, OtherMaterialsStandForGlass) {
-    write_file(path("clear.png"), encode_indexed_png(std::vector<std::uint8_t>{1, 2, 3, 4}, 2, 2, grey_palette()));
-    write_file(path("red.png"), encode_indexed_png(std::vector<std::uint8_t>(16, 9), 4, 4, grey_palette()));
+    write_picture("clear.png", 2, 2, {1, 2, 3, 4});
+    write_picture("red.png", 4, 4, 9);
     write_file(path("m.mtl"), std::string("newmtl ring\nKd 0 0 0\nnewmtl glass\nmap_Kd clear.png\nnewmtl red\n"
                                           "map_Kd red.png\n"));
     const std::string text = "mtllib m.mtl\n" + kSquare +
@@ -237,20 +244,20 @@ TEST_F(ObjFiles, OtherMaterialsStandForGlass) {
     EXPECT_EQ(mesh.skin_sequences[1].first, 0u) << "there is no such material";
     ASSERT_EQ(mesh.skin_sequences[2].first, 2u);
     ASSERT_EQ(mesh.skins.size(), 4u);
-    EXPECT_EQ(mesh.skins[1].texels, (std::vector<std::uint8_t>{1, 2, 3, 4}));
+    EXPECT_EQ(mesh.skins[1].texels, (Texels{1, 2, 3, 4}));
     EXPECT_EQ(mesh.skins[2].texels, mesh.skins[0].texels);
-    EXPECT_EQ(mesh.skins[3].texels, std::vector<std::uint8_t>(4, 9)) << "as large as glass itself";
+    EXPECT_EQ(mesh.skins[3].texels, Texels(4, 9)) << "as large as glass itself";
     const std::string without = text.substr(0, text.find("usemtl glass")) + "f 1/1 2/2 4/1\n";
     EXPECT_EQ(read(without, {.is_z_up = true, .glasses = {"red"}}).mesh.skins.size(), 1u);
 }
 
 TEST_F(ObjFiles, APictureIsRepeatedAsOftenAsFacesAsk) {
-    write_file(path("tile.png"), encode_indexed_png(std::vector<std::uint8_t>{1, 2, 3, 4}, 2, 2, grey_palette()));
+    write_picture("tile.png", 2, 2, {1, 2, 3, 4});
     write_file(path("m.mtl"), std::string("newmtl tile\nmap_Kd tile.png\n"));
     const std::string head = "mtllib m.mtl\nusemtl tile\n" + kSquare;
     const ObjModel model = read(head + "vt -1 0\nvt 2 0\nvt 2 1\nf 1/1 2/2 3/3\n");
     const Mesh& mesh = model.mesh;
-    EXPECT_EQ(mesh.skins[0].texels, (std::vector<std::uint8_t>{1, 2, 1, 2, 1, 2, 3, 4, 3, 4, 3, 4}));
+    EXPECT_EQ(mesh.skins[0].texels, (Texels{1, 2, 1, 2, 1, 2, 3, 4, 3, 4, 3, 4}));
     EXPECT_EQ(number_of(mesh.texels[mesh.triangles[0].vertices[0]].u), 0);
     EXPECT_EQ(number_of(mesh.texels[mesh.triangles[0].vertices[1]].u), 6);
     EXPECT_TRUE(model.warnings.empty());
@@ -260,7 +267,7 @@ TEST_F(ObjFiles, APictureIsRepeatedAsOftenAsFacesAsk) {
     EXPECT_EQ(cut.mesh.skins[0].height, 2);
     EXPECT_TRUE(cut.warnings.empty());
     EXPECT_EQ(read(head + "vt -1023 0\nvt 1023.5 0\nvt 2 1\nf 1/1 2/2 3/3\n").mesh.skins[0].width, 4094);
-    write_file(path("tile.png"), encode_indexed_png(std::vector<std::uint8_t>(12, 1), 6, 2, grey_palette()));
+    write_picture("tile.png", 6, 2);
     const ObjModel wide = read(head + "vt -1023 0\nvt 1023.5 0\nvt 2 1\nf 1/1 2/2 3/3\n");
     EXPECT_EQ(wide.mesh.skins[0].width, 4092);
     EXPECT_EQ(wide.warnings.size(), 1u);
@@ -277,8 +284,7 @@ TEST_F(ObjFiles, WhatIsMissingIsAWarning) {
 TEST_F(ObjFiles, WhatLiesOutsideOfTheFolderIsNotRead) {
     const TemporaryFolder other;
     const std::string mtl = other.write("gold.mtl", "newmtl gold\nKd 1 1 1\n"),
-                      picture = other.write("tile.png",
-                                            encode_indexed_png(std::vector<std::uint8_t>{1, 2}, 2, 1, grey_palette()));
+                      picture = other.write("tile.png", encode_indexed_png(Texels{1, 2}, 2, 1, grey_palette()));
     const auto from_below = [&](const std::string& file) { return "../../" + file.substr(file.rfind("oblong-")); };
     std::filesystem::create_symlink(mtl, path("link.mtl"));
     std::filesystem::create_symlink(picture, path("link.png"));
@@ -390,7 +396,7 @@ TEST_F(ObjFiles, ManyNamesPolygonsAndSkinsCostNoMoreThanTheirSize) {
         faces += "usemtl m" + std::to_string(i) + "\nf 1/1 2/2 3/2\n";
     }
     write_file(path("many.mtl"), materials);
-    write_file(path("tile.png"), encode_indexed_png(std::vector<std::uint8_t>(256, 1), 16, 16, grey_palette()));
+    write_picture("tile.png", 16, 16);
     const ObjModel repeated = read(faces);
     std::size_t texels = 0;
     for (const Skin& skin : repeated.mesh.skins) texels += skin.texels.size();
@@ -398,11 +404,7 @@ TEST_F(ObjFiles, ManyNamesPolygonsAndSkinsCostNoMoreThanTheirSize) {
     EXPECT_EQ(repeated.warnings.size(), 61u);
 
     // One picture by five names, the last of which finds no room; nor does a small one then, which is not read.
-    const auto picture = [](std::int32_t width_px, std::int32_t height_px) {
-        return encode_indexed_png(std::vector<std::uint8_t>(as_size(width_px * height_px), 1), width_px, height_px,
-                                  grey_palette());
-    };
-    write_file(path("large.png"), picture(4096, 4095));
+    write_picture("large.png", 4096, 4095);
     std::string five = "newmtl m5\nmap_Kd tile.png\n", uses = kSquare + "mtllib five.mtl\n";
     for (std::size_t i = 0; i < 5; ++i)
         five.insert(0,

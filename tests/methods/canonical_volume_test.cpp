@@ -2,14 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <random>
-
-#include "engine/io/doubles.h"
 #include "engine/methods/transforms.h"
 #include "engine/view/project.h"
+#include "tests/support/random.h"
 
-namespace oblong {
+namespace oblong::test::canonical_volume_test {
 namespace {
 
 using Real4 = std::array<double, 4>;
@@ -140,16 +137,15 @@ TEST(VolumeMatrix, LeadsToTheScreenPositionsThatProjectGives) {
         const Matrix4 matrix = volume_matrix(projection, fixed_of<Entry>(1), fixed_of<Entry>(500));
         for (int i = 0; i < 2'000; ++i) {
             const double z = 50 + 40 * any(random), x = z * any(random) / 2, y = z * any(random) / 2;
-            const auto view = [](double value) { return View::from_raw(std::llround(std::ldexp(value, 16))); };
-            const Vec3<View> p{view(x), view(y), view(z)};
+            const Vec3<View> p{fixed_of<View>(x), fixed_of<View>(y), fixed_of<View>(z)};
             const VolumeScreenPoint by_matrix =
                 volume_to_screen(matrix * homogeneous(p), mode.width_px, mode.height_px);
             const ScreenPosition by_multipliers = project(p, projection);
-            ASSERT_NEAR(number_of(by_matrix.x), std::ldexp(static_cast<double>(by_multipliers.x.raw), -8), 0.003);
-            ASSERT_NEAR(number_of(by_matrix.y), std::ldexp(static_cast<double>(by_multipliers.y.raw), -8), 0.003);
+            ASSERT_NEAR(number_of(by_matrix.x), number_of(by_multipliers.x), 0.003);
+            ASSERT_NEAR(number_of(by_matrix.y), number_of(by_multipliers.y), 0.003);
         }
     }
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test::canonical_volume_test

@@ -3,17 +3,12 @@
 
 #include "engine/methods/hidden_surfaces.h"
 
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
-
 #include "engine/frame/frame_record.h"
 #include "engine/level/bsp_read.h"
 #include "engine/level/side.h"
 #include "engine/platform/worker_threads.h"
 #include "tests/effect_frames/effect_stage.h"
 #include "tests/support/folders.h"
-#include "tests/support/views.h"
 #include "tools/render/camera_list.h"
 
 namespace oblong::test {
@@ -140,19 +135,6 @@ std::vector<Difference> differences_of(HiddenSurfaces method, const Camera& came
     return differences;
 }
 
-void expect_same_picture(HiddenSurfaces method, const Camera& camera, EffectStage& stage) {
-    stage.camera = camera;
-    const Picture expected = draw_by(HiddenSurfaces::SpanBuffer, stage).picture;
-    EXPECT_EQ(changed_pixels(expected, draw_by(method, stage).picture), 0);
-}
-
-/// At most `most` pixels differ, each where two faces are equally deep.
-void expect_ties_alone(const Camera& camera, std::size_t most, EffectStage& stage) {
-    const std::vector<Difference> differences = differences_of(HiddenSurfaces::ZBuffer, camera, stage);
-    EXPECT_LE(differences.size(), most);
-    for (const Difference& each : differences) EXPECT_TRUE(each.is_tie()) << each.x << " " << each.y;
-}
-
 /// Runs of pixels beside or below each other: an edge along a row or a column within rounding differs all along.
 std::size_t runs_of(const std::vector<Difference>& differences) {
     const auto differs_at = [&](double x, double y) {
@@ -164,69 +146,65 @@ std::size_t runs_of(const std::vector<Difference>& differences) {
     }));
 }
 
-/// The pixels that differ are in at most `most` runs, each within the rounding of an edge.
-void expect_edges_alone(const Camera& camera, std::size_t most, EffectStage& stage) {
-    const std::vector<Difference> differences = differences_of(HiddenSurfaces::RayCasting, camera, stage);
-    EXPECT_LE(runs_of(differences), most);
-    for (const Difference& each : differences)
-        EXPECT_TRUE(each.pixels_to_edge() < kSnap_px || each.is_tie())
-            << each.x << " " << each.y << ": " << each.pixels_to_edge();
-}
-
-class RandomWorlds : public testing::TestWithParam<unsigned> {
-  protected:
-    RandomWorlds() : random(GetParam()), stage(random_world(random), {}) {}
-
-    void for_each_camera(auto check) {
-        for (int i = 0; i < 4; ++i) check(random_camera(stage.level, random));
-    }
-
-    std::mt19937 random;
-    EffectStage stage;
-};
-
-TEST_P(RandomWorlds, ThePainterByTheTreeDrawsTheSamePictureAsTheSpanBuffer) {
-    for_each_camera([&](const Camera& camera) { expect_same_picture(HiddenSurfaces::Painter, camera, stage); });
-}
-
-TEST_P(RandomWorlds, TheZBufferDiffersOnlyWhereTwoFacesAreEquallyDeep) {
-    for_each_camera([&](const Camera& camera) { expect_ties_alone(camera, 4, stage); });
-}
-
-TEST_P(RandomWorlds, RaysDifferOnlyWithinTheRoundingOfAnEdge) {
-    for_each_camera([&](const Camera& camera) { expect_edges_alone(camera, 8, stage); });
-}
-
-INSTANTIATE_TEST_SUITE_P(Worlds, RandomWorlds, testing::Range(1u, 6u));
-
 /// The demo level: sky, liquids, doors, mirrors, and faces that are seen through.
-class DemoFrames : public testing::Test {
-  protected:
-    DemoFrames() : stage(read_bsp(read_file_bytes(assets / "demo.bsp")), {}) {}
+struct DemoStage {
+    const std::filesystem::path assets = std::filesystem::path(build_folder()) / "assets";
+    EffectStage stage{read_bsp(read_file_bytes(assets / "demo.bsp")), {}};
 
     std::vector<Camera> cameras(std::size_t every) const {
-        const auto list = read_file_bytes(std::filesystem::path(test::source_folder()) / "assets" / "demo_cameras.csv");
+        const auto list = read_file_bytes(std::filesystem::path(source_folder()) / "assets" / "demo_cameras.csv");
         const std::vector<Camera> all = parse_cameras(list, Degrees::from_int(90));
         std::vector<Camera> chosen;
         for (std::size_t i = 0; i < all.size(); i += every) chosen.push_back(all[i]);
         return chosen;
     }
-
-    const std::filesystem::path assets = std::filesystem::path(test::build_folder()) / "assets";
-    EffectStage stage;
 };
 
-TEST_F(DemoFrames, ThePainterByTheTreeDrawsTheSamePictureAsTheSpanBuffer) {
-    for (const Camera& camera : cameras(1)) expect_same_picture(HiddenSurfaces::Painter, camera, stage);
+/// Of the demo level, 0, and random worlds.
+class HiddenSurfacesOf : public testing::TestWithParam<unsigned> {
+  protected:
+    void for_each_camera(std::size_t every_of_demo, auto check) {
+        if (GetParam() == 0) {
+            DemoStage demo;
+            for (const Camera& camera : demo.cameras(every_of_demo)) check(camera, demo.stage);
+            return;
+        }
+        std::mt19937 random(GetParam());
+        EffectStage stage(random_world(random), {});
+        for (int i = 0; i < 4; ++i) check(random_camera(stage.level, random), stage);
+    }
+};
+
+TEST_P(HiddenSurfacesOf, ThePainterByTheTreeDrawsTheSamePictureAsTheSpanBuffer) {
+    for_each_camera(1, [](const Camera& camera, EffectStage& stage) {
+        stage.camera = camera;
+        const Picture expected = draw_by(HiddenSurfaces::SpanBuffer, stage).picture;
+        EXPECT_EQ(changed_pixels(expected, draw_by(HiddenSurfaces::Painter, stage).picture), 0);
+    });
 }
 
-TEST_F(DemoFrames, TheZBufferDiffersOnlyWhereTwoFacesAreEquallyDeep) {
-    for (const Camera& camera : cameras(1)) expect_ties_alone(camera, 4, stage);
+TEST_P(HiddenSurfacesOf, TheZBufferDiffersOnlyWhereTwoFacesAreEquallyDeep) {
+    for_each_camera(1, [](const Camera& camera, EffectStage& stage) {
+        const std::vector<Difference> differences = differences_of(HiddenSurfaces::ZBuffer, camera, stage);
+        EXPECT_LE(differences.size(), 4u);
+        for (const Difference& each : differences) EXPECT_TRUE(each.is_tie()) << each.x << " " << each.y;
+    });
 }
 
-TEST_F(DemoFrames, RaysDifferOnlyWithinTheRoundingOfAnEdge) {
-    for (const Camera& camera : cameras(13)) expect_edges_alone(camera, 20, stage);
+TEST_P(HiddenSurfacesOf, RaysDifferOnlyWithinTheRoundingOfAnEdge) {
+    const std::size_t most_runs = GetParam() == 0 ? 20 : 8;
+    for_each_camera(13, [&](const Camera& camera, EffectStage& stage) {
+        const std::vector<Difference> differences = differences_of(HiddenSurfaces::RayCasting, camera, stage);
+        EXPECT_LE(runs_of(differences), most_runs);
+        for (const Difference& each : differences)
+            EXPECT_TRUE(each.pixels_to_edge() < kSnap_px || each.is_tie())
+                << each.x << " " << each.y << ": " << each.pixels_to_edge();
+    });
 }
+
+INSTANTIATE_TEST_SUITE_P(Worlds, HiddenSurfacesOf, testing::Range(0u, 6u));
+
+class DemoFrames : public testing::Test, protected DemoStage {};
 
 TEST_F(DemoFrames, ThePainterSortedByOneDepthAFaceIsWrong) {
     stage.camera = cameras(1)[18];  // down the hall over lava

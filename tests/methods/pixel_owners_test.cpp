@@ -2,21 +2,17 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <numeric>
-#include <vector>
+
+#include "engine/io/doubles.h"
 
 namespace oblong::test {
 namespace {
 
 constexpr std::int32_t kWidth = 16, kHeight = 8;
 
-View view_of(double z) {
-    return View::from_raw(std::llround(std::ldexp(z, View::kFractionBits)));
-}
 InverseZ inverse_of(double z) {
-    return InverseZ::from_raw(std::llround(std::ldexp(1 / z, InverseZ::kFractionBits)));
+    return fixed_of<InverseZ>(1 / z);
 }
 
 /// Faces that cover parts of a small screen.
@@ -28,8 +24,8 @@ struct ScannedScene {
                    bool is_seen_through = false) {
         ScannedFace made;
         made.face = FaceIndex(face);
-        made.nearest_z = view_of(std::min(first_z, last_z));
-        made.farthest_z = view_of(std::max(first_z, last_z));
+        made.nearest_z = fixed_of<View>(std::min(first_z, last_z));
+        made.farthest_z = fixed_of<View>(std::max(first_z, last_z));
         made.is_seen_through = is_seen_through;
         made.inverse_z.origin = inverse_of(first_z);
         made.inverse_z.per_column = InverseZ::from_raw((inverse_of(last_z) - inverse_of(first_z)).raw / (kWidth - 1));

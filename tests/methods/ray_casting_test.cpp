@@ -1,13 +1,8 @@
 #include <gtest/gtest.h>
 
-#include <array>
-#include <random>
-
-#include "engine/math/vec.h"
 #include "engine/methods/lines.h"
 #include "engine/methods/pixel_owners.h"
 #include "engine/view/projection.h"
-#include "tests/support/point.h"
 #include "tests/support/random.h"
 
 namespace oblong::test {

@@ -1,9 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
-#include <random>
 
-#include "engine/math/vec.h"
 #include "engine/methods/transforms.h"
 #include "tests/math/vectors.h"
 
@@ -44,8 +42,7 @@ TEST(ProjectOntoAxes, IsUndoneBySummingAlongThem) {
     for (int i = 0; i < 20'000; ++i) {
         const Basis basis = random_axes(random);
         const Vec3<Unit> v = normalised(any_direction(random));
-        expect_near(sum_along_axes(project_onto_axes(v, basis), basis), v, 4);
-        if (HasFatalFailure()) return;
+        ASSERT_NO_FATAL_FAILURE(expect_near(sum_along_axes(project_onto_axes(v, basis), basis), v, 4));
     }
 }
 
@@ -65,8 +62,8 @@ TEST(Quaternion, RotatesAsRodriguesFormulaDoes) {
     for (int i = 0; i < 20'000; ++i) {
         const Vec3<Unit> axis = normalised(any_direction(random)), v = normalised(any_direction(random));
         const Angle angle = random_angle(random);
-        expect_near(rotate(v, quaternion_about_axis(axis, angle)), rotate_about_axis(v, axis, angle), 4);
-        if (HasFatalFailure()) return;
+        ASSERT_NO_FATAL_FAILURE(
+            expect_near(rotate(v, quaternion_about_axis(axis, angle)), rotate_about_axis(v, axis, angle), 4));
     }
 }
 
@@ -76,9 +73,8 @@ TEST(Quaternion, ProductIsOneRotationAfterTheOther) {
         const Quaternion a = any_rotation(random), b = any_rotation(random);
         const Vec3<Unit> v = normalised(any_direction(random));
         // Half a step in each of a quaternion's components turns and stretches by up to four steps.
-        expect_near(rotate(v, a * b), rotate(rotate(v, b), a), 16);
-        expect_near(rotate(rotate(v, a), Quaternion{a.w, -a.x, -a.y, -a.z}), v, 16);
-        if (HasFatalFailure()) return;
+        ASSERT_NO_FATAL_FAILURE(expect_near(rotate(v, a * b), rotate(rotate(v, b), a), 16));
+        ASSERT_NO_FATAL_FAILURE(expect_near(rotate(rotate(v, a), Quaternion{a.w, -a.x, -a.y, -a.z}), v, 16));
     }
 }
 

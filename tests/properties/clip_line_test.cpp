@@ -1,15 +1,9 @@
 // Lines clipped to six planes, against the part of the line that is inside by exact fractions.
 
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 
 #include "engine/methods/lines.h"
-#include "engine/methods/transforms.h"
-#include "engine/view/clip.h"
-#include "engine/view/project.h"
+#include "tests/properties/any_view.h"
 
 namespace oblong::test::clip_line_test {
 namespace {
@@ -18,17 +12,9 @@ using Point = Vec3<View>;
 constexpr View kFront = View::from_raw(4'096), kBack = View::from_int(1'000);
 
 struct AnyView {
-    Projection projection;
-    ViewVolume volume;
+    Projection projection = any_projection(10, 170);
+    ViewVolume volume = make_view_volume(frustum_of(projection), kFront, kBack);
 };
-
-AnyView any_view() {
-    const ScreenMode mode{*rc::gen::inRange(16, 2'048), *rc::gen::inRange(16, 2'048)};
-    AnyView view;
-    view.projection = make_projection(mode, Degrees::from_int(*rc::gen::inRange(10, 170)));
-    view.volume = make_view_volume(make_frustum(y_up_basis({}, {}, {}), view.projection), kFront, kBack);
-    return view;
-}
 
 /// Within `units` of the eye along each axis; often on an axis, or exactly on the front or back plane.
 Point any_point(std::int64_t units) {
@@ -71,42 +57,37 @@ Inside exact_inside(const ViewVolume& volume, const ViewLine& line) {
     return inside;
 }
 
-std::array<long double, 3> exact_place(const ViewLine& line, const Part& at) {
-    const auto along = [&](View from, View to) {
-        return static_cast<long double>(from.raw) + static_cast<long double>(to.raw - from.raw) * at.value();
-    };
-    return {along(line.from.x, line.to.x), along(line.from.y, line.to.y), along(line.from.z, line.to.z)};
-}
+/// A place in steps of 2^-16 unit.
+using Steps = std::array<long double, 3>;
 
-/// In steps of 2^-16 unit.
-long double largest_difference(const Point& found, const std::array<long double, 3>& expected) {
-    return std::max({std::abs(static_cast<long double>(found.x.raw) - expected[0]),
-                     std::abs(static_cast<long double>(found.y.raw) - expected[1]),
-                     std::abs(static_cast<long double>(found.z.raw) - expected[2])});
+Steps steps_of(const Point& p) {
+    return {static_cast<long double>(p.x.raw), static_cast<long double>(p.y.raw), static_cast<long double>(p.z.raw)};
 }
-
-/// How long the exact part is, in steps: none of a line, or a point of it, may be rounded into the other.
-long double steps_between(const ViewLine& line, const Part& from, const Part& to) {
-    const auto a = exact_place(line, from), b = exact_place(line, to);
+Steps exact_place(const ViewLine& line, const Part& at) {
+    const Steps from = steps_of(line.from), way = steps_of(line.to - line.from);
+    return {from[0] + way[0] * at.value(), from[1] + way[1] * at.value(), from[2] + way[2] * at.value()};
+}
+long double largest_difference(const Steps& a, const Steps& b) {
     return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
 }
 
 RC_GTEST_PROP(LiangBarsky, EndsWhereTheLineEntersAndLeaves, ()) {
-    const AnyView view = any_view();
+    const AnyView view = AnyView();
     const ViewLine line = any_line();
     const Inside inside = exact_inside(view.volume, line);
     const auto clipped = clip_line(view.volume, line, LineClipping::LiangBarsky);
     if (clipped.has_value() == inside.is_empty) {  // a point, kept or not
-        RC_ASSERT(steps_between(line, inside.enters, inside.leaves) < 1);
+        // None of a line, or a point of it, may be rounded into the other.
+        RC_ASSERT(largest_difference(exact_place(line, inside.enters), exact_place(line, inside.leaves)) < 1);
         return;
     }
     if (!clipped) return;
-    RC_ASSERT(largest_difference(clipped->from, exact_place(line, inside.enters)) <= 1);
-    RC_ASSERT(largest_difference(clipped->to, exact_place(line, inside.leaves)) <= 1);
+    RC_ASSERT(largest_difference(steps_of(clipped->from), exact_place(line, inside.enters)) <= 1);
+    RC_ASSERT(largest_difference(steps_of(clipped->to), exact_place(line, inside.leaves)) <= 1);
 }
 
 RC_GTEST_PROP(LineClipping, LeavesLinesInTheVolumeAsTheyAre, ()) {
-    const AnyView view = any_view();
+    const AnyView view = AnyView();
     const ViewLine line = any_line();
     const bool is_inside = outcode_of(view.volume, line.from) == 0 && outcode_of(view.volume, line.to) == 0;
     for (const LineClipping method : {LineClipping::CohenSutherland, LineClipping::LiangBarsky}) {
@@ -118,11 +99,7 @@ RC_GTEST_PROP(LineClipping, LeavesLinesInTheVolumeAsTheyAre, ()) {
 
 /// The distance of a point from the whole straight line, in steps of 2^-16 unit.
 long double steps_beside(const ViewLine& line, const Point& p) {
-    const auto number = [](const Point& v) {
-        return std::array<long double, 3>{static_cast<long double>(v.x.raw), static_cast<long double>(v.y.raw),
-                                          static_cast<long double>(v.z.raw)};
-    };
-    const auto along = number(line.to - line.from), way = number(p - line.from);
+    const Steps along = steps_of(line.to - line.from), way = steps_of(p - line.from);
     const long double x = along[1] * way[2] - along[2] * way[1], y = along[2] * way[0] - along[0] * way[2],
                       z = along[0] * way[1] - along[1] * way[0];
     return std::sqrt(x * x + y * y + z * z) / std::hypot(along[0], along[1], along[2]);
@@ -132,7 +109,7 @@ long double steps_beside(const ViewLine& line, const Point& p) {
 /// is that ends are on the line, in the volume, and either the line's own or on a plane: give or take some steps.
 RC_GTEST_PROP(CohenSutherland, LeavesTheWholePartInTheVolume, ()) {
     constexpr ClipDistance kSteps = ClipDistance::from_raw(8 << ClipNormal::kFractionBits);
-    const AnyView view = any_view();
+    const AnyView view = AnyView();
     const ViewLine line{any_point(3'000), any_point(3'000)};
     const auto clipped = clip_line(view.volume, line, LineClipping::CohenSutherland);
     if (!clipped) {
@@ -155,28 +132,29 @@ RC_GTEST_PROP(CohenSutherland, LeavesTheWholePartInTheVolume, ()) {
 
 TEST(Outcodes, HaveABitForEachPlane) {
     const Projection projection = make_projection({200, 200, {1, 1}}, Degrees::from_int(90));
-    const ViewVolume volume =
-        make_view_volume(make_frustum(y_up_basis({}, {}, {}), projection), View::from_int(1), View::from_int(10));
-    const auto outcode = [&](std::int64_t x, std::int64_t y, std::int64_t z) {
-        return outcode_of(volume, {View::from_int(x), View::from_int(y), View::from_int(z)});
+    const ViewVolume volume = make_view_volume(frustum_of(projection), View::from_int(1), View::from_int(10));
+    struct Row {
+        int x, y, z;
+        unsigned outcode;
     };
-    EXPECT_EQ(outcode(0, 0, 5), 0u);
-    EXPECT_EQ(outcode(-5, 5, 5), 0u) << "on two planes";
-    EXPECT_EQ(outcode(-6, 0, 5), unsigned{kOutLeft});
-    EXPECT_EQ(outcode(6, 0, 5), unsigned{kOutRight});
-    EXPECT_EQ(outcode(0, -6, 5), unsigned{kOutBottom});
-    EXPECT_EQ(outcode(0, 6, 5), unsigned{kOutTop});
-    EXPECT_EQ(outcode(0, 0, 0), kOutFront);
-    EXPECT_EQ(outcode(0, 0, 11), kOutBack);
-    EXPECT_EQ(outcode(0, 0, -1), kOutFront | kOutLeft | kOutRight | kOutBottom | kOutTop);
+    for (const auto& [x, y, z, outcode] : {Row{0, 0, 5, 0},
+                                           {-5, 5, 5, 0},  // on two planes
+                                           {-6, 0, 5, kOutLeft},
+                                           {6, 0, 5, kOutRight},
+                                           {0, -6, 5, kOutBottom},
+                                           {0, 6, 5, kOutTop},
+                                           {0, 0, 0, kOutFront},
+                                           {0, 0, 11, kOutBack},
+                                           {0, 0, -1, kOutFront | kOutLeft | kOutRight | kOutBottom | kOutTop}})
+        EXPECT_EQ(outcode_of(volume, {View::from_int(x), View::from_int(y), View::from_int(z)}), outcode)
+            << x << " " << y << " " << z;
 }
 
 // From behind the eye to in front of it: the part in view is right of the middle, where the line is, and not left of
 // it, where dividing by the negative z would put the other end.
 TEST(ProjectLine, OfOneEndBehindTheEyeIsOnTheRightSide) {
     const Projection projection = make_projection({320, 200, {8, 5}}, Degrees::from_int(90));
-    const ViewVolume volume =
-        make_view_volume(make_frustum(y_up_basis({}, {}, {}), projection), View::from_raw(64), View::from_int(1'000));
+    const ViewVolume volume = make_view_volume(frustum_of(projection), View::from_raw(64), View::from_int(1'000));
     const auto at = [](std::int64_t x, std::int64_t z) { return Point{View::from_int(x), {}, View::from_int(z)}; };
     const auto line = project_line(volume, projection, {at(4, -4), at(4, 16)});
     ASSERT_TRUE(line);
@@ -186,7 +164,7 @@ TEST(ProjectLine, OfOneEndBehindTheEyeIsOnTheRightSide) {
 }
 
 RC_GTEST_PROP(ProjectLine, StaysOnTheScreen, ()) {
-    const AnyView view = any_view();
+    const AnyView view = AnyView();
     const auto line = project_line(view.volume, view.projection, any_line());
     if (!line) return;
     for (const PixelPosition& end : {line->from, line->to}) {

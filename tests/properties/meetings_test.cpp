@@ -6,9 +6,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <algorithm>
 #include <bitset>
-#include <cmath>
 
 #include "engine/accuracy/accuracy.h"
 #include "engine/effects/colour_tables.h"

@@ -1,15 +1,8 @@
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
-#include <algorithm>
-#include <array>
 
 #include "engine/methods/polygons.h"
-#include "engine/methods/transforms.h"
-#include "engine/view/clip.h"
-#include "engine/view/project.h"
-#include "engine/view/projection.h"
 #include "tests/frame/frame_fixture.h"
+#include "tests/properties/any_view.h"
 
 namespace oblong::test {
 namespace {
@@ -18,12 +11,9 @@ namespace {
 
 __extension__ using Int128 = __int128;
 
-/// Of a mode and a field of view that leaves what is on the screen within 64 z of the middle, as project_axis() says.
+/// Of a field of view that leaves what is on the screen within 64 z of the middle, as project_axis() says.
 Projection any_lens() {
-    ScreenMode mode;
-    mode.width_px = *rc::gen::inRange(16, 2'048);
-    mode.height_px = *rc::gen::inRange(16, 2'048);
-    return make_projection(mode, Degrees::from_int(*rc::gen::inRange(1, 179)));
+    return any_projection(1, 179);
 }
 
 /// From next to the eye to the far end of the world, evenly over its powers of two.
@@ -117,15 +107,6 @@ RC_GTEST_PROP(PropertyProjection, BeyondTheChangeItIsWithinItsBound, ()) {
 
 using ViewPoint = Vec3<View>;
 
-/// Of a mode and a field of view, any that the engine takes.
-Frustum any_frustum() {
-    ScreenMode mode;
-    mode.width_px = *rc::gen::inRange(16, 2'048);
-    mode.height_px = *rc::gen::inRange(16, 2'048);
-    const Degrees field_of_view = Degrees::from_int(*rc::gen::inRange(10, 170));
-    return make_frustum(y_up_basis({}, {}, {}), make_projection(mode, field_of_view));
-}
-
 /// As a frame clips: to the sides that the polygon's own corners are outside of.
 std::vector<ClipVertex> clipped_as_in_a_frame(const Frustum& frustum, const std::vector<ViewPoint>& corners) {
     ClipScratch scratch;
@@ -164,7 +145,7 @@ std::vector<ClippedEdge> inner_edges(const std::vector<ClipVertex>& polygon) {
 /// A tetrahedron is closed: clipped face by face, near the eye where positions are coarse, each edge in view is still
 /// walked once forth and once back, bit for bit.
 RC_GTEST_PROP(PropertyClip, ClosedSurfacesStayClosedWithinTheView, ()) {
-    const Frustum frustum = any_frustum();
+    const Frustum frustum = frustum_of(any_projection(10, 170));  // any that the engine takes
     const std::int64_t size_16 = *rc::gen::element<std::int64_t>(3, 8, 40, 900, 65'536, 20'000'000);
     const auto any_corner = [&] {
         const auto along = [&] { return View::from_raw(*rc::gen::inRange(-size_16, size_16 + 1)); };

@@ -5,10 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
-#include <vector>
 
 #include "tests/support/reference_polygons.h"
 
@@ -27,19 +24,14 @@ constexpr ScreenVertex vertex(std::int32_t x_256, std::int32_t y_256) {
 /// How often each pixel was covered.
 using Picture = std::vector<int>;
 
-void add_spans(const std::vector<Span>& spans, Picture& picture) {
-    for (const Span& span : spans)
-        for (std::int32_t x = span.first; x < span.end; ++x)
-            ++picture.at(static_cast<std::size_t>(span.y * kWidth + x));
-}
-
 Picture scanned(const ScreenTriangle& triangle, TriangleMethod method,
                 EdgeRowKernel kernel = best_kernels().inside_edges, const ScreenRectangle& part = kScreen) {
     TriangleScanner scanner(method, part, kernel);
     std::vector<Span> spans;
     scanner.scan(triangle, spans);
     Picture picture(kWidth * kHeight);
-    add_spans(spans, picture);
+    for (const Span& span : spans)
+        for (std::int32_t x = span.first; x < span.end; ++x) ++picture.at(as_size(span.y * kWidth + x));
     return picture;
 }
 
@@ -133,7 +125,7 @@ RC_GTEST_PROP(QuantityOver, IsTheCornersMixedByTheirWeights, ()) {
     const Picture picture = exact(triangle);
     for (std::int32_t y = 0; y < kHeight; ++y)
         for (std::int32_t x = 0; x < kWidth; ++x) {
-            if (picture.at(static_cast<std::size_t>(y * kWidth + x)) == 0) continue;
+            if (item(picture, y * kWidth + x) == 0) continue;
             const BarycentricWeights w = barycentric_weights(triangle, vertex(x * 256 + 128, y * 256 + 128));
             const long double expected =
                 (number(w.a) * number(values[0]) + number(w.b) * number(values[1]) + number(w.c) * number(values[2])) /

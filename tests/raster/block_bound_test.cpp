@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "engine/raster/texture_blocks.h"
 #include "tests/support/random.h"
 
@@ -36,29 +34,36 @@ double column_of_texel(const TextureGradients& row, double u) {
     return u * w / (a - u * b);
 }
 
-struct RowError {
-    double largest_px = 0;
-    std::size_t blocks = 0;
-};
-
+constexpr std::array kRow{Span{0, 0, kWidth}};
 const TexelLimits kNoLimits = make_texel_limits(65535, 65535, 0);
 
-RowError error_of(const TextureGradients& row, const Accuracy& accuracy, const TexelLimits& limits = kNoLimits) {
+Accuracy bounded(std::int32_t pixel_bound_256) {
+    Accuracy accuracy;
+    accuracy.pixel_bound_256 = pixel_bound_256;
+    return accuracy;
+}
+
+BlockList blocks_of(const TextureGradients& row, const Accuracy& accuracy, const TexelLimits& limits = kNoLimits) {
     const BlockRule rule = make_block_rule(accuracy);
     const BlockThresholds thresholds = make_block_thresholds(rule, row.inverse_z.per_column);
     BlockList blocks(kWidth);
-    constexpr Span kRow{0, 0, kWidth};
-    block_cutter(accuracy)({&kRow, 1}, kWidth, {row, limits, thresholds, rule.texel_bound_256}, blocks);
-    RowError error;
-    for (const TexelBlock& block : blocks.waiting()) {
-        ++error.blocks;
-        for (std::int32_t i = 0; i < block.count; ++i) {
-            const double u = (block.u_16 + static_cast<double>(i) * block.u_step_16) / 65536;
-            const double off = column_of_texel(row, u) - (block.pixel + static_cast<double>(i));
-            error.largest_px = std::max(error.largest_px, std::abs(off));
-        }
-    }
-    return error;
+    block_cutter(accuracy)(kRow, kWidth, {row, limits, thresholds, rule.texel_bound_256}, blocks);
+    return blocks;
+}
+
+/// The largest error at any pixel of the blocks, by what one is: of (column, the u shown there).
+double largest_error(const BlockList& blocks, auto error_at) {
+    double largest = 0;
+    for (const TexelBlock& block : blocks.waiting())
+        for (std::int32_t i = 0; i < block.count; ++i)
+            largest = std::max(largest, std::abs(error_at(static_cast<std::int32_t>(block.pixel) + i,
+                                                          (block.u_16 + double(i) * block.u_step_16) / 65536)));
+    return largest;
+}
+
+double error_px(const TextureGradients& row, const Accuracy& accuracy, const TexelLimits& limits = kNoLimits) {
+    return largest_error(blocks_of(row, accuracy, limits),
+                         [&](std::int32_t column, double u) { return column_of_texel(row, u) - column; });
 }
 
 }  // namespace
@@ -67,14 +72,13 @@ TEST(BlockBound, ErrorOnScreenStaysUnderTheDial) {
     std::mt19937 random(3);
     double largest_part = 0;
     for (int trial = 0; trial < 4000; ++trial) {
-        Accuracy accuracy;
-        accuracy.pixel_bound_256 = 8 << random() % 8;  // 1/32 to 4 pixels
-        const double bound = accuracy.pixel_bound_256 / 256.0;
+        const std::int32_t bound_256 = 8 << random() % 8;  // 1/32 to 4 pixels
+        const double bound = bound_256 / 256.0;
         // Many texels a pixel, so that the 16.16 of texel coordinates is no part of the error: 1/1,000 pixel is left
         // for it.
-        const RowError error = error_of(random_row(random), accuracy);
-        ASSERT_LE(error.largest_px, bound + 0.001) << trial << ", bound " << bound;
-        largest_part = std::max(largest_part, error.largest_px / bound);
+        const double error = error_px(random_row(random), bounded(bound_256));
+        ASSERT_LE(error, bound + 0.001) << trial << ", bound " << bound;
+        largest_part = std::max(largest_part, error / bound);
     }
     EXPECT_GT(largest_part, 0.9) << "the bound is never nearly reached: blocks are shorter than they need be";
 }
@@ -86,7 +90,7 @@ TEST(BlockBound, HoldsToTheLastPixelOfASurfaceThatEndsThere) {
         const std::uint32_t last_16 = texel_at(row, kNoLimits, kWidth - 1, 0).u_16;
         const TexelLimits limits = make_texel_limits(static_cast<std::int32_t>(last_16 >> 16) + 1, 65535, 0);
         const Accuracy accuracy;
-        ASSERT_LE(error_of(row, accuracy, limits).largest_px, accuracy.pixel_bound_256 / 256.0 + 0.001) << trial;
+        ASSERT_LE(error_px(row, accuracy, limits), accuracy.pixel_bound_256 / 256.0 + 0.001) << trial;
     }
 }
 
@@ -99,16 +103,10 @@ TEST(BlockBound, ErrorOnTheTextureStaysUnderItsDialAndComesNearIt) {
         double largest = 0;
         for (int trial = 0; trial < 500; ++trial) {
             const TextureGradients row = random_row(random);
-            BlockList blocks(kWidth);
-            constexpr Span kRow{0, 0, kWidth};
-            block_cutter(accuracy)({&kRow, 1}, kWidth, {row, kNoLimits, {}, bound_256}, blocks);
-            for (const TexelBlock& block : blocks.waiting())
-                for (std::int32_t i = 0; i < block.count; ++i) {
-                    const auto x = static_cast<std::int32_t>(block.pixel) + i;
-                    const double u = (block.u_16 + static_cast<double>(i) * block.u_step_16) / 65536;
-                    const double exact = number_of(row.u_over_z.at(x, 0)) / number_of(row.inverse_z.at(x, 0));
-                    largest = std::max(largest, std::abs(u - exact));
-                }
+            const auto error_at = [&](std::int32_t x, double u) {
+                return u - number_of(row.u_over_z.at(x, 0)) / number_of(row.inverse_z.at(x, 0));
+            };
+            largest = std::max(largest, largest_error(blocks_of(row, accuracy), error_at));
         }
         EXPECT_LE(largest, bound_256 / 256.0 + 0.001);  // a depth right to 2^-26
         EXPECT_GT(largest, 0.9 * bound_256 / 256.0);
@@ -119,9 +117,7 @@ TEST(BlockBound, CoarserDialsTakeFewerBlocks) {
     const TextureGradients wall = row_of(16, 1600, 4000);
     std::size_t before = kWidth + 1;
     for (const std::int32_t error : {4, 24, 96, 512, 4096}) {
-        Accuracy accuracy;
-        accuracy.pixel_bound_256 = error;
-        const std::size_t blocks = error_of(wall, accuracy).blocks;
+        const std::size_t blocks = blocks_of(wall, bounded(error)).waiting().size();
         EXPECT_LT(blocks, before) << error;
         before = blocks;
     }
@@ -129,13 +125,8 @@ TEST(BlockBound, CoarserDialsTakeFewerBlocks) {
 
 TEST(BlockBound, FacedSquarelyIsOneDivision) {
     const TextureGradients floor_row = row_of(100, 100, 500);
-    Accuracy accuracy;
-    const BlockRule rule = make_block_rule(accuracy);
-    BlockList blocks(kWidth);
-    constexpr Span kRow{0, 0, kWidth};
-    const BlockCutting cutting{floor_row, kNoLimits, make_block_thresholds(rule, {})};
-    block_cutter(accuracy)({&kRow, 1}, kWidth, cutting, blocks);
-    EXPECT_EQ(divisions_of({&kRow, 1}, cutting, blocks), 1);
+    const BlockList blocks = blocks_of(floor_row, {});
+    EXPECT_EQ(divisions_of(kRow, {floor_row, kNoLimits, make_block_thresholds(make_block_rule({}), {})}, blocks), 1);
     EXPECT_EQ(blocks.waiting().size(), 1u);
 }
 

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -28,10 +26,19 @@ struct Slope {
     }
 };
 
-std::vector<Span> whole_screen() {
+std::vector<Span> rows(std::int32_t count) {
     std::vector<Span> spans;
-    for (std::int32_t y = 0; y < kHeight; ++y) spans.push_back({y, 0, kWidth});
+    for (std::int32_t y = 0; y < count; ++y) spans.push_back({y, 0, kWidth});
     return spans;
+}
+
+/// Cleared at the start of a frame in which it is wanted there.
+DepthBuffer depth_wanted(const std::vector<ScreenRectangle>& wanted) {
+    DepthBuffer depth(kWidth, kHeight);
+    depth.start_frame();
+    for (const ScreenRectangle& rectangle : wanted) depth.want(rectangle);
+    depth.clear();
+    return depth;
 }
 
 bool holds(const ScreenRectangle& outer, const ScreenRectangle& inner) {
@@ -43,12 +50,9 @@ bool holds(const ScreenRectangle& outer, const ScreenRectangle& inner) {
 
 TEST(DepthBuffer, HoldsTheInverseDepthOfAPlaneWhereItIsWanted) {
     const std::vector<ScreenRectangle> wanted{{10, 40, 20, 60}, {200, 320, 150, 200}, {35, 70, 50, 90}};
-    DepthBuffer depth(kWidth, kHeight);
-    depth.start_frame();
-    for (const ScreenRectangle& rectangle : wanted) depth.want(rectangle);
-    depth.clear();
+    DepthBuffer depth = depth_wanted(wanted);
     const Slope slope;
-    depth.fill(whole_screen(), slope.quantity());
+    depth.fill(rows(kHeight), slope.quantity());
     for (const ScreenRectangle& rectangle : wanted)
         for (std::int32_t y = rectangle.first_row; y < rectangle.end_row; ++y)
             for (std::int32_t x = rectangle.first_column; x < rectangle.end_column; ++x)
@@ -62,36 +66,29 @@ TEST(DepthBuffer, IsInfinitelyFarWhereNoFaceWasFilled) {
         depth.start_frame();
         depth.want({0, 50, 0, 50});
         depth.clear();
-        if (frame == 0) depth.fill(whole_screen(), Slope{}.quantity());
+        if (frame == 0) depth.fill(rows(kHeight), Slope{}.quantity());
     }
     EXPECT_EQ(std::count(depth.row(20), depth.row(20) + 50, 0u), 50);
 }
 
 TEST(DepthBuffer, ClampsWhatIsNearerThanAUnitOrBehindTheEye) {
-    DepthBuffer depth(kWidth, kHeight);
-    depth.start_frame();
-    depth.want({0, kWidth, 0, 1});
-    depth.clear();
-    depth.fill(std::vector<Span>{{0, 0, kWidth}}, Slope{-1, 0.01, 0}.quantity());
+    DepthBuffer depth = depth_wanted({{0, kWidth, 0, 1}});
+    depth.fill(rows(1), Slope{-1, 0.01, 0}.quantity());
     EXPECT_EQ(depth.row(0)[50], 0u) << "1/z = -0.5";
     EXPECT_NEAR(depth.row(0)[150], std::ldexp(0.5, 32), 2);
     EXPECT_EQ(depth.row(0)[250], 0xfffffffeu) << "1/z = 1.5";
-    depth.fill(std::vector<Span>{{0, 0, kWidth}}, Slope{1, 0, 0}.quantity());
+    depth.fill(rows(1), Slope{1, 0, 0}.quantity());
     EXPECT_EQ(depth.row(0)[50], 0xfffffffeu) << "1/z = 1";
 }
 
 TEST(DepthBuffer, ThingsAloneHideWhatIsSeenThrough) {
-    DepthBuffer depth(kWidth, kHeight);
-    depth.start_frame();
-    depth.want({100, 110, 0, 1});
-    depth.clear();
-    depth.fill(std::vector<Span>{{0, 0, kWidth}}, Slope{0.01, 0, 0}.quantity());
-    for (int x = 102; x < 106; ++x)
-        depth.row(0)[x] = to_inverse_depth(InverseZ::from_raw((1LL << InverseZ::kFractionBits) / 50)) | kThingBit;
+    DepthBuffer depth = depth_wanted({{100, 110, 0, 1}});
+    depth.fill(rows(1), Slope{0.01, 0, 0}.quantity());
+    const auto inverse = [](std::int64_t z) { return InverseZ::from_raw((1LL << InverseZ::kFractionBits) / z); };
+    for (int x = 102; x < 106; ++x) depth.row(0)[x] = to_inverse_depth(inverse(50)) | kThingBit;
     const auto seen = [&](std::int64_t z) {
-        const InverseZ inverse_z = InverseZ::from_raw((1LL << InverseZ::kFractionBits) / z);
         std::vector<Span> spans;
-        depth.append_seen(std::vector<Span>{{0, 90, 120}}, {inverse_z, {}, {}}, spans);
+        depth.append_seen(std::vector<Span>{{0, 90, 120}}, {inverse(z), {}, {}}, spans);
         std::string columns;
         for (const Span& span : spans) columns += std::to_string(span.first) + "-" + std::to_string(span.end) + " ";
         return columns;
@@ -142,9 +139,7 @@ TEST(DepthBuffer, FewSmallRectanglesStayApart) {
 }
 
 TEST(DepthBuffer, SpansTouchItOnlyWhereTheyReachIntoItsRows) {
-    DepthBuffer depth(kWidth, kHeight);
-    depth.want({100, 110, 50, 60});
-    depth.clear();
+    const DepthBuffer depth = depth_wanted({{100, 110, 50, 60}});
     const auto touches = [&depth](Span span) {
         const std::vector<Span> spans{{0, 0, 320}, span};
         return depth.touches(spans, rectangle_around(spans));

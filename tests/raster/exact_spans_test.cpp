@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "engine/raster/texture_blocks.h"
 #include "tests/support/random.h"
 

@@ -31,20 +31,18 @@ struct LitFace {
     double at(double u, double v) const { return light_at(level, face, u, v).green; }
 };
 
-TEST(ReferenceLight, IsInterpolatedBetweenSamples) {
+TEST(ReferenceLight, IsInterpolatedBetweenSamplesAndTheLastOneBeyond) {
     const LitFace lit;
-    EXPECT_DOUBLE_EQ(lit.at(-8, 32), 0.25);
-    EXPECT_DOUBLE_EQ(lit.at(-16, 40), 0.125);
-    EXPECT_DOUBLE_EQ(lit.at(-8, 40), (0 + 0.5 + 0.25 + 0.75) / 4);
-    EXPECT_DOUBLE_EQ(lit.at(-12, 32), 0.125);
-    EXPECT_DOUBLE_EQ(lit.at(8, 48), (96 + 255) / 256.0);
-}
-
-TEST(ReferenceLight, BeyondTheSamplesIsTheLastOne) {
-    const LitFace lit;
-    EXPECT_DOUBLE_EQ(lit.at(-100, 0), 0);
-    EXPECT_DOUBLE_EQ(lit.at(100, 32), 1);
-    EXPECT_DOUBLE_EQ(lit.at(0, 100), 0.75);
+    for (const auto& [u, v, light] : {std::array{-8.0, 32.0, 0.25},
+                                      {-16, 40, 0.125},
+                                      {-8, 40, (0 + 0.5 + 0.25 + 0.75) / 4},
+                                      {-12, 32, 0.125},
+                                      {8, 48, (96 + 255) / 256.0},
+                                      // Beyond the samples it is the last one's.
+                                      {-100, 0, 0},
+                                      {100, 32, 1},
+                                      {0, 100, 0.75}})
+        EXPECT_DOUBLE_EQ(lit.at(u, v), light) << u << ", " << v;
 }
 
 TEST(ReferenceLight, StylesAddUp) {

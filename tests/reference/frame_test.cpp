@@ -29,6 +29,10 @@ std::array<int, 4> rectangle_of(const Frame& frame, int face) {
 
 using Box = std::array<int, 4>;
 
+Frame drawn(const Level& level, std::span<const PlacedModel> models = {}) {
+    return draw(level, models, make_plain_view());
+}
+
 void expect_near(const Vec& found, const Vec& expected) {
     const Vec difference = found - expected;
     EXPECT_LT(dot(difference, difference), 1e-20) << found.x << ' ' << found.y << ' ' << found.z;
@@ -67,7 +71,7 @@ TEST(ReferenceFrame, AShiftMovesTheRays) {
 TEST(ReferenceFrame, FacesThatFaceAwayAreNotDrawn) {
     Level level = make_level();
     add_face(level, {shown_at(20, 40, 160), shown_at(40, 40, 160), shown_at(40, 20, 160), shown_at(20, 20, 160)});
-    EXPECT_EQ(rectangle_of(draw(level, {}, make_plain_view()), 0), (Box{320, 200, 0, 0}));
+    EXPECT_EQ(rectangle_of(drawn(level), 0), (Box{320, 200, 0, 0}));
 }
 
 TEST(ReferenceFrame, DepthStaysWithinTheCorners) {
@@ -77,7 +81,7 @@ TEST(ReferenceFrame, DepthStaysWithinTheCorners) {
         level, {shown_at(100, 50, 100), shown_at(200, 50, 120), shown_at(200, 150, 120), shown_at(100, 150, 100)});
     face.plane.normal = {-0.5, -0.8, 0};
     face.plane.offset = dot(face.plane.normal, shown_at(100, 50, 100));
-    const Frame frame = draw(level, {}, make_plain_view());
+    const Frame frame = drawn(level);
     EXPECT_NEAR(frame.at(100, 100).z, 100, 0.5);
     EXPECT_NEAR(frame.at(199, 100).z, 120, 1e-9);
     EXPECT_LT(PlaneView(level, face, {}, make_camera(make_plain_view())).inverse_z({199.5, 100.5}), 1 / 200.0);
@@ -88,9 +92,9 @@ TEST(ReferenceFrame, ModelsAreDrawnWhereTheyMovedTo) {
     add_rectangle(level, 0, 0, 320, 200, 320);
     level.models.push_back({{}, {}, 1, 0});
     add_rectangle(level, 20, 20, 40, 40, 160);
-    EXPECT_EQ(rectangle_of(draw(level, {}, make_plain_view()), 1), (Box{320, 200, 0, 0}));
+    EXPECT_EQ(rectangle_of(drawn(level), 1), (Box{320, 200, 0, 0}));
     const PlacedModel moved{1, {0, -5, -3}};
-    const Frame frame = draw(level, {&moved, 1}, make_plain_view());
+    const Frame frame = drawn(level, {&moved, 1});
     EXPECT_EQ(rectangle_of(frame, 1), (Box{25, 23, 45, 43}));
     EXPECT_EQ(frame.at(30, 30).model, 1);
     EXPECT_EQ(frame.at(0, 0).model, 0);
@@ -113,35 +117,38 @@ void add_room(Level& level, double half) {
     }
 }
 
+struct CloseCall {
+    int column, row;
+    bool is_one;
+};
+void expect_close_calls(const Frame& frame, const std::vector<CloseCall>& calls) {
+    for (const auto& [column, row, is_one] : calls)
+        EXPECT_EQ(frame.at(column, row).is_close_call, is_one) << column << ", " << row;
+}
+
 TEST(ReferenceFrame, CloseCallsAreEdgesVeryNearToACentre) {
     Level level = make_level();
     add_rectangle(level, 10.5 + 1.0 / 1024, 20, 30.5 + 1.0 / 128, 40.5 - 1.0 / 1024, 160);
     const Frame frame = draw_with_close_calls(level, {}, make_plain_view());
-    EXPECT_TRUE(frame.at(10, 30).is_close_call);   // just not covered
-    EXPECT_TRUE(frame.at(20, 40).is_close_call);   // likewise
-    EXPECT_FALSE(frame.at(30, 30).is_close_call);  // covered clearly enough
+    // Those of the first two are just not covered, that of the third clearly enough.
+    expect_close_calls(frame, {{10, 30, true}, {20, 40, true}, {30, 30, false}, {11, 30, false}, {20, 20, false}});
     EXPECT_EQ(frame.at(30, 30).face, 0);
-    EXPECT_FALSE(frame.at(11, 30).is_close_call);
-    EXPECT_FALSE(frame.at(20, 20).is_close_call);
     const Frame wider = draw_with_close_calls(level, {}, make_plain_view(), kRayUnit / 64);
     EXPECT_TRUE(wider.at(30, 30).is_close_call);
 }
 
 TEST(ReferenceFrame, CloseCallsAreFacesAtTheSameDepth) {
     Level level = make_level();
-    add_rectangle(level, 10, 10, 30, 30, 160);
-    add_rectangle(level, 20, 20, 40, 40, 160);
-    add_rectangle(level, 50, 50, 70, 70, 160);
-    add_rectangle(level, 50, 50, 70, 70, 160.01);
-    add_rectangle(level, 80, 80, 99, 99, 160.00001);
-    add_rectangle(level, 80, 80, 99, 99, 160);
-    const Frame frame = draw(level, {}, make_plain_view());
+    for (const auto& [left_top, right_bottom, depth] : {std::array{10.0, 30.0, 160.0},
+                                                        {20, 40, 160},
+                                                        {50, 70, 160},
+                                                        {50, 70, 160.01},
+                                                        {80, 99, 160.00001},
+                                                        {80, 99, 160}})
+        add_rectangle(level, left_top, left_top, right_bottom, right_bottom, depth);
+    const Frame frame = drawn(level);
+    expect_close_calls(frame, {{90, 90, true}, {25, 25, true}, {15, 15, false}, {35, 35, false}, {60, 60, false}});
     EXPECT_EQ(frame.at(90, 90).face, 5);  // the nearer one all the same
-    EXPECT_TRUE(frame.at(90, 90).is_close_call);
-    EXPECT_TRUE(frame.at(25, 25).is_close_call);
-    EXPECT_FALSE(frame.at(15, 15).is_close_call);
-    EXPECT_FALSE(frame.at(35, 35).is_close_call);
-    EXPECT_FALSE(frame.at(60, 60).is_close_call);
 }
 
 TEST(ReferenceFrame, EachPixelNamesThePlaneThatItShows) {
@@ -236,6 +243,31 @@ TEST(Rays, OrientationIsExactForTheLargestCorners) {
 
 TEST(Rays, CornersTooFarForExactDeterminantsAreRefused) {
     EXPECT_THROW(make_ray_corner({1e12, 0, 0}, make_camera({})), std::range_error);
+}
+
+/// A floor whose height at x = 100 is this, at -100 it is -64; u is x, v is 7 - y.
+Level floor_rising_to(double height) {
+    Level level = make_level();
+    level.texinfos[0] = {{1, 0, 0}, {0, -1, 0}, 0, 7, 0, false};
+    add_face(level, {{-100, 100, -64}, {100, 100, height}, {100, -100, height}, {-100, -100, -64}});
+    return level;
+}
+
+// Where the plane shows a texel, by its closed forms: tests/measure/texel_error_test.cpp.
+TEST(PlaneView, TexelsBehindTheEyeHaveNoPlace) {
+    const Level level = floor_rising_to(-64);
+    const PlaneView view(level, level.faces[0], {}, make_camera(make_plain_view()));
+    EXPECT_FALSE(view.place_of(-50, 7));
+    ASSERT_TRUE(view.place_of(64, 7));
+    EXPECT_NEAR(view.place_of(64, 7)->x, 160, 1e-9);
+    EXPECT_NEAR(view.place_of(64, 7)->y, 260, 1e-9);  // 45 degrees down
+}
+
+TEST(PlaneView, AxesAcrossThePlaneHaveNoPlaces) {
+    Level level = floor_rising_to(-30);
+    level.texinfos[0].s = level.faces[0].plane.normal * 0.7;
+    const PlaneView view(level, level.faces[0], {}, make_camera(make_plain_view()));
+    for (const double u : {-9, 0, 5}) EXPECT_FALSE(view.place_of(u, 7)) << u;
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "engine/accuracy/accuracy.h"
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
@@ -11,6 +9,7 @@
 #include "engine/visibility/eye.h"
 #include "tests/support/folders.h"
 #include "tests/support/palettes.h"
+#include "tests/support/point.h"
 #include "tools/render/camera_list.h"
 
 namespace oblong {
@@ -42,8 +41,7 @@ struct RealLevel {
 
 reference::View view_of(const Camera& camera) {
     reference::View view;
-    const auto units = [](World part) { return std::ldexp(part.raw, -World::kFractionBits); };
-    view.eye = {units(camera.eye.x), units(camera.eye.y), units(camera.eye.z)};
+    view.eye = test::to_point(camera.eye);
     view.yaw = camera.yaw.bam;
     view.pitch = camera.pitch.bam;
     view.roll = camera.roll.bam;

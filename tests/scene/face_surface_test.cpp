@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <random>
 #include <set>
 
 #include "engine/raster/kernels/kernels.h"

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/io/doubles.h"
 #include "tests/scene/scene_fixture.h"
 
 namespace oblong::test {
@@ -20,10 +21,6 @@ LevelEffects effects_of_key(const std::string& key, const std::string& value) {
     return effects_of_world({{key, value}});
 }
 
-double number(auto fixed) {
-    return static_cast<double>(fixed.raw) / static_cast<double>(std::int64_t{1} << fixed.kFractionBits);
-}
-
 TEST(LevelEffects, APlainLevelCallsForNothing) {
     const LevelEffects effects = effects_of_world({});
     EXPECT_FALSE(effects.fog);
@@ -37,7 +34,7 @@ TEST(LevelEffects, APlainLevelCallsForNothing) {
 TEST(LevelEffects, FogOfFitzQuake) {
     const auto fog = effects_of_key("fog", " 0.035 1\t.5 0 ").fog;
     ASSERT_TRUE(fog);
-    EXPECT_NEAR(number(fog->density), 0.035, 1e-7);
+    EXPECT_NEAR(number_of(fog->density), 0.035, 1e-7);
     EXPECT_EQ(fog->colour, (Rgb8{255, 128, 0}));
     EXPECT_EQ(fog->alpha_256, 256);
     EXPECT_EQ(fog->nearest, World{});
@@ -49,11 +46,11 @@ TEST(LevelEffects, FogOfDarkPlaces) {
     const auto fog = effects_of_key("fog", "2 0 0 0 0.5 16 1024.25 -96.5 64").fog;
     ASSERT_TRUE(fog);
     EXPECT_EQ(fog->alpha_256, 128);
-    EXPECT_EQ(number(fog->nearest), 16);
-    EXPECT_EQ(number(fog->farthest), 1024.25);
+    EXPECT_EQ(number_of(fog->nearest), 16);
+    EXPECT_EQ(number_of(fog->farthest), 1024.25);
     EXPECT_TRUE(fog->has_top);
-    EXPECT_EQ(number(fog->top), -96.5);
-    EXPECT_EQ(number(fog->fade_depth), 64);
+    EXPECT_EQ(number_of(fog->top), -96.5);
+    EXPECT_EQ(number_of(fog->fade_depth), 64);
     EXPECT_FALSE(effects_of_key("fog", "2 0 0 0 1 0 100").fog->has_top) << "the last numbers may be left out";
 }
 
@@ -122,8 +119,8 @@ TEST(LevelEffects, PaletteCyclesInTheirOrder) {
     ASSERT_EQ(effects.palette_cycles.size(), 2u);
     EXPECT_EQ(effects.palette_cycles[0].first, 16);
     EXPECT_EQ(effects.palette_cycles[0].last, 31);
-    EXPECT_EQ(number(effects.palette_cycles[0].steps_per_second), -8);
-    EXPECT_EQ(number(effects.palette_cycles[1].steps_per_second), 0.5);
+    EXPECT_EQ(number_of(effects.palette_cycles[0].steps_per_second), -8);
+    EXPECT_EQ(number_of(effects.palette_cycles[1].steps_per_second), 0.5);
     for (const char* value : {"", "1 2", "1 2 3 4", "5 5 1", "6 5 1", "-1 5 1", "0 256 1", "0.5 5 1", "0 5.5 1",
                               "0 5 0", "0 5 -1001", "0 5 1001", "a b c"}) {
         const LevelEffects wrong = effects_of_key("palette_cycle", value);

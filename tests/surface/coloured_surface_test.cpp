@@ -2,44 +2,21 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <random>
-#include <vector>
-
-#include "engine/base/table.h"
-#include "tests/support/palettes.h"
-#include "tests/surface/true_oklab.h"
+#include "tests/surface/true_surface.h"
 
 namespace oblong::coloured_surface_test {
 namespace {
 
 using namespace test;
 
-Palette random_colours(std::mt19937& random) {
-    Palette palette;
-    const auto channel = [&] { return static_cast<std::uint8_t>(random()); };
-    for (Rgb8& colour : palette.colours) colour = {channel(), channel(), channel()};
-    return palette;
-}
-
-double distance(const TrueOklab& a, const TrueOklab& b) {
-    const auto square = [&](std::size_t i) { return (a[i] - b[i]) * (a[i] - b[i]); };
-    return std::sqrt(square(0) + 8 * (square(1) + square(2)));  // hue weighs 8 times as much, as in a colormap
-}
-
 TEST(ColourCube, EachEntryIsTheNearestOrdinaryColour) {
     std::mt19937 random(71);
-    const Palette palette = random_colours(random);
+    const Palette palette = random_palette(random);
     const ColourCube cube = make_colour_cube(palette, 16);
     ASSERT_EQ(cube.nearest.size(), 16u * 16 * 16);
     for (int i = 0; i < 16 * 16 * 16; ++i) {
         const TrueOklab target = true_oklab(i / 256 * 17, i / 16 % 16 * 17, i % 16 * 17);
-        const auto distance_to = [&](std::size_t colour) {
-            const Rgb8& c = palette.colours[colour];
-            return distance(true_oklab(c.red, c.green, c.blue), target);
-        };
+        const auto distance_to = [&](std::size_t colour) { return distance(seen(palette.colours[colour]), target); };
         double nearest = 10;
         for (std::size_t colour = 0; colour < kFirstFullbright; ++colour)
             nearest = std::min(nearest, distance_to(colour));
@@ -74,16 +51,16 @@ struct Surface {
         for (std::int32_t& sum : added) sum = below(20'000);
         if (below(3) == 0) light.added_8 = added.data();
     }
-    std::int32_t below(std::uint32_t end) { return static_cast<std::int32_t>(random() % end); }
+    std::int32_t below(std::int32_t end) { return random_below(random, end); }
     std::vector<std::uint8_t> bytes(std::int32_t count) {
         std::vector<std::uint8_t> all(as_size(count));
-        for (std::uint8_t& byte : all) byte = static_cast<std::uint8_t>(random());
+        fill_at_random(all, random);
         return all;
     }
 
-    std::vector<std::uint8_t> build(const ColourCube& cube, std::int32_t stride) {
-        std::vector<std::uint8_t> out(as_size(stride * lit_size(rows, mip)), 250);
-        std::vector<std::int32_t> scratch(3 * added.size());
+    std::vector<std::uint8_t> build(const ColourCube& cube, std::int32_t stride, std::int32_t height) {
+        std::vector<std::uint8_t> out(as_size(stride * height), 250);
+        std::vector<std::int32_t> scratch(3 * added.size() + 15);
         const Colormap unused{};
         build_coloured_surface(texture, light, {unused, nullptr, &cube, {luminance.data(), channels.data()}}, quality,
                                mip, stride, scratch.data(), out.data());
@@ -108,31 +85,27 @@ struct Surface {
         };
         return std::lerp(in_row(y / cell), in_row(y / cell + 1), part(y));
     }
-    std::uint8_t texel_at(std::int32_t x, std::int32_t y) const {
-        const auto wrapped_to = [](std::int32_t place, std::int32_t size) { return ((place % size) + size) % size; };
-        return item(texels, wrapped_to(texture.min_v + y, texture.height) * texture.width +
-                                wrapped_to(texture.min_u + x, texture.width));
-    }
 };
 
 TEST(ColouredSurface, EachTexelIsItsColourTimesTheLightOfEachChannel) {
     std::mt19937 random(72);
-    const Palette palette = random_colours(random);
+    const Palette palette = random_palette(random);
     const ColourCube cube = numbered_cube(palette);
-    constexpr int kBayer[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
     for (int round = 0; round < 300; ++round) {
         Surface surface(random);
-        const std::int32_t width = lit_size(surface.columns, surface.mip), stride = width + 3;
-        const std::vector<std::uint8_t> out = surface.build(cube, stride);
-        for (std::int32_t y = 0; y < lit_size(surface.rows, surface.mip); ++y)
+        const std::int32_t width = lit_size(surface.columns, surface.mip), stride = width + 3,
+                           height = lit_size(surface.rows, surface.mip);
+        const std::vector<std::uint8_t> out = surface.build(cube, stride, height);
+        for (std::int32_t y = 0; y < height; ++y) {
+            ASSERT_EQ(item(out, y * stride + width), 250) << "beyond the surface";
             for (std::int32_t x = 0; x < width; ++x) {
-                const std::uint8_t found = item(out, y * stride + x), texel = surface.texel_at(x, y);
+                const std::uint8_t found = item(out, y * stride + x), texel = wrapped_texel(surface.texture, x, y);
                 if (texel >= kFirstFullbright) {
                     ASSERT_EQ(found, texel);
                     continue;
                 }
                 const Rgb8& full = palette.colours[texel];
-                const int up_16 = surface.quality.dithers ? kBayer[y % 4][x % 4] : 8;
+                const int up_16 = surface.quality.dithers ? dither_16(x, y) : 8;
                 for (int channel = 0; channel < 3; ++channel) {
                     const int level = found / (channel == 0 ? 36 : channel == 1 ? 6 : 1) % 6;
                     const double of_255 = channel == 0 ? full.red : channel == 1 ? full.green : full.blue;
@@ -144,8 +117,7 @@ TEST(ColouredSurface, EachTexelIsItsColourTimesTheLightOfEachChannel) {
                         << x << "," << y << " of round " << round;
                 }
             }
-        for (std::int32_t y = 0; y < lit_size(surface.rows, surface.mip); ++y)
-            ASSERT_EQ(item(out, y * stride + width), 250) << "beyond the surface";
+        }
     }
 }
 
@@ -159,12 +131,8 @@ TEST(ColouredSurface, WithoutExtentIsOneColourAndWritesAllOfIt) {
         surface.mip = 0;
         surface.texels.assign(surface.texels.size(), 200);
         const std::int32_t stride = std::max(lit_size(columns, 0), 1), height = std::max(lit_size(rows, 0), 1);
-        std::vector<std::uint8_t> out(as_size(stride * height), 250);
-        std::vector<std::int32_t> scratch(3 * surface.added.size() + 15);
-        const Colormap unused{};
-        build_coloured_surface(surface.texture, surface.light,
-                               {unused, nullptr, &cube, {surface.luminance.data(), surface.channels.data()}}, {}, 0,
-                               stride, scratch.data(), out.data());
+        surface.quality = {};
+        const std::vector<std::uint8_t> out = surface.build(cube, stride, height);
         EXPECT_EQ(std::count(out.begin(), out.end(), out[0]), stride * height);
         EXPECT_NE(out[0], 250);
     }

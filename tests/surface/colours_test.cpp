@@ -1,17 +1,10 @@
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <cstdlib>
-#include <random>
 #include <set>
-#include <vector>
 
 #include "engine/base/input_error.h"
-#include "engine/surface/colormap.h"
-#include "engine/surface/palette.h"
 #include "tests/support/folders.h"
-#include "tests/support/palettes.h"
-#include "tests/surface/true_oklab.h"
+#include "tests/surface/true_surface.h"
 
 namespace oblong::test {
 namespace {
@@ -44,17 +37,6 @@ double luminance(Rgb8 colour) {
     return 0.299 * colour.red + 0.587 * colour.green + 0.114 * colour.blue;
 }
 
-Palette random_palette(unsigned seed) {
-    std::mt19937 random(seed);
-    Palette palette;
-    for (Rgb8& colour : palette.colours) {
-        const auto bits = static_cast<std::uint32_t>(random());
-        colour = {static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8),
-                  static_cast<std::uint8_t>(bits >> 16)};
-    }
-    return palette;
-}
-
 /// 16 hues of 16 shades, as a DOS artist would have laid them out; [0] is black.
 Palette ramp_palette() {
     Palette palette;
@@ -67,7 +49,9 @@ Palette ramp_palette() {
 }
 
 std::vector<Palette> palettes() {
-    std::vector<Palette> all = {ramp_palette(), grey_palette(), random_palette(1), random_palette(2), Palette{}};
+    std::mt19937 random(1);
+    std::vector<Palette> all = {ramp_palette(), grey_palette(), Palette{}};
+    for (int i = 0; i < 2; ++i) all.push_back(random_palette(random));
     const auto real = read_shared_file("gfx/palette.lmp");
     if (!real.empty()) all.push_back(read_palette(real));
     return all;
@@ -125,17 +109,6 @@ TEST(Colormap, FullbrightsStayAndNoOtherColourBecomesOne) {
         }
 }
 
-TrueOklab seen(Rgb8 colour, double light) {
-    const auto channel = [=](std::uint8_t full) { return std::min(full * light, 255.0); };
-    return true_oklab(channel(colour.red), channel(colour.green), channel(colour.blue));
-}
-
-/// A difference of hue counts eight times one of lightness.
-double distance(const TrueOklab& a, const TrueOklab& b) {
-    const double lightness = a[0] - b[0], green_red = a[1] - b[1], blue_yellow = a[2] - b[2];
-    return std::sqrt(lightness * lightness + 8 * (green_red * green_red + blue_yellow * blue_yellow));
-}
-
 // Against the slow obvious search in doubles: among the colours that luminance allows, none is nearer by more than the
 // rounding of both.
 TEST(Colormap, NoAllowedColourIsNearer) {
@@ -143,7 +116,7 @@ TEST(Colormap, NoAllowedColourIsNearer) {
     for (const Palette& palette : palettes()) {
         const Colormap map = make_colormap(palette);
         std::vector<TrueOklab> own;
-        for (const Rgb8 colour : palette.colours) own.push_back(seen(colour, 1));
+        for (const Rgb8 colour : palette.colours) own.push_back(seen(colour));
         for (std::size_t colour = 0; colour < 224; colour += 5)
             for (std::size_t shade = 1; shade + 1 < Colormap::kShades; shade += 3) {
                 if (shade == Colormap::kOwnShade) continue;
@@ -208,13 +181,10 @@ void expect_near(const FineRgb& colour) {
     constexpr double kOne_14 = 1 << 14, kBound = 1.0 / 4096;
     const Oklab found = oklab_of(colour);
     const TrueOklab truth = true_oklab(colour.red_8 / 256.0, colour.green_8 / 256.0, colour.blue_8 / 256.0);
-    const auto name = [&] {
-        return std::to_string(colour.red_8) + " " + std::to_string(colour.green_8) + " " +
-               std::to_string(colour.blue_8);
-    };
-    ASSERT_NEAR(found.lightness_14 / kOne_14, truth[0], kBound) << name();
-    ASSERT_NEAR(found.green_red_14 / kOne_14, truth[1], kBound) << name();
-    ASSERT_NEAR(found.blue_yellow_14 / kOne_14, truth[2], kBound) << name();
+    const std::array parts{found.lightness_14, found.green_red_14, found.blue_yellow_14};
+    for (std::size_t i = 0; i < 3; ++i)
+        ASSERT_NEAR(parts[i] / kOne_14, truth[i], kBound)
+            << colour.red_8 << " " << colour.green_8 << " " << colour.blue_8;
 }
 
 TEST(Oklab, AgreesWithItsFormulasInDoubles) {

@@ -2,16 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
-#include <numeric>
-#include <random>
-#include <vector>
 
-#include "engine/base/table.h"
 #include "engine/raster/kernels/kernels.h"
-#include "tests/support/palettes.h"
+#include "tests/surface/true_surface.h"
 
 namespace oblong::test {
 
@@ -22,25 +16,23 @@ struct Patch {
     std::vector<std::uint8_t> samples;
     std::vector<std::uint8_t> texels = std::vector<std::uint8_t>(64 * 64);
     std::vector<std::int32_t> scratch;
+    TextureView texture{texels.data(), 64, 64, 0, 0};
 
-    Patch(std::mt19937& random, std::int32_t c, std::int32_t r) : columns(c), rows(r) {
-        samples.resize(static_cast<std::size_t>(c * r));
-        for (std::uint8_t& sample : samples) sample = static_cast<std::uint8_t>(random());
-        for (std::uint8_t& texel : texels) texel = static_cast<std::uint8_t>(random());
-        scratch.resize(samples.size());
+    Patch(std::mt19937& random, std::int32_t c, std::int32_t r)
+        : columns(c), rows(r), samples(as_size(c * r)), scratch(samples.size()) {
+        fill_at_random(samples, random);
+        fill_at_random(texels, random);
     }
 
-    std::vector<std::uint8_t> build(const Colormap& map, int mip, TextureView texture, std::uint16_t scale = 256,
-                                    const LightQuality& quality = {}) {
-        LightmapView light;
-        light.samples = samples.data();
-        light.columns = columns;
-        light.rows = rows;
-        light.style_count = 1;
-        light.style_scale_256[0] = scale;
-        const std::int32_t stride = lit_size(columns, mip);
-        std::vector<std::uint8_t> out(static_cast<std::size_t>(stride * lit_size(rows, mip)));
-        build_lit_surface(texture, light, {map}, quality, mip, stride, scratch.data(), out.data());
+    LightmapView light(std::uint16_t scale = 256) const {
+        return {samples.data(), columns, rows, 1, {scale}, nullptr, false};
+    }
+    /// At least a texel each way.
+    std::vector<std::uint8_t> build(const Colormap& map, const LightmapView& by, const LightQuality& quality = {},
+                                    int mip = 0) {
+        const std::int32_t stride = std::max(lit_size(columns, mip), 1), height = std::max(lit_size(rows, mip), 1);
+        std::vector<std::uint8_t> out(as_size(stride * height), 0xa5);
+        build_lit_surface(texture, by, {map}, quality, mip, stride, scratch.data(), out.data());
         return out;
     }
 };
@@ -59,8 +51,7 @@ TEST(LitSurface, LightJustBelowTheBrightestIsTheFirstShadeForEveryScale) {
             std::fill(patch.samples.begin(), patch.samples.end(), std::uint8_t{255});
             patch.samples[0] = static_cast<std::uint8_t>((kBrightest_8 - 1) / scale);
             if (kBrightest_8 - patch.samples[0] * scale > 1000) continue;  // less than shade 1
-            const auto lit =
-                patch.build(map, mip, {patch.texels.data(), 64, 64, 0, 0}, static_cast<std::uint16_t>(scale));
+            const auto lit = patch.build(map, patch.light(static_cast<std::uint16_t>(scale)), {}, mip);
             ASSERT_EQ(std::count(lit.begin(), lit.end(), std::uint8_t{200}), std::ssize(lit))
                 << "scale " << scale << ", mip " << mip;
         }
@@ -69,14 +60,13 @@ TEST(LitSurface, LightJustBelowTheBrightestIsTheFirstShadeForEveryScale) {
 TEST(LitSurface, BrightnessMultipliesAllLightUpToTheBrightestShade) {
     std::mt19937 random(11);
     Patch patch(random, 2, 2);
-    const TextureView texture{patch.texels.data(), 64, 64, 0, 0};
     for (const std::int32_t brightness_100 : {0, 25, 99, 100, 150, 800, std::numeric_limits<std::int32_t>::max()})
         for (int light = 0; light < 256; light += 5) {
             patch.samples.assign(4, static_cast<std::uint8_t>(light));
             LightQuality quality;
             quality.brightness_100 = brightness_100;
             const double shade = shade_in_doubles(std::floor(light * 256.0 * brightness_100 / 100) / 256);
-            EXPECT_EQ(patch.build(numbered_shades(), 0, texture, 256, quality)[0], std::floor(shade))
+            EXPECT_EQ(patch.build(numbered_shades(), patch.light(), quality)[0], std::floor(shade))
                 << light << " at " << brightness_100;
         }
 }
@@ -87,29 +77,18 @@ TEST(LitSurface, ALevelWithoutLightShowsItsOwnColours) {
     LightmapView light;
     light.columns = light.rows = 2;
     light.has_no_lightmaps = true;
-    std::vector<std::uint8_t> out(256);
-    const Colormap map = numbered_shades();
-    build_lit_surface({patch.texels.data(), 64, 64, 0, 0}, light, {map}, {}, 0, 16, patch.scratch.data(), out.data());
-    EXPECT_EQ(std::count(out.begin(), out.end(), std::uint8_t{Colormap::kOwnShade}), 256);
+    EXPECT_EQ(patch.build(numbered_shades(), light), std::vector<std::uint8_t>(256, Colormap::kOwnShade));
 }
 
 TEST(LitSurface, WithoutExtentIsOneColourAndWritesAllOfIt) {
     std::mt19937 random(9);
-    const Colormap map = numbered_shades();
     for (const auto& [columns, rows] : {std::pair{1, 1}, {1, 5}, {5, 1}}) {
         Patch patch(random, columns, rows);
-        LightmapView light;
-        light.samples = patch.samples.data();
-        light.columns = columns;
-        light.rows = rows;
-        light.style_count = 1;
-        light.style_scale_256[0] = 256;
-        const std::int32_t stride = std::max(lit_size(columns, 0), 1), height = std::max(lit_size(rows, 0), 1);
-        std::vector<std::uint8_t> out(static_cast<std::size_t>(stride * height), 0xa5);
-        build_lit_surface({patch.texels.data(), 64, 64, 16, 16}, light, {map}, {}, 0, stride, patch.scratch.data(),
-                          out.data());
-        const int shade = static_cast<int>(shade_in_doubles(patch.samples[0]));
-        EXPECT_EQ(std::count(out.begin(), out.end(), static_cast<std::uint8_t>(shade)), stride * height);
+        patch.texture.min_u = patch.texture.min_v = 16;
+        const std::vector<std::uint8_t> out = patch.build(numbered_shades(), patch.light());
+        const auto shade = static_cast<std::uint8_t>(shade_in_doubles(patch.samples[0]));
+        EXPECT_EQ(std::count(out.begin(), out.end(), shade),
+                  std::max(16 * (columns - 1), 1) * std::max(16 * (rows - 1), 1));
     }
 }
 
@@ -134,21 +113,17 @@ std::uint8_t plain_texel(const TextureView& texture, const LightmapView& light, 
                        right = between(sample_16(column + 1, row), sample_16(column + 1, row + 1), y % cell);
     std::int64_t shade_24 = between(left, right, x % cell) * (1 << 2 * mip);
     if (quality.dithers) {
-        constexpr int kBayer[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
-        shade_24 += kBayer[y % 4][x % cell % 4] * (64 / quality.shades << 20);
+        shade_24 += dither_16(x % cell, y) * (64 / quality.shades << 20);
         shade_24 = std::min<std::int64_t>(shade_24, (64 << 24) - 1);
     }
-    const auto wrapped = [](std::int32_t place, std::int32_t size) { return ((place % size) + size) % size; };
-    const std::int32_t u = wrapped(texture.min_u + x, texture.width), v = wrapped(texture.min_v + y, texture.height);
-    return item(map.shades, shade_24 >> 24)[texture.texels[v * texture.width + u]];
+    return item(map.shades, shade_24 >> 24)[wrapped_texel(texture, x, y)];
 }
 
 TEST(LitSurface, EachTexelIsWhatTheFormulaSays) {
     std::mt19937 random(31);
     Colormap map;
-    for (auto& shade : map.shades)
-        for (std::uint8_t& colour : shade) colour = static_cast<std::uint8_t>(random());
-    const auto below = [&](std::uint32_t end) { return static_cast<std::int32_t>(random() % end); };
+    for (auto& shade : map.shades) fill_at_random(shade, random);
+    const auto below = [&](std::int32_t end) { return random_below(random, end); };
     for (int round = 0; round < 600; ++round) {
         const int mip = below(4), cell = 16 >> mip;
         Patch patch(random, 2 + below(5), 2 + below(5));
@@ -156,21 +131,18 @@ TEST(LitSurface, EachTexelIsWhatTheFormulaSays) {
                                   (below(90) - 45) * cell, (below(90) - 45) * cell};
         const LightQuality quality{below(2) ? LightSampling::Nearest : LightSampling::Interpolated, 16 << below(3),
                                    below(2) == 0, below(4) == 0 ? 25 + below(700) : 100};
-        LightmapView light;
-        light.columns = patch.columns;
-        light.rows = patch.rows;
-        light.style_count = below(5);
-        const auto samples = static_cast<std::size_t>(light.columns * light.rows);
-        std::vector<std::uint8_t> styles(samples * 4);
-        for (std::uint8_t& sample : styles) sample = static_cast<std::uint8_t>(random());
-        for (std::uint16_t& scale : light.style_scale_256) scale = static_cast<std::uint16_t>(below(600));
-        std::vector<std::int32_t> added(samples);
+        std::vector<std::uint8_t> styles(patch.samples.size() * 4);
+        fill_at_random(styles, random);
+        std::vector<std::int32_t> added(patch.samples.size());
         for (std::int32_t& sum : added) sum = below(40'000);
+        LightmapView light = patch.light();
         light.samples = styles.data();
+        light.style_count = below(5);
+        for (std::uint16_t& scale : light.style_scale_256) scale = static_cast<std::uint16_t>(below(600));
         if (below(3) == 0) light.added_8 = added.data();
         const std::int32_t width = lit_size(light.columns, mip), height = lit_size(light.rows, mip), stride = width + 3;
         for (const Kernels& kernels : all_kernels()) {
-            std::vector<std::uint8_t> out(static_cast<std::size_t>(stride * height), 77);
+            std::vector<std::uint8_t> out(as_size(stride * height), 77);
             build_lit_surface(texture, light, {map, kernels.light_cells}, quality, mip, stride, patch.scratch.data(),
                               out.data());
             for (std::int32_t y = 0; y < height; ++y)
@@ -189,10 +161,9 @@ TEST(LightQuality, DitheredLightIsRightOnAverage) {
     for (int light = 3; light < 256; light += 4) {
         Patch patch(random, 2, 2);
         patch.samples.assign(4, static_cast<std::uint8_t>(light));
-        const TextureView texture{patch.texels.data(), 64, 64, 0, 0};
         const auto mean_of = [&](bool dithers) {
-            const auto lit =
-                patch.build(numbered_shades(), 0, texture, 256, {LightSampling::Interpolated, 64, dithers});
+            const LightQuality quality{LightSampling::Interpolated, 64, dithers};
+            const auto lit = patch.build(numbered_shades(), patch.light(), quality);
             return std::accumulate(lit.begin(), lit.end(), 0.0) / static_cast<double>(lit.size());
         };
         const double shade = shade_in_doubles(light);

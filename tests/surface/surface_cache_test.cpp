@@ -2,11 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
 #include <map>
-#include <random>
-#include <vector>
+
+#include "tests/support/random.h"
 
 namespace oblong::test {
 namespace {
@@ -137,7 +135,7 @@ class CacheBesideMap {
             ASSERT_EQ(Texels(got.texels, got.texels + bytes), written.texels);
         } else {
             written = {key, Texels(bytes)};
-            for (std::uint8_t& texel : written.texels) texel = static_cast<std::uint8_t>(random_());
+            fill_at_random(written.texels, random_);
             std::copy(written.texels.begin(), written.texels.end(), got.texels);
         }
         shown_.push_back({got.texels, written.texels});

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "engine/math/matrix.h"
 #include "engine/methods/polygons.h"
 #include "engine/methods/transforms.h"

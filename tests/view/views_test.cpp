@@ -4,11 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <vector>
-
 #include "engine/base/input_error.h"
 #include "engine/fixed/trig.h"
 #include "tests/support/random.h"
@@ -25,44 +20,32 @@ Pixel shown(const ViewContext& view, const Vec3<World>& point) {
     return {number_of(position.x), number_of(position.y)};
 }
 
-struct Extents {
-    double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
-
-    void add(const Pixel& pixel) {
-        left = std::min(left, pixel.x), right = std::max(right, pixel.x);
-        top = std::min(top, pixel.y), bottom = std::max(bottom, pixel.y);
-    }
-};
-
-Extents extents_of_cube(const ViewContext& view, double size) {
-    Extents extents;
-    for (int corner = 0; corner < 8; ++corner)
-        extents.add(shown(view, point_at(corner & 1 ? size : 0, corner & 2 ? size : 0, corner & 4 ? size : 0)));
-    return extents;
-}
-
-constexpr double kTolerance_px = 0.01;
-
-void expect_extents(const ViewSpec& spec, const ScreenMode& mode, double left, double right, double bottom,
-                    double top) {
+/// Of a cube of 64 units from the origin, which is in the middle of the screen and the cube's left bottom corner there;
+/// right and top in sizes of the cube.
+void expect_extents(const ViewSpec& spec, const ScreenMode& mode, double right, double top) {
     ASSERT_FALSE(problem_of(spec, mode)) << *problem_of(spec, mode);
-    const Extents extents = extents_of_cube(make_view_context(spec, mode), 64);
+    const ViewContext view = make_view_context(spec, mode);
+    Pixel least{1e9, 1e9}, most{-1e9, -1e9};
+    for (int corner = 0; corner < 8; ++corner) {
+        const Pixel at = shown(view, point_at(corner & 1 ? 64 : 0, corner & 2 ? 64 : 0, corner & 4 ? 64 : 0));
+        least = {std::min(least.x, at.x), std::min(least.y, at.y)};
+        most = {std::max(most.x, at.x), std::max(most.y, at.y)};
+    }
     const double per_unit = mode.width_px / (2 * number_of(spec.window.half_width));
     const double pixel = 4.0 / 3 * mode.height_px / mode.width_px;  // its width to its height
-    EXPECT_NEAR(extents.left, mode.width_px / 2.0 + 64 * left * per_unit, kTolerance_px);
-    EXPECT_NEAR(extents.right, mode.width_px / 2.0 + 64 * right * per_unit, kTolerance_px);
-    EXPECT_NEAR(extents.bottom, mode.height_px / 2.0 - 64 * bottom * per_unit * pixel, kTolerance_px);
-    EXPECT_NEAR(extents.top, mode.height_px / 2.0 - 64 * top * per_unit * pixel, kTolerance_px);
+    constexpr double kTolerance_px = 0.01;
+    EXPECT_NEAR(least.x, mode.width_px / 2.0, kTolerance_px);
+    EXPECT_NEAR(most.x, mode.width_px / 2.0 + 64 * right * per_unit, kTolerance_px);
+    EXPECT_NEAR(most.y, mode.height_px / 2.0, kTolerance_px);
+    EXPECT_NEAR(least.y, mode.height_px / 2.0 - 64 * top * per_unit * pixel, kTolerance_px);
 }
 
 const std::vector<ScreenMode> kModes{{320, 200, {4, 3}}, {640, 480, {4, 3}}, {320, 240, {4, 3}}};
 
-// A cube of 64 units from the origin, which is in the middle of the screen; extents in sizes of the cube.
-
 TEST(ParallelViews, ShowASideOfACubeAsASquare) {
     for (const ScreenMode& mode : kModes)
         for (const ViewSide side : {ViewSide::Front, ViewSide::Top, ViewSide::Side})
-            expect_extents(orthographic_view({}, side_axes(side), View::from_int(300)), mode, 0, 1, 0, 1);
+            expect_extents(orthographic_view({}, side_axes(side), View::from_int(300)), mode, 1, 1);
 }
 
 double shortening(const Basis& axes, const Point& axis) {
@@ -97,15 +80,14 @@ TEST(ParallelViews, HaveTheScalesThatTheirNamesSay) {
 }
 
 TEST(ParallelViews, ShiftWhatIsFartherWhereOblique) {
-    const double length[] = {1, 0.5};
     for (const ScreenMode& mode : kModes)
-        for (const double share : length)
+        for (const double share : {1.0, 0.5})
             for (const int degrees : {30, 45, 60}) {
                 const double turn = degrees * 3.141592653589793 / 180;
                 const ViewSpec view = oblique_view({}, side_axes(ViewSide::Front), View::from_int(300),
                                                    fixed_of<Unit>(share), degrees_to_angle(Degrees::from_int(degrees)));
                 // Binary angles are within 0.003 degrees.
-                expect_extents(view, mode, 0, 1 + share * std::cos(turn), 0, 1 + share * std::sin(turn));
+                expect_extents(view, mode, 1 + share * std::cos(turn), 1 + share * std::sin(turn));
             }
 }
 
@@ -138,13 +120,14 @@ struct RandomWindow {
 };
 RandomWindow random_window(std::mt19937& random, bool is_parallel) {
     const auto within = [&](double reach) { return random_between(random, -reach, reach); };
+    const auto point = [&](double reach) { return point_at(within(reach), within(reach), within(reach)); };
     RandomWindow made;
     WindowView& window = made.window;
     window.is_parallel = is_parallel;
-    window.reference_point = point_at(within(1000), within(1000), within(1000));
-    window.normal = point_at(within(1), within(1), within(1));
-    window.up = point_at(within(1), within(1), within(1));
-    window.centre_of_projection = window.reference_point + point_at(within(300), within(300), within(300));
+    window.reference_point = point(1000);
+    window.normal = point(1);
+    window.up = point(1);
+    window.centre_of_projection = window.reference_point + point(300);
     made.du = 100 + within(50);
     made.dv = made.du * 3 / 4;
     const double u = within(100), v = within(100);
@@ -218,15 +201,16 @@ TEST(WindowViews, SayWhatIsWrong) {
 }
 
 TEST(Views, SayWhatKeepsThemFromBeingDrawn) {
-    const ScreenMode mode;
-    ViewSpec view = orthographic_view({}, side_axes(ViewSide::Top), View::from_raw(40));
-    EXPECT_NE(problem_of(view, mode).value_or("").find("0 units wide"), std::string::npos);
-    view = oblique_view(point_at(300'000, 0, 0), side_axes(ViewSide::Top), View::from_int(100), Unit::from_int(1), {});
-    EXPECT_NE(problem_of(view, mode).value_or("").find("262,144"), std::string::npos);
-    view.eye = {};
-    view.shear_y = Unit::from_raw(1 << 28);
-    EXPECT_NE(problem_of(view, mode).value_or("").find("45 degrees"), std::string::npos);
-    EXPECT_FALSE(problem_of(first_person_view({}), mode));
+    const Basis top = side_axes(ViewSide::Top);
+    const ViewSpec far = oblique_view(point_at(300'000, 0, 0), top, View::from_int(100), Unit::from_int(1), {});
+    ViewSpec askew = far;
+    askew.eye = {};
+    askew.shear_y = Unit::from_raw(1 << 28);
+    for (const auto& [view, problem] : {std::pair{orthographic_view({}, top, View::from_raw(40)), "0 units wide"},
+                                        {far, "262,144"},
+                                        {askew, "45 degrees"}})
+        EXPECT_NE(problem_of(view, {}).value_or("").find(problem), std::string::npos) << problem;
+    EXPECT_FALSE(problem_of(first_person_view({}), {}));
 }
 
 TEST(LookAt, ShowsItsTargetInTheMiddleUpright) {

@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "engine/visibility/visible_set.h"
 #include "tests/visibility/visibility_fixture.h"
 
@@ -18,15 +15,19 @@ struct Culling {
     Vec3<World> eye;
 };
 
-Culling random_culling(std::mt19937& random, std::int32_t reach) {
+Vec3<World> random_eye(std::mt19937& random, std::int32_t reach) {
     const auto coordinate = [&] {
         return World::from_raw(static_cast<std::int32_t>(random() % (static_cast<std::uint32_t>(reach) * 8192)) -
                                reach * 4096);
     };
+    return {coordinate(), coordinate(), coordinate()};
+}
+
+Culling random_culling(std::mt19937& random, std::int32_t reach) {
     const Basis axes = random_axes(random);
     const Projection projection = make_projection(ScreenMode{}, Degrees::from_int(1 + random() % 179));
     const View parallel_depth = random() % 4 ? View{} : View::from_int(1 << random() % 20);
-    return {make_frustum(axes, projection, parallel_depth), {coordinate(), coordinate(), coordinate()}};
+    return {make_frustum(axes, projection, parallel_depth), random_eye(random, reach)};
 }
 
 /// normal . (corner - eye) of the corner that takes the greater bound along the axes of `high`.
@@ -102,9 +103,7 @@ bool has_leaf(const PlacedBox& placed, LeafIndex leaf) {
 
 /// Of a world that reaches `reach` units either way.
 ViewContext random_view(std::mt19937& random, std::int32_t reach = 2000) {
-    const auto coordinate = [&] { return random_below(random, 2 * reach) - reach; };
-    const Vec3<World> eye{World::from_int(coordinate()), World::from_int(coordinate()), World::from_int(coordinate())};
-    return view_along(eye, random_axes(random), {}, 20 + random_below(random, 130));
+    return view_along(random_eye(random, reach), random_axes(random), {}, 20 + random_below(random, 130));
 }
 
 /// Column and row, in doubles, of a point of the box; behind the eye they are not on the screen.
@@ -183,6 +182,7 @@ TEST(BoxCuller, AgreesAtTheLimits) {
     }
     EXPECT_GT(at_limits, 4000);
 }
+
 class PlacedBoxOf : public OfLevel {};
 
 TEST_P(PlacedBoxOf, HasTheLeafOfEachOfItsPoints) {
@@ -234,6 +234,7 @@ TEST_P(PlacedBoxOf, HasNoListWhereItHoldsTheWholeLevel) {
 }
 
 OBLONG_FOR_REAL_LEVELS(PlacedBoxOf);
+
 TEST(BoxRectangle, HoldsAllOfTheBoxThatIsOnTheScreen) {
     const Seen tally = check_boxes(2000, 300);
     EXPECT_GT(tally.on_screen, 1000);

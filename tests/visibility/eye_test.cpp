@@ -5,10 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
-#include <cstdlib>
-
 #include "tests/visibility/visibility_fixture.h"
 
 namespace oblong::test {
@@ -47,12 +43,9 @@ std::optional<PlacedEye> asked_of_the_whole_tree(const Level& level, const Vec3<
 
 /// A point up to 200 steps from a corner of the level: the fewer the likelier.
 Vec3<World> near_a_corner(const Level& level, std::mt19937& random) {
-    const auto count = static_cast<std::uint32_t>(level.vertices.size());
-    const Vec3<World> corner = level.vertices[VertexIndex(static_cast<std::int32_t>(random() % count))];
-    const std::uint32_t most = std::array{0u, 1u, 8u, 30u, 200u}[random() % 5];
-    const auto off = [&] {
-        return World::from_raw(static_cast<std::int32_t>(random() % (2 * most + 1)) - static_cast<std::int32_t>(most));
-    };
+    const Vec3<World> corner = level.vertices[VertexIndex(random_below(random, level.vertices.count()))];
+    const std::int32_t most = std::array{0, 1, 8, 30, 200}[random() % 5];
+    const auto off = [&] { return World::from_raw(random_below(random, 2 * most + 1) - most); };
     return corner + Vec3<World>{off(), off(), off()};
 }
 

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "tests/support/random.h"
 
 namespace oblong::test {
@@ -12,37 +10,34 @@ namespace {
 
 constexpr std::int32_t kWidth = 97, kHeight = 5;
 
-/// A span that compares.
-struct PixelRun {
-    std::int32_t y, first, end;
-    bool operator==(const PixelRun&) const = default;
-};
+/// A span that compares: row, first column, end.
+using PixelRun = std::array<std::int32_t, 3>;
 
 /// The obvious way: a flag a pixel, whether it is free.
 class FreePixels {
   public:
-    bool& at(std::int32_t y, std::int32_t x) { return free_[static_cast<std::size_t>(y * kWidth + x)].is_free; }
+    char& at(std::int32_t y, std::int32_t x) { return item(is_free_, y * kWidth + x); }
     /// The free pixels of row y's [first, end) as runs, added to `runs`; taken if `takes_them`.
     void find(std::int32_t y, std::int32_t first, std::int32_t end, bool takes_them, std::vector<PixelRun>& runs) {
         for (std::int32_t x = std::max(first, 0); x < std::min(end, kWidth); ++x) {
             if (!at(y, x)) continue;
-            const bool continues = !runs.empty() && runs.back().y == y && runs.back().end == x;
-            if (continues)
-                ++runs.back().end;
+            if (!runs.empty() && runs.back()[0] == y && runs.back()[2] == x)
+                ++runs.back()[2];
             else
                 runs.push_back({y, x, x + 1});
             if (takes_them) at(y, x) = false;
         }
     }
-    bool is_full() const {
-        return std::none_of(free_.begin(), free_.end(), [](const Pixel& pixel) { return pixel.is_free; });
-    }
+    bool is_full() const { return std::count(is_free_.begin(), is_free_.end(), true) == 0; }
 
   private:
-    struct Pixel {
-        bool is_free = true;
-    };
-    std::vector<Pixel> free_ = std::vector<Pixel>(kWidth * kHeight);
+    std::vector<char> is_free_ = std::vector<char>(kWidth * kHeight, true);
+};
+
+/// A buffer of the engine's, and the same by the obvious way.
+struct Both {
+    SpanBuffer span_buffer{kWidth, kHeight};
+    FreePixels reference;
 };
 
 std::int32_t up_to(std::mt19937& random, std::int32_t most) {
@@ -60,9 +55,9 @@ ScanlineExtents random_rows(std::mt19937& random, std::int32_t longest) {
     ScanlineExtents rows(kHeight);
     rows.first = up_to(random, kHeight - 1);
     rows.end = rows.first + up_to(random, kHeight - rows.first);
-    for (auto y = static_cast<std::size_t>(rows.first); y < static_cast<std::size_t>(rows.end); ++y) {
-        rows.left[y] = up_to(random, kWidth + 40) - 20;
-        rows.right[y] = rows.left[y] + up_to(random, longest) - 1;
+    for (std::int32_t y = rows.first; y < rows.end; ++y) {
+        item(rows.left, y) = up_to(random, kWidth + 40) - 20;
+        item(rows.right, y) = item(rows.left, y) + up_to(random, longest) - 1;
     }
     return rows;
 }
@@ -90,8 +85,7 @@ PixelRange rows_with_free(const ScreenRectangle& rectangle, FreePixels& referenc
 TEST(SpanBuffer, GivesWhatWasFreeAndOnlyOnce) {
     std::mt19937 random(5);
     for (int trial = 0; trial < 2000; ++trial) {
-        SpanBuffer span_buffer(kWidth, kHeight);
-        FreePixels reference;
+        auto [span_buffer, reference] = Both();
         const std::int32_t longest = 1 << random() % 8;
         for (int claim = 0; claim < 60; ++claim) {
             const std::int32_t y = up_to(random, kHeight - 1), first = up_to(random, kWidth + 39) - 20;
@@ -109,8 +103,7 @@ TEST(SpanBuffer, GivesWhatWasFreeAndOnlyOnce) {
 TEST(SpanBuffer, GivesAFaceWhatIsFreeOfItsRows) {
     std::mt19937 random(6);
     for (int trial = 0; trial < 3000; ++trial) {
-        SpanBuffer span_buffer(kWidth, kHeight);
-        FreePixels reference;
+        auto [span_buffer, reference] = Both();
         SpanList owned;
         std::vector<PixelRun> expected;
         const std::int32_t longest = 1 << random() % 8;
@@ -133,8 +126,7 @@ TEST(SpanBuffer, GivesAFaceWhatIsFreeOfItsRows) {
 TEST(SpanBuffer, ContinuesFromAnyFreePixels) {
     std::mt19937 random(7);
     for (int trial = 0; trial < 2000; ++trial) {
-        SpanBuffer span_buffer(kWidth, kHeight);
-        FreePixels reference;
+        auto [span_buffer, reference] = Both();
         std::vector<Span> free;
         const std::int32_t most_between = up_to(random, 20);
         for (std::int32_t y = 0; y < kHeight; ++y)
@@ -162,8 +154,7 @@ TEST(SpanBuffer, KnowsWhetherARectangleHasAFreePixel) {
     std::mt19937 random(8);
     int full = 0, free = 0;
     for (int trial = 0; trial < 1000; ++trial) {
-        SpanBuffer span_buffer(kWidth, kHeight);
-        FreePixels reference;
+        auto [span_buffer, reference] = Both();
         for (int claim = 0; claim < 20; ++claim) {
             const ScanlineExtents taken = random_rows(random, 97);
             SpanList owned;
