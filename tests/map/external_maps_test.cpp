@@ -24,11 +24,13 @@ std::string external(Pairs pairs, const std::string& name = "part.map") {
 
 std::vector<map::MapEntity> included(const std::string& source, const Sources& others) {
     auto entities = map::parse_map(source);
-    map::include_external_maps(entities, "main.map", [&](const std::string& name, const std::string&, int line) {
+    const auto read = [&](const std::string& name, const std::string&, int line) {
         const auto found = others.find(name);
         if (found == others.end()) throw InputError("line " + std::to_string(line), "'" + name + "' is not there");
         return map::ExternalSource{name, found->second};
-    });
+    };
+    map::Warnings unheard;
+    map::include_external_maps(entities, "main.map", read, unheard);
     return entities;
 }
 
@@ -172,7 +174,7 @@ TEST(ExternalMaps, SayWhatIsWrongAndWhere) {
             [&](const std::string& name, const std::string&, int) {
                 return map::ExternalSource{name, level(kBrick)};
             },
-            &warnings);
+            warnings);
         const auto said = warnings.take();
         ASSERT_EQ(said.size(), 1u) << pair[0];
         EXPECT_TRUE(said[0].what.starts_with("'" + pair[0] + "' is '" + pair[1] + "', expected ")) << said[0].what;

@@ -362,7 +362,7 @@ std::vector<std::string> said_of_textures(const std::vector<std::string>& names,
     std::vector<map::TextureUse> uses;
     for (const std::string& name : names) uses.push_back({name, 7 + static_cast<int>(uses.size())});
     map::Warnings warnings;
-    for (const std::string& texture : map::collect_textures(uses, {map::Wad(wad)}, &warnings))
+    for (const std::string& texture : map::collect_textures(uses, {map::Wad(wad)}, warnings))
         if (read != nullptr)
             read->push_back(parse_miptex({reinterpret_cast<const std::uint8_t*>(texture.data()), texture.size()}));
     std::vector<std::string> said;
@@ -437,7 +437,8 @@ TEST(Wad, TexturesHaveTheNameThatTheyAreFoundBy) {
     for (const std::string& own : {std::string(), std::string("inner"), std::string("WALL")}) {
         std::string bytes = wad_bytes(std::vector<std::string>{"wall"});
         bytes.replace(12, 16, own + std::string(16 - own.size(), '\0'));
-        const std::string texture = map::collect_textures({{"wall", 7}}, {map::Wad(bytes)}).at(0);
+        map::Warnings unheard;
+        const std::string texture = map::collect_textures({{"wall", 7}}, {map::Wad(bytes)}, unheard).at(0);
         EXPECT_EQ(std::string(texture.c_str()), own == "WALL" ? own : "wall");
         EXPECT_EQ(texture.substr(16), bytes.substr(28, texture.size() - 16));
     }

@@ -87,7 +87,7 @@ TEST(Tree, SolidIsWhatIsInsideABrush) {
             const bool is_solid = brushes.is_solid(point) || !is_in_room(point);
             if (brushes.is_solid(point, 1.0 / 64) != brushes.is_solid(point, -1.0 / 64)) continue;
             ASSERT_EQ(contents_at(bsp, 0, 0, point) == contents::kSolid, is_solid)
-                << count << " boxes, at " << map::points_text({point});
+                << count << " boxes, at " << map::point_text(point);
             solid += is_solid ? 1 : 0;
         }
         EXPECT_GT(solid, 1000) << count;
@@ -200,7 +200,7 @@ TEST(Leak, ThePathLeadsThroughTheHole) {
     ASSERT_GE(leak->path.size(), 2u);
     EXPECT_EQ(leak->path.front(), (Point{128, 128, 32}));
     EXPECT_GT(leak->path.back().y, 256);
-    EXPECT_EQ(map::points_text({{1, 2.5, -3}, {4, 5, 6}}), "1 2.5 -3\n4 5 6");
+    EXPECT_EQ(map::point_text({1, 2.5, -3}), "1 2.5 -3");
     EXPECT_FALSE(leak_of(level(closed, start)));
 }
 

@@ -20,6 +20,10 @@
 namespace oblong {
 namespace {
 
+MipTexture read_picture(const std::string& file, const Palette& palette, PngColours colours = {}) {
+    return picture_texture(file, read_file(file), palette, colours);
+}
+
 class TextureFiles : public testing::Test {
   protected:
     std::string path(const std::string& name) const { return folder_.path(name); }
@@ -172,7 +176,7 @@ TEST_F(TextureFiles, NoneIsUnpackedOverAnother) {
 }
 
 TEST_F(TextureFiles, AHashStandsForTheStarOfLiquids) {
-    EXPECT_EQ(read_png_texture(write_png("#lava.png", 16, 16), palette_).name, "*lava");
+    EXPECT_EQ(read_picture(write_png("#lava.png", 16, 16), palette_).name, "*lava");
     EXPECT_EQ(file_of_texture_name("*lava"), "#lava.png");
     EXPECT_EQ(file_of_texture_name("../x"), ".._x.png");
 }
@@ -199,13 +203,13 @@ class TrueColours : public TextureFiles {
 };
 
 TEST_F(TrueColours, TakeTheNearestColourThatDoesNotGlow) {
-    const MipTexture texture = read_png_texture(write("ramp.png", ramp_), palette_);
+    const MipTexture texture = read_picture(write("ramp.png", ramp_), palette_);
     for (std::size_t i = 0; i < 224; ++i) EXPECT_EQ(texture.mips[0][i], i);
     EXPECT_EQ(glowing_texels(texture), 0);
 }
 
 TEST_F(TrueColours, GlowWhereThatIsAskedFor) {
-    const MipTexture texture = read_png_texture(write("ramp.png", ramp_), palette_, {.may_glow = true});
+    const MipTexture texture = read_picture(write("ramp.png", ramp_), palette_, {.may_glow = true});
     for (std::size_t i = 0; i < 256; ++i) EXPECT_EQ(texture.mips[0][i], i);
 }
 
@@ -228,7 +232,7 @@ TEST_F(TrueColours, OfAPngWithAnotherPaletteAreWhatCounts) {
     std::vector<std::uint8_t> texels(256);
     std::iota(texels.begin(), texels.end(), std::uint8_t{0});
     const auto file = write("reversed.png", encode_indexed_png(texels, 16, 16, reversed));
-    const MipTexture texture = read_png_texture(file, palette_, {.may_glow = true});
+    const MipTexture texture = read_picture(file, palette_, {.may_glow = true});
     for (std::size_t i = 0; i < 256; ++i) EXPECT_EQ(texture.mips[0][i], 255 - i);
 }
 
@@ -340,7 +344,7 @@ TEST_F(TextureFiles, TwoIndicesOfOneColourStayApart) {
     twins.colours[250] = twins.colours[10];
     const std::vector<std::uint8_t> texels(256, 250);
     write("glow.png", encode_indexed_png(texels, 16, 16, twins));
-    EXPECT_EQ(read_png_texture(path("glow.png"), twins).mips[0][0], 250);
+    EXPECT_EQ(read_picture(path("glow.png"), twins).mips[0][0], 250);
 }
 
 // As picture editors write it: only as much of the palette as the picture needs.
@@ -355,7 +359,7 @@ TEST_F(TextureFiles, IndicesOfAShorterPaletteStay) {
     twins.colours[1] = twins.colours[2];
     std::copy_n(start.begin() + 6, 3, start.begin() + 3);
     const auto file = write("short.png", test::png_of_rows(test::png_header(16, 16, 8, 3), rows, {{"PLTE", start}}));
-    EXPECT_EQ(read_png_texture(file, twins).mips[0][0], 2);
+    EXPECT_EQ(read_picture(file, twins).mips[0][0], 2);
 }
 
 /// 16x16, alpha 0 in the left half and 255 in the right.
@@ -375,7 +379,7 @@ TEST_F(TextureFiles, TransparentPixelsAreHolesWhereTheNameSaysSo) {
     // The colour of a hole itself, solid here: it must not become one.
     const auto file = write("{grate.png", half_transparent(palette_.colours[255]));
     for (const bool may_glow : {false, true}) {
-        const MipTexture texture = read_png_texture(file, palette_, {.may_glow = may_glow});
+        const MipTexture texture = read_picture(file, palette_, {.may_glow = may_glow});
         for (std::size_t level = 0; level < 4; ++level) {
             const std::size_t width = std::size_t{16} >> level;
             for (std::size_t at = 0; at < width * width; ++at)
@@ -418,7 +422,7 @@ TEST_F(TextureFiles, EveryTextureOfARealLevelSurvivesUnpackingAndPacking) {
     ASSERT_GT(textures.size(), 10u);
     unpack_textures((test::find_shared_folder() / "levels" / "dm4.bsp").string(), path("dm4"), palette);
     for (const MipTexture& texture : textures) {
-        const auto again = read_png_texture(path("dm4/" + file_of_texture_name(texture.name)), palette);
+        const auto again = read_picture(path("dm4/" + file_of_texture_name(texture.name)), palette);
         EXPECT_EQ(again.name, texture.name);
         EXPECT_EQ(again.mips[0], texture.mips[0]) << texture.name;
     }

@@ -47,7 +47,4 @@ class LeakError : public InputError {
 /// differ from those of the former level.
 BspFile compile_map(std::vector<MapEntity> entities, const std::vector<Wad>& wads, const CompileOptions& options);
 
-/// A path as text, one point a line: "x y z".
-std::string points_text(const std::vector<Point>& path);
-
 }  // namespace oblong::map

@@ -74,10 +74,6 @@ void declare(CommandArguments& line, Arguments& arguments) {
     line.add_flag("--strict", arguments.is_strict, "warnings are errors");
 }
 
-std::string points_path(const Arguments& arguments) {
-    return std::filesystem::path(arguments.output).replace_extension(".pts").string();
-}
-
 bool makes_portals(map::CompilePart part) {
     return part == map::CompilePart::All || part == map::CompilePart::Visibility;
 }
@@ -112,7 +108,7 @@ class Reporter {
         if (makes_portals(part)) {
             const map::WidestView widest = map::widest_view(bsp);
             std::cout << ", " << portals.count << " portals, at most " << widest.faces << " faces in sight, around "
-                      << map::points_text({widest.place});
+                      << map::point_text(widest.place);
         }
         std::cout << "; " << counted() << "; " << progress.times() << '\n';
     }
@@ -131,9 +127,8 @@ class Reporter {
 };
 
 // Of game.json, or where the game looks for one beside its levels; empty: none.
-std::string palette_of_game(const std::string& folder) {
-    const std::string named = read_game_definition(folder).palette;
-    if (!named.empty()) return named;
+std::string palette_of_game(const std::string& folder, const GameDefinition& game) {
+    if (!game.palette.empty()) return game.palette;
     for (const char* const usual : {"palette.lmp", "gfx/palette.lmp"})
         if (const std::filesystem::path file = std::filesystem::path(folder) / usual; std::filesystem::exists(file))
             return file.string();
@@ -141,8 +136,7 @@ std::string palette_of_game(const std::string& folder) {
 }
 
 // With the classes' meanings and values in the game; the level keeps the original classes.
-std::vector<map::MapEntity> with_known_classes(std::vector<map::MapEntity> entities, const std::string& folder) {
-    const GameDefinition game = read_game_definition(folder);
+std::vector<map::MapEntity> with_known_classes(std::vector<map::MapEntity> entities, const GameDefinition& game) {
     for (map::MapEntity& entity : entities) {
         const auto own = game.classes.find(entity.value("classname"));
         if (own == game.classes.end()) continue;
@@ -183,13 +177,12 @@ map::CompilePart parse_part(const std::string& name) {
     return static_cast<map::CompilePart>(name.empty() ? 0 : 1 + parse_choice("--only", name, kAfterAll));
 }
 
-// The path of a name in the source at `path`.
-std::string external_path(std::string name, const std::string& path) {
-    std::replace(name.begin(), name.end(), '\\', '/');
-    return (std::filesystem::path(path).parent_path() / name).string();
-}
-
-map::ExternalSource read_external(const std::string& name, const std::string& found, int line) {
+// What the source at `path` names; `files` receives its path before it is read.
+map::ExternalSource read_external(const std::string& name, const std::string& path, int line,
+                                  std::vector<std::string>& files) {
+    std::string below = name;
+    std::replace(below.begin(), below.end(), '\\', '/');
+    const std::string& found = files.emplace_back((std::filesystem::path(path).parent_path() / below).string());
     if (!std::filesystem::is_regular_file(found))
         throw InputError(at_line(line), "\"_external_map\" names '" + name + "', which is not at " + found +
                                             ", expected a map source there");
@@ -204,9 +197,11 @@ map::BspFile read_former(const std::string& file) {
 
 // The file is of the level beside it: one of an earlier leak goes, unless this part of the level does not tell.
 void keep_points(const Arguments& arguments, map::CompilePart part, const std::vector<map::Point>& leak_path) {
-    const std::string points = points_path(arguments);
+    const std::string points = std::filesystem::path(arguments.output).replace_extension(".pts").string();
     if (!leak_path.empty()) {
-        write_file(points, map::points_text(leak_path) + "\n");
+        std::string text;
+        for (const map::Point& point : leak_path) text += map::point_text(point) + "\n";
+        write_file(points, text);
         std::cerr << "oblong-map: " << points << " has the path to the void\n";
     } else if (part == map::CompilePart::All && points != arguments.output &&
                std::filesystem::is_regular_file(points)) {
@@ -226,16 +221,19 @@ void compile(const Arguments& arguments, const std::string& text, const char* ca
     map::include_external_maps(
         entities, std::filesystem::weakly_canonical(arguments.input).string(),
         [&](const std::string& name, const std::string& path, int line) {
-            files.push_back(external_path(name, path));
-            return read_external(name, files.back(), line);
+            return read_external(name, path, line, files);
         },
-        &reporter.warnings);
+        reporter.warnings);
     map::TextureSources textures = arguments.textures;
-    if (!arguments.game.empty()) textures.game_palette = palette_of_game(arguments.game);
+    GameDefinition game;
+    if (!arguments.game.empty()) {
+        game = read_game_definition(arguments.game);
+        textures.game_palette = palette_of_game(arguments.game, game);
+    }
     const std::vector<map::Wad> wads =
         map::read_texture_sources(textures, entities.front(), arguments.input, called_as, files, reporter.warnings);
     check_replaces_none("--prt", arguments.portals, files);
-    const auto known = arguments.game.empty() ? entities : with_known_classes(entities, arguments.game);
+    const auto known = with_known_classes(entities, game);
     map::find_warnings(known, reporter.warnings);
     find_missing_files(known, game_folders_of(arguments, called_as), reporter.warnings);
     reporter.print();
@@ -246,20 +244,19 @@ void compile(const Arguments& arguments, const std::string& text, const char* ca
     Palette palette;
     const bool has_bounce = arguments.has_bounce || map::number_of(entities.front(), "_bounce", 0) >= 1;
     if (has_bounce) palette = read_parsed(map::palette_file(textures, called_as), read_palette);
-    map::CompileOptions options;
-    options.is_fast = arguments.is_fast;
-    options.has_dirt = arguments.has_dirt;
-    options.has_bounce = arguments.has_bounce;
-    if (has_bounce) options.palette = &palette;
-    options.warnings = &reporter.warnings;
-    options.before_long_passes = [&] { reporter.print(); };
-    options.workers = &workers;
-    options.progress = &reporter.progress;
-    options.portals = &portals;
-    options.part = part;
-    if (part != map::CompilePart::All) options.former = read_former(arguments.output);
     std::vector<map::Point> leak_path;
-    options.leak_path = &leak_path;
+    map::CompileOptions options{.is_fast = arguments.is_fast,
+                                .has_dirt = arguments.has_dirt,
+                                .has_bounce = arguments.has_bounce,
+                                .palette = has_bounce ? &palette : nullptr,
+                                .warnings = &reporter.warnings,
+                                .before_long_passes = [&] { reporter.print(); },
+                                .workers = &workers,
+                                .progress = &reporter.progress,
+                                .portals = &portals,
+                                .leak_path = &leak_path,
+                                .part = part};
+    if (part != map::CompilePart::All) options.former = read_former(arguments.output);
     try {
         const map::BspFile level = map::compile_map(std::move(entities), wads, options);
         reporter.print();

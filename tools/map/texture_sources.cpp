@@ -1,9 +1,7 @@
 #include "tools/map/texture_sources.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
-#include <sstream>
 
 #include "engine/base/input_error.h"
 #include "engine/base/text.h"
@@ -16,21 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array kPictures{".png", ".tga", ".jpg", ".jpeg", ".bmp"};
-
-bool is_picture(const fs::path& path) {
-    const std::string extension = lower_case(path.extension().string());
-    return std::find(kPictures.begin(), kPictures.end(), extension) != kPictures.end();
-}
-
-std::vector<std::string> pictures_in(const std::string& folder) {
-    std::vector<std::string> paths;
-    for (const fs::directory_entry& file : fs::directory_iterator(folder))
-        if (file.is_regular_file() && is_picture(file.path())) paths.push_back(file.path().string());
-    std::sort(paths.begin(), paths.end());
-    return paths;
-}
-
 std::string palette_of(const TextureSources& sources, const std::string& folder, const char* called_as) {
     const fs::path own = fs::path(folder) / "palette.lmp";
     return sources.palette.empty() && fs::exists(own) ? own.string() : palette_file(sources, called_as);
@@ -42,7 +25,6 @@ Wad read_source(const TextureSources& sources, const std::string& path, const ch
     if (!fs::is_directory(path)) return naming_file(path, [&] { return Wad(read_text(path)); });
     const std::vector<std::string> pictures = pictures_in(path);
     files.insert(files.end(), pictures.begin(), pictures.end());
-    if (pictures.empty()) throw FileError(path, "folder", "has no pictures, expected PNG, TGA, JPEG or BMP files");
     const Palette palette = read_parsed(palette_of(sources, path, called_as), read_palette);
     const auto bytes = packed_textures(pictures, sources.glowing, palette, parse_dither(sources.dither), warnings);
     return Wad(std::string(bytes.begin(), bytes.end()));
@@ -51,11 +33,10 @@ Wad read_source(const TextureSources& sources, const std::string& path, const ch
 // Empty, with a warning, if it is nowhere: who watches `files` sees it come.
 std::string found_source(const std::string& name, int line, const fs::path& folder, const char* called_as,
                          std::vector<std::string>& files, Warnings& warnings) {
-    const fs::path as_named = folder / name,
-                   beside = folder / fs::path(name).filename();  // an absolute name is unchanged
-    for (const fs::path& path : {as_named, beside})
+    const fs::path as_named = folder / name, last = fs::path(name).filename();  // an absolute name is unchanged
+    for (const fs::path& path : {as_named, folder / last})
         if (fs::exists(path)) return path.string();
-    const fs::path own = fs::path(assets_folder(called_as)) / fs::path(name).filename();
+    const fs::path own = assets_folder(called_as) / last;
     if (fs::exists(own)) return own.string();
     files.push_back(as_named.string());
     warnings.add(line, "\"wad\" names '" + name + "', which is not at " + as_named.string() +
@@ -75,8 +56,7 @@ std::vector<NamedSource> named_sources(const MapEntity& world, const std::string
         if (pair.key != "wad") continue;
         std::string names = pair.value;
         std::replace(names.begin(), names.end(), '\\', '/');
-        std::istringstream list(names);
-        for (std::string name; std::getline(list, name, ';');) {
+        for (const std::string& name : oblong::split(names, ";")) {
             if (name.empty()) continue;
             const std::string path =
                 found_source(name, pair.line, fs::path(map_path).parent_path(), called_as, files, warnings);

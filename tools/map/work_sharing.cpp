@@ -10,6 +10,12 @@
 namespace oblong::map {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point time) {
+    return std::chrono::duration<double>(Clock::now() - time).count();
+}
+
 class Items final : public SharedWork {
   public:
     Items(const std::function<void(std::size_t)>& do_item, Progress* progress)
@@ -97,27 +103,20 @@ void ProgressLine::clear() {
 
 void ProgressLine::end_stage() {
     if (stage_.empty()) return;
-    const double seconds = seconds_since(stage_start_);
-    if (times_.empty() || times_.back().stage != stage_)
-        times_.push_back({stage_, seconds});
-    else
-        times_.back().seconds += seconds;
+    if (times_.empty() || times_.back().first != stage_) times_.emplace_back(stage_, 0);
+    times_.back().second += seconds_since(stage_start_);
 }
 
 std::string ProgressLine::times() {
     end_stage();
     std::string text;
-    for (const StageTime& time : times_) {
-        char seconds[32];
-        std::snprintf(seconds, sizeof seconds, " %.1f s", time.seconds);
-        text += (text.empty() ? "" : ", ") + time.stage + seconds;
+    for (const auto& [stage, seconds] : times_) {
+        char number[32];
+        std::snprintf(number, sizeof number, " %.1f s", seconds);
+        text += (text.empty() ? "" : ", ") + stage + number;
     }
     stage_.clear();
     return text;
-}
-
-double ProgressLine::seconds_since(Clock::time_point time) {
-    return std::chrono::duration<double>(Clock::now() - time).count();
 }
 
 }  // namespace oblong::map

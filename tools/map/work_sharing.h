@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/base/workers.h"
@@ -53,20 +54,11 @@ class ProgressLine final : public Progress {
     std::string times();
 
   private:
-    using Clock = std::chrono::steady_clock;
-
-    static double seconds_since(Clock::time_point time);
-
-    Clock::time_point start_, stage_start_, last_shown_;
-    struct StageTime {
-        std::string stage;
-        double seconds = 0;
-    };
-
     void end_stage();
 
+    std::chrono::steady_clock::time_point start_, stage_start_, last_shown_;
     std::string program_;
-    std::vector<StageTime> times_;
+    std::vector<std::pair<std::string, double>> times_;  // stages, seconds
     std::string stage_;
     std::size_t steps_ = 1, done_ = 0;
     bool is_terminal_, is_shown_ = false;

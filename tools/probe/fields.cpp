@@ -28,12 +28,6 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// The digits before and after the point.
-struct Digits {
-    bool is_negative = false;
-    std::string whole, fraction;
-};
-
 std::string take_digits(std::string_view& text) {
     const auto end = std::find_if_not(text.begin(), text.end(), is_digit);
     const std::string digits(text.begin(), end);
@@ -48,47 +42,16 @@ bool take_one_of(std::string_view& text, std::string_view characters) {
 }
 
 /// Reads an exponent ("e-05") if there is one.
-std::optional<int> take_exponent(std::string_view& text) {
+int take_exponent(std::string_view& text) {
     if (!take_one_of(text, "eE")) return 0;
-    const bool is_negative = !text.empty() && text.front() == '-';
+    const bool is_negative = text.starts_with('-');
     take_one_of(text, "+-");
     int exponent = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), exponent);
     const bool is_number = error == std::errc{} && !text.empty() && is_digit(text.front());
-    if (!is_number || exponent > kLargestExponent) return std::nullopt;
+    if (!is_number || exponent > kLargestExponent) throw Unsupported{};
     text.remove_prefix(as_size(end - text.data()));
     return is_negative ? -exponent : exponent;
-}
-
-/// Moves the decimal point to the right.
-void shift_point(Digits& digits, int places) {
-    for (; places > 0; --places) {
-        digits.whole += digits.fraction.empty() ? '0' : digits.fraction.front();
-        if (!digits.fraction.empty()) digits.fraction.erase(0, 1);
-    }
-    for (; places < 0; ++places) {
-        digits.fraction.insert(digits.fraction.begin(), digits.whole.empty() ? '0' : digits.whole.back());
-        if (!digits.whole.empty()) digits.whole.pop_back();
-    }
-}
-
-void drop_padding(Digits& digits) {
-    digits.whole.erase(0, std::min(digits.whole.find_first_not_of('0'), digits.whole.size()));
-    digits.fraction.erase(digits.fraction.find_last_not_of('0') + 1);
-}
-
-std::optional<Digits> read_digits(std::string_view text) {
-    Digits digits;
-    digits.is_negative = !text.empty() && text.front() == '-';
-    take_one_of(text, "+-");
-    digits.whole = take_digits(text);
-    if (take_one_of(text, ".")) digits.fraction = take_digits(text);
-    if (digits.whole.empty() && digits.fraction.empty()) return std::nullopt;
-    const std::optional<int> exponent = take_exponent(text);
-    if (!exponent || !text.empty()) return std::nullopt;
-    shift_point(digits, *exponent);
-    drop_padding(digits);
-    return digits;
 }
 
 /// At most 18 digits, as an integer.
@@ -98,58 +61,64 @@ std::int64_t integer_of(std::string_view digits) {
     return value;
 }
 
-/// Up to 18 decimals.
-struct DecimalFraction {
-    std::int64_t numerator, denominator = 1;
-
-    explicit DecimalFraction(std::string_view digits) : numerator(integer_of(digits.substr(0, kFractionDigits))) {
-        for (std::size_t i = 0; i < std::min(digits.size(), kFractionDigits); ++i) denominator *= 10;
-    }
+/// A decimal number below 10^18 such as "-12.375" or "1e-05", found without floating point.
+struct Decimal {
+    bool is_negative = false;
+    std::int64_t whole = 0, numerator = 0, denominator = 1;  ///< whole + numerator / denominator, of up to 18 decimals
+    bool has_more = false;                                   ///< further decimals, which are left out
 };
 
-/// a * b == c * d, for numbers that are not negative.
-bool equal_products(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d) {
-    return compare_products(static_cast<std::uint64_t>(a), static_cast<std::uint64_t>(b), static_cast<std::uint64_t>(c),
-                            static_cast<std::uint64_t>(d)) == 0;
+Decimal read_decimal(std::string_view text) {
+    Decimal decimal;
+    decimal.is_negative = text.starts_with('-');
+    take_one_of(text, "+-");
+    std::string digits = take_digits(text);
+    std::ptrdiff_t point = std::ssize(digits);
+    if (take_one_of(text, ".")) digits += take_digits(text);
+    if (digits.empty()) throw Unsupported{};
+    point += take_exponent(text);
+    if (!text.empty()) throw Unsupported{};
+    if (point < 0) digits.insert(0, as_size(-point), '0');
+    point = std::max<std::ptrdiff_t>(point, 0);
+    digits.resize(std::max(digits.size(), as_size(point)), '0');
+    std::string fraction = digits.substr(as_size(point));
+    fraction.erase(fraction.find_last_not_of('0') + 1);
+    digits.resize(as_size(point));
+    digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size()));
+    if (digits.size() > kFractionDigits) throw Unsupported{};
+    decimal.whole = integer_of(digits);
+    decimal.has_more = fraction.size() > kFractionDigits;
+    fraction.resize(std::min(fraction.size(), kFractionDigits));
+    decimal.numerator = integer_of(fraction);
+    for (std::size_t i = 0; i < fraction.size(); ++i) decimal.denominator *= 10;
+    return decimal;
 }
 
-/// A decimal number such as "-12.375" or "1e-05" in units of 2^-fraction_bits, found without floating point.
-struct ParsedFixed {
+/// In units of 2^-fraction_bits, 0 to 48 of them.
+struct RoundedDecimal {
     std::int64_t raw = 0;   ///< to the nearest
     bool is_exact = false;  ///< the decimal number is a whole number of units
 };
 
-/// None if the text is not a decimal number, or |value| is 2^(62 - fraction_bits) or more. `fraction_bits` 0 to 48.
-std::optional<ParsedFixed> parse_fixed(std::string_view text, int fraction_bits) {
-    const std::optional<Digits> digits = read_digits(text);
-    if (!digits || digits->whole.size() > kFractionDigits) return std::nullopt;
-    const std::int64_t whole = integer_of(digits->whole);
-    if (whole >= std::int64_t{1} << (62 - fraction_bits)) return std::nullopt;
-
+/// Throws Unsupported above `greatest`, with either sign.
+RoundedDecimal rounded(const Decimal& decimal, int fraction_bits, std::int64_t greatest) {
+    if (decimal.whole > greatest) throw Unsupported{};
     const std::int64_t unit = std::int64_t{1} << fraction_bits;
-    const DecimalFraction fraction(digits->fraction);
-    const std::int64_t nearest = mul_div(fraction.numerator, unit, fraction.denominator, Rounding::NearestHalfUp);
-    const bool is_exact = digits->fraction.size() <= kFractionDigits &&
-                          equal_products(fraction.numerator, unit, nearest, fraction.denominator);
-    const std::int64_t size = whole * unit + nearest;
-    return ParsedFixed{digits->is_negative ? -size : size, is_exact};
+    const std::int64_t nearest = mul_div(decimal.numerator, unit, decimal.denominator, Rounding::NearestHalfUp);
+    const std::int64_t size = decimal.whole * unit + nearest;
+    if (size > greatest * unit) throw Unsupported{};
+    const bool is_exact =
+        !decimal.has_more &&
+        compare_products(static_cast<std::uint64_t>(decimal.numerator), static_cast<std::uint64_t>(unit),
+                         static_cast<std::uint64_t>(nearest), static_cast<std::uint64_t>(decimal.denominator)) == 0;
+    return {decimal.is_negative ? -size : size, is_exact};
 }
 
-/// The same with 62 significant bits, of up to 18 decimals; below 10^18.
-std::optional<SoftFloat> parse_scaled(std::string_view text) {
-    const std::optional<Digits> digits = read_digits(text);
-    if (!digits || digits->whole.size() > kFractionDigits) return std::nullopt;
-    const DecimalFraction fraction(digits->fraction);
-    const SoftFloat size = SoftFloat::from(integer_of(digits->whole), 0) +
-                           SoftFloat::from(fraction.numerator, 0) / SoftFloat::from(fraction.denominator, 0);
-    return digits->is_negative ? -size : size;
-}
-
-ParsedFixed parse_or_refuse(std::string_view text, int fraction_bits, std::int64_t greatest) {
-    const std::optional<ParsedFixed> parsed = parse_fixed(text, fraction_bits);
-    const std::int64_t limit = greatest * (std::int64_t{1} << fraction_bits);
-    if (!parsed || parsed->raw > limit || parsed->raw < -limit) throw Unsupported{};
-    return *parsed;
+/// With 62 significant bits.
+SoftFloat soft_float_of(const Decimal& decimal) {
+    const SoftFloat size = SoftFloat::from(decimal.whole, 0) +
+                           SoftFloat::from(decimal.numerator, 0) / SoftFloat::from(decimal.denominator, 0);
+    return decimal.is_negative ? -size : size;
 }
 
 }  // namespace
@@ -188,9 +157,9 @@ Angle Fields::angle() {
 }
 
 Fixed<std::int32_t, 8> Fields::length() {
-    const ParsedFixed parsed = parse_or_refuse(text(), 8, kLargestLength);
-    if (!parsed.is_exact) throw Unsupported{};
-    return Fixed<std::int32_t, 8>::from_raw(static_cast<std::int32_t>(parsed.raw));
+    const RoundedDecimal length = rounded(read_decimal(text()), 8, kLargestLength);
+    if (!length.is_exact) throw Unsupported{};
+    return Fixed<std::int32_t, 8>::from_raw(static_cast<std::int32_t>(length.raw));
 }
 
 Vec3<Fixed<std::int32_t, 8>> Fields::point() {
@@ -199,7 +168,7 @@ Vec3<Fixed<std::int32_t, 8>> Fields::point() {
 }
 
 Texel Fields::texel() {
-    return Texel::from_raw(parse_or_refuse(text(), Texel::kFractionBits, kLargestLength).raw);
+    return Texel::from_raw(rounded(read_decimal(text()), Texel::kFractionBits, kLargestLength).raw);
 }
 
 ModeAndView Fields::mode() {
@@ -208,9 +177,9 @@ ModeAndView Fields::mode() {
     result.mode.height_px = static_cast<std::int32_t>(integer(1, kLargestSize_px));
     result.mode.display.numerator = integer(1, kLargestShape);
     result.mode.display.denominator = integer(1, kLargestShape);
-    const std::string_view degrees = text();
-    result.field_of_view = Degrees::from_raw(parse_or_refuse(degrees, Degrees::kFractionBits, 180).raw);
-    result.fine_field_of_view = parse_scaled(degrees).value_or(SoftFloat{});
+    const Decimal degrees = read_decimal(text());
+    result.field_of_view = Degrees::from_raw(rounded(degrees, Degrees::kFractionBits, 180).raw);
+    result.fine_field_of_view = soft_float_of(degrees);
     if (result.field_of_view <= Degrees{} || result.field_of_view >= Degrees::from_int(180)) throw Unsupported{};
     return result;
 }

@@ -1,7 +1,6 @@
 #include "tools/probe/probe.h"
 
 #include <array>
-#include <filesystem>
 #include <istream>
 #include <ostream>
 
@@ -25,51 +24,41 @@ constexpr std::array kQueries = {NamedQuery{"project", answer_project},   NamedQ
                                  NamedQuery{"sin", answer_sine},          NamedQuery{"cos", answer_cosine},
                                  NamedQuery{"sqrt", answer_root},         NamedQuery{"recip", answer_reciprocal}};
 
-/// Regular files only: reading from a pipe could block.
-bool read_level(const std::string& path, Level& level) {
+std::optional<Level> read_level(const std::string& path) {
     constexpr std::size_t kLargestLevel = std::size_t{1} << 28;
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error)) return false;
     try {
-        level = read_bsp(read_file(path, kLargestLevel));
-        return true;
+        return read_bsp(read_file(path, kLargestLevel));
     } catch (const std::runtime_error&) {
-        return false;
+        return std::nullopt;
     }
-}
-
-std::string answer_leaf(Fields& fields, LastLevel& cache) {
-    const std::string path(fields.text());
-    const auto point = convert<World>(fields.point());
-    fields.expect_end();
-
-    if (cache.path != path) {
-        cache.is_readable = read_level(path, cache.level);
-        cache.path = path;
-    }
-    if (!cache.is_readable) throw Unsupported{};
-    const LeafIndex index = find_leaf(cache.level, cache.level.world(), point);
-    const Leaf& leaf = cache.level.leaves[index];
-    return std::to_string(index.number()) + ' ' + std::to_string(leaf.contents);
-}
-
-std::string answer_fields(Fields& fields, const Accuracy& accuracy, LastLevel& levels) {
-    const std::string_view name = fields.text();
-    if (name == "leaf") return answer_leaf(fields, levels);
-    for (const NamedQuery& query : kQueries)
-        if (query.name == name) return query.answer(fields, accuracy);
-    throw Unsupported{};
 }
 
 }  // namespace
 
+std::string Probe::answer_leaf(Fields& fields) {
+    const std::string path(fields.text());
+    const auto point = convert<World>(fields.point());
+    fields.expect_end();
+
+    if (level_path_ != path) {
+        level_ = read_level(path);
+        level_path_ = path;
+    }
+    if (!level_) throw Unsupported{};
+    const LeafIndex index = find_leaf(*level_, level_->world(), point);
+    return std::to_string(index.number()) + ' ' + std::to_string(level_->leaves[index].contents);
+}
+
 std::string Probe::answer(std::string_view line) {
     try {
         Fields fields(line);
-        return answer_fields(fields, accuracy_, levels_);
+        const std::string_view name = fields.text();
+        if (name == "leaf") return answer_leaf(fields);
+        for (const NamedQuery& query : kQueries)
+            if (query.name == name) return query.answer(fields, accuracy_);
     } catch (const Unsupported&) {
-        return "unsupported";
     }
+    return "unsupported";
 }
 
 void answer_lines(const Accuracy& accuracy, std::istream& in, std::ostream& out) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -26,13 +27,6 @@ std::string answer_cosine(Fields& fields, const Accuracy& accuracy);
 std::string answer_root(Fields& fields, const Accuracy& accuracy);
 std::string answer_reciprocal(Fields& fields, const Accuracy& accuracy);
 
-/// The level of the last query: queries for many points of one level read it once.
-struct LastLevel {
-    std::string path;
-    Level level;
-    bool is_readable = false;
-};
-
 /// Answers queries about the engine's arithmetic, a line each: README.md.
 class Probe {
   public:
@@ -43,8 +37,12 @@ class Probe {
     std::string answer(std::string_view line);
 
   private:
+    std::string answer_leaf(Fields& fields);
+
     Accuracy accuracy_;
-    LastLevel levels_;
+    // Of the last query: queries for many points of one level read it once.
+    std::string level_path_;
+    std::optional<Level> level_;  // none: it can't be read
 };
 
 /// Answers every line of `in` by a line on `out`, in order.

@@ -20,17 +20,15 @@ namespace oblong {
 
 namespace {
 
-/// A texture coordinate of the three corners, moved by whole texels to start near 0, as surfaces do.
-struct RebasedTexels {
-    Texel base;
-    std::array<Texel, 3> moved;
-
-    explicit RebasedTexels(const std::array<Texel, 3>& texels) {
-        // A texel of margin, so that no rounding is clamped at the surface's edge.
-        base = Texel::from_int(floor_of(*std::min_element(texels.begin(), texels.end())) - 1);
-        for (std::size_t i = 0; i < 3; ++i) moved[i] = texels[i] - base;
-    }
-};
+/// Moves a texture coordinate of the three corners by whole texels to start near 0, as surfaces do. Returns by how
+/// much.
+Texel rebase(std::array<TexturedCorner, 3>& corners, Texel TexturedCorner::*texel) {
+    const Texel least = std::min({corners[0].*texel, corners[1].*texel, corners[2].*texel});
+    // A texel of margin, so that no rounding is clamped at the surface's edge.
+    const Texel base = Texel::from_int(floor_of(least) - 1);
+    for (TexturedCorner& corner : corners) corner.*texel = corner.*texel - base;
+    return base;
+}
 
 struct TexspanQuery {
     ModeAndView view;
@@ -42,20 +40,14 @@ struct TexspanQuery {
 TexspanQuery read_query(Fields& fields) {
     TexspanQuery query;
     query.view = fields.mode();
-    std::array<Texel, 3> u_texels, v_texels;
-    for (std::size_t i = 0; i < 3; ++i) {
-        query.corners[i].position = convert<Fixed<std::int32_t, 14>>(fields.point());
-        if (query.corners[i].position.z <= Fixed<std::int32_t, 14>{}) throw Unsupported{};
-        u_texels[i] = fields.texel();
-        v_texels[i] = fields.texel();
+    for (TexturedCorner& corner : query.corners) {
+        corner.position = convert<Fixed<std::int32_t, 14>>(fields.point());
+        if (corner.position.z <= Fixed<std::int32_t, 14>{}) throw Unsupported{};
+        corner.u = fields.texel();
+        corner.v = fields.texel();
     }
-    const RebasedTexels u(u_texels), v(v_texels);
-    for (std::size_t i = 0; i < 3; ++i) {
-        query.corners[i].u = u.moved[i];
-        query.corners[i].v = v.moved[i];
-    }
-    query.base_u = u.base;
-    query.base_v = v.base;
+    query.base_u = rebase(query.corners, &TexturedCorner::u);
+    query.base_v = rebase(query.corners, &TexturedCorner::v);
     query.span.y = static_cast<std::int32_t>(fields.integer(0, query.view.mode.height_px - 1));
     query.span.first = static_cast<std::int32_t>(fields.integer(0, query.view.mode.width_px - 1));
     query.span.end = static_cast<std::int32_t>(fields.integer(query.span.first + 1, query.view.mode.width_px));

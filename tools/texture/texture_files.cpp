@@ -77,35 +77,12 @@ std::map<std::string, std::string> files_by_name(const std::vector<std::string>&
 
 /// A folder stands for the pictures in it.
 std::vector<std::string> files_of_paths(const std::vector<std::string>& paths) {
-    constexpr std::array<std::string_view, 5> kEndings{".png", ".tga", ".jpg", ".jpeg", ".bmp"};
     std::vector<std::string> files;
     for (const std::string& path : paths) {
-        if (!std::filesystem::is_directory(path)) {
-            files.push_back(path);
-            continue;
-        }
-        const std::ptrdiff_t before = std::ssize(files);
-        for (const auto& entry : std::filesystem::directory_iterator(path))
-            if (std::find(kEndings.begin(), kEndings.end(), lower_case(entry.path().extension().string())) !=
-                kEndings.end())
-                files.push_back(entry.path().string());
-        if (std::ssize(files) == before)
-            throw FileError(path, "folder", "has no pictures, expected PNG, TGA, JPEG or BMP files");
-        std::sort(files.begin() + before, files.end());
+        const bool is_folder = std::filesystem::is_directory(path);
+        for (std::string& file : is_folder ? pictures_in(path) : std::vector{path}) files.push_back(std::move(file));
     }
     return files;
-}
-
-MipTexture picture_texture(const std::string& path, std::span<const std::uint8_t> bytes, const Palette& palette,
-                           PngColours colours) {
-    return naming_file(path, [&] {
-        const std::string name = texture_name_of_file(path);
-        check_texture_name(name);
-        const PngImage image = decode_picture(bytes);
-        check_texture_size(image.width_px, image.height_px, "image");
-        return make_mip_texture(name, image.width_px, image.height_px, texels_of(image, name, palette, colours),
-                                palette);
-    });
 }
 
 /// Warns of pictures that are no textures; throws if none is one.
@@ -181,7 +158,7 @@ struct BlockSum {
 
 BlockSum sum_block(const MipTexture& texture, const Palette& palette, int left, int top, int size) {
     BlockSum sum;
-    for (int y = top; y < top + size; ++y) {
+    for (int y = top; y < top + size; ++y)
         for (int x = left; x < left + size; ++x) {
             const std::uint8_t index = item(texture.mips[0], y * texture.width + x);
             if (index == kHole && has_holes(texture.name))
@@ -189,7 +166,6 @@ BlockSum sum_block(const MipTexture& texture, const Palette& palette, int left, 
             else
                 sum.add(index, palette);
         }
-    }
     return sum;
 }
 
@@ -197,25 +173,45 @@ std::vector<std::uint8_t> shrink(const MipTexture& texture, const Palette& palet
     const int size = 1 << level;
     const ColourRange fullbright{kFirstFullbright, has_holes(texture.name) ? kHole : 256};
     std::vector<std::uint8_t> texels;
-    for (int top = 0; top < texture.height; top += size) {
+    for (int top = 0; top < texture.height; top += size)
         for (int left = 0; left < texture.width; left += size) {
             const BlockSum sum = sum_block(texture, palette, left, top, size);
             const ColourRange range = sum.glows() ? fullbright : kOrdinaryColours;
             texels.push_back(sum.is_hole() ? kHole : nearest_colour(palette, sum.mean_colour(), range));
         }
-    }
     return texels;
 }
 
 }  // namespace
 
-MipTexture read_png_texture(const std::string& path, const Palette& palette, PngColours colours) {
-    return picture_texture(path, read_file(path), palette, colours);
+MipTexture picture_texture(const std::string& path, std::span<const std::uint8_t> bytes, const Palette& palette,
+                           PngColours colours) {
+    return naming_file(path, [&] {
+        const std::string name = texture_name_of_file(path);
+        check_texture_name(name);
+        const PngImage image = decode_picture(bytes);
+        check_texture_size(image.width_px, image.height_px, "image");
+        return make_mip_texture(name, image.width_px, image.height_px, texels_of(image, name, palette, colours),
+                                palette);
+    });
 }
 
 Dither parse_dither(const std::string& text) {
     constexpr std::array<std::string_view, 2> kNames{"none", "floyd-steinberg"};
     return static_cast<Dither>(parse_choice("--dither", text, kNames));
+}
+
+std::vector<std::string> pictures_in(const std::string& folder) {
+    constexpr std::array<std::string_view, 5> kEndings{".png", ".tga", ".jpg", ".jpeg", ".bmp"};
+    std::vector<std::string> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        const std::string ending = lower_case(entry.path().extension().string());
+        const bool is_picture = std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
+        if (is_picture && entry.is_regular_file()) files.push_back(entry.path().string());
+    }
+    if (files.empty()) throw FileError(folder, "folder", "has no pictures, expected PNG, TGA, JPEG or BMP files");
+    std::sort(files.begin(), files.end());
+    return files;
 }
 
 std::vector<std::uint8_t> packed_textures(const std::vector<std::string>& picture_paths,
@@ -261,9 +257,8 @@ TextureWarnings unpack_textures(const std::string& archive_path, const std::stri
 std::string file_of_texture_name(const std::string& name) {
     std::string file = name;
     if (!file.empty() && file[0] == '*') file[0] = '#';
-    for (char& letter : file) {
+    for (char& letter : file)
         if (letter == '/' || letter == '\\') letter = '_';
-    }
     return file + ".png";
 }
 
@@ -279,14 +274,8 @@ std::vector<std::uint8_t> make_ramp_sheet(const Palette& palette) {
 
 MipTexture make_mip_texture(const std::string& name, std::int32_t width, std::int32_t height,
                             std::vector<std::uint8_t> texels, const Palette& palette) {
-    MipTexture texture;
-    texture.name = name;
-    texture.width = width;
-    texture.height = height;
-    texture.mips[0] = std::move(texels);
-    for (int level = 1; level < 4; ++level) {
-        item(texture.mips, level) = shrink(texture, palette, level);
-    }
+    MipTexture texture{name, width, height, {std::move(texels)}};
+    for (int level = 1; level < 4; ++level) item(texture.mips, level) = shrink(texture, palette, level);
     return texture;
 }
 

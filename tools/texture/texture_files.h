@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,15 +23,19 @@ Dither parse_dither(const std::string& text);
 
 /// All these throw FileError.
 
-/// A picture (PNG, TGA, JPEG, BMP) as a texture named after the file. Its sizes must be multiples of 16, 4096 at most.
+/// A picture (PNG, TGA, JPEG, BMP) as a texture named after its file. Its sizes must be multiples of 16, 4096 at most.
 /// An indexed PNG with this palette (or its beginning) keeps its indices; any other is converted by `colours`.
 /// Transparent pixels become holes in a texture whose name begins with '{'; in any other they are an error.
-MipTexture read_png_texture(const std::string& path, const Palette& palette, PngColours colours = {});
+MipTexture picture_texture(const std::string& path, std::span<const std::uint8_t> bytes, const Palette& palette,
+                           PngColours colours = {});
 
 using TextureWarnings = std::vector<std::string>;
 
+/// The pictures in a folder, sorted; none is an error.
+std::vector<std::string> pictures_in(const std::string& folder);
+
 /// The bytes of a WAD of pictures: those named in `glowing` may use glowing colours. Warns of pictures that are no
-/// textures, as read_png_texture() reads them; if none is left, that is an error, as two of one name are, ignoring
+/// textures, as picture_texture() reads them; if none is left, that is an error, as two of one name are, ignoring
 /// case.
 std::vector<std::uint8_t> packed_textures(const std::vector<std::string>& picture_paths,
                                           const std::vector<std::string>& glowing, const Palette& palette,

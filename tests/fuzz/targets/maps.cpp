@@ -19,7 +19,7 @@ map::BspFile compile(const std::string& text, const map::CompileOptions& options
         throw InputError("line " + std::to_string(line), "no such map");
     };
     std::vector<map::MapEntity> entities = map::parse_map(text);
-    map::include_external_maps(entities, "self", read);
+    map::include_external_maps(entities, "self", read, *options.warnings);
     map::find_warnings(entities, *options.warnings);
     return test::compile(std::move(entities), options);
 }

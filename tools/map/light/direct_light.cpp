@@ -41,8 +41,7 @@ Point towards_sun(const Sun& sun, std::size_t i, std::size_t count) {
     const auto [right, up] = tangents(sun.direction);
     const double radius = sun.penumbra_radius * std::sqrt((static_cast<double>(i) + 0.5) / static_cast<double>(count)),
                  angle = static_cast<double>(i) * kGoldenAngle;
-    const Point towards = right * (radius * std::cos(angle)) + up * (radius * std::sin(angle)) - sun.direction;
-    return towards * (1 / length(towards));
+    return unit(right * (radius * std::cos(angle)) + up * (radius * std::sin(angle)) - sun.direction);
 }
 
 // From the i-th point of a disc of `count`.
@@ -87,10 +86,9 @@ class PointsOfSamples {
 
 }  // namespace
 
-LightReach::LightReach(const BspFile& bsp, const Tracer& tracer, const std::vector<LightSource>& sources,
-                       const WorkSharing& sharing)
-    : world_face_count_(static_cast<std::size_t>(bsp.models.front().face_count)),
-      reached_(sources.size(), BitSet(world_face_count_)) {
+std::vector<BitSet> faces_reached(const BspFile& bsp, const Tracer& tracer, const std::vector<LightSource>& sources,
+                                  const WorkSharing& sharing) {
+    std::vector<BitSet> reached(sources.size(), BitSet(bsp.faces.size()));
     const auto leaf_count = static_cast<std::size_t>(bsp.models.front().visible_leaf_count);
     sharing.for_each(sources.size(), [&](std::size_t i) {
         const FileLeaf& home = item(bsp.leaves, tracer.leaf_at(sources[i].origin));
@@ -99,21 +97,23 @@ LightReach::LightReach(const BspFile& bsp, const Tracer& tracer, const std::vect
             const FileLeaf& marks = bsp.leaves[leaf + 1];
             for (int k = 0; k < marks.mark_face_count; ++k) {
                 const int face = item(bsp.mark_faces, marks.first_mark_face + k);
-                reached_[i].add(as_size(face));
+                reached[i].add(as_size(face));
                 sees_sky = sees_sky || is_sky(bsp, item(bsp.faces, face));
             }
         });
-        if (!sees_sky) return;
-        for (std::size_t face = 0; face < world_face_count_; ++face)
-            reached_[i].add(face);  // faces behind a sky are in no set
+        // Faces behind a sky are in no set.
+        const std::size_t first = sees_sky ? 0 : as_size(bsp.models.front().face_count);
+        for (std::size_t face = first; face < bsp.faces.size(); ++face) reached[i].add(face);
     });
+    return reached;
 }
 
-std::vector<const LightSource*> sources_near(const std::vector<LightSource>& sources, const LightReach& reach,
-                                             std::size_t face, const FaceSampler& sampler) {
+std::vector<const LightSource*> sources_near(const std::vector<LightSource>& sources,
+                                             const std::vector<BitSet>& reached, std::size_t face,
+                                             const FaceSampler& sampler) {
     std::vector<const LightSource*> near;
     for (std::size_t i = 0; i < sources.size(); ++i) {
-        if (!reach.may_light(i, face)) continue;
+        if (!reached[i].has(face)) continue;
         const LightSource& source = sources[i];
         const Point towards = source.origin - sampler.centre();
         if ((sampler.is_smooth() || dot(towards, sampler.normal()) > 0) &&

@@ -11,25 +11,15 @@
 
 namespace oblong::map {
 
-/// The faces of the world that each source may light, by potentially visible sets: avoids most rays.
-class LightReach {
-  public:
-    LightReach(const BspFile& bsp, const Tracer& tracer, const std::vector<LightSource>& sources,
-               const WorkSharing& sharing);
+/// The faces that each source may light, by potentially visible sets, which avoids most rays; all faces of brush
+/// entities, which move.
+std::vector<BitSet> faces_reached(const BspFile& bsp, const Tracer& tracer, const std::vector<LightSource>& sources,
+                                  const WorkSharing& sharing);
 
-    /// Always true for faces of brush entities, which move.
-    bool may_light(std::size_t source, std::size_t face) const {
-        return face >= world_face_count_ || reached_[source].has(face);
-    }
-
-  private:
-    std::size_t world_face_count_;
-    std::vector<BitSet> reached_;  // by each source
-};
-
-/// The sources that may light a part of the face.
-std::vector<const LightSource*> sources_near(const std::vector<LightSource>& sources, const LightReach& reach,
-                                             std::size_t face, const FaceSampler& sampler);
+/// The sources that may light a part of the face. `reached`: their faces_reached().
+std::vector<const LightSource*> sources_near(const std::vector<LightSource>& sources,
+                                             const std::vector<BitSet>& reached, std::size_t face,
+                                             const FaceSampler& sampler);
 
 /// From light (a lamp of 255 at distance 0 is 255) to a level's bytes.
 inline constexpr double kRangeScale = 0.5;

@@ -41,11 +41,8 @@ LightGrid light_grid(const BspFile& bsp, const FileFace& face) {
     const FileTexInfo& texinfo = item(bsp.texinfos, face.texinfo);
     LightGrid grid;
     for (std::size_t axis = 0; axis < 2; ++axis) {
-        float low = texel_at(texinfo.axes[axis], corners[0]), high = low;
-        for (const auto& corner : corners) {
-            low = std::min(low, texel_at(texinfo.axes[axis], corner));
-            high = std::max(high, texel_at(texinfo.axes[axis], corner));
-        }
+        const auto [low, high] =
+            range_of(corners, [&](const Point& corner) { return texel_at(texinfo.axes[axis], corner); });
         grid.first[axis] = static_cast<int>(std::floor(low / LightGrid::kStep));
         grid.count[axis] = static_cast<int>(std::ceil(high / LightGrid::kStep)) - grid.first[axis] + 1;
     }
@@ -111,9 +108,7 @@ LitPoint FaceSampler::place_at(double u, double v) const {
 // Linear in each triangle between the middle and an edge.
 Point FaceSampler::normal_at(const Point& point) const {
     if (smooth_.normals.empty()) return normal_;
-    Point sum;
-    for (const Point& normal : smooth_.normals) sum = sum + normal;
-    const Point middle_normal = sum * (1.0 / static_cast<double>(smooth_.normals.size()));
+    const Point middle_normal = middle(smooth_.normals);
     Point best = middle_normal;
     double most_inside = -1e9;
     for (std::size_t i = 0; i < corners_.size(); ++i) {

@@ -132,11 +132,8 @@ class LevelChecker {
         const Winding corners = face_corners(bsp_, face);
         int count = 1;
         for (const FileTexAxis& axis : texinfo.axes) {
-            double low = Box::kFar, high = -Box::kFar;
-            for (const Point& corner : corners) {
-                low = std::min(low, dot(to_point(axis.direction), corner));
-                high = std::max(high, dot(to_point(axis.direction), corner));
-            }
+            const auto [low, high] =
+                range_of(corners, [&](const Point& corner) { return dot(to_point(axis.direction), corner); });
             count *= static_cast<int>(std::ceil((high - low) / LightGrid::kStep - kSlack)) + 1;
         }
         return count;

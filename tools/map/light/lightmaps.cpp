@@ -61,16 +61,16 @@ std::optional<Point> place_beside_wall(const Point& point, const Tracer& tracer)
 }
 
 // As in ericw-tools' `light`. Lamps deeper in a wall light nothing; lamps with a radius may be inside their own body.
-void move_out_of_walls(std::vector<LightSource>& sources, const Tracer& tracer, Warnings* warnings) {
+void move_out_of_walls(std::vector<LightSource>& sources, const Tracer& tracer, Warnings& warnings) {
     for (LightSource& source : sources) {
         if (source.radius > 0 || !tracer.is_solid(source.origin)) continue;
         if (const auto place = place_beside_wall(source.origin, tracer))
             source.origin = *place;
-        else if (warnings != nullptr)
-            warnings->add(source.entity->line,
-                          "the " + source.entity->value("classname") + " at " + source.entity->value("origin") +
-                              " is inside a wall and lights nothing, expected an open place within " +
-                              std::to_string(kNudge) + " units");
+        else
+            warnings.add(source.entity->line,
+                         "the " + source.entity->value("classname") + " at " + source.entity->value("origin") +
+                             " is inside a wall and lights nothing, expected an open place within " +
+                             std::to_string(kNudge) + " units");
     }
 }
 
@@ -106,18 +106,19 @@ std::vector<Light> reflectances(const BspFile& bsp, const Palette* palette, doub
 // Lights the faces of a level.
 class LightPass {
   public:
-    LightPass(BspFile& bsp, const std::vector<MapEntity>& entities, const LightOptions& options,
+    LightPass(BspFile& bsp, const std::vector<MapEntity>& entities, const LightOptions& options, Warnings& warnings,
               const WorkSharing& sharing)
         : bsp_(bsp),
           options_(options),
+          warnings_(warnings),
           sharing_(sharing),
           lights_(lights_of(entities)),
           tracer_(bsp, lights_.shadow_models) {
         if (options.has_dirt) lights_.hemisphere.has_dirt = true;
         if (options.has_bounce) lights_.hemisphere.bounces = std::max(lights_.hemisphere.bounces, 1);
-        spread_surface_lights(lights_.sources, bsp, options.warnings);
+        spread_surface_lights(lights_.sources, bsp, warnings);
         spread_deviant_lights(lights_.sources);
-        move_out_of_walls(lights_.sources, tracer_, options.warnings);
+        move_out_of_walls(lights_.sources, tracer_, warnings);
         samplers_.resize(bsp.faces.size());
         styles_.resize(bsp.faces.size());
     }
@@ -140,28 +141,26 @@ class LightPass {
             if (item(bsp_.texinfos, bsp_.faces[i].texinfo).flags == 0)
                 samplers_[i].emplace(bsp_, bsp_.faces[i], std::move(smooth[i]), samplers_, tracer_);
         });
-        const LightReach reach(bsp_, tracer_, lights_.sources, sharing_);
+        const std::vector<BitSet> reached = faces_reached(bsp_, tracer_, lights_.sources, sharing_);
         std::vector<std::atomic<bool>> seen(lights_.sources.size());
         sharing_.begin("light", samplers_.size());
         sharing_.for_each(samplers_.size(), [&](std::size_t i) {
             if (!samplers_[i] || surface_of(i).ignores_light) return;
             const FaceSampler& sampler = *samplers_[i];
-            const auto sources = sources_near(lights_.sources, reach, i, sampler);
+            const auto sources = sources_near(lights_.sources, reached, i, sampler);
             styles_[i] =
                 direct_light(sampler, sources, lights_.sun, tracer_, options_.is_fast, [&](const LightSource& source) {
                     seen[static_cast<std::size_t>(&source - lights_.sources.data())] = true;
                 });
         });
-        if (options_.warnings == nullptr) return;
         std::set<const MapEntity*> shining;
         for (std::size_t i = 0; i < seen.size(); ++i)
             if (seen[i]) shining.insert(lights_.sources[i].entity);
         for (const LightSource& source : lights_.sources)
             if (shining.insert(source.entity).second && !tracer_.is_solid(source.origin))
-                options_.warnings->add(
-                    source.entity->line,
-                    "the " + source.entity->value("classname") + " at " + source.entity->value("origin") +
-                        " lights no face visibly, expected a larger \"light\", or a place nearer to a face");
+                warnings_.add(source.entity->line,
+                              "the " + source.entity->value("classname") + " at " + source.entity->value("origin") +
+                                  " lights no face visibly, expected a larger \"light\", or a place nearer to a face");
     }
 
     // The first pass is for sky, dirt and the first bounce; each further pass is for a bounce.
@@ -221,10 +220,10 @@ class LightPass {
     // Light is nearly the same at neighbouring samples, so that each traces a ninth of the rays, and the mean of nine
     // neighbours covers all. In a draft, one of each square of nine traces for all of them.
     std::vector<Hemisphere> seen_from(const FaceSampler& sampler, const AddLight& add_reflected) const {
-        const HemisphereRays rays(options_.is_fast ? 4 : 8, 9);
+        const int rings = options_.is_fast ? 4 : 8;
         const auto [width, height] = sampler.grid().count;
         std::vector<Hemisphere> alone;
-        for (int v = 0; v < height; ++v) {
+        for (int v = 0; v < height; ++v)
             for (int u = 0; u < width; ++u) {
                 const int first_u = u - u % 3, first_v = v - v % 3;
                 if (options_.is_fast && (u != first_u || v != first_v)) {
@@ -232,10 +231,9 @@ class LightPass {
                     continue;
                 }
                 const auto [point, normal] = sampler.place_at(u, v);
-                alone.push_back(rays.gather(point, normal, u % 3 + 3 * (v % 3), lights_.hemisphere.dirt_depth, tracer_,
-                                            add_reflected));
+                alone.push_back(gather(point, normal, rings, u % 3 + 3 * (v % 3), lights_.hemisphere.dirt_depth,
+                                       tracer_, add_reflected));
             }
-        }
         std::vector<Hemisphere> smooth;
         for (int v = 0; v < height; ++v)
             for (int u = 0; u < width; ++u) smooth.push_back(mean_around(alone, u, v, width, height));
@@ -245,7 +243,7 @@ class LightPass {
     static Hemisphere mean_around(const std::vector<Hemisphere>& all, int u, int v, int width, int height) {
         Hemisphere sum;
         int count = 0;
-        for (int y = std::max(v - 1, 0); y <= std::min(v + 1, height - 1); ++y) {
+        for (int y = std::max(v - 1, 0); y <= std::min(v + 1, height - 1); ++y)
             for (int x = std::max(u - 1, 0); x <= std::min(u + 1, width - 1); ++x, ++count) {
                 const Hemisphere& each = item(all, y * width + x);
                 sum.sky_above += each.sky_above;
@@ -253,7 +251,6 @@ class LightPass {
                 sum.shut += each.shut;
                 for (const auto& [style, light] : each.light) sum.light[style] += light;
             }
-        }
         for (auto& [style, light] : sum.light) light /= count;
         return {sum.sky_above / count, sum.sky_below / count, sum.shut / count, std::move(sum.light)};
     }
@@ -303,6 +300,7 @@ class LightPass {
 
     BspFile& bsp_;
     const LightOptions& options_;
+    Warnings& warnings_;
     const WorkSharing& sharing_;
     Lights lights_;
     Tracer tracer_;
@@ -312,9 +310,9 @@ class LightPass {
 
 }  // namespace
 
-void add_light(BspFile& bsp, const std::vector<MapEntity>& entities, const LightOptions& options,
+void add_light(BspFile& bsp, const std::vector<MapEntity>& entities, const LightOptions& options, Warnings& warnings,
                const WorkSharing& sharing) {
-    LightPass(bsp, entities, options, sharing).run();
+    LightPass(bsp, entities, options, warnings, sharing).run();
 }
 
 }  // namespace oblong::map

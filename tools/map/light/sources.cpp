@@ -22,9 +22,9 @@ double radians(double degrees) {
     return degrees * std::numbers::pi / 180;
 }
 
-/// The default of a light's key.
-double usual(std::string_view key) {
-    return std::stod(std::string(usual_text("light", key)));
+/// The default of a key, a light's unless it says otherwise.
+double usual(std::string_view key, std::string_view class_name = "light") {
+    return std::stod(std::string(usual_text(class_name, key)));
 }
 
 double value_of(const MapEntity& entity, std::string_view key) {
@@ -48,34 +48,23 @@ bool shines(const MapEntity& entity) {
     return its_class == nullptr || find_entity_key(*its_class, "light") == find_entity_key({}, "light");
 }
 
-Point direction_of_angles(double yaw_degrees, double pitch_degrees) {
-    const double yaw = radians(yaw_degrees), pitch = radians(pitch_degrees);
-    return {std::cos(yaw) * std::cos(pitch), std::sin(yaw) * std::cos(pitch), std::sin(pitch)};
-}
-
 // "yaw pitch roll", pitch positive upward.
 std::optional<Point> direction_of_mangle(const MapEntity& entity, std::string_view key) {
     const auto angles = numbers_of(entity, key, 2);
     if (angles.empty()) return std::nullopt;
-    return direction_of_angles(angles[0], angles[1]);
-}
-
-const MapEntity* find_target(const std::vector<MapEntity>& entities, const std::string& name) {
-    const auto found = std::find_if(entities.begin(), entities.end(),
-                                    [&](const MapEntity& entity) { return entity.value("targetname") == name; });
-    return found == entities.end() ? nullptr : &*found;
+    const double yaw = radians(angles[0]), pitch = radians(angles[1]);
+    return Point{std::cos(yaw) * std::cos(pitch), std::sin(yaw) * std::cos(pitch), std::sin(pitch)};
 }
 
 std::optional<Point> spot_direction(const MapEntity& entity, const Point& origin,
                                     const std::vector<MapEntity>& entities) {
     if (const auto direction = direction_of_mangle(entity, "mangle")) return direction;
     if (!entity.has("target")) return std::nullopt;
-    const MapEntity* target = find_target(entities, entity.value("target"));
-    if (target == nullptr) return std::nullopt;
-    const Point towards = origin_of(*target).value_or(origin) - origin;
-    const double distance = length(towards);
-    if (distance == 0) return std::nullopt;
-    return towards * (1 / distance);
+    const auto target = std::find_if(entities.begin(), entities.end(), [&](const MapEntity& other) {
+        return other.value("targetname") == entity.value("target");
+    });
+    if (target == entities.end() || origin_of(*target).value_or(origin) == origin) return std::nullopt;
+    return unit(*origin_of(*target) - origin);
 }
 
 struct Colour {
@@ -86,7 +75,7 @@ struct Colour {
 // "red green blue", 0 to 255 or 0 to 1.
 Colour colour_of(const std::vector<double>& channels) {
     const double luminance = (299 * channels[0] + 587 * channels[1] + 114 * channels[2]) / 1000;
-    const bool is_of_255 = *std::max_element(channels.begin(), channels.end()) > 1;
+    const bool is_of_255 = std::max({channels[0], channels[1], channels[2]}) > 1;
     Colour colour{std::max(0.0, is_of_255 ? luminance / 255 : luminance), {}};
     for (std::size_t i = 0; i < 3 && luminance > 0; ++i)
         colour.hue.channels[i] = std::max(0.0, channels[i]) / luminance;
@@ -107,20 +96,15 @@ Light own_least_of(const MapEntity& entity) {
     return light_of(number_of(entity, "_minlight", 0), colour_of(entity, "_minlight_color"));
 }
 
-struct Brightness {
-    double brightness = 0;
-    Colour colour;
-};
-
 // "light" and "_light" may be a number, or a colour with an optional number: "red green blue brightness".
-Brightness brightness_of(const MapEntity& entity, double otherwise) {
-    const std::string key = entity.has("light") ? "light" : "_light";
-    auto numbers = numbers_of(entity, key, std::min<std::size_t>(count_words(entity.value(key)), 4));
+std::pair<double, Colour> brightness_of(const MapEntity& entity, double otherwise) {
+    const std::string key = entity.has("light") ? "light" : "_light", value = entity.value(key);
+    std::size_t words = 0;
+    for (std::string_view rest = value; !take_word(rest).empty();) ++words;
+    const auto numbers = numbers_of(entity, key, std::min<std::size_t>(words, 4));
     if (numbers.empty()) return {otherwise, {}};
     if (numbers.size() < 3) return {numbers.front(), {}};
-    const double brightness = numbers.size() == 4 ? numbers.back() : otherwise;
-    numbers.resize(3);
-    return {brightness, colour_of(numbers)};
+    return {numbers.size() == 4 ? numbers.back() : otherwise, colour_of(numbers)};
 }
 
 // The entity's, or else the world's.
@@ -168,20 +152,16 @@ LightSource source_of(const MapEntity& entity, const Point& origin, const std::v
 // The switchable styles that are not set by a light's key "style", for example with its own "pattern".
 std::vector<int> styles_left_free(const std::vector<MapEntity>& entities) {
     std::set<double> taken;
-    for (const MapEntity& entity : entities) {
+    for (const MapEntity& entity : entities)
         if (is_light(entity) && entity.has("style")) taken.insert(number_of(entity, "style", 0));
-    }
     std::vector<int> free;
-    for (int style = kFirstSwitchableStyle; style < kStyleCount; ++style) {
+    for (int style = kFirstSwitchableStyle; style < kStyleCount; ++style)
         if (!taken.contains(style)) free.push_back(style);
-    }
     return free;
 }
 
 HemisphereSettings hemisphere_of(const MapEntity& world) {
-    const auto value = [&](std::string_view key) {
-        return number_of(world, key, std::stod(std::string(usual_text("worldspawn", key))));
-    };
+    const auto value = [&](std::string_view key) { return number_of(world, key, usual(key, "worldspawn")); };
     HemisphereSettings settings;
     // In ericw-tools these are suns all over the sky, which share the brightness and are weighted by (1 + cosine) / 2
     // like lamps: the mean over an open hemisphere is 3/4.
@@ -198,6 +178,16 @@ HemisphereSettings hemisphere_of(const MapEntity& world) {
     settings.bounce_colour = std::clamp(value("_bouncecolorscale"), 0.0, 1.0);
     settings.is_bounce_styled = value("_bouncestyled") > 0;
     return settings;
+}
+
+bool has_colours(const Lights& lights, const std::vector<MapEntity>& entities) {
+    const HemisphereSettings& hemisphere = lights.hemisphere;
+    return !lights.sun.hue.is_white() || !hemisphere.sunlight2.is_white() || !hemisphere.sunlight3.is_white() ||
+           !lights.least.front().is_white() ||
+           !std::all_of(entities.begin(), entities.end(),
+                        [](const MapEntity& entity) { return own_least_of(entity).is_white(); }) ||
+           !std::all_of(lights.sources.begin(), lights.sources.end(),
+                        [](const LightSource& source) { return source.hue.is_white(); });
 }
 
 }  // namespace
@@ -256,20 +246,6 @@ void spread_deviant_lights(std::vector<LightSource>& sources) {
     sources = std::move(spread);
 }
 
-namespace {
-
-bool has_colours(const Lights& lights, const std::vector<MapEntity>& entities) {
-    const HemisphereSettings& hemisphere = lights.hemisphere;
-    return !lights.sun.hue.is_white() || !hemisphere.sunlight2.is_white() || !hemisphere.sunlight3.is_white() ||
-           !lights.least.front().is_white() ||
-           !std::all_of(entities.begin(), entities.end(),
-                        [](const MapEntity& entity) { return own_least_of(entity).is_white(); }) ||
-           !std::all_of(lights.sources.begin(), lights.sources.end(),
-                        [](const LightSource& source) { return source.hue.is_white(); });
-}
-
-}  // namespace
-
 Lights lights_of(const std::vector<MapEntity>& entities) {
     Lights lights;
     for (const MapEntity& entity : entities) {
@@ -302,7 +278,7 @@ Lights lights_of(const std::vector<MapEntity>& entities) {
 }
 
 void set_surface_light(std::vector<MapEntity>& entities) {
-    const double usual_angle = std::stod(std::string(usual_text("func_group", "_phong_angle")));
+    const double usual_angle = usual("_phong_angle", "func_group");
     for (MapEntity& entity : entities) {
         if (entity.brushes.empty()) continue;
         SurfaceLight light;

@@ -85,7 +85,7 @@ void add_lights_of_surface(std::vector<LightSource>& sources, const LightSource&
 
 }  // namespace
 
-void spread_surface_lights(std::vector<LightSource>& sources, const BspFile& bsp, Warnings* warnings) {
+void spread_surface_lights(std::vector<LightSource>& sources, const BspFile& bsp, Warnings& warnings) {
     std::vector<LightSource> spread;
     for (const LightSource& source : sources) {
         if (source.surface.empty()) {
@@ -95,9 +95,9 @@ void spread_surface_lights(std::vector<LightSource>& sources, const BspFile& bsp
         const auto shines = [&](const FileFace& face) { return texture_name(bsp, face) == source.surface; };
         const auto surfaces = whole_surfaces(bsp, shines);
         for (const std::vector<int>& faces : surfaces) add_lights_of_surface(spread, source, bsp, faces);
-        if (surfaces.empty() && warnings != nullptr)
-            warnings->add(source.entity->line,
-                          "\"_surface\" is '" + source.surface + "', but no visible face has that texture");
+        if (surfaces.empty())
+            warnings.add(source.entity->line,
+                         "\"_surface\" is '" + source.surface + "', but no visible face has that texture");
     }
     sources = std::move(spread);
 }

@@ -17,8 +17,7 @@ constexpr double kFar = 8192;
 }  // namespace
 
 std::array<Point, 2> tangents(const Point& normal) {
-    const Point aside = cross(normal, axis_vector(std::abs(normal.z) < 0.7 ? 2 : 0));
-    const Point first = aside * (1 / length(aside));
+    const Point first = unit(cross(normal, axis_vector(std::abs(normal.z) < 0.7 ? 2 : 0)));
     return {first, cross(normal, first)};
 }
 
@@ -45,32 +44,15 @@ int Tracer::leaf_at(const Point& point) const {
     return -1 - child;
 }
 
-int Tracer::follow(int child, const Place& from, const Place& to, bool stops_at_sky) const {
-    while (child >= 0) {
-        const TraceNode& node = item(nodes_, child);
-        const double from_height = node.height_of(from);
-        const double to_height = node.height_of(to);
-        const std::size_t near = from_height < 0 ? 1 : 0, far = to_height < 0 ? 1 : 0;
-        if (near != far) {
-            const Place at = between(from, to, from_height / (from_height - to_height));
-            const int hit = follow(node.children[near], from, at, stops_at_sky);
-            return hit != 0 ? hit : follow(node.children[far], at, to, stops_at_sky);
-        }
-        child = node.children[near];
-    }
-    const int met = item(opaque_, -1 - child);
-    return met == contents::kSky && !stops_at_sky ? 0 : met;
-}
-
-RayHit Tracer::hit(const Point& from, const Point& to) const {
+RayHit Tracer::hit_below(int root, const Point& from, const Point& to, bool stops_at_sky) const {
     RayHit hit;
-    find_hit(root_, place_of(from), place_of(to), 0, 1, hit);
+    find_hit(root, place_of(from), place_of(to), 0, 1, stops_at_sky, hit);
     return hit;
 }
 
 // `hit.node` is the node of the last crossed plane: if the space behind it is opaque, the ray ends on it.
 bool Tracer::find_hit(int child, const Place& from, const Place& to, double from_share, double to_share,
-                      RayHit& hit) const {
+                      bool stops_at_sky, RayHit& hit) const {
     while (child >= 0) {
         const TraceNode& node = item(nodes_, child);
         const double from_height = node.height_of(from);
@@ -80,30 +62,30 @@ bool Tracer::find_hit(int child, const Place& from, const Place& to, double from
             const double part = from_height / (from_height - to_height);
             const double share = from_share + (to_share - from_share) * part;
             const Place at = between(from, to, part);
-            if (find_hit(node.children[near], from, at, from_share, share, hit)) return true;
+            if (find_hit(node.children[near], from, at, from_share, share, stops_at_sky, hit)) return true;
             hit.node = child;
-            return find_hit(node.children[far], at, to, share, to_share, hit);
+            return find_hit(node.children[far], at, to, share, to_share, stops_at_sky, hit);
         }
         child = node.children[near];
     }
     const int met = item(opaque_, -1 - child);
-    if (met == 0) return false;
+    if (met == 0 || (met == contents::kSky && !stops_at_sky)) return false;
     hit.contents = met;
     hit.share = from_share;
     return true;
 }
 
-Hemisphere HemisphereRays::gather(const Point& point, const Point& normal, int pattern, double dirt_depth,
-                                  const Tracer& tracer, const AddLight& add_reflected) const {
+Hemisphere gather(const Point& point, const Point& normal, int rings, int pattern, double dirt_depth,
+                  const Tracer& tracer, const AddLight& add_reflected) {
     const auto [right, up] = tangents(normal);
-    const double shift = (pattern + 0.5) / patterns_, turn = static_cast<double>(2 * pattern % patterns_) / patterns_;
-    const double share = 1.0 / (rings_ * rings_);
+    const double shift = (pattern + 0.5) / kPatterns, turn = static_cast<double>(2 * pattern % kPatterns) / kPatterns;
+    const double share = 1.0 / (rings * rings);
     Hemisphere seen;
-    for (int ring = 0; ring < rings_; ++ring) {
-        const double sine_squared = (ring + shift) / rings_;  // evenly spaced, for Lambert's law
+    for (int ring = 0; ring < rings; ++ring) {
+        const double sine_squared = (ring + shift) / rings;  // evenly spaced, for Lambert's law
         const double sine = std::sqrt(sine_squared), cosine = std::sqrt(1 - sine_squared);
-        for (int i = 0; i < rings_; ++i) {
-            const double angle = 2 * std::numbers::pi * (i + turn + 0.5 * (ring % 2)) / rings_;
+        for (int i = 0; i < rings; ++i) {
+            const double angle = 2 * std::numbers::pi * (i + turn + 0.5 * (ring % 2)) / rings;
             const Point direction = right * (sine * std::cos(angle)) + up * (sine * std::sin(angle)) + normal * cosine;
             const RayHit hit = tracer.hit(point, point + direction * kFar);
             if (hit.contents == contents::kSky) (direction.z >= 0 ? seen.sky_above : seen.sky_below) += share;

@@ -34,7 +34,7 @@ class Tracer {
     bool is_lit(const Point& from, const Point& to) const { return first_in_models(from, to, false) == 0; }
 
     /// As first_opaque(), with its position.
-    RayHit hit(const Point& from, const Point& to) const;
+    RayHit hit(const Point& from, const Point& to) const { return hit_below(root_, from, to, true); }
 
     /// The index of the leaf that a point is in.
     int leaf_at(const Point& point) const;
@@ -57,16 +57,16 @@ class Tracer {
     };
 
     int first_in_models(const Point& from, const Point& to, bool stops_at_sky) const {
-        const int met = follow(root_, place_of(from), place_of(to), stops_at_sky);
-        if (shadow_roots_.empty() || met == contents::kSolid) return met;
-        const Point end = met == 0 ? to : from + (to - from) * hit(from, to).share;
-        const bool is_shaded = std::any_of(shadow_roots_.begin(), shadow_roots_.end(), [&](int root) {
-            return follow(root, place_of(from), place_of(end), false) != 0;
-        });
-        return is_shaded ? contents::kSolid : met;
+        const RayHit met = hit_below(root_, from, to, stops_at_sky);
+        if (shadow_roots_.empty() || met.contents == contents::kSolid) return met.contents;
+        const Point end = met.contents == 0 ? to : from + (to - from) * met.share;
+        const bool is_shaded = std::any_of(shadow_roots_.begin(), shadow_roots_.end(),
+                                           [&](int root) { return hit_below(root, from, end, false).contents != 0; });
+        return is_shaded ? contents::kSolid : met.contents;
     }
-    int follow(int child, const Place& from, const Place& to, bool stops_at_sky) const;
-    bool find_hit(int child, const Place& from, const Place& to, double from_share, double to_share, RayHit& hit) const;
+    RayHit hit_below(int root, const Point& from, const Point& to, bool stops_at_sky) const;
+    bool find_hit(int child, const Place& from, const Place& to, double from_share, double to_share, bool stops_at_sky,
+                  RayHit& hit) const;
 
     std::vector<TraceNode> nodes_;
     std::vector<int> opaque_;  // contents of each leaf, or 0
@@ -88,18 +88,10 @@ struct Hemisphere {
 /// Adds the light of a surface at a point hit by a ray of some direction, times the ray's share.
 using AddLight = std::function<void(const Point&, const RayHit&, const Point&, double share, StyleLight&)>;
 
-/// Directions of a hemisphere, evenly distributed by that law, with `rings` directions in each ring.
-class HemisphereRays {
-  public:
-    /// `patterns`: the number of sets, which together form one finer set.
-    HemisphereRays(int rings, int patterns) : rings_(rings), patterns_(patterns) {}
-
-    /// `dirt_depth`: D above. `add_reflected`: null: not needed.
-    Hemisphere gather(const Point& point, const Point& normal, int pattern, double dirt_depth, const Tracer& tracer,
-                      const AddLight& add_reflected) const;
-
-  private:
-    int rings_, patterns_;
-};
+/// Looks in directions that are evenly distributed by that law, `rings` in each of as many rings: one of kPatterns
+/// sets, which together form one finer set. `dirt_depth`: D above. `add_reflected`: null: not needed.
+Hemisphere gather(const Point& point, const Point& normal, int rings, int pattern, double dirt_depth,
+                  const Tracer& tracer, const AddLight& add_reflected);
+inline constexpr int kPatterns = 9;
 
 }  // namespace oblong::map

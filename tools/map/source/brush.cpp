@@ -36,20 +36,9 @@ bool is_axial(const Point& direction) {
 // The brush's extent along a direction.
 double support(const Brush& brush, const Point& direction) {
     double farthest = -Box::kFar;
-    for (const BrushSide& side : brush.sides) {
+    for (const BrushSide& side : brush.sides)
         for (const Point& point : side.winding) farthest = std::max(farthest, dot(direction, point));
-    }
     return farthest;
-}
-
-// The extent of the mover's mirror image along a direction.
-double mirrored_support(const Box& mover, const Point& direction) {
-    double sum = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double along = direction[axis];
-        sum += std::max(-along * mover.mins[axis], -along * mover.maxs[axis]);
-    }
-    return sum;
 }
 
 bool contains(const Brush& brush, const PlaneList& planes, const Point& point) {
@@ -57,56 +46,37 @@ bool contains(const Brush& brush, const PlaneList& planes, const Point& point) {
                        [&](const BrushSide& side) { return planes.facing(side.plane).height_of(point) <= 0; });
 }
 
-class Grower {
-  public:
-    Grower(const Brush& brush, const Box& mover, PlaneList& planes) : brush_(brush), mover_(mover), planes_(planes) {
-        grown_.contents = contents::kSolid;
-    }
-
-    void add(const Point& normal, double distance) {
-        const PlaneSide plane = planes_.find_or_add({normal, distance + mirrored_support(mover_, normal)});
-        if (!grown_.has_side(plane)) grown_.sides.push_back({plane, -1, {}});
-    }
-
-    // The plane through an edge of the brush and an edge of the box, if it touches the brush only in that edge.
-    void add_edge_bevels(const Point& from, const Point& to) {
-        for (int axis = 0; axis < 3; ++axis) {
-            const Point across = cross(to - from, axis_vector(axis));
-            if (is_axial(across)) continue;  // these are already added
-            const double size = length(across);
-            if (size < kSupportEpsilon * length(to - from)) continue;
-            for (const double sign : {1.0, -1.0}) {
-                const Point normal = across * (sign / size);
-                if (support(brush_, normal) < dot(normal, from) + kSupportEpsilon) add(normal, dot(normal, from));
-            }
+// The normals of the planes through an edge of the brush and an edge of a box that touch the brush only in that edge.
+std::vector<Point> edge_bevels(const Brush& brush, const Point& from, const Point& to) {
+    std::vector<Point> normals;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Point across = cross(to - from, axis_vector(axis));
+        const double size = length(across);
+        if (is_axial(across) || size < kSupportEpsilon * length(to - from)) continue;  // the box's sides are there
+        for (const double sign : {1.0, -1.0}) {
+            const Point normal = across * (sign / size);
+            if (support(brush, normal) < dot(normal, from) + kSupportEpsilon) normals.push_back(normal);
         }
     }
-
-    Brush finish() { return std::move(grown_); }
-
-  private:
-    const Brush& brush_;
-    const Box& mover_;
-    PlaneList& planes_;
-    Brush grown_;
-};
+    return normals;
+}
 
 }  // namespace
 
 Plane plane_of(const MapSide& side) {
-    Point normal = cross(side.points[0] - side.points[1], side.points[2] - side.points[1]);
-    normal = normal * (1 / length(normal));
+    const Point normal = unit(cross(side.points[0] - side.points[1], side.points[2] - side.points[1]));
     return {normal, dot(normal, side.points[0])};
 }
 
 Brush make_brush(const MapBrush& source, PlaneList& planes, TextureList& textures) {
     Brush brush = start_brush(source, planes, textures);
-    complete_brush(brush, source.line, planes);
+    complete_brush(brush, planes);
     return brush;
 }
 
 Brush start_brush(const MapBrush& source, PlaneList& planes, TextureList& textures) {
     Brush brush;
+    brush.line = source.line;
     for (const MapSide& side : source.sides) {
         const PlaneSide plane = planes.find_or_add(plane_of(side));
         if (!brush.has_side(plane))
@@ -119,16 +89,15 @@ Brush start_brush(const MapBrush& source, PlaneList& planes, TextureList& textur
     return brush;
 }
 
-void complete_brush(Brush& brush, int line, const PlaneList& planes) {
+void complete_brush(Brush& brush, const PlaneList& planes) {
     if (!set_windings(brush, planes))
-        throw InputError(at_line(line),
+        throw InputError(at_line(brush.line),
                          "the sides of this brush enclose no volume, expected a closed convex solid, and each side's "
                          "points clockwise seen from outside");
     constexpr int kFarthest = 32767;  // a node's box has 16 bits
-    for (int axis = 0; axis < 3; ++axis)
-        if (brush.box.maxs[axis] > kFarthest || brush.box.mins[axis] < -kFarthest)
-            throw InputError(at_line(line), "this brush reaches farther from the origin than " +
-                                                std::to_string(kFarthest) + " units, expected it nearer");
+    if (brush.box.largest_coordinate() > kFarthest)
+        throw InputError(at_line(brush.line), "this brush reaches farther from the origin than " +
+                                                  std::to_string(kFarthest) + " units, expected it nearer");
     brush.is_detail = brush.is_detail || looks_like_detail(brush);
 }
 
@@ -137,12 +106,23 @@ bool set_windings(Brush& brush, const PlaneList& planes) {
     std::erase_if(brush.sides, [](const BrushSide& side) { return side.winding.size() < 3; });
     brush.box = Box{};
     for (const BrushSide& side : brush.sides) brush.box.add(side.winding);
-    if (brush.sides.size() < 4) return false;
-    const Box all{{-kHuge / 2, -kHuge / 2, -kHuge / 2}, {kHuge / 2, kHuge / 2, kHuge / 2}};
-    return !std::any_of(brush.sides.begin(), brush.sides.end(), [&](const BrushSide& side) {
-        return std::any_of(side.winding.begin(), side.winding.end(),
-                           [&](const Point& point) { return !box_of(std::span(&point, 1)).touches(all, 0); });
-    });
+    return brush.sides.size() >= 4 && brush.box.largest_coordinate() <= kHuge / 2;
+}
+
+Winding cut_by_brush(const Winding& winding, const Brush& brush, const PlaneList& planes,
+                     std::vector<Winding>& outside) {
+    const std::size_t known = outside.size();
+    Winding inside = winding;
+    for (const BrushSide& side : brush.sides) {
+        SplitWinding parts = split(std::move(inside), planes.facing(side.plane));
+        if (!parts.is_on && !parts.front.empty()) outside.push_back(std::move(parts.front));
+        inside = std::move(parts.is_on ? parts.front : parts.back);
+        if (!inside.empty()) continue;
+        outside.resize(known);
+        outside.push_back(winding);
+        break;
+    }
+    return inside;
 }
 
 BrushContents::BrushContents(const std::vector<Brush>& brushes, const PlaneList& planes) : planes_(planes) {
@@ -156,7 +136,7 @@ int BrushContents::at(const Point& point) const {
     int found = contents::kEmpty;
     const auto cell = in_cells_.find({cell_of(point.x), cell_of(point.y)});
     if (cell == in_cells_.end()) return found;
-    const Box box = box_of(std::span(&point, 1));
+    const Box box{point, point};
     for (const Brush* brush : cell->second) {
         if (contents_rank(brush->contents) <= contents_rank(found) || !brush->box.touches(box, 0)) continue;
         if (contains(*brush, planes_, point)) found = brush->contents;
@@ -165,27 +145,32 @@ int BrushContents::at(const Point& point) const {
 }
 
 Brush expanded(const Brush& brush, const Box& mover, PlaneList& planes) {
-    Grower grower(brush, mover, planes);
+    Brush grown;
+    const auto add = [&](const Point& normal, double distance) {
+        const double reach_of_mover = dot(-normal, farthest_corner(mover, -normal));  // of its mirror image
+        const PlaneSide plane = planes.find_or_add({normal, distance + reach_of_mover});
+        if (!grown.has_side(plane)) grown.sides.push_back({plane, -1, {}});
+    };
     for (const BrushSide& side : brush.sides) {
         const Plane plane = planes.facing(side.plane);
-        grower.add(plane.normal, plane.distance);
+        add(plane.normal, plane.distance);
     }
     for (int axis = 0; axis < 3; ++axis) {
-        grower.add(axis_vector(axis), brush.box.maxs[axis]);
-        grower.add(-axis_vector(axis), -brush.box.mins[axis]);
+        add(axis_vector(axis), brush.box.maxs[axis]);
+        add(-axis_vector(axis), -brush.box.mins[axis]);
     }
-    for (const BrushSide& side : brush.sides) {
-        for (std::size_t i = 0; i < side.winding.size(); ++i)
-            grower.add_edge_bevels(side.winding[i], side.winding[(i + 1) % side.winding.size()]);
-    }
-    return grower.finish();
+    for (const BrushSide& side : brush.sides)
+        for (std::size_t i = 0; i < side.winding.size(); ++i) {
+            const Point &from = side.winding[i], &to = side.winding[(i + 1) % side.winding.size()];
+            for (const Point& normal : edge_bevels(brush, from, to)) add(normal, dot(normal, from));
+        }
+    return grown;
 }
 
 std::vector<Brush> hull_brushes(const std::vector<Brush>& brushes, const Box& mover, PlaneList& planes) {
     std::vector<Brush> grown;
-    for (const Brush& brush : brushes) {
+    for (const Brush& brush : brushes)
         if (is_opaque(brush.contents)) grown.push_back(expanded(brush, mover, planes));
-    }
     return grown;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <string_view>
@@ -25,6 +26,7 @@ struct Brush {
     bool is_clip = false;       ///< stops only players, and is invisible
     bool is_detail = false;     ///< hides too little to be considered in visible sets, which makes them faster
     bool shows_inside = false;  ///< its faces are drawn on both sides
+    int line = 0;               ///< of the map source
     Box box;
 
     bool has_side(PlaneSide plane) const {
@@ -40,11 +42,16 @@ Brush make_brush(const MapBrush& source, PlaneList& planes, TextureList& texture
 
 /// Its two halves: what adds to the lists, and what follows from the planes, for which brushes are independent.
 Brush start_brush(const MapBrush& source, PlaneList& planes, TextureList& textures);
-void complete_brush(Brush& brush, int line, const PlaneList& planes);
+void complete_brush(Brush& brush, const PlaneList& planes);
 
 /// Sets the windings of the sides, and the box, from the planes; drops redundant sides. False: the volume is empty or
 /// infinite.
 bool set_windings(Brush& brush, const PlaneList& planes);
+
+/// Returns the part of a polygon that is inside a brush or on its surface, and appends the rest to `outside` in convex
+/// pieces: the polygon itself if nothing is inside.
+Winding cut_by_brush(const Winding& winding, const Brush& brush, const PlaneList& planes,
+                     std::vector<Winding>& outside);
 
 /// The contents of brushes at points; the brushes must outlive it.
 class BrushContents {
@@ -76,20 +83,11 @@ std::vector<Brush> hull_brushes(const std::vector<Brush>& brushes, const Box& mo
 
 /// Where brushes overlap, the contents with the higher rank remain.
 constexpr int contents_rank(int filling) {
-    switch (filling) {
-        case contents::kSolid:
-            return 5;
-        case contents::kSky:
-            return 4;
-        case contents::kWater:
-            return 3;
-        case contents::kSlime:
-            return 2;
-        case contents::kLava:
-            return 1;
-        default:
-            return 0;
-    }
+    constexpr std::array kByRank{contents::kEmpty, contents::kLava, contents::kSlime,
+                                 contents::kWater, contents::kSky,  contents::kSolid};
+    for (std::size_t rank = 0; rank < kByRank.size(); ++rank)
+        if (kByRank[rank] == filling) return static_cast<int>(rank);
+    return 0;
 }
 
 constexpr bool is_liquid(int filling) {
@@ -113,16 +111,6 @@ constexpr int contents_of_texture(std::string_view name) {
 /// Textures that only instruct the compiler: their faces are not drawn.
 constexpr bool is_undrawn_texture(std::string_view name) {
     return name == "clip" || name == "skip" || name == "trigger";
-}
-
-/// Other engines rotate a brush entity around the middle of its brush with this texture.
-constexpr bool is_origin_texture(std::string_view name) {
-    return name == "origin";
-}
-
-/// A brush with one of these on any side advises other compilers where to cut the tree; it has no contents.
-constexpr bool is_hint_texture(std::string_view name) {
-    return name == "hint" || name == "hintskip";
 }
 
 }  // namespace oblong::map

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <sstream>
 
 #include "engine/base/input_error.h"
 #include "engine/base/text.h"
@@ -56,11 +55,6 @@ std::vector<double> numbers_of(const MapEntity& entity, std::string_view key, st
     return numbers;
 }
 
-std::size_t count_words(const std::string& text) {
-    std::istringstream in(text);
-    return static_cast<std::size_t>(std::distance(std::istream_iterator<std::string>(in), {}));
-}
-
 bool belongs_to_world(const MapEntity& entity) {
     const ClassRole role = role_of(entity);
     return role == ClassRole::Worldspawn || role == ClassRole::BrushGroup || role == ClassRole::Detail;
@@ -105,9 +99,8 @@ std::vector<TextureUse> shown_textures(const std::vector<MapEntity>& entities) {
     for (const MapEntity& entity : entities) {
         const ClassRole role = role_of(entity);
         if (role != ClassRole::Billboard && role != ClassRole::FlyingLamp) continue;
-        for (const MapPair& pair : entity.pairs) {
+        for (const MapPair& pair : entity.pairs)
             if (pair.key == "texture") uses.push_back({lower_case(pair.value), pair.line});
-        }
     }
     return uses;
 }

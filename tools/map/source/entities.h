@@ -18,9 +18,6 @@ std::optional<Point> origin_of(const MapEntity& entity);
 /// Whether it is a light that all faces of a texture emit in its place, which may be anywhere.
 bool shines_by_surfaces(const MapEntity& entity);
 
-/// The number of words of a value, separated by blanks.
-std::size_t count_words(const std::string& text);
-
 /// The first `count` numbers of a key's value; none if there are fewer, which is a warning of find_warnings().
 std::vector<double> numbers_of(const MapEntity& entity, std::string_view key, std::size_t count);
 

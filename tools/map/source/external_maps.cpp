@@ -43,9 +43,8 @@ Rotation rotation_of(const std::vector<double>& pitch_yaw_roll) {
 // The placement of an external map.
 struct Placement {
     explicit Placement(const MapEntity& entity) : origin(origin_of(entity).value_or(Point{})) {
-        for (int axis = 0; axis < 3; ++axis)
-            if (!(std::abs(origin[axis]) <= kFarthestOrigin))
-                refuse(entity, "\"origin\" is too far away, expected at most 65536 on each axis");
+        if (largest_component(origin) > kFarthestOrigin)
+            refuse(entity, "\"origin\" is too far away, expected at most 65536 on each axis");
         const auto angles = numbers_of(entity, "_external_map_angles", 3);
         rotation = rotation_of(angles.empty() ? std::vector<double>{0, number_of(entity, "_external_map_angle", 0), 0}
                                               : angles);
@@ -95,7 +94,7 @@ void check_brush(const MapBrush& brush) {
 // Reads sources within sources.
 class Includer {
   public:
-    Includer(const ReadExternalSource& read, Warnings* warnings) : read_(read), warnings_(warnings) {}
+    Includer(const ReadExternalSource& read, Warnings& warnings) : read_(read), warnings_(warnings) {}
 
     void include(std::vector<MapEntity>& entities, const std::string& path) {
         paths_.push_back(path);
@@ -116,7 +115,7 @@ class Includer {
             refuse(entity, "'" + name + "' includes itself, expected another map source");
         if (++count_ > kMostExternal)
             refuse(entity, "more than " + std::to_string(kMostExternal) + " map sources are included, expected fewer");
-        if (warnings_ != nullptr) warn_of_values(entity);
+        warn_of_values(entity);
         const Placement place(entity);
         for (MapBrush& brush : naming_file(source.path, [&] { return brushes_of(source, place, own); })) {
             brush.line = entity.line;
@@ -124,9 +123,7 @@ class Includer {
             entity.brushes.push_back(std::move(brush));
         }
         for (const Warning& warning : own.take())
-            if (warnings_ != nullptr)
-                warnings_->add(entity.line,
-                               "'" + name + "', line " + std::to_string(warning.line) + ": " + warning.what);
+            warnings_.add(entity.line, "'" + name + "', line " + std::to_string(warning.line) + ": " + warning.what);
         become_its_class(entity);
     }
 
@@ -134,7 +131,7 @@ class Includer {
         std::vector<MapEntity> entities = parse_map(source.text, &warnings);
         include(entities, source.path);
         std::vector<MapBrush> brushes;
-        for (MapEntity& entity : entities) {
+        for (MapEntity& entity : entities)
             for (MapBrush& brush : entity.brushes) {
                 for (MapSide& side : brush.sides) side = placed(std::move(side), place);
                 check_brush(brush);
@@ -143,7 +140,6 @@ class Includer {
                                                               " brushes are included, expected fewer");
                 brushes.push_back(std::move(brush));
             }
-        }
         if (brushes.empty()) throw InputError("line 1", "no brushes, expected some to include");
         return brushes;
     }
@@ -156,7 +152,7 @@ class Includer {
             const EntityKey* const row = find_entity_key(*its_class, pair.key);
             const std::string expected = row == nullptr ? "" : expected_instead_of(pair.value, *row);
             if (!expected.empty())
-                warnings_->add(pair.line, "'" + pair.key + "' is '" + pair.value + "', expected " + expected);
+                warnings_.add(pair.line, "'" + pair.key + "' is '" + pair.value + "', expected " + expected);
         }
     }
 
@@ -170,7 +166,7 @@ class Includer {
     }
 
     const ReadExternalSource& read_;
-    Warnings* warnings_;
+    Warnings& warnings_;
     std::vector<std::string> paths_;  // from the outermost source to the current one
     int count_ = 0;
     std::size_t brush_count_ = 0;
@@ -179,7 +175,7 @@ class Includer {
 }  // namespace
 
 void include_external_maps(std::vector<MapEntity>& entities, const std::string& path, const ReadExternalSource& read,
-                           Warnings* warnings) {
+                           Warnings& warnings) {
     Includer(read, warnings).include(entities, path);
 }
 

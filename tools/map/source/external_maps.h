@@ -23,7 +23,7 @@ using ReadExternalSource = std::function<ExternalSource(const std::string& name,
 /// InputError, also if a source includes itself, or more than kMostExternal sources are included. `warnings`: of those
 /// sources.
 void include_external_maps(std::vector<MapEntity>& entities, const std::string& path, const ReadExternalSource& read,
-                           Warnings* warnings = nullptr);
+                           Warnings& warnings);
 
 inline constexpr int kMostExternal = 4096;
 

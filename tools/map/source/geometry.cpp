@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <iterator>
+#include <cstdio>
 #include <optional>
 #include <utility>
 
@@ -14,9 +13,8 @@ namespace {
 // Ties (a normal at 45 degrees) yield the first axis, regardless of rounding.
 int longest_axis(const Point& normal) {
     int longest = 0;
-    for (int axis = 1; axis < 3; ++axis) {
+    for (int axis = 1; axis < 3; ++axis)
         if (std::abs(normal[axis]) > std::abs(normal[longest]) + PlaneList::kNormalEpsilon) longest = axis;
-    }
     return longest;
 }
 
@@ -29,14 +27,14 @@ Plane snapped(Plane plane) {
     return plane;
 }
 
-long bucket_of(double distance) {
-    return std::lround(distance);
+int type_of(const Plane& plane) {
+    const int axis = longest_axis(plane.normal);
+    return plane.normal[axis] == 1.0 ? axis : axis + 3;
 }
 
 bool is_same(const Plane& a, const Plane& b) {
-    const Point apart = a.normal - b.normal;
     return std::abs(a.distance - b.distance) < PlaneList::kDistanceEpsilon &&
-           std::max({std::abs(apart.x), std::abs(apart.y), std::abs(apart.z)}) < PlaneList::kNormalEpsilon;
+           largest_component(a.normal - b.normal) < PlaneList::kNormalEpsilon;
 }
 
 // The heights of a polygon's corners above a plane, on the stack except for large polygons.
@@ -115,8 +113,7 @@ void cut(const Winding& winding, const Plane& plane, const Heights& heights, Add
 constexpr double kSameEpsilon = 1.0 / 512;
 
 bool is_same(const Point& a, const Point& b) {
-    return std::abs(a.x - b.x) < kSameEpsilon && std::abs(a.y - b.y) < kSameEpsilon &&
-           std::abs(a.z - b.z) < kSameEpsilon;
+    return largest_component(a - b) < kSameEpsilon;
 }
 
 const Point& corner_at(const Winding& winding, std::size_t index) {
@@ -145,21 +142,17 @@ std::optional<Winding> joined_at(const Winding& a, std::size_t i, const Winding&
 }
 
 std::optional<Winding> joined(const Winding& a, const Winding& b, const Point& normal) {
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            if (!is_same(corner_at(a, i), corner_at(b, j + 1)) || !is_same(corner_at(a, i + 1), corner_at(b, j)))
-                continue;
-            return joined_at(a, i, b, j, normal);
-        }
-    }
+    for (std::size_t i = 0; i < a.size(); ++i)
+        for (std::size_t j = 0; j < b.size(); ++j)
+            if (is_same(corner_at(a, i), corner_at(b, j + 1)) && is_same(corner_at(a, i + 1), corner_at(b, j)))
+                return joined_at(a, i, b, j, normal);
     return std::nullopt;
 }
 
 Point facing(const std::vector<Winding>& windings) {
     Point sum;
     for (const Winding& winding : windings) sum = sum + area_vector(winding);
-    const double size = length(sum);
-    return size == 0 ? Point{} : sum * (-1 / size);
+    return -unit(sum);
 }
 
 struct Boxed {
@@ -184,43 +177,30 @@ void add(std::vector<Boxed>& done, Winding piece, const Point& normal) {
 
 }  // namespace
 
-std::string number_text(double number) {
-    char digits[32];
-    return {digits, std::to_chars(std::begin(digits), std::end(digits), number, std::chars_format::general, 6).ptr};
-}
-
-int plane_type(const Plane& plane) {
-    const int axis = longest_axis(plane.normal);
-    return plane.normal[axis] == 1.0 ? axis : axis + 3;
+std::string point_text(const Point& point) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.6g %.6g %.6g", point.x, point.y, point.z);
+    return text;
 }
 
 PlaneSide PlaneList::find_or_add(const Plane& plane) {
     const bool is_back = plane.normal[longest_axis(plane.normal)] < 0;
     const Plane wanted = snapped(is_back ? plane.flipped() : plane);
-    const int known = find(wanted);
-    if (known >= 0) return {known, is_back};
+    const long bucket = std::lround(wanted.distance);
+    for (const long near : {bucket - 1, bucket, bucket + 1}) {
+        const auto found = by_distance_.find(near);
+        if (found == by_distance_.end()) continue;
+        for (const int index : found->second)
+            if (is_same((*this)[index], wanted)) return {index, is_back};
+    }
     planes_.push_back(wanted);
-    types_.push_back(plane_type(wanted));
-    by_distance_[bucket_of(wanted.distance)].push_back(count() - 1);
+    types_.push_back(type_of(wanted));
+    by_distance_[bucket].push_back(count() - 1);
     return {count() - 1, is_back};
 }
 
-int PlaneList::find(const Plane& plane) const {
-    const long middle = bucket_of(plane.distance);
-    for (long bucket = middle - 1; bucket <= middle + 1; ++bucket) {
-        const auto found = by_distance_.find(bucket);
-        if (found == by_distance_.end()) continue;
-        for (const int index : found->second) {
-            if (is_same((*this)[index], plane)) return index;
-        }
-    }
-    return -1;
-}
-
 Winding whole_plane(const Plane& plane) {
-    const int type = plane_type(plane);
-    const bool is_level = type == 2 || type == 5;
-    const Point rough_up = axis_vector(is_level ? 0 : 2);
+    const Point rough_up = axis_vector(longest_axis(plane.normal) == 2 ? 0 : 2);
     Point up = rough_up - plane.normal * dot(rough_up, plane.normal);
     up = up * (kHuge / length(up));
     const Point right = cross(up, plane.normal);
@@ -230,8 +210,7 @@ Winding whole_plane(const Plane& plane) {
 
 SplitWinding split(Winding winding, const Plane& plane) {
     const Heights heights(winding, plane);
-    if (!heights.has_front && !heights.has_back) return {std::move(winding), {}, true};
-    if (!heights.has_back) return {std::move(winding), {}, false};
+    if (!heights.has_back) return {std::move(winding), {}, !heights.has_front};
     if (!heights.has_front) return {{}, std::move(winding), false};
     SplitWinding parts;
     parts.front.reserve(winding.size() + 1);

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/base/table.h"
@@ -20,8 +21,19 @@ using Point = reference::Vec;
 /// Between neighbours of a sunflower's spiral, whose points are spread evenly over a disc or a ball (Vogel 1979).
 inline const double kGoldenAngle = std::numbers::pi * (3 - std::sqrt(5.0));
 
-/// With six digits.
-std::string number_text(double number);
+/// "x y z", with six digits each.
+std::string point_text(const Point& point);
+
+/// The size of the largest component.
+inline double largest_component(const Point& p) {
+    return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+}
+
+/// A vector of the same direction and length 1; the zero vector stays.
+inline Point unit(const Point& vector) {
+    const double size = length(vector);
+    return size == 0 ? vector : vector * (1 / size);
+}
 
 /// The unit vector along axis 0, 1 or 2.
 inline Point axis_vector(int axis) {
@@ -51,6 +63,9 @@ struct Box {
         add(other.mins);
         add(other.maxs);
     }
+
+    /// The largest coordinate, with either sign.
+    double largest_coordinate() const { return std::max(largest_component(mins), largest_component(maxs)); }
 
     /// This box with every side moved outward by `margin`.
     Box grown(double margin) const {
@@ -97,10 +112,6 @@ inline bool is_clearly_in_front(const Box& box, const Plane& plane) {
     return plane.height_of(farthest_corner({box.maxs, box.mins}, plane.normal)) > 1;
 }
 
-/// The plane's kind in the level file: 0, 1, 2 if the normal is exactly +x, +y, +z, else 3 + its longest component's
-/// axis.
-int plane_type(const Plane& plane);
-
 /// One side of a plane in a PlaneList: `is_back`: opposite to the normal.
 struct PlaneSide {
     int plane = 0;
@@ -117,7 +128,9 @@ class PlaneList {
     PlaneSide find_or_add(const Plane& plane);
 
     const Plane& operator[](int index) const { return item(planes_, index); }
-    int type(int index) const { return item(types_, index); }  ///< plane_type()
+    /// The plane's kind in the level file: 0, 1, 2 if the normal is exactly +x, +y, +z, else 3 + its longest
+    /// component's axis.
+    int type(int index) const { return item(types_, index); }
     Plane facing(PlaneSide side) const { return side.is_back ? (*this)[side.plane].flipped() : (*this)[side.plane]; }
     int count() const { return static_cast<int>(planes_.size()); }
 
@@ -125,8 +138,6 @@ class PlaneList {
     static constexpr double kDistanceEpsilon = 1.0 / 512;
 
   private:
-    int find(const Plane& plane) const;
-
     std::vector<Plane> planes_;
     std::vector<int> types_;
     std::map<long, std::vector<int>> by_distance_;  // whole distance -> planes
@@ -169,6 +180,17 @@ Point area_vector(const Winding& winding);
 
 /// The polygon's least width over the directions perpendicular to its edges.
 double least_width(const Winding& winding);
+
+/// The least and the greatest of the numbers at the points.
+template <class NumberAt>
+auto range_of(const Winding& winding, NumberAt number_at) {
+    auto least = number_at(winding[0]), greatest = least;
+    for (const Point& point : winding) {
+        least = std::min(least, number_at(point));
+        greatest = std::max(greatest, number_at(point));
+    }
+    return std::pair(least, greatest);
+}
 
 /// The mean of the points.
 Point middle(const Winding& winding);

@@ -24,50 +24,6 @@ struct MapToken {
     bool is(std::string_view symbol) const { return !is_quoted && !is_end && text == symbol; }
 };
 
-// Cuts the text of a map source into words, brackets and quoted strings; comments run from // to the line's end.
-class MapTokens {
-  public:
-    explicit MapTokens(std::string_view text) : text_(text) { advance(); }
-
-    const MapToken& peek() const { return next_; }
-    MapToken take();
-    // Takes `symbol`, or throws InputError that expects it `where`.
-    void expect(std::string_view symbol, std::string_view where);
-    double take_number(std::string_view what);
-    [[noreturn]] void fail(const MapToken& at, std::string_view expected) const;
-
-  private:
-    void advance();
-    void skip_blanks();
-    void read_quoted();
-    void read_word();
-
-    std::string_view text_;
-    std::size_t position_ = 0;
-    int line_ = 1;
-    MapToken next_;
-};
-
-constexpr int kFarthest = 1 << 30;  // the largest number: planes of points so far away are still exact
-
-bool is_blank(char letter) {
-    return static_cast<unsigned char>(letter) <= ' ';
-}
-bool is_bracket(char letter) {
-    return letter == '(' || letter == ')' || letter == '[' || letter == ']';
-}
-
-MapToken MapTokens::take() {
-    MapToken taken = next_;
-    advance();
-    return taken;
-}
-
-void MapTokens::expect(std::string_view symbol, std::string_view where) {
-    if (!next_.is(symbol)) fail(next_, "'" + std::string(symbol) + "' " + std::string(where));
-    advance();
-}
-
 // A decimal number; none if all of a text is not one.
 std::optional<double> number_of(std::string_view text) {
     double value = 0;
@@ -84,60 +40,88 @@ std::optional<double> number_of(std::string_view text) {
     return is_number ? std::optional(value) : std::nullopt;
 }
 
-double MapTokens::take_number(std::string_view what) {
-    const MapToken token = take();
-    const std::optional<double> value = number_of(token.text);
-    if (token.is_end || !value || !(std::abs(*value) <= kFarthest))
-        fail(token, "a number for " + std::string(what) + ", at most " + std::to_string(kFarthest));
-    return *value;
-}
+// Cuts the text of a map source into words, brackets and quoted strings; comments run from // to the line's end.
+class MapTokens {
+  public:
+    explicit MapTokens(std::string_view text) : text_(text) { advance(); }
 
-void MapTokens::fail(const MapToken& at, std::string_view expected) const {
-    const std::string found = at.is_end ? "the file ends" : "found '" + std::string(at.text) + "'";
-    throw InputError(at_line(at.line), found + ", expected " + std::string(expected));
-}
+    const MapToken& peek() const { return next_; }
 
-void MapTokens::advance() {
-    skip_blanks();
-    next_ = MapToken{};
-    next_.line = line_;
-    if (position_ == text_.size()) {
-        next_.is_end = true;
-    } else if (text_[position_] == '"') {
-        read_quoted();
-    } else {
-        read_word();
+    MapToken take() {
+        MapToken taken = next_;
+        advance();
+        return taken;
     }
-}
 
-void MapTokens::skip_blanks() {
-    while (position_ < text_.size()) {
-        if (is_blank(text_[position_])) {
-            if (text_[position_++] == '\n') ++line_;
-            continue;
+    // Takes `symbol`, or throws InputError that expects it `where`.
+    void expect(std::string_view symbol, std::string_view where) {
+        if (!next_.is(symbol)) fail(next_, "'" + std::string(symbol) + "' " + std::string(where));
+        advance();
+    }
+
+    double take_number(std::string_view what) {
+        constexpr int kFarthest = 1 << 30;  // planes of points so far away are still exact
+        const MapToken token = take();
+        const std::optional<double> value = number_of(token.text);
+        if (token.is_end || !value || !(std::abs(*value) <= kFarthest))
+            fail(token, "a number for " + std::string(what) + ", at most " + std::to_string(kFarthest));
+        return *value;
+    }
+
+    [[noreturn]] void fail(const MapToken& at, std::string_view expected) const {
+        const std::string found = at.is_end ? "the file ends" : "found '" + std::string(at.text) + "'";
+        throw InputError(at_line(at.line), found + ", expected " + std::string(expected));
+    }
+
+  private:
+    static bool is_blank(char letter) { return static_cast<unsigned char>(letter) <= ' '; }
+
+    void advance() {
+        skip_blanks();
+        next_ = MapToken{};
+        next_.line = line_;
+        next_.is_end = position_ == text_.size();
+        if (next_.is_end) return;
+        if (text_[position_] == '"')
+            read_quoted();
+        else
+            read_word();
+    }
+
+    void skip_blanks() {
+        while (position_ < text_.size()) {
+            if (is_blank(text_[position_])) {
+                if (text_[position_++] == '\n') ++line_;
+                continue;
+            }
+            if (text_[position_] != '/' || text_.substr(position_, 2) != "//") return;
+            position_ = std::min(text_.find('\n', position_), text_.size());
         }
-        if (text_[position_] != '/' || text_.substr(position_, 2) != "//") return;
-        position_ = std::min(text_.find('\n', position_), text_.size());
     }
-}
 
-void MapTokens::read_quoted() {
-    next_.is_quoted = true;
-    const std::string_view line = text_.substr(0, text_.find('\n', position_));
-    const std::size_t end = find_closing_quote(line, position_ + 1);
-    next_.text = line.substr(position_ + 1, std::min(end, line.size()) - position_ - 1);
-    if (end == std::string_view::npos) fail(next_, "a closing '\"' on the same line");
-    position_ = end + 1;
-}
-
-void MapTokens::read_word() {
-    std::size_t end = position_ + 1;
-    if (!is_bracket(text_[position_])) {
-        while (end < text_.size() && !is_blank(text_[end]) && text_[end] != ')') ++end;
+    void read_quoted() {
+        next_.is_quoted = true;
+        const std::string_view line = text_.substr(0, text_.find('\n', position_));
+        const std::size_t end = find_closing_quote(line, position_ + 1);
+        next_.text = line.substr(position_ + 1, std::min(end, line.size()) - position_ - 1);
+        if (end == std::string_view::npos) fail(next_, "a closing '\"' on the same line");
+        position_ = end + 1;
     }
-    next_.text = text_.substr(position_, end - position_);
-    position_ = end;
-}
+
+    void read_word() {
+        constexpr std::string_view kBrackets = "()[]";
+        std::size_t end = position_ + 1;
+        if (kBrackets.find(text_[position_]) == kBrackets.npos)
+            while (end < text_.size() && !is_blank(text_[end]) && text_[end] != ')') ++end;
+        next_.text = text_.substr(position_, end - position_);
+        position_ = end;
+    }
+
+    std::string_view text_;
+    std::size_t position_ = 0;
+    int line_ = 1;
+    MapToken next_;
+};
 
 Point take_point(MapTokens& tokens) {
     tokens.expect("(", "before a point");
@@ -151,9 +135,7 @@ Point take_point(MapTokens& tokens) {
 // [ x y z offset ], Valve 220.
 void take_axis(MapTokens& tokens, Point& axis, double& offset) {
     tokens.expect("[", "before a texture axis");
-    axis.x = tokens.take_number("a texture axis");
-    axis.y = tokens.take_number("a texture axis");
-    axis.z = tokens.take_number("a texture axis");
+    for (int i = 0; i < 3; ++i) axis[i] = tokens.take_number("a texture axis");
     offset = tokens.take_number("a texture offset");
     tokens.expect("]", "after a texture axis");
 }
@@ -164,12 +146,11 @@ TextureFields take_texture(MapTokens& tokens) {
     if (name.is_end || name.text.empty()) tokens.fail(name, "a texture's name");
     texture.name = lower_case(name.text);
     texture.has_axes = tokens.peek().is("[");
-    if (texture.has_axes) {
-        take_axis(tokens, texture.axes[0], texture.offset[0]);
-        take_axis(tokens, texture.axes[1], texture.offset[1]);
-    } else {
-        texture.offset[0] = tokens.take_number("a texture offset");
-        texture.offset[1] = tokens.take_number("a texture offset");
+    for (std::size_t i = 0; i < 2; ++i) {
+        if (texture.has_axes)
+            take_axis(tokens, texture.axes[i], texture.offset[i]);
+        else
+            texture.offset[i] = tokens.take_number("a texture offset");
     }
     texture.rotation_degrees = tokens.take_number("a texture rotation");
     for (double& scale : texture.scale) {
@@ -247,9 +228,8 @@ void check_no_zero_byte(std::string_view text) {
 }  // namespace
 
 std::string MapEntity::value(std::string_view key, std::string_view otherwise) const {
-    for (const MapPair& pair : pairs) {
+    for (const MapPair& pair : pairs)
         if (pair.key == key) return pair.value;
-    }
     return std::string(otherwise);
 }
 

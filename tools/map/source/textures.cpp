@@ -86,7 +86,7 @@ std::string make_checkerboard(std::string name) {
 void check_density(const std::array<Point, 2>& axes, const MapSide& side) {
     constexpr double kMost = 255;
     for (const Point& axis : axes)
-        if (std::max({std::abs(axis.x), std::abs(axis.y), std::abs(axis.z)}) > kMost)
+        if (largest_component(axis) > kMost)
             throw InputError(
                 at_line(side.line),
                 "texture '" + side.texture.name + "' has more than 255 texels a unit, expected a larger texture scale");
@@ -95,70 +95,6 @@ void check_density(const std::array<Point, 2>& axes, const MapSide& side) {
 bool is_animated(const std::string& name) {
     return name.size() > 2 && name[0] == '+';
 }
-
-}  // namespace
-
-Turn turn_of(double degrees) {
-    const double quarters = degrees / 90;
-    if (quarters == std::floor(quarters)) {
-        const int quarter = static_cast<int>(quarters) & 3;
-        return {quarter == 0 ? 1.0 : quarter == 2 ? -1.0 : 0.0, quarter == 1 ? 1.0 : quarter == 3 ? -1.0 : 0.0};
-    }
-    const double radians = degrees * std::numbers::pi / 180;
-    return {std::cos(radians), std::sin(radians)};
-}
-
-std::array<Point, 2> texture_axes(const TextureFields& fields, const Point& normal) {
-    return fields.has_axes ? fields.axes : rotated(standard_axes(normal), fields.rotation_degrees);
-}
-
-int TextureList::find_or_add(const MapSide& side, const Point& normal) {
-    const TextureFields& fields = side.texture;
-    if (is_undrawn_texture(fields.name)) return -1;
-    TexInfo wanted;
-    wanted.axes = texture_axes(fields, normal);
-    for (std::size_t i = 0; i < 2; ++i) wanted.axes[i] = wanted.axes[i] * (1 / fields.scale[i]);
-    check_density(wanted.axes, side);
-    wanted.offset = fields.offset;
-    wanted.texture = find_or_add_name({fields.name, side.line});
-    wanted.light = fields.light;
-    wanted.is_special = contents_of_texture(fields.name) != contents::kSolid;
-    for (std::size_t i = 0; i < texinfos_.size(); ++i) {
-        if (texinfos_[i] == wanted) return static_cast<int>(i);
-    }
-    texinfos_.push_back(wanted);
-    return static_cast<int>(texinfos_.size()) - 1;
-}
-
-int TextureList::find_or_add_name(const TextureUse& use) {
-    for (std::size_t i = 0; i < names_.size(); ++i) {
-        if (names_[i].name == use.name) return static_cast<int>(i);
-    }
-    names_.push_back(use);
-    return static_cast<int>(names_.size()) - 1;
-}
-
-Wad::Wad(const std::string& bytes) {
-    const std::span file(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
-    for (const WadTexture& texture : read_wad(file)) {
-        std::string miptex(texture.miptex.begin(), texture.miptex.end());
-        constexpr std::size_t kNameSize = 16;
-        if (!has_own_name(texture))
-            miptex.replace(0, kNameSize, texture.name + std::string(kNameSize - texture.name.size(), '\0'));
-        textures_.emplace(lower_case(texture.name), std::move(miptex));
-    }
-}
-
-const std::string* Wad::find(const std::string& name) const {
-    const auto found = textures_.find(name);
-    return found == textures_.end() ? nullptr : &found->second;
-}
-
-void Wad::add_names(NearestName& nearest) const {
-    for (const auto& [name, bytes] : textures_) nearest.add(name);
-}
-
-namespace {
 
 constexpr std::size_t kFramesOfRow = 10;
 
@@ -190,29 +126,85 @@ void warn_of_sky(const TextureUse& use, const std::string& texture, Warnings& wa
 
 }  // namespace
 
+Turn turn_of(double degrees) {
+    const double quarters = degrees / 90;
+    if (quarters == std::floor(quarters)) {
+        const int quarter = static_cast<int>(quarters) & 3;
+        return {quarter == 0 ? 1.0 : quarter == 2 ? -1.0 : 0.0, quarter == 1 ? 1.0 : quarter == 3 ? -1.0 : 0.0};
+    }
+    const double radians = degrees * std::numbers::pi / 180;
+    return {std::cos(radians), std::sin(radians)};
+}
+
+std::array<Point, 2> texture_axes(const TextureFields& fields, const Point& normal) {
+    return fields.has_axes ? fields.axes : rotated(standard_axes(normal), fields.rotation_degrees);
+}
+
+int TextureList::find_or_add(const MapSide& side, const Point& normal) {
+    const TextureFields& fields = side.texture;
+    if (is_undrawn_texture(fields.name)) return -1;
+    TexInfo wanted;
+    wanted.axes = texture_axes(fields, normal);
+    for (std::size_t i = 0; i < 2; ++i) wanted.axes[i] = wanted.axes[i] * (1 / fields.scale[i]);
+    check_density(wanted.axes, side);
+    wanted.offset = fields.offset;
+    wanted.texture = find_or_add_name({fields.name, side.line});
+    wanted.light = fields.light;
+    wanted.is_special = contents_of_texture(fields.name) != contents::kSolid;
+    const auto known = std::find(texinfos_.begin(), texinfos_.end(), wanted);
+    const auto index = static_cast<int>(known - texinfos_.begin());
+    if (known == texinfos_.end()) texinfos_.push_back(wanted);
+    return index;
+}
+
+int TextureList::find_or_add_name(const TextureUse& use) {
+    for (std::size_t i = 0; i < names_.size(); ++i)
+        if (names_[i].name == use.name) return static_cast<int>(i);
+    names_.push_back(use);
+    return static_cast<int>(names_.size()) - 1;
+}
+
+Wad::Wad(const std::string& bytes) {
+    const std::span file(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+    for (const WadTexture& texture : read_wad(file)) {
+        std::string miptex(texture.miptex.begin(), texture.miptex.end());
+        constexpr std::size_t kNameSize = 16;
+        if (!has_own_name(texture))
+            miptex.replace(0, kNameSize, texture.name + std::string(kNameSize - texture.name.size(), '\0'));
+        textures_.emplace(lower_case(texture.name), std::move(miptex));
+    }
+}
+
+const std::string* Wad::find(const std::string& name) const {
+    const auto found = textures_.find(name);
+    return found == textures_.end() ? nullptr : &found->second;
+}
+
+void Wad::add_names(NearestName& nearest) const {
+    for (const auto& [name, bytes] : textures_) nearest.add(name);
+}
+
 std::vector<std::string> collect_textures(const std::vector<TextureUse>& uses, const std::vector<Wad>& wads,
-                                          Warnings* warnings) {
+                                          Warnings& warnings) {
     std::vector<std::string> textures, names;
     const auto add = [&](const TextureUse& use, const std::string* texture) {
         const std::string fault = texture == nullptr ? fault_of_missing(use.name, wads) : fault_of(*texture);
-        if (!fault.empty() && warnings != nullptr) warnings->add(use.line, fault + ": a checkerboard is shown");
+        if (!fault.empty()) warnings.add(use.line, fault + ": a checkerboard is shown");
         textures.push_back(fault.empty() ? *texture : make_checkerboard(use.name));
         names.push_back(use.name);
     };
     for (const TextureUse& use : uses) {
         add(use, find_in(wads, use.name));
-        if (warnings == nullptr) continue;
-        warn_of_sky(use, textures.back(), *warnings);
-        if (is_animated(use.name)) warn_of_gap(use, wads, *warnings);
+        warn_of_sky(use, textures.back(), warnings);
+        if (is_animated(use.name)) warn_of_gap(use, wads, warnings);
     }
     for (const TextureUse& use : uses) {
-        for (const char frame : kFrames) {
-            std::string name = use.name;
-            if (!is_animated(name)) break;
+        if (!is_animated(use.name)) continue;
+        for (std::string name = use.name; const char frame : kFrames) {
             name[1] = frame;
             const std::string* texture = find_in(wads, name);
-            if (texture == nullptr || std::find(names.begin(), names.end(), name) != names.end()) continue;
-            add({name, use.line}, texture);
+            if (texture != nullptr && std::find(names.begin(), names.end(), name) == names.end())
+                add({name, use.line}, texture);
         }
     }
     return textures;

@@ -78,6 +78,6 @@ class Wad {
 /// ("+0name": the existing ones of +0 to +9 and +a to +j). One that is missing, or that the engine could not draw, is a
 /// checkerboard and a warning that names it and its map line.
 std::vector<std::string> collect_textures(const std::vector<TextureUse>& uses, const std::vector<Wad>& wads,
-                                          Warnings* warnings = nullptr);
+                                          Warnings& warnings);
 
 }  // namespace oblong::map

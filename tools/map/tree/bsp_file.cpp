@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 
 #include "engine/base/input_error.h"
+#include "engine/base/little_endian.h"
 #include "engine/base/table.h"
 #include "engine/level/bsp_read.h"
 #include "tools/map/tree/bsp_rows.h"
@@ -22,10 +24,10 @@ class Lump {
   public:
     Lump(std::string name, bool is_bsp2) : name_(std::move(name)), is_bsp2_(is_bsp2) {}
 
-    void u8(int value) { put(value, 1, 0, 255); }
-    void i16(int value) { is_bsp2_ ? i32(value) : put(value, 2, -32768, 32767); }
-    void u16(int value) { is_bsp2_ ? i32(value) : put(value, 2, 0, 65535); }
-    void i32(int value) { put(value, 4, INT32_MIN, INT32_MAX); }
+    void u8(int value) { put<std::uint8_t>(value); }
+    void i16(int value) { is_bsp2_ ? i32(value) : put<std::int16_t>(value); }
+    void u16(int value) { is_bsp2_ ? i32(value) : put<std::uint16_t>(value); }
+    void i32(int value) { put<std::int32_t>(value); }
     void number(float value) {
         std::int32_t bits = 0;
         static_assert(sizeof bits == sizeof value);
@@ -43,37 +45,31 @@ class Lump {
         for (const int value : box.maxs) put_bound(value);
     }
 
-    std::string take() {
-        bytes_.resize(used_);
-        return std::move(bytes_);
-    }
+    std::string bytes() const { return {bytes_.begin(), bytes_.end()}; }
 
   private:
     void put_bound(int value) {
-        check(value, -32768, 32767);
+        check<std::int16_t>(value);
         is_bsp2_ ? number(static_cast<float>(value)) : i16(value);
     }
 
-    void check(int value, int lowest, int highest) const {
-        if (value < lowest || value > highest)
+    template <class Int>
+    void check(int value) const {
+        constexpr int kLeast = std::numeric_limits<Int>::min(), kMost = std::numeric_limits<Int>::max();
+        if (value < kLeast || value > kMost)
             throw InputError(name_, "the level is too large for the file format: " + std::to_string(value) +
-                                        ", expected at most " + std::to_string(highest));
+                                        ", expected at most " + std::to_string(kMost));
     }
 
-    void put(int value, int size, int lowest, int highest) {
-        check(value, lowest, highest);
-        const auto bits = static_cast<std::uint32_t>(value);
-        const char all[] = {static_cast<char>(bits & 255), static_cast<char>(bits >> 8 & 255),
-                            static_cast<char>(bits >> 16 & 255), static_cast<char>(bits >> 24)};
-        if (used_ + sizeof all > bytes_.size()) bytes_.resize(2 * bytes_.size() + sizeof all);
-        std::memcpy(&bytes_[used_], all, sizeof all);
-        used_ += static_cast<std::size_t>(size);
+    template <class Int>
+    void put(int value) {
+        check<Int>(value);
+        append_little_endian(bytes_, static_cast<Int>(value));
     }
 
     std::string name_;
     bool is_bsp2_;
-    std::string bytes_;
-    std::size_t used_ = 0;
+    std::vector<std::uint8_t> bytes_;
 };
 
 std::string texture_lump(const std::vector<std::string>& textures) {
@@ -84,7 +80,7 @@ std::string texture_lump(const std::vector<std::string>& textures) {
         lump.i32(static_cast<int>(offset));
         offset += texture.size();
     }
-    std::string bytes = lump.take();
+    std::string bytes = lump.bytes();
     for (const std::string& texture : textures) bytes += texture;
     return bytes;
 }
@@ -98,9 +94,74 @@ std::array<std::string, kLumpCount> lumps_of(const BspFile& bsp, bool is_bsp2) {
     visit_rows(bsp, [&](std::size_t place, const char* name, const auto& rows, auto fields) {
         Lump lump(name, is_bsp2);
         for (const auto& row : rows) fields(lump, row);
-        item(lumps, place) = lump.take();
+        item(lumps, place) = lump.bytes();
     });
     return lumps;
+}
+
+constexpr std::string_view kExtension{"BSPX\1\0\0\0RGBLIGHTING\0\0\0\0\0\0\0\0\0\0\0\0\0", 32};
+
+// One lump behind all others, as engines since Quake's have it: its name in 24 bytes, offset and size.
+std::string coloured_light_lump(const BspFile& bsp, std::size_t offset) {
+    Lump place("lump RGBLIGHTING", false);
+    place.i32(static_cast<int>(offset + kExtension.size() + 8));
+    place.i32(static_cast<int>(bsp.coloured_lighting.size()));
+    return std::string(kExtension) + place.bytes() + bsp.coloured_lighting;
+}
+
+// Little-endian numbers of a lump, one after the other; its offsets and sizes have been checked.
+class LumpReader {
+  public:
+    LumpReader(std::span<const std::uint8_t> bytes, bool is_bsp2) : in_(bytes), is_bsp2_(is_bsp2) {}
+
+    bool is_end() const { return in_.rest() == 0; }
+
+    void u8(std::uint8_t& value) { value = in_.next<std::uint8_t>(); }
+    void i32(int& value) { value = in_.next<std::int32_t>(); }
+    void u16(int& value) { value = is_bsp2_ ? in_.next<std::int32_t>() : in_.next<std::uint16_t>(); }
+    void i16(int& value) { value = is_bsp2_ ? in_.next<std::int32_t>() : in_.next<std::int16_t>(); }
+    void number(float& value) {
+        const auto bits = in_.next<std::uint32_t>();
+        std::memcpy(&value, &bits, sizeof value);
+    }
+    void floats(Floats& values) {
+        for (float& value : values) number(value);
+    }
+    void box(FileBox& box) {
+        for (auto* corner : {&box.mins, &box.maxs})
+            for (int& value : *corner) read_bound(value);
+    }
+    void unused_i32(int count) { in_.take(4 * as_size(count)); }
+
+  private:
+    void read_bound(int& value) {
+        if (!is_bsp2_) return i16(value);
+        float bound = 0;
+        number(bound);
+        value = static_cast<int>(bound);
+    }
+
+    LittleEndianReader in_;
+    bool is_bsp2_;
+};
+
+void check_own(bool is_own) {
+    if (!is_own) throw InputError("file", "another program made this level, expected one of oblong-map (or no --only)");
+}
+
+std::string text_of(std::span<const std::uint8_t> bytes) {
+    return {bytes.begin(), bytes.end()};
+}
+
+std::vector<std::string> read_textures(std::span<const std::uint8_t> lump) {
+    LittleEndianReader in(lump);
+    std::vector<std::size_t> offsets(in.next<std::uint32_t>());
+    for (std::size_t& offset : offsets) offset = in.next<std::uint32_t>();
+    offsets.push_back(lump.size());
+    std::vector<std::string> textures;
+    for (std::size_t i = 0; i + 1 < offsets.size() && offsets[i] <= offsets[i + 1] && offsets[i] < lump.size(); ++i)
+        textures.push_back(text_of(lump.subspan(offsets[i], offsets[i + 1] - offsets[i])));
+    return textures;
 }
 
 }  // namespace
@@ -145,20 +206,6 @@ std::string summary_of(const BspFile& bsp) {
     return text + (needs_bsp2(bsp) ? ", so BSP2" : "");
 }
 
-namespace {
-
-constexpr std::string_view kExtension{"BSPX\1\0\0\0RGBLIGHTING\0\0\0\0\0\0\0\0\0\0\0\0\0", 32};
-
-// One lump behind all others, as engines since Quake's have it: its name in 24 bytes, offset and size.
-std::string coloured_light_lump(const BspFile& bsp, std::size_t offset) {
-    Lump place("lump RGBLIGHTING", false);
-    place.i32(static_cast<int>(offset + kExtension.size() + 8));
-    place.i32(static_cast<int>(bsp.coloured_lighting.size()));
-    return std::string(kExtension) + place.take() + bsp.coloured_lighting;
-}
-
-}  // namespace
-
 void check_size(const BspFile& bsp) {
     lumps_of(bsp, needs_bsp2(bsp));
 }
@@ -177,94 +224,31 @@ std::string to_bytes(const BspFile& bsp) {
         body.resize((body.size() + 3) / 4 * 4);  // every lump begins at a multiple of 4
     }
     if (!bsp.coloured_lighting.empty()) body += coloured_light_lump(bsp, offset + body.size());
-    return header.take() + body;
+    return header.bytes() + body;
 }
-
-namespace {
-
-// Little-endian numbers of a lump, one after the other; its offsets and sizes have been checked.
-class LumpReader {
-  public:
-    LumpReader(const std::string& file, std::size_t lump, bool is_bsp2) : is_bsp2_(is_bsp2) {
-        LumpReader header(file, 4 + 8 * lump);
-        const std::size_t offset = header.size(), length = header.size();
-        bytes_ = std::string_view(file).substr(offset, length);
-    }
-
-    bool is_end() const { return at_ >= bytes_.size(); }
-    std::string_view bytes() const { return bytes_; }
-
-    void u8(std::uint8_t& value) { value = static_cast<std::uint8_t>(bytes_[at_++]); }
-    void i32(int& value) { value = static_cast<int>(bits(4)); }
-    void u16(int& value) { value = is_bsp2_ ? static_cast<int>(bits(4)) : static_cast<int>(bits(2)); }
-    void i16(int& value) {
-        u16(value);
-        if (!is_bsp2_) value = static_cast<std::int16_t>(value);
-    }
-    void number(float& value) {
-        const std::uint32_t all = bits(4);
-        std::memcpy(&value, &all, sizeof value);
-    }
-    void floats(Floats& values) {
-        for (float& value : values) number(value);
-    }
-    void box(FileBox& box) {
-        for (auto* corner : {&box.mins, &box.maxs})
-            for (int& value : *corner) read_bound(value);
-    }
-    void unused_i32(int count) { at_ += 4 * static_cast<std::size_t>(count); }
-    std::size_t size() { return bits(4); }
-
-  private:
-    LumpReader(const std::string& file, std::size_t at) : is_bsp2_(false), bytes_(file), at_(at) {}
-
-    void read_bound(int& value) {
-        if (!is_bsp2_) return i16(value);
-        float bound = 0;
-        number(bound);
-        value = static_cast<int>(bound);
-    }
-    std::uint32_t bits(unsigned count) {
-        std::uint32_t value = 0;
-        for (unsigned i = 0; i < count; ++i)
-            value |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes_[at_++])) << (8 * i);
-        return value;
-    }
-
-    bool is_bsp2_;
-    std::string_view bytes_;
-    std::size_t at_ = 0;
-};
-
-std::vector<std::string> read_textures(LumpReader lump) {
-    std::vector<std::size_t> offsets;
-    for (std::size_t left = lump.size(); left > 0; --left) offsets.push_back(lump.size());
-    offsets.push_back(lump.bytes().size());
-    std::vector<std::string> textures;
-    for (std::size_t i = 0; i + 1 < offsets.size() && offsets[i] <= offsets[i + 1]; ++i)
-        textures.emplace_back(lump.bytes().substr(offsets[i], offsets[i + 1] - offsets[i]));
-    return textures;
-}
-
-}  // namespace
 
 BspFile from_bytes(const std::string& bytes) {
-    read_bsp({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});  // checks all that is read here
-    const bool is_bsp2 = bytes.starts_with("BSP2");
-    const auto lump = [&](std::size_t index) { return LumpReader(bytes, index, is_bsp2); };
+    const std::span file(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+    read_bsp(file);  // checks all that is read here
+    const auto version = static_cast<int>(little_endian_u32(file.data()));
+    check_own(version == kVersion || version == kVersion2);
+    const auto lump = [&](std::size_t index) {
+        LittleEndianReader header(file, 4 + 8 * index);
+        const auto offset = header.next<std::uint32_t>(), length = header.next<std::uint32_t>();
+        return file.subspan(offset, length);
+    };
     BspFile bsp;
-    bsp.entities = lump(0).bytes();
+    bsp.entities = text_of(lump(0));
     bsp.entities.resize(std::min(bsp.entities.find('\0'), bsp.entities.size()));
     bsp.textures = read_textures(lump(2));
-    bsp.visibility = lump(4).bytes();
-    bsp.lighting = lump(8).bytes();
+    bsp.visibility = text_of(lump(4));
+    bsp.lighting = text_of(lump(8));
     if (const auto extension = bytes.find(kExtension); extension != std::string::npos)
         bsp.coloured_lighting = bytes.substr(extension + kExtension.size() + 8);
     visit_rows(bsp, [&](std::size_t place, const char*, auto& rows, auto fields) {
-        for (LumpReader in = lump(place); !in.is_end();) fields(in, rows.emplace_back());
+        for (LumpReader in(lump(place), version == kVersion2); !in.is_end();) fields(in, rows.emplace_back());
     });
-    if (to_bytes(bsp) != bytes)
-        throw InputError("file", "another program made this level, expected one of oblong-map (or no --only)");
+    check_own(to_bytes(bsp) == bytes);
     return bsp;
 }
 

@@ -6,6 +6,8 @@
 #include <map>
 #include <string>
 
+#include "engine/base/little_endian.h"
+
 namespace oblong::map {
 namespace {
 
@@ -32,10 +34,9 @@ int uniform_contents(const Tree& tree, int child) {
 double near_offset(double offset, const std::string& miptex, std::size_t axis) {
     constexpr double kFar = 65536;
     constexpr std::size_t kSizes = 16;  // behind the name
-    std::uint32_t size = 0;
-    if (std::abs(offset) <= kFar || miptex.size() < kSizes + 2 * sizeof(size)) return offset;
-    for (std::size_t i = sizeof(size); i-- > 0;)
-        size = size << 8 | static_cast<std::uint8_t>(miptex[kSizes + axis * sizeof(size) + i]);
+    if (std::abs(offset) <= kFar || miptex.size() < kSizes + 8) return offset;
+    const std::uint32_t size =
+        little_endian_u32(reinterpret_cast<const std::uint8_t*>(miptex.data()) + kSizes + 4 * axis);
     return size == 0 ? offset : offset - size * std::floor(offset / size);
 }
 
@@ -70,9 +71,10 @@ std::vector<int> Emitter::add_model(const CompiledModel& model) {
     numbering.faces_of_leaf.resize(model.tree.leaves.size());
     numbering.leaf_indices.resize(model.tree.leaves.size());
     mark_faces(model, numbering);
-    const int first_vertex = vertex_base(model.vertices);
+    const int first_vertex = count(bsp_.vertices);
+    for (const Point& point : model.vertices.points()) bsp_.vertices.push_back(to_floats(point));
     open_edges_.clear();
-    for (std::size_t i = 0; i < model.surfaces.size(); ++i) add_face(model.surfaces[i], model.loops[i], first_vertex);
+    for (const Surface& surface : model.surfaces) add_face(surface, first_vertex);
     const int leaves_before = count(bsp_.leaves);
     Box box;
     numbers.head_nodes[0] = add_child(model, model.tree.root, numbering, box);
@@ -104,17 +106,12 @@ int Emitter::plane_index(int plane) {
     if (index >= 0) return index;
     index = count(bsp_.planes);
     const Plane& numbers = planes_[plane];
-    bsp_.planes.push_back({to_floats(numbers.normal), static_cast<float>(numbers.distance), plane_type(numbers)});
+    bsp_.planes.push_back({to_floats(numbers.normal), static_cast<float>(numbers.distance), planes_.type(plane)});
     return index;
 }
 
-int Emitter::vertex_base(const VertexPool& pool) {
-    const int first = count(bsp_.vertices);
-    for (const Point& point : pool.points()) bsp_.vertices.push_back(to_floats(point));
-    return first;
-}
-
-void Emitter::add_face(const Surface& surface, const Loop& loop, int first_vertex) {
+void Emitter::add_face(const Surface& surface, int first_vertex) {
+    const Loop& loop = surface.loop;
     FileFace face;
     face.plane = plane_index(surface.plane.plane);
     face.is_back = surface.plane.is_back ? 1 : 0;

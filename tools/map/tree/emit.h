@@ -24,8 +24,7 @@ class Emitter {
     struct Numbering;
 
     int plane_index(int plane);
-    int vertex_base(const VertexPool& pool);
-    void add_face(const Surface& surface, const Loop& loop, int first_vertex);
+    void add_face(const Surface& surface, int first_vertex);
     int surf_edge(int from, int to);
     void mark_faces(const CompiledModel& model, Numbering& numbering);
     int add_child(const CompiledModel& model, int child, Numbering& numbering, Box& box);

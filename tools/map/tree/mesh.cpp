@@ -20,6 +20,19 @@ double snapped(double value) {
     return std::round(value * kGrid) / kGrid;
 }
 
+// The vertex of the least distance that is less than `limit`; of equally near ones, the first. -1: there is none.
+template <class DistanceOf>
+int nearest_of(const std::vector<int>& vertices, double limit, DistanceOf distance_of) {
+    int nearest = -1;
+    for (const int vertex : vertices) {
+        const double distance = distance_of(vertex);
+        if (distance > limit || (distance == limit && vertex >= nearest)) continue;
+        nearest = vertex;
+        limit = distance;
+    }
+    return nearest;
+}
+
 constexpr double kOnEdge = VertexPool::kWeldDistance;
 
 // Edges are cut from the vertex of the lower index to that of the higher one, so that both faces cut them alike.
@@ -31,11 +44,10 @@ class EdgeCutter {
     void append_cut(int from, int to, Loop& loop) {
         const Loop& inner = cut(std::min(from, to), std::max(from, to));
         loop.push_back(from);
-        if (from < to) {
+        if (from < to)
             loop.insert(loop.end(), inner.begin(), inner.end());
-        } else {
+        else
             loop.insert(loop.end(), inner.rbegin(), inner.rend());
-        }
     }
 
   private:
@@ -56,21 +68,13 @@ class EdgeCutter {
     // The vertex nearest to the edge's line of those on the edge whose distance from either end is less than the edge's
     // length; of equally near ones, the first.
     int nearest_on_edge(int low, int high) {
-        int nearest = -1;
-        double nearest_distance = kOnEdge;
         find_candidates(pool_[low], pool_[high]);
-        for (const int vertex : candidates_) {
-            if (vertex == low || vertex == high) continue;
-            const double distance = distance_from_edge(vertex, low, high);
-            if (distance > nearest_distance || (distance == nearest_distance && vertex >= nearest)) continue;
-            nearest = vertex;
-            nearest_distance = distance;
-        }
-        return nearest;
+        return nearest_of(candidates_, kOnEdge, [&](int vertex) { return distance_from_edge(vertex, low, high); });
     }
 
     // kOnEdge for vertices that are not within the edge.
     double distance_from_edge(int vertex, int low, int high) const {
+        if (vertex == low || vertex == high) return kOnEdge;
         const Point edge = pool_[high] - pool_[low], from_low = pool_[vertex] - pool_[low];
         const double size = length(edge);
         const double along = dot(from_low, edge) / size;
@@ -117,24 +121,27 @@ struct Partition {
     Portals portals;
 };
 
-Partition partition_brushes(const std::vector<Brush>& brushes, const PlaneList& planes, const Box& outer) {
+Partition partition_by(std::vector<BoundaryPiece> pieces, const PlaneList& planes, const Box& outer,
+                       const std::function<int(const Point&)>& contents_of) {
     Partition made;
-    made.tree = build_tree(outline(brushes, planes), planes);
+    made.tree = build_tree(std::move(pieces), planes);
     made.portals = find_portals(made.tree, planes, outer);
-    const BrushContents contents(brushes, planes);
-    fill_leaves(made.tree, made.portals, [&](const Point& point) { return contents.at(point); });
+    fill_leaves(made.tree, made.portals, contents_of);
     return made;
+}
+
+Partition partition_brushes(const std::vector<Brush>& brushes, const PlaneList& planes, const Box& outer) {
+    const BrushContents contents(brushes, planes);
+    return partition_by(outline(brushes, planes), planes, outer,
+                        [&](const Point& point) { return contents.at(point); });
 }
 
 // The same partition into contents by a tree of only their boundaries: smaller, without the inside of solids and the
 // outside of the level.
 Partition refined(const Partition& rough, const PlaneList& planes, const Box& outer) {
-    Partition made;
-    made.tree = build_tree(boundaries(rough.tree, rough.portals), planes);
-    made.portals = find_portals(made.tree, planes, outer);
-    fill_leaves(made.tree, made.portals,
-                [&](const Point& point) { return rough.tree.leaf(leaf_at(rough.tree, planes, point)).contents; });
-    return made;
+    return partition_by(boundaries(rough.tree, rough.portals), planes, outer, [&](const Point& point) {
+        return rough.tree.leaf(leaf_at(rough.tree, planes, point)).contents;
+    });
 }
 
 Tree make_hull(const std::vector<Brush>& grown, const PlaneList& planes, const Box& outer, const SealStarts& starts,
@@ -150,38 +157,35 @@ Box box_of_brushes(const std::vector<Brush>& brushes) {
     return box;
 }
 
+// Inserts into every edge the vertices on it (within the weld distance), so that no vertex is in the interior of an
+// edge. Surfaces without area become empty; their neighbours have the same vertices, so that there is no gap.
+void fix_t_junctions(std::vector<Surface>& surfaces, const VertexPool& pool) {
+    EdgeCutter cutter(pool);
+    for (Surface& surface : surfaces) {
+        Loop cut;
+        for (std::size_t i = 0; i < surface.loop.size(); ++i) {
+            const int from = surface.loop[i], to = surface.loop[(i + 1) % surface.loop.size()];
+            if (from != to) cutter.append_cut(from, to, cut);
+        }
+        remove_spikes(cut);
+        surface.loop = std::move(cut);
+    }
+}
+
 void make_mesh(CompiledModel& model) {
-    for (const Surface& surface : model.surfaces) {
-        Loop loop;
-        for (const Point& point : surface.winding) loop.push_back(model.vertices.find_or_add(point));
-        model.loops.push_back(std::move(loop));
-    }
-    fix_t_junctions(model.loops, model.vertices);
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < model.loops.size(); ++i) {
-        if (model.loops[i].empty()) continue;
-        std::swap(model.loops[kept], model.loops[i]);
-        std::swap(model.surfaces[kept], model.surfaces[i]);
-        ++kept;
-    }
-    model.loops.resize(kept);
-    model.surfaces.resize(kept);
+    for (Surface& surface : model.surfaces)
+        for (const Point& point : surface.winding) surface.loop.push_back(model.vertices.find_or_add(point));
+    fix_t_junctions(model.surfaces, model.vertices);
+    std::erase_if(model.surfaces, [](const Surface& surface) { return surface.loop.empty(); });
 }
 
 }  // namespace
 
 int VertexPool::find_or_add(const Point& point) {
     const Point wanted{snapped(point.x), snapped(point.y), snapped(point.z)};
-    int nearest = -1;
-    double nearest_distance = kWeldDistance;
     near_.clear();
-    add_near(box_of(std::span(&wanted, 1)).grown(kWeldDistance), near_);
-    for (const int index : near_) {
-        const double distance = length((*this)[index] - wanted);
-        if (distance > nearest_distance || (distance == nearest_distance && index >= nearest)) continue;
-        nearest = index;
-        nearest_distance = distance;
-    }
+    add_near(Box{wanted, wanted}.grown(kWeldDistance), near_);
+    const int nearest = nearest_of(near_, kWeldDistance, [&](int index) { return length((*this)[index] - wanted); });
     if (nearest >= 0) return nearest;
     points_.push_back(wanted);
     const int added = static_cast<int>(points_.size()) - 1;
@@ -192,14 +196,11 @@ int VertexPool::find_or_add(const Point& point) {
 
 void VertexPool::add_near(const Box& box, std::vector<int>& found) const {
     const Cell low = cell_of(box.mins), high = cell_of(box.maxs);
-    for (int x = low[0]; x <= high[0]; ++x) {
-        for (int y = low[1]; y <= high[1]; ++y) {
-            for (int z = low[2]; z <= high[2]; ++z) {
-                const auto cell = cells_.find(key_of(x, y, z));
-                if (cell != cells_.end()) found.insert(found.end(), cell->second.begin(), cell->second.end());
-            }
-        }
-    }
+    for (int x = low[0]; x <= high[0]; ++x)
+        for (int y = low[1]; y <= high[1]; ++y)
+            for (int z = low[2]; z <= high[2]; ++z)
+                if (const auto cell = cells_.find(key_of(x, y, z)); cell != cells_.end())
+                    found.insert(found.end(), cell->second.begin(), cell->second.end());
 }
 
 VertexPool::Cell VertexPool::cell_of(const Point& point) {
@@ -212,19 +213,6 @@ std::uint64_t VertexPool::key_of(int x, int y, int z) {
     constexpr std::uint64_t kMask = (1 << 21) - 1;
     const auto bits = [](int cell) { return static_cast<std::uint64_t>(cell) & kMask; };
     return bits(x) << 42 | bits(y) << 21 | bits(z);
-}
-
-void fix_t_junctions(std::vector<Loop>& loops, const VertexPool& pool) {
-    EdgeCutter cutter(pool);
-    for (Loop& loop : loops) {
-        Loop cut;
-        for (std::size_t i = 0; i < loop.size(); ++i) {
-            const int from = loop[i], to = loop[(i + 1) % loop.size()];
-            if (from != to) cutter.append_cut(from, to, cut);
-        }
-        remove_spikes(cut);
-        loop = std::move(cut);
-    }
 }
 
 ModelCompiler::ModelCompiler(const std::vector<Brush>& brushes, PlaneList& planes, const std::vector<TexInfo>& texinfos,

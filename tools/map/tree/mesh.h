@@ -37,20 +37,12 @@ class VertexPool {
     std::vector<int> near_;                                      // memory for reuse
 };
 
-/// A polygon as indices of vertices.
-using Loop = std::vector<int>;
-
-/// Inserts into every edge the vertices on it (within the weld distance), so that no vertex is in the interior of an
-/// edge. Loops without area become empty; their neighbours have the same vertices, so that there is no gap.
-void fix_t_junctions(std::vector<Loop>& loops, const VertexPool& pool);
-
 /// The compiled world or brush entity, before its numbering for the file.
 struct CompiledModel {
     Box box;
     Tree tree;
     Portals portals;
     std::vector<Surface> surfaces;  ///< grouped by node
-    std::vector<Loop> loops;        ///< of each surface, the corners in `vertices`
     VertexPool vertices;
     std::vector<Tree> hulls;  ///< for kPlayerBox, and, except in drafts, kLargeBox; leaves are solid or empty
 };

@@ -54,22 +54,6 @@ bool is_beside(const Winding& winding, const Brush& brush, const PlaneList& plan
            });
 }
 
-// Appends `winding` without its part inside `brush` or on its surface, in convex pieces; if nothing is inside,
-// `winding` itself.
-void add_outside(Winding winding, const Brush& brush, const PlaneList& planes, std::vector<Winding>& outside) {
-    const std::size_t known = outside.size();
-    Winding inside = winding;
-    for (const BrushSide& side : brush.sides) {
-        SplitWinding parts = split(std::move(inside), planes.facing(side.plane));
-        if (!parts.is_on && !parts.front.empty()) outside.push_back(std::move(parts.front));
-        inside = std::move(parts.is_on ? parts.front : parts.back);
-        if (!inside.empty()) continue;
-        outside.resize(known);
-        outside.push_back(std::move(winding));
-        return;
-    }
-}
-
 std::vector<Winding> visible_part(const std::vector<Brush>& brushes, std::size_t own, const BrushSide& side,
                                   const std::vector<std::size_t>& touching, const PlaneList& planes) {
     std::vector<Winding> pieces(1, side.winding), left;
@@ -83,7 +67,7 @@ std::vector<Winding> visible_part(const std::vector<Brush>& brushes, std::size_t
             if (is_beside(piece, brushes[other], planes))
                 left.push_back(std::move(piece));
             else
-                add_outside(std::move(piece), brushes[other], planes, left);
+                cut_by_brush(piece, brushes[other], planes, left);
         }
         std::swap(pieces, left);
     }
@@ -95,14 +79,10 @@ std::vector<Winding> visible_part(const std::vector<Brush>& brushes, std::size_t
 std::vector<BoundaryPiece> outline(const std::vector<Brush>& brushes, const PlaneList& planes) {
     const auto touching = touching_brushes(brushes);
     std::vector<BoundaryPiece> pieces;
-    for (std::size_t own = 0; own < brushes.size(); ++own) {
-        for (const BrushSide& side : brushes[own].sides) {
-            for (Winding& part : visible_part(brushes, own, side, touching[own], planes)) {
-                const Box box = box_of(part);
-                pieces.push_back({side.plane, std::move(part), box, brushes[own].is_detail});
-            }
-        }
-    }
+    for (std::size_t own = 0; own < brushes.size(); ++own)
+        for (const BrushSide& side : brushes[own].sides)
+            for (Winding& part : visible_part(brushes, own, side, touching[own], planes))
+                pieces.emplace_back(side.plane, std::move(part), brushes[own].is_detail);
     return pieces;
 }
 

@@ -28,13 +28,10 @@ void cut_down(const Walk& walk, int child, Winding winding, const Plane& plane, 
     pieces.push_back({Tree::leaf_of(child), std::move(winding)});
 }
 
-std::array<Plane, 6> inward_sides(const Box& box) {
-    std::array<Plane, 6> sides;
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto i = static_cast<std::size_t>(axis);
-        sides[i] = {axis_vector(axis), box.mins[axis]};
-        sides[i + 3] = {-axis_vector(axis), -box.maxs[axis]};
-    }
+std::vector<Plane> inward_sides(const Box& box) {
+    std::vector<Plane> sides;
+    for (int axis = 0; axis < 3; ++axis) sides.push_back({axis_vector(axis), box.mins[axis]});
+    for (int axis = 0; axis < 3; ++axis) sides.push_back({-axis_vector(axis), -box.maxs[axis]});
     return sides;
 }
 
@@ -79,9 +76,8 @@ struct Flood {
 
 std::vector<std::vector<int>> portals_by_leaf(const Tree& tree, const std::vector<Portal>& portals) {
     std::vector<std::vector<int>> by_leaf(tree.leaves.size());
-    for (std::size_t i = 0; i < portals.size(); ++i) {
+    for (std::size_t i = 0; i < portals.size(); ++i)
         for (const int leaf : portals[i].leaves) item(by_leaf, leaf).push_back(static_cast<int>(i));
-    }
     return by_leaf;
 }
 
@@ -124,10 +120,9 @@ struct Touched {
 Touched touched_at(const Tree& tree, const PlaneList& planes, const Flood& flood, const Point& point) {
     Touched touched;
     for (const int leaf : leaves_at(tree, planes, point)) {
-        const bool is_wall = is_opaque(tree.leaf(leaf).contents);
         if (item(flood.through, leaf) != kUnreached) touched.reached = leaf;
-        touched.has_wall = touched.has_wall || is_wall;
-        touched.has_inside = touched.has_inside || (!is_wall && item(flood.through, leaf) == kUnreached);
+        touched.has_wall |= is_opaque(tree.leaf(leaf).contents);
+        touched.has_inside |= may_reach(flood, tree, leaf);
     }
     return touched;
 }
@@ -148,10 +143,9 @@ std::vector<Point> path_to_void(const Tree& tree, const Portals& portals, const 
 
 Portals find_portals(const Tree& tree, const PlaneList& planes, const Box& outer) {
     const Walk walk{tree, planes};
-    const auto sides = inward_sides(outer);
-    std::vector<Plane> fronts(sides.begin(), sides.end());
+    std::vector<Plane> fronts = inward_sides(outer);
     Portals found;
-    for (const Plane& side : sides) {
+    for (const Plane& side : fronts) {
         const Winding whole = clipped_to_all(whole_plane(side), fronts);
         for (LeafPiece& piece : pieces_in_leaves(tree, planes, tree.root, whole, side))
             found.outer.push_back(std::move(piece));
@@ -175,9 +169,8 @@ void fill_leaves(Tree& tree, const Portals& portals, const std::function<int(con
         for (const Point& point : winding) grown.inside = grown.inside + point;
         item(counts, leaf) += static_cast<double>(winding.size());
     };
-    for (const Portal& portal : portals.portals) {
+    for (const Portal& portal : portals.portals)
         for (const int leaf : portal.leaves) add(leaf, portal.winding);
-    }
     for (const LeafPiece& piece : portals.outer) add(piece.leaf, piece.winding);
     for (std::size_t i = 0; i < tree.leaves.size(); ++i) {
         TreeLeaf& leaf = tree.leaves[i];

@@ -15,27 +15,6 @@ namespace {
 // A brush may cover points up to this distance outside of it.
 constexpr double kCoverSlack = 1.0 / 64;
 
-struct Cover {
-    Winding inside;
-    std::vector<Winding> outside;
-};
-
-Cover cut_by_brush(const Winding& winding, const Brush& brush, PlaneSide on, const PlaneList& planes) {
-    Cover cover{winding, {}};
-    for (const BrushSide& side : brush.sides) {
-        if (side.plane.plane == on.plane) continue;
-        SplitWinding parts = split(std::move(cover.inside), planes.facing(side.plane));
-        if (parts.is_on) {
-            cover.inside = std::move(parts.front);
-            continue;
-        }
-        if (!parts.front.empty()) cover.outside.push_back(std::move(parts.front));
-        cover.inside = std::move(parts.back);
-        if (cover.inside.empty()) return {{}, {winding}};
-    }
-    return cover;
-}
-
 double greatest_height(const Brush& brush, const PlaneList& planes, const Point& point) {
     double greatest = -std::numeric_limits<double>::max();
     for (const BrushSide& side : brush.sides) greatest = std::max(greatest, planes.facing(side.plane).height_of(point));
@@ -57,11 +36,32 @@ struct TexturedPiece {
 // Finds the brush sides whose textures cover parts of a polygon on their plane.
 class Texturing {
   public:
-    Texturing(const std::vector<Brush>& brushes, const PlaneList& planes);
+    Texturing(const std::vector<Brush>& brushes, const PlaneList& planes) : brushes_(brushes), planes_(planes) {
+        for (auto brush = brushes.rbegin(); brush != brushes.rend(); ++brush)
+            for (const BrushSide& side : brush->sides) owners_[side.plane].push_back({&*brush, &side});
+    }
 
     // Cuts `winding` into the parts covered by sides with the plane `facing` of brushes with the contents `filling`,
     // later brushes first. Parts without cover (slivers, by rounding) get the texture of the nearest such brush.
-    std::vector<TexturedPiece> cover(const Winding& winding, PlaneSide facing, int filling) const;
+    std::vector<TexturedPiece> cover(const Winding& winding, PlaneSide facing, int filling) const {
+        std::vector<TexturedPiece> covered;
+        std::vector<Winding> bare{winding};
+        const auto owners = owners_.find(facing);
+        if (owners == owners_.end()) return {{nearest_texinfo(winding, facing, filling), winding}};
+        const Box box = box_of(winding);
+        for (const Owner& owner : owners->second) {
+            if (owner.brush->contents != filling || !owner.brush->box.touches(box, kCoverSlack)) continue;
+            std::vector<Winding> still_bare;
+            for (const Winding& piece : bare) {
+                Winding inside = cut_by_brush(piece, *owner.brush, planes_, still_bare);
+                if (!inside.empty())
+                    covered.push_back({owner.side->texinfo, std::move(inside), owner.brush->shows_inside});
+            }
+            bare = std::move(still_bare);
+        }
+        for (const Winding& piece : bare) covered.push_back({nearest_texinfo(piece, facing, filling), piece});
+        return covered;
+    }
 
   private:
     struct Owner {
@@ -69,72 +69,27 @@ class Texturing {
         const BrushSide* side;
     };
 
-    int nearest_texinfo(const Winding& winding, PlaneSide facing, int filling) const;
+    int nearest_texinfo(const Winding& winding, PlaneSide facing, int filling) const {
+        const Point at = middle(winding);
+        const Brush* nearest = nullptr;
+        double nearest_height = std::numeric_limits<double>::max();
+        for (const Brush& brush : brushes_) {
+            if (brush.contents != filling) continue;
+            const double height = greatest_height(brush, planes_, at);
+            if (height > nearest_height) continue;
+            nearest = &brush;
+            nearest_height = height;
+        }
+        if (nearest == nullptr) return -1;
+        return side_facing_most(*nearest, planes_, planes_.facing(facing).normal).texinfo;
+    }
 
     const std::vector<Brush>& brushes_;
     const PlaneList& planes_;
     std::map<PlaneSide, std::vector<Owner>> owners_;  // later brushes first
 };
 
-Texturing::Texturing(const std::vector<Brush>& brushes, const PlaneList& planes) : brushes_(brushes), planes_(planes) {
-    for (auto brush = brushes.rbegin(); brush != brushes.rend(); ++brush) {
-        for (const BrushSide& side : brush->sides) owners_[side.plane].push_back({&*brush, &side});
-    }
-}
-
-std::vector<TexturedPiece> Texturing::cover(const Winding& winding, PlaneSide facing, int filling) const {
-    std::vector<TexturedPiece> covered;
-    std::vector<Winding> bare{winding};
-    const auto owners = owners_.find(facing);
-    if (owners == owners_.end()) return {{nearest_texinfo(winding, facing, filling), winding}};
-    const Box box = box_of(winding);
-    for (const Owner& owner : owners->second) {
-        if (owner.brush->contents != filling || !owner.brush->box.touches(box, kCoverSlack)) continue;
-        std::vector<Winding> still_bare;
-        for (const Winding& piece : bare) {
-            Cover cover = cut_by_brush(piece, *owner.brush, facing, planes_);
-            if (!cover.inside.empty())
-                covered.push_back({owner.side->texinfo, std::move(cover.inside), owner.brush->shows_inside});
-            for (Winding& rest : cover.outside) still_bare.push_back(std::move(rest));
-        }
-        bare = std::move(still_bare);
-    }
-    for (Winding& piece : bare) {
-        const int texinfo = nearest_texinfo(piece, facing, filling);
-        covered.push_back({texinfo, std::move(piece)});
-    }
-    return covered;
-}
-
-int Texturing::nearest_texinfo(const Winding& winding, PlaneSide facing, int filling) const {
-    const Point at = middle(winding);
-    const Brush* nearest = nullptr;
-    double nearest_height = std::numeric_limits<double>::max();
-    for (const Brush& brush : brushes_) {
-        if (brush.contents != filling) continue;
-        const double height = greatest_height(brush, planes_, at);
-        if (height > nearest_height) continue;
-        nearest = &brush;
-        nearest_height = height;
-    }
-    if (nearest == nullptr) return -1;
-    return side_facing_most(*nearest, planes_, planes_.facing(facing).normal).texinfo;
-}
-
 constexpr double kStep = 16;
-
-struct Span {
-    double low = 0, high = 0;
-};
-
-Span texel_span(const Winding& winding, const TexInfo& texinfo, int axis) {
-    Span span{texinfo.texel(axis, winding[0]), texinfo.texel(axis, winding[0])};
-    for (const Point& point : winding) {
-        span.low = std::min(span.low, texinfo.texel(axis, point));
-        span.high = std::max(span.high, texinfo.texel(axis, point));
-    }
-    return span;
-}
 
 Plane plane_at_texel(const TexInfo& texinfo, int axis, double texel) {
     const auto i = static_cast<std::size_t>(axis);
@@ -153,9 +108,7 @@ void check_count(std::size_t count) {
 
 // On planes perpendicular to an axis, at multiples of 1/256, corners are exact.
 bool keeps_corners(const Plane& plane) {
-    const Point& n = plane.normal;
-    return std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)}) == 1.0 &&
-           plane.distance * 256 == std::round(plane.distance * 256);
+    return largest_component(plane.normal) == 1.0 && plane.distance * 256 == std::round(plane.distance * 256);
 }
 
 // The plane after the last whole step that fits. If corners are inexact there, rounding puts them on either side, and a
@@ -169,9 +122,9 @@ Plane cut_at_step(const TexInfo& texinfo, int axis, double texel) {
 std::vector<Winding> cut_along(Winding winding, const TexInfo& texinfo, int axis) {
     std::vector<Winding> pieces;
     while (true) {
-        const Span span = texel_span(winding, texinfo, axis);
-        const double last = std::floor(span.low / kStep + kOnEpsilon) * kStep + kMaxExtent;
-        if (span.high <= last + kStep * kOnEpsilon) break;
+        const auto [low, high] = range_of(winding, [&](const Point& point) { return texinfo.texel(axis, point); });
+        const double last = std::floor(low / kStep + kOnEpsilon) * kStep + kMaxExtent;
+        if (high <= last + kStep * kOnEpsilon) break;
         SplitWinding parts = split(winding, cut_at_step(texinfo, axis, last));
         if (parts.front.empty() || parts.back.empty()) break;
         pieces.push_back(std::move(parts.back));
@@ -215,12 +168,9 @@ std::vector<BoundaryPiece> boundaries(const Tree& tree, const Portals& portals) 
         if (is_boundary(tree, portal)) by_plane[{node.plane, node.is_detail}].push_back(portal.winding);
     }
     std::vector<BoundaryPiece> pieces;
-    for (auto& [place, windings] : by_plane) {
-        for (Winding& winding : merged(std::move(windings))) {
-            const Box box = box_of(winding);
-            pieces.push_back({{place.first, false}, std::move(winding), box, place.second});
-        }
-    }
+    for (auto& [place, windings] : by_plane)
+        for (Winding& winding : merged(std::move(windings)))
+            pieces.emplace_back(PlaneSide{place.first, false}, std::move(winding), place.second);
     return pieces;
 }
 
@@ -228,9 +178,8 @@ std::vector<Surface> make_surfaces(const Tree& tree, const PlaneList& planes, co
                                    const std::vector<Brush>& brushes) {
     const Texturing texturing(brushes, planes);
     SurfaceGroups groups;
-    for (const Portal& portal : portals.portals) {
+    for (const Portal& portal : portals.portals)
         if (is_boundary(tree, portal)) add_portal(groups, tree, portal, texturing);
-    }
     std::vector<Surface> surfaces;
     for (auto& [kind, windings] : groups) {
         const auto [node, is_back, texinfo] = kind;

@@ -7,12 +7,16 @@
 
 namespace oblong::map {
 
+/// A polygon as indices of vertices.
+using Loop = std::vector<int>;
+
 /// A convex drawn polygon on the plane of a node.
 struct Surface {
     int node = 0;
     PlaneSide plane;  ///< the side that it faces
     int texinfo = 0;
     Winding winding;  ///< clockwise seen from its front
+    Loop loop = {};   ///< its corners in CompiledModel::vertices
 };
 
 /// The polygons between different contents, as planes for another tree; without textures.

@@ -52,9 +52,8 @@ bool has_only_detail(const std::vector<BoundaryPiece>& pieces) {
 std::vector<int> candidates_of(const std::vector<BoundaryPiece>& pieces, const PlaneList& planes) {
     std::vector<int> all;
     const bool takes_detail = has_only_detail(pieces);
-    for (const BoundaryPiece& piece : pieces) {
+    for (const BoundaryPiece& piece : pieces)
         if (takes_detail || !piece.is_detail) all.push_back(piece.plane.plane);
-    }
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
     const auto slanted =
@@ -159,11 +158,6 @@ class PlaneChooser {
     std::vector<AxialPlane> along_;  // the candidates along an axis
 };
 
-void add_piece(std::vector<BoundaryPiece>& pieces, const BoundaryPiece& whole, Winding winding) {
-    const Box box = box_of(winding);
-    pieces.push_back({whole.plane, std::move(winding), box, whole.is_detail});
-}
-
 // Drops pieces on the plane; cuts those across it.
 std::array<std::vector<BoundaryPiece>, 2> parted(std::vector<BoundaryPiece> pieces, int plane,
                                                  const PlaneList& planes) {
@@ -180,8 +174,8 @@ std::array<std::vector<BoundaryPiece>, 2> parted(std::vector<BoundaryPiece> piec
         if (sides[i] == Side::kOn) continue;
         if (sides[i] == Side::kBoth) {
             SplitWinding halves = split(std::move(piece.winding), planes[plane]);
-            add_piece(parts[0], piece, std::move(halves.front));
-            add_piece(parts[1], piece, std::move(halves.back));
+            parts[0].emplace_back(piece.plane, std::move(halves.front), piece.is_detail);
+            parts[1].emplace_back(piece.plane, std::move(halves.back), piece.is_detail);
             continue;
         }
         parts[sides[i] == Side::kBack ? 1 : 0].push_back(std::move(piece));

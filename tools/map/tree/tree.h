@@ -8,10 +8,13 @@ namespace oblong::map {
 
 /// A convex piece of the boundary between different contents: input of a tree.
 struct BoundaryPiece {
+    BoundaryPiece(PlaneSide its_plane, Winding polygon, bool is_of_detail)
+        : plane(its_plane), winding(std::move(polygon)), box(box_of(winding)), is_detail(is_of_detail) {}
+
     PlaneSide plane;
     Winding winding;
     Box box;
-    bool is_detail = false;  ///< its plane is used only after all others
+    bool is_detail;  ///< its plane is used only after all others
 };
 
 /// children: [0] in front of the plane, [1] behind; an index of a node, or -1 - an index of a leaf.

@@ -72,17 +72,6 @@ void add_separators_at_edges(const Winding& a, const Winding& b, std::vector<Pla
     }
 }
 
-}  // namespace
-
-void find_separators(const Winding& source, const Winding& pass, std::vector<Plane>& planes) {
-    planes.clear();
-    add_separators_at_edges(pass, source, planes);
-    for (Plane& plane : planes) plane = plane.flipped();
-    add_separators_at_edges(source, pass, planes);
-}
-
-namespace {
-
 bool reaches_into(const Winding& winding, const std::vector<Plane>& frustum) {
     return std::all_of(frustum.begin(), frustum.end(), [&](const Plane& plane) {
         return std::any_of(winding.begin(), winding.end(),
@@ -181,9 +170,8 @@ class Flow {
 
     // Sets `target` to the portal's part within the frustum; false: none.
     bool find_target(const VisPortal& portal, const std::vector<Plane>& frustum, Winding& target) {
-        for (const Plane& plane : frustum) {
+        for (const Plane& plane : frustum)
             if (plane.height_of(portal.centre) <= -portal.radius) return false;
-        }
         target = portal.winding;
         cut_where_near(target, portal, base_.plane);
         for (const Plane& plane : frustum) {
@@ -234,6 +222,13 @@ std::vector<std::size_t> by_might_see(const VisGraph& graph) {
 
 }  // namespace
 
+void find_separators(const Winding& source, const Winding& pass, std::vector<Plane>& planes) {
+    planes.clear();
+    add_separators_at_edges(pass, source, planes);
+    for (Plane& plane : planes) plane = plane.flipped();
+    add_separators_at_edges(source, pass, planes);
+}
+
 void narrow_might_see(VisGraph& graph, const WorkSharing& sharing) {
     std::vector<BitSet> sets(graph.portals.size());
     sharing.for_each(sets.size(), [&](std::size_t i) { sets[i] = narrowed(graph, graph.portals[i]); });
@@ -247,10 +242,6 @@ void narrow_might_see(VisGraph& graph, const WorkSharing& sharing) {
 }
 
 std::vector<BitSet> find_seen_portals(VisGraph& graph, const WorkSharing& sharing) {
-    struct Result {
-        BitSet seen;
-        long steps = 0;
-    };
     std::vector<BitSet> seen(graph.portals.size());
     std::vector<bool> is_done(graph.portals.size(), false);
     const std::vector<std::size_t> order = by_might_see(graph);
@@ -259,17 +250,16 @@ std::vector<BitSet> find_seen_portals(VisGraph& graph, const WorkSharing& sharin
         const std::span<const std::size_t> batch =
             std::span(order).subspan(first, std::min(kAtOnce, order.size() - first));
         const long most = std::max(steps_left, 0L) * kShare / static_cast<long>(order.size() - first);
-        std::vector<Result> results(batch.size());
+        std::vector<long> steps(batch.size());
         sharing.for_each(batch.size(), [&](std::size_t i) {
             Flow flow(graph, seen, is_done, graph.portals[batch[i]], most);
-            results[i].seen = flow.run();
-            results[i].steps = flow.steps();
+            seen[batch[i]] = flow.run();
+            steps[i] = flow.steps();
         });
         for (std::size_t i = 0; i < batch.size(); ++i) {
-            seen[batch[i]] = std::move(results[i].seen);
             is_done[batch[i]] = true;
             forget_unseen(graph, batch[i], seen[batch[i]]);
-            steps_left -= results[i].steps;
+            steps_left -= steps[i];
         }
     }
     return seen;

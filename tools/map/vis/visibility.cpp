@@ -29,32 +29,6 @@ bool may_follow(const VisPortal& first, const VisPortal& next) {
            (behind > 1 || has_point_in_front(first.winding, next.plane.flipped()));
 }
 
-// For a draft: the clusters that may be visible from one, by the directions of portals alone.
-BitSet clusters_ahead_of(int cluster, const VisGraph& graph) {
-    const std::size_t count = graph.portals_of_cluster.size();
-    BitSet all(count);
-    all.add(as_size(cluster));
-    std::vector<int> open;
-    for (const int out : item(graph.portals_of_cluster, cluster)) {
-        const VisPortal& first = item(graph.portals, out);
-        BitSet reached(count);
-        reached.add(as_size(first.cluster));
-        open.assign(1, first.cluster);
-        while (!open.empty()) {
-            const int here = open.back();
-            open.pop_back();
-            for (const int index : item(graph.portals_of_cluster, here)) {
-                const VisPortal& next = item(graph.portals, index);
-                if (reached.has(as_size(next.cluster)) || !may_follow(first, next)) continue;
-                reached.add(as_size(next.cluster));
-                open.push_back(next.cluster);
-            }
-        }
-        all.add_all(reached);
-    }
-    return all;
-}
-
 BitSet clusters_seen_from(int cluster, const VisGraph& graph, const std::vector<BitSet>& seen) {
     BitSet clusters(graph.portals_of_cluster.size());
     clusters.add(as_size(cluster));
@@ -67,24 +41,39 @@ BitSet clusters_seen_from(int cluster, const VisGraph& graph, const std::vector<
     return clusters;
 }
 
-// The clusters that may be visible from each one.
+// Sets might_see of all portals: those reachable through portals in front of this one that face away from it. A
+// superset of the visible ones.
+void find_might_see(VisGraph& graph, const WorkSharing& sharing) {
+    sharing.for_each(graph.portals.size(), [&](std::size_t base) {
+        VisPortal& from = graph.portals[base];
+        from.might_see = BitSet(graph.portals.size());
+        flood_portals(graph, from.cluster, from.might_see,
+                      [&](std::size_t i) { return may_follow(from, graph.portals[i]); });
+    });
+}
+
+// The clusters that may be visible from each one; in a draft, by the directions of portals alone.
 std::vector<BitSet> find_seen(VisGraph& graph, bool is_fast, const WorkSharing& sharing) {
-    std::vector<BitSet> clusters(graph.portals_of_cluster.size());
-    if (is_fast) {
-        sharing.begin(kRoughStage, clusters.size());
-        sharing.for_each(clusters.size(),
-                         [&](std::size_t i) { clusters[i] = clusters_ahead_of(static_cast<int>(i), graph); });
-        return clusters;
-    }
-    sharing.begin(kRoughStage, graph.portals.size() * (1 + 2 * kNarrowingRounds));
+    std::vector<BitSet> clusters(graph.portals_of_cluster.size()), seen;
+    sharing.begin(kRoughStage,
+                  is_fast ? graph.portals.size() + clusters.size() : graph.portals.size() * (1 + 2 * kNarrowingRounds));
     find_might_see(graph, sharing);
-    for (int round = 0; round < kNarrowingRounds; ++round) narrow_might_see(graph, sharing);
-    sharing.begin(kStage, graph.portals.size() + clusters.size());
-    const std::vector<BitSet> seen = find_seen_portals(graph, sharing);
+    if (is_fast) {
+        for (VisPortal& portal : graph.portals) seen.push_back(std::move(portal.might_see));
+    } else {
+        for (int round = 0; round < kNarrowingRounds; ++round) narrow_might_see(graph, sharing);
+        sharing.begin(kStage, graph.portals.size() + clusters.size());
+        seen = find_seen_portals(graph, sharing);
+    }
     sharing.for_each(clusters.size(),
                      [&](std::size_t i) { clusters[i] = clusters_seen_from(static_cast<int>(i), graph, seen); });
     return clusters;
 }
+
+struct Clusters {
+    std::vector<int> of_leaf;  // by leaf of the tree; -1: solid
+    std::size_t count = 0;
+};
 
 // The leaves of each cluster, counted from leaf 1 of the file.
 std::vector<std::vector<std::size_t>> leaves_of_clusters(const Clusters& clusters,
@@ -105,17 +94,17 @@ std::string row_of(const BitSet& clusters, const std::vector<std::vector<std::si
 }
 
 // `cluster`: that of the detail node above, or -1.
-void assign_cluster(const Tree& tree, int child, int cluster, const std::vector<bool>& is_numbered,
+void assign_cluster(const Tree& tree, int child, int cluster, const std::vector<int>& leaf_indices,
                     Clusters& clusters) {
     if (child < 0) {
-        const auto leaf = static_cast<std::size_t>(Tree::leaf_of(child));
-        if (!is_numbered[leaf]) return;
-        clusters.of_leaf[leaf] = cluster >= 0 ? cluster : static_cast<int>(clusters.count++);
+        const int leaf = Tree::leaf_of(child);
+        if (item(leaf_indices, leaf) <= 0) return;
+        item(clusters.of_leaf, leaf) = cluster >= 0 ? cluster : static_cast<int>(clusters.count++);
         return;
     }
     const TreeNode& node = tree.node(child);
     if (node.is_detail && cluster < 0) cluster = static_cast<int>(clusters.count++);
-    for (const int below : node.children) assign_cluster(tree, below, cluster, is_numbered, clusters);
+    for (const int below : node.children) assign_cluster(tree, below, cluster, leaf_indices, clusters);
 }
 
 // The polygons between touching clusters: by node, the cluster in front and the one behind.
@@ -123,11 +112,11 @@ std::map<std::tuple<int, int, int>, std::vector<Winding>> openings(const Compile
                                                                    const Clusters& clusters) {
     std::map<std::tuple<int, int, int>, std::vector<Winding>> found;
     for (const Portal& portal : world.portals.portals) {
-        const int front = item(clusters.of_leaf, portal.leaves[0]);
-        const int back = item(clusters.of_leaf, portal.leaves[1]);
-        if (front < 0 || back < 0 || front == back) continue;
-        if (is_opaque(world.tree.leaf(portal.leaves[0]).contents)) continue;
-        if (is_opaque(world.tree.leaf(portal.leaves[1]).contents)) continue;
+        const auto [in_front, behind] = portal.leaves;
+        const int front = item(clusters.of_leaf, in_front), back = item(clusters.of_leaf, behind);
+        if (front < 0 || back < 0 || front == back || is_opaque(world.tree.leaf(in_front).contents) ||
+            is_opaque(world.tree.leaf(behind).contents))
+            continue;
         found[{portal.node, front, back}].push_back(portal.winding);
     }
     return found;
@@ -139,6 +128,24 @@ VisPortal make_portal(const Winding& winding, const Plane& plane, int cluster) {
     return portal;
 }
 
+// Portals lead in both directions between clusters with touching leaves, if neither leaf is opaque.
+VisGraph make_vis_graph(const CompiledModel& world, const PlaneList& planes, const Clusters& clusters) {
+    VisGraph graph;
+    graph.portals_of_cluster.resize(clusters.count);
+    for (auto& [place, windings] : openings(world, clusters)) {
+        const auto [node, front, back] = place;
+        const Plane& plane = planes[world.tree.node(node).plane];
+        for (const Winding& winding : merged(std::move(windings))) {
+            const int index = static_cast<int>(graph.portals.size());
+            item(graph.portals_of_cluster, back).push_back(index);
+            graph.portals.push_back(make_portal(winding, plane, front));
+            item(graph.portals_of_cluster, front).push_back(index + 1);
+            graph.portals.push_back(make_portal(winding, plane.flipped(), back));
+        }
+    }
+    return graph;
+}
+
 // Sets the count, and the text if required.
 void describe_portals(const VisGraph& graph, PortalFile& file) {
     file.count = graph.portals.size() / 2;
@@ -148,11 +155,7 @@ void describe_portals(const VisGraph& graph, PortalFile& file) {
         const VisPortal& portal = graph.portals[i];
         file.text += std::to_string(portal.winding.size()) + " " + std::to_string(portal.cluster) + " " +
                      std::to_string(graph.portals[i + 1].cluster);
-        for (const Point& point : portal.winding) {
-            file.text += " (";
-            for (int axis = 0; axis < 3; ++axis) file.text += number_text(point[axis]) + ' ';
-            file.text += ")";
-        }
+        for (const Point& point : portal.winding) file.text += " (" + point_text(point) + " )";
         file.text += "\n";
     }
 }
@@ -193,9 +196,8 @@ BitSet unpacked_row(const std::string& visibility, int offset, std::size_t leaf_
 void add_visibility(BspFile& bsp, const CompiledModel& world, const std::vector<int>& leaf_indices,
                     const PlaneList& planes, bool is_fast, const WorkSharing& sharing, PortalFile* portals) {
     const auto leaf_count = static_cast<std::size_t>(bsp.models.front().visible_leaf_count);
-    std::vector<bool> is_numbered;
-    for (const int index : leaf_indices) is_numbered.push_back(index > 0);
-    const Clusters clusters = cluster_leaves(world.tree, is_numbered);
+    Clusters clusters{std::vector<int>(leaf_indices.size(), -1)};
+    assign_cluster(world.tree, world.tree.root, -1, leaf_indices, clusters);
     VisGraph graph = make_vis_graph(world, planes, clusters);
     if (portals != nullptr) describe_portals(graph, *portals);
     const std::vector<BitSet> seen = find_seen(graph, is_fast, sharing);
@@ -232,38 +234,6 @@ WidestView widest_view(const BspFile& bsp) {
             widest.place[axis] = (item(leaf.box.mins, axis) + item(leaf.box.maxs, axis)) / 2;
     }
     return widest;
-}
-
-Clusters cluster_leaves(const Tree& tree, const std::vector<bool>& is_numbered) {
-    Clusters clusters{std::vector<int>(tree.leaves.size(), -1), 0};
-    assign_cluster(tree, tree.root, -1, is_numbered, clusters);
-    return clusters;
-}
-
-VisGraph make_vis_graph(const CompiledModel& world, const PlaneList& planes, const Clusters& clusters) {
-    VisGraph graph;
-    graph.portals_of_cluster.resize(clusters.count);
-    for (auto& [place, windings] : openings(world, clusters)) {
-        const auto [node, front, back] = place;
-        const Plane& plane = planes[world.tree.node(node).plane];
-        for (const Winding& winding : merged(std::move(windings))) {
-            const int index = static_cast<int>(graph.portals.size());
-            item(graph.portals_of_cluster, back).push_back(index);
-            graph.portals.push_back(make_portal(winding, plane, front));
-            item(graph.portals_of_cluster, front).push_back(index + 1);
-            graph.portals.push_back(make_portal(winding, plane.flipped(), back));
-        }
-    }
-    return graph;
-}
-
-void find_might_see(VisGraph& graph, const WorkSharing& sharing) {
-    sharing.for_each(graph.portals.size(), [&](std::size_t base) {
-        VisPortal& from = graph.portals[base];
-        from.might_see = BitSet(graph.portals.size());
-        flood_portals(graph, from.cluster, from.might_see,
-                      [&](std::size_t i) { return may_follow(from, graph.portals[i]); });
-    });
 }
 
 }  // namespace oblong::map

@@ -42,15 +42,6 @@ WidestView widest_view(const BspFile& bsp);
 /// draws.
 inline constexpr int kMostInSight = 4000;
 
-/// Leaves separated only by details form a cluster: visible sets are computed for clusters.
-struct Clusters {
-    std::vector<int> of_leaf;  ///< by leaf of the tree; -1: solid
-    std::size_t count = 0;
-};
-
-/// `is_numbered`: for each leaf of the tree, whether the visible sets include it.
-Clusters cluster_leaves(const Tree& tree, const std::vector<bool>& is_numbered);
-
 /// A portal: the polygon through which a cluster is visible.
 struct VisPortal {
     Winding winding;
@@ -61,7 +52,7 @@ struct VisPortal {
     BitSet might_see;  ///< the portals potentially visible through this one
 };
 
-/// The clusters and the portals between them.
+/// The portals between clusters: leaves separated only by details form a cluster, for which visible sets are computed.
 struct VisGraph {
     std::vector<VisPortal> portals;                    ///< i and i ^ 1 are the two directions through one polygon
     std::vector<std::vector<int>> portals_of_cluster;  ///< those that lead out of each
@@ -86,13 +77,6 @@ void flood_portals(const VisGraph& graph, int cluster, BitSet& found, MayPass ma
         }
     }
 }
-
-/// Portals lead in both directions between clusters with touching leaves, if neither leaf is opaque.
-VisGraph make_vis_graph(const CompiledModel& world, const PlaneList& planes, const Clusters& clusters);
-
-/// Sets might_see of all portals: those reachable through portals in front of this one that face away from it. A
-/// superset of the visible ones.
-void find_might_see(VisGraph& graph, const WorkSharing& sharing);
 
 /// Removes from might_see the portals outside of all views through a portal and its successors: like the whole flow,
 /// but only for the first two portals of a chain, so that its cost is bounded.
