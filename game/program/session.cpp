@@ -133,7 +133,7 @@ std::string Session::turn_exhibit() {
 
 std::string Session::map_key() const {
     const bool has_diamonds = view_options_.map != MapView::Off && !last_lenses(loaded_->level, state()).empty();
-    return has_diamonds ? ". Diamonds: " + loaded_->level.lens_names.several + "; small: on the way" : "";
+    return has_diamonds ? ". Diamonds: " + loaded_->level.lenses + "; small: on the way" : "";
 }
 
 void Session::note_tick(const GameState& before, const GameState& after, const TickReport& report, bool is_last) {
