@@ -3,7 +3,6 @@
 // DOS.
 #include <algorithm>
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -11,7 +10,6 @@
 #include "engine/io/files.h"
 #include "engine/level/t_junctions.h"
 #include "engine/platform/dos/layout.h"
-#include "engine/programs/arguments.h"
 #include "engine/programs/command_line.h"
 #include "engine/sound/small_mixer.h"
 #include "engine/sound/sound_file.h"

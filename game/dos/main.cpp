@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <new>
 #include <string>
@@ -22,7 +21,6 @@
 #include "engine/platform/dos/sound_blaster.h"
 #include "engine/programs/arguments.h"
 #include "game/dos/prepared_game.h"
-#include "game/lab/timedemo.h"
 #include "game/options/preference_table.h"
 #include "game/program/program.h"
 #include "game/simulation/step.h"

@@ -1,11 +1,9 @@
 #include "game/dos/prepared_game.h"
 
-#include <algorithm>
 #include <array>
 #include <cstring>
 #include <map>
 #include <memory>
-#include <type_traits>
 
 namespace oblong {
 namespace {

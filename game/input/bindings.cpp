@@ -1,13 +1,13 @@
 #include "game/input/bindings.h"
 
 #include <algorithm>
-#include <array>
-#include <span>
-#include <string_view>
+#include <map>
+#include <optional>
+#include <utility>
 
 #include "engine/base/input_error.h"
-#include "engine/base/table.h"
 #include "engine/base/text.h"
+#include "game/input/controls.h"
 
 namespace oblong {
 namespace {
@@ -90,6 +90,21 @@ constexpr std::array<ActionRow, kActionCount> kActions{{
     {Action::PageDown, "page-down", "Gallery: next row", "", "Page-Down", "", "F Page-Down"},
 }};
 
+// The inputs of each MenuAction, in any order.
+constexpr std::array<std::string_view, 6> kMenuInputs{"W Up Keypad-8 Wheel-Up Pad-Up Pad-Left-Stick-Up",
+                                                      "S Down Keypad-2 Wheel-Down Pad-Down Pad-Left-Stick-Down",
+                                                      "A Left Keypad-4 Pad-Left Pad-Left-Stick-Left",
+                                                      "D Right Keypad-6 Pad-Right Pad-Left-Stick-Right",
+                                                      "Enter Keypad-Enter Space Pad-A",
+                                                      "Backspace Pad-B"};
+
+std::map<Input, MenuAction> read_menu_inputs() {
+    std::map<Input, MenuAction> actions;
+    for (std::size_t action = 0; action < kMenuInputs.size(); ++action)
+        for (const Input input : parsed(kMenuInputs[action])) actions[input] = static_cast<MenuAction>(action);
+    return actions;
+}
+
 constexpr bool is_in_order() {
     for (std::size_t i = 0; i < kActions.size(); ++i)
         if (as_size(kActions[i].action) != i) return false;
@@ -97,14 +112,16 @@ constexpr bool is_in_order() {
 }
 static_assert(is_in_order());
 
+std::vector<KeyHelp> with_keys(std::vector<KeyHelp> help, const KeyNames& names) {
+    for (KeyHelp& line : help)
+        for (const Action action : line.actions) line.keys += (line.keys.empty() ? "" : " ") + names.of(action);
+    return help;
+}
+
 }  // namespace
 
 std::span<const ActionRow> all_actions() {
     return kActions;
-}
-
-std::span<const Input> Bindings::inputs_of(Action action) const {
-    return inputs_[as_size(action)];
 }
 
 void Bindings::bind(Action action, Input input) {
@@ -112,14 +129,6 @@ void Bindings::bind(Action action, Input input) {
     if (is_reserved(input) || std::find(inputs.begin(), inputs.end(), input) != inputs.end()) return;
     if (inputs.size() == kMostInputs) inputs.erase(inputs.begin());
     inputs.push_back(input);
-}
-
-void Bindings::unbind(Action action, Input input) {
-    std::erase(inputs_[as_size(action)], input);
-}
-
-void Bindings::unbind_all(Action action) {
-    inputs_[as_size(action)].clear();
 }
 
 Bindings default_bindings(Hands hands) {
@@ -207,45 +216,37 @@ std::string KeyNames::in(const std::string& text) const {
     return shown + std::string(rest);
 }
 
+std::optional<MenuAction> menu_action_of(Input input) {
+    static const std::map<Input, MenuAction> actions = read_menu_inputs();
+    const auto found = actions.find(input);
+    return found == actions.end() ? std::nullopt : std::optional(found->second);
+}
+
 std::vector<KeyHelp> game_help(const KeyNames& names) {
     std::vector<KeyHelp> help;
     for (const ActionRow& row : all_actions()) {
         if (row.help.empty()) continue;
         if (help.empty() || help.back().label != row.help) help.push_back({std::string(row.help), "", {}});
-        KeyHelp& line = help.back();
-        line.keys += (line.keys.empty() ? "" : " ") + names.of(row.action);
-        line.actions.push_back(row.action);
+        help.back().actions.push_back(row.action);
     }
-    return help;
+    return with_keys(std::move(help), names);
 }
 
 std::vector<KeyHelp> gallery_help(const KeyNames& names) {
-    struct Entry {
-        std::string_view label;
-        std::vector<Action> actions;
-    };
-    const std::vector<Entry> entries{
-        {"Next row", {Action::PageDown}},
-        {"Row before", {Action::PageUp}},
-        {"Choose a parameter", {Action::DialUp, Action::DialDown}},
-        {"Change it", {Action::DialCoarser, Action::DialFiner}},
-        {"All figures", {Action::FrameCost}},
-        {"Next accuracy", {Action::AccuracyTier}},
-        {"Drawn for: projection", {Action::ProjectionAspect}},
-        {"Shown as: display", {Action::DisplayAspect}},
-        {"Scaling", {Action::ScalingMode}},
-        {"CRT look", {Action::CrtLook}},
-        {"Screenshots", {Action::Screenshot}},
-        {"Back", {Action::Menu}},
-        {"These keys", {Action::ShowHelp}},
-    };
-    std::vector<KeyHelp> help;
-    for (const Entry& entry : entries) {
-        std::string keys;
-        for (const Action action : entry.actions) keys += (keys.empty() ? "" : " ") + names.of(action);
-        help.push_back({std::string(entry.label), std::move(keys), entry.actions});
-    }
-    return help;
+    return with_keys({{"Next row", "", {Action::PageDown}},
+                      {"Row before", "", {Action::PageUp}},
+                      {"Choose a parameter", "", {Action::DialUp, Action::DialDown}},
+                      {"Change it", "", {Action::DialCoarser, Action::DialFiner}},
+                      {"All figures", "", {Action::FrameCost}},
+                      {"Next accuracy", "", {Action::AccuracyTier}},
+                      {"Drawn for: projection", "", {Action::ProjectionAspect}},
+                      {"Shown as: display", "", {Action::DisplayAspect}},
+                      {"Scaling", "", {Action::ScalingMode}},
+                      {"CRT look", "", {Action::CrtLook}},
+                      {"Screenshots", "", {Action::Screenshot}},
+                      {"Back", "", {Action::Menu}},
+                      {"These keys", "", {Action::ShowHelp}}},
+                     names);
 }
 
 }  // namespace oblong

@@ -103,13 +103,13 @@ class Bindings {
   public:
     static constexpr std::size_t kMostInputs = 6;  ///< of an action
 
-    std::span<const Input> inputs_of(Action action) const;
+    std::span<const Input> inputs_of(Action action) const { return inputs_[as_size(action)]; }
 
     /// Adds an input; it replaces the first one if the action has kMostInputs. Does nothing if the action has it
     /// already or the input is_reserved(). Other actions keep it: see conflicts_of().
     void bind(Action action, Input input);
-    void unbind(Action action, Input input);
-    void unbind_all(Action action);
+    void unbind(Action action, Input input) { std::erase(inputs_[as_size(action)], input); }
+    void unbind_all(Action action) { inputs_[as_size(action)].clear(); }
 
     bool operator==(const Bindings&) const = default;
 

@@ -46,6 +46,9 @@ class Moves {
 /// The player's actions in a menu. Each is reported when it is pressed; directions repeat while they are held.
 enum class MenuAction : std::uint8_t { Up, Down, Left, Right, Accept, Back };
 
+/// What an input does in every menu, whatever the bindings.
+std::optional<MenuAction> menu_action_of(Input input);
+
 /// The input with which a script does it, as scripted(Action).
 constexpr Input scripted(MenuAction action) {
     return {Device::Script, static_cast<std::uint16_t>(kActionCount + static_cast<int>(action))};

@@ -1,7 +1,6 @@
 #include "game/input/input_mapper.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <span>
 #include <utility>
@@ -11,50 +10,6 @@ namespace {
 
 constexpr std::int32_t kPressed = kFullAxis / 2, kReleased = kFullAxis * 3 / 8;
 constexpr std::uint64_t kFirstRepeat_ms = 400, kNextRepeat_ms = 110;
-
-struct MenuInput {
-    Input input;
-    MenuAction action;
-};
-
-constexpr Input key(std::uint16_t usage) {
-    return {Device::Key, usage};
-}
-constexpr Input wheel(WheelTurn turn) {
-    return {Device::MouseWheel, static_cast<std::uint16_t>(turn)};
-}
-
-// Keys by their USB HID usages: W A S D, arrows, keypad; Enter, Space; Backspace.
-constexpr std::array<MenuInput, 28> kMenuInputs{{
-    {key(26), MenuAction::Up},
-    {key(4), MenuAction::Left},
-    {key(22), MenuAction::Down},
-    {key(7), MenuAction::Right},
-    {key(82), MenuAction::Up},
-    {key(80), MenuAction::Left},
-    {key(81), MenuAction::Down},
-    {key(79), MenuAction::Right},
-    {key(96), MenuAction::Up},
-    {key(92), MenuAction::Left},
-    {key(90), MenuAction::Down},
-    {key(94), MenuAction::Right},
-    {key(40), MenuAction::Accept},
-    {key(88), MenuAction::Accept},
-    {key(44), MenuAction::Accept},
-    {key(42), MenuAction::Back},
-    {wheel(WheelTurn::Up), MenuAction::Up},
-    {wheel(WheelTurn::Down), MenuAction::Down},
-    {pad_button(PadButton::Up), MenuAction::Up},
-    {pad_button(PadButton::Down), MenuAction::Down},
-    {pad_button(PadButton::Left), MenuAction::Left},
-    {pad_button(PadButton::Right), MenuAction::Right},
-    {pad_axis(PadAxis::LeftY, false), MenuAction::Up},
-    {pad_axis(PadAxis::LeftY, true), MenuAction::Down},
-    {pad_axis(PadAxis::LeftX, false), MenuAction::Left},
-    {pad_axis(PadAxis::LeftX, true), MenuAction::Right},
-    {pad_button(PadButton::A), MenuAction::Accept},
-    {pad_button(PadButton::B), MenuAction::Back},
-}};
 
 bool has(std::span<const Input> inputs, Input input) {
     return std::find(inputs.begin(), inputs.end(), input) != inputs.end();
@@ -182,8 +137,8 @@ void InputMapper::take(const InputEvent& event) {
 }
 
 void InputMapper::act(Input input, bool is_repeated) {
-    for (const auto& [menu_input, action] : kMenuInputs)
-        if (menu_input == input && (!is_repeated || action < MenuAction::Accept)) since_.menu.push_back(action);
+    const std::optional<MenuAction> in_menu = menu_action_of(input);
+    if (in_menu && (!is_repeated || *in_menu < MenuAction::Accept)) since_.menu.push_back(*in_menu);
     if (input.device == Device::Script && input.code >= kActionCount)
         since_.menu.push_back(static_cast<MenuAction>(input.code - kActionCount));
     if (is_reserved(input) && !is_repeated) since_.commands.push_back(Action::Menu);

@@ -113,6 +113,74 @@ std::int32_t slowed(std::int32_t speed, std::int32_t yaw_error) {
     return speed * std::clamp(kNone - std::abs(yaw_error), 0, kNone - kFull) / (kNone - kFull);
 }
 
+// Makes the input of a visitor who walks from waypoint to waypoint (a teleporter on the way is one), turns smoothly at
+// a human's pace, and slows down at corners. Integers only, so that a route is the same walk on every machine.
+class RouteWalker {
+  public:
+    explicit RouteWalker(std::span<const Waypoint> route) : route_(route) {}
+
+    bool is_over() const { return at_ == route_.size(); }
+    // True if the next waypoint was not reached within 40 seconds.
+    bool is_stuck() const { return !is_over() && ticks_ > kPatience_ticks + waypoint().wait_ticks; }
+    const Waypoint& waypoint() const { return route_[at_]; }
+
+    // The input of the tick after a state. Requires !is_over().
+    TickInput next(const GameState& state) {
+        const Player& player = state.player;
+        if (has_arrived(player)) {
+            ++at_;
+            ticks_ = waited_ = 0;
+            is_there_ = false;
+            if (is_over()) return {};
+        }
+        const Waypoint& goal = waypoint();
+        const Waypoint& shown = is_there_ || at_ == 0 ? goal : route_[at_ - 1];
+        TickInput input;
+        input.view = shown.view;
+        input.work = shown.work;
+        Angle wanted = goal.yaw.value_or(player.yaw);
+        if (!is_there_) {
+            wanted =
+                arctangent2(World::from_int(goal.y) - player.position.y, World::from_int(goal.x) - player.position.x);
+            input.forward =
+                static_cast<std::int8_t>(slowed(goal.speed_100 * 127 / 100, way_between(player.yaw, wanted)));
+        }
+        turn(way_between(player.yaw, wanted), goal.pitch - player.pitch, input);
+        if (goal.jumps && ticks_ == 0) input.buttons = kJumpButton;
+        ++ticks_;
+        return input;
+    }
+
+  private:
+    // True when the stay at the current waypoint is over.
+    bool has_arrived(const Player& player) {
+        const Waypoint& goal = waypoint();
+        const World dx = World::from_int(goal.x) - player.position.x, dy = World::from_int(goal.y) - player.position.y;
+        const bool passes = goal.wait_ticks == 0 && !goal.least_feet;
+        const World reach = World::from_int(passes ? kReachInPassing : kWaypointReach);
+        const bool was_teleported = last_ && length_of(player.position - *last_) > kLongestMotion;
+        last_ = player.position;
+        is_there_ |= was_teleported || length_of({dx, dy, World{}}) <= reach;
+        if (!is_there_) return false;
+        const bool is_up = !goal.least_feet || player.position.z >= World::from_int(*goal.least_feet + kFeetBelow);
+        return is_up && waited_++ >= goal.wait_ticks;
+    }
+
+    void turn(std::int32_t yaw_error, std::int32_t pitch_error, TickInput& input) {
+        yaw_rate_ = next_rate(yaw_rate_, yaw_error, kYawTurning);
+        pitch_rate_ = next_rate(pitch_rate_, pitch_error, kPitchTurning);
+        input.yaw = static_cast<std::int16_t>(yaw_rate_);
+        input.pitch = static_cast<std::int16_t>(pitch_rate_);
+    }
+
+    std::span<const Waypoint> route_;
+    std::size_t at_ = 0;
+    std::int64_t ticks_ = 0, waited_ = 0;  // on the way to the waypoint, and at it
+    bool is_there_ = false;
+    std::optional<Position> last_;                // before the tick
+    std::int32_t yaw_rate_ = 0, pitch_rate_ = 0;  // a tick
+};
+
 std::string words(const Position& p) {
     return std::to_string(floor_of(p.x)) + " " + std::to_string(floor_of(p.y)) + " " + std::to_string(floor_of(p.z));
 }
@@ -144,55 +212,6 @@ std::vector<Waypoint> parse_route(std::span<const std::uint8_t> bytes) {
     }
     if (route.empty()) throw InputError(at_line(2), "no waypoint, expected at least one");
     return route;
-}
-
-bool RouteWalker::is_stuck() const {
-    return !is_over() && ticks_ > kPatience_ticks + waypoint().wait_ticks;
-}
-
-// True when the stay at the current waypoint is over.
-bool RouteWalker::has_arrived(const Player& player) {
-    const Waypoint& goal = waypoint();
-    const World dx = World::from_int(goal.x) - player.position.x, dy = World::from_int(goal.y) - player.position.y;
-    const bool passes = goal.wait_ticks == 0 && !goal.least_feet;
-    const World reach = World::from_int(passes ? kReachInPassing : kWaypointReach);
-    const bool was_teleported = last_ && length_of(player.position - *last_) > kLongestMotion;
-    last_ = player.position;
-    is_there_ |= was_teleported || length_of({dx, dy, World{}}) <= reach;
-    if (!is_there_) return false;
-    const bool is_up = !goal.least_feet || player.position.z >= World::from_int(*goal.least_feet + kFeetBelow);
-    return is_up && waited_++ >= goal.wait_ticks;
-}
-
-void RouteWalker::turn(std::int32_t yaw_error, std::int32_t pitch_error, TickInput& input) {
-    yaw_rate_ = next_rate(yaw_rate_, yaw_error, kYawTurning);
-    pitch_rate_ = next_rate(pitch_rate_, pitch_error, kPitchTurning);
-    input.yaw = static_cast<std::int16_t>(yaw_rate_);
-    input.pitch = static_cast<std::int16_t>(pitch_rate_);
-}
-
-TickInput RouteWalker::next(const GameState& state) {
-    const Player& player = state.player;
-    if (has_arrived(player)) {
-        ++at_;
-        ticks_ = waited_ = 0;
-        is_there_ = false;
-        if (is_over()) return {};
-    }
-    const Waypoint& goal = waypoint();
-    const Waypoint& shown = is_there_ || at_ == 0 ? goal : route_[at_ - 1];
-    TickInput input;
-    input.view = shown.view;
-    input.work = shown.work;
-    Angle wanted = goal.yaw.value_or(player.yaw);
-    if (!is_there_) {
-        wanted = arctangent2(World::from_int(goal.y) - player.position.y, World::from_int(goal.x) - player.position.x);
-        input.forward = static_cast<std::int8_t>(slowed(goal.speed_100 * 127 / 100, way_between(player.yaw, wanted)));
-    }
-    turn(way_between(player.yaw, wanted), goal.pitch - player.pitch, input);
-    if (goal.jumps && ticks_ == 0) input.buttons = kJumpButton;
-    ++ticks_;
-    return input;
 }
 
 Demo walk_route(const GameLevel& level, std::span<const Waypoint> route) {

@@ -7,7 +7,6 @@
 
 #include "game/simulation/demo.h"
 #include "game/simulation/game_level.h"
-#include "game/simulation/state.h"
 #include "game/simulation/tick.h"
 
 namespace oblong {
@@ -31,32 +30,6 @@ struct Waypoint {
 /// dials that are turned during the stay, as "accuracy=1991 work=900". All but x and y may be empty. Throws InputError
 /// that names the line.
 std::vector<Waypoint> parse_route(std::span<const std::uint8_t> bytes);
-
-/// Makes the input of a visitor who walks from waypoint to waypoint (a teleporter on the way is one), turns smoothly at
-/// a human's pace, and slows down at corners. Integers only, so that a route is the same walk on every machine.
-class RouteWalker {
-  public:
-    explicit RouteWalker(std::span<const Waypoint> route) : route_(route) {}
-
-    /// The input of the tick after a state. Requires !is_over().
-    TickInput next(const GameState& state);
-
-    bool is_over() const { return at_ == route_.size(); }
-    /// True if the next waypoint was not reached within 40 seconds.
-    bool is_stuck() const;
-    const Waypoint& waypoint() const { return route_[at_]; }
-
-  private:
-    bool has_arrived(const Player& player);
-    void turn(std::int32_t yaw_error, std::int32_t pitch_error, TickInput& input);
-
-    std::span<const Waypoint> route_;
-    std::size_t at_ = 0;
-    std::int64_t ticks_ = 0, waited_ = 0;  // on the way to the waypoint, and at it
-    bool is_there_ = false;
-    std::optional<Position> last_;                // before the tick
-    std::int32_t yaw_rate_ = 0, pitch_rate_ = 0;  // a tick
-};
 
 /// Walks a route from the start of a level to the end of the level or of the route. Throws InputError that names the
 /// line of a waypoint that is not reached.

@@ -6,7 +6,6 @@
 
 #include "engine/base/input_error.h"
 #include "engine/fixed/root.h"
-#include "game/input/controls.h"
 #include "game/simulation/step.h"
 
 namespace oblong {

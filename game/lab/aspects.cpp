@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/draw/drawing.h"
-
 namespace oblong {
 namespace {
 

@@ -4,8 +4,6 @@
 #include <string_view>
 
 #include "engine/base/table.h"
-#include "engine/draw/drawing.h"
-#include "engine/surface/palette.h"
 
 namespace oblong {
 namespace {
@@ -18,6 +16,16 @@ Rgb8 tinted(Rgb8 band, Rgb8 picture) {
     const std::int32_t weight = 192 + luminance_1000(picture) / 4000;
     const auto scaled = [&](std::uint8_t channel) { return static_cast<std::uint8_t>(channel * weight / 256); };
     return {scaled(band.red), scaled(band.green), scaled(band.blue)};
+}
+
+// The two settings that are flipped, the shown one in brackets.
+std::string flip_text(const LabOptions& options, const Accuracy& accuracy, std::uint64_t now_us) {
+    if (options.before == accuracy) return "{flip} Both are " + setting_name(accuracy) + ": turn a dial";
+    const bool shows_now = shown_setting(options, accuracy, now_us) == accuracy;
+    const auto name = [](const Accuracy& setting, bool is_shown) {
+        return is_shown ? "[" + setting_name(setting) + "]" : " " + setting_name(setting) + " ";
+    };
+    return "{flip} now " + name(accuracy, shows_now) + " before " + name(options.before, !shows_now);
 }
 
 }  // namespace
@@ -56,30 +64,6 @@ std::int32_t ErrorMap::draw_legend(std::int32_t bottom, TextColours colours, Fra
     return top;
 }
 
-namespace {
-
-/// The first column of the right side.
-std::int32_t split_column(const LabOptions& options, std::int32_t width_px) {
-    return static_cast<std::int32_t>(std::int64_t{options.split_16} * width_px >> 16);
-}
-
-/// `left` names the setting at the left; at the right it is exact.
-std::string split_text(std::string_view left) {
-    return "{split} left: " + std::string(left) + ", right: exact";
-}
-
-/// The two settings that are flipped, the shown one in brackets.
-std::string flip_text(const LabOptions& options, const Accuracy& accuracy, std::uint64_t now_us) {
-    if (options.before == accuracy) return "{flip} Both are " + setting_name(accuracy) + ": turn a dial";
-    const bool shows_now = shown_setting(options, accuracy, now_us) == accuracy;
-    const auto name = [](const Accuracy& setting, bool is_shown) {
-        return is_shown ? "[" + setting_name(setting) + "]" : " " + setting_name(setting) + " ";
-    };
-    return "{flip} now " + name(accuracy, shows_now) + " before " + name(options.before, !shows_now);
-}
-
-}  // namespace
-
 Lab::Lab(const GameData& data, const GameLevel& level, const ScreenMode& mode, ColourScheme scheme,
          std::int32_t text_scale, OpenErrorMeter open_meter)
     : data_(data),
@@ -99,7 +83,10 @@ void Lab::draw_pictures(const LabOptions& options, const GameView& view, const S
     Settings shown = settings;
     shown.accuracy = shown_setting(options, settings.accuracy, now_us);
     if (options.maps_errors) error_map_.draw(meter().measure(view, shown, renderer_), canvas);
-    if (options.splits) draw_exact_side(options, view, settings, canvas);
+    if (!options.splits) return;
+    shown.accuracy = accuracy_of(Preset::Exact);
+    renderer_.draw(view, shown);
+    draw_split(options, renderer_.canvas(), colours_.bright, canvas);
 }
 
 std::int32_t Lab::draw_panel(const LabOptions& options, const GameView& view, const Settings& settings, bool is_short,
@@ -119,19 +106,14 @@ std::vector<std::string> Lab::notes(const LabOptions& options, const GameView& v
     std::vector<std::string> notes;
     const std::string problem = options.maps_errors ? meter().problem_of(view) : "";
     if (!problem.empty()) notes.push_back("No error: " + problem);
-    if (options.splits) notes.push_back(split_text(setting_name(shown_setting(options, accuracy, now_us))));
+    if (options.splits)
+        notes.push_back("{split} left: " + setting_name(shown_setting(options, accuracy, now_us)) + ", right: exact");
     if (options.flips) notes.push_back(flip_text(options, accuracy, now_us));
     return notes;
 }
 
-void Lab::draw_exact_side(const LabOptions& options, const GameView& view, Settings settings, Framebuffer canvas) {
-    settings.accuracy = accuracy_of(Preset::Exact);
-    renderer_.draw(view, settings);
-    draw_split(options, renderer_.canvas(), colours_.bright, canvas);
-}
-
 void draw_split(const LabOptions& options, Framebuffer right, TextColours colours, Framebuffer canvas) {
-    const std::int32_t column = split_column(options, canvas.width_px);
+    const auto column = static_cast<std::int32_t>(std::int64_t{options.split_16} * canvas.width_px >> 16);
     for (std::int32_t y = 0; y < canvas.height_px; ++y)
         std::copy(right.row(y) + column, right.row(y) + canvas.width_px, canvas.row(y) + column);
     fill_area(canvas, {column - 1, 0, 1, canvas.height_px}, colours.dark);

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <memory>
-#include <optional>
 #include <span>
 
 #include "engine/draw/drawing.h"
@@ -80,7 +79,6 @@ class Lab {
 
   private:
     ErrorMeter& meter();
-    void draw_exact_side(const LabOptions& options, const GameView& view, Settings settings, Framebuffer canvas);
 
     const GameData& data_;
     const GameLevel& level_;

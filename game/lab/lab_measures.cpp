@@ -1,11 +1,6 @@
 #include "game/lab/lab_measures.h"
 
 #include <cmath>
-#include <exception>
-
-#include "engine/frame/frame_record.h"
-#include "engine/io/files.h"
-#include "engine/view/views.h"
 
 namespace oblong {
 namespace {
@@ -15,8 +10,7 @@ namespace {
 constexpr std::size_t kFirstPreset = 2, kCount = kFirstPreset + kPresets.size(), kErrors = kCount + 1,
                       kFaces = kErrors + 1, kColours = kFaces + 1, kTurns = kColours + 1;
 
-}  // namespace
-
+// A setting with the dials of colour (light, shades, dither, coloured light, mip levels) of the preset `exact`.
 Accuracy with_exact_colours(Accuracy accuracy) {
     const Accuracy exact = accuracy_of(Preset::Exact);
     accuracy.light = exact.light;
@@ -28,6 +22,8 @@ Accuracy with_exact_colours(Accuracy accuracy) {
     accuracy.textures_floors = exact.textures_floors;
     return accuracy;
 }
+
+}  // namespace
 
 ErrorSummary colour_errors(std::span<const std::uint8_t> picture, std::span<const std::uint8_t> exact,
                            const Palette& palette) {

@@ -9,7 +9,6 @@
 #include "engine/accuracy/accuracy.h"
 #include "engine/costs/costs.h"
 #include "engine/measure/error_summary.h"
-#include "engine/view/views.h"
 #include "game/lab/error_meter.h"
 #include "game/view/game_renderer.h"
 
@@ -36,8 +35,6 @@ struct LabFigures {
     std::int32_t pixels = 0;  ///< of the picture
 };
 
-/// A setting with the dials of colour (light, shades, dither, coloured light, mip levels) of the preset `exact`.
-Accuracy with_exact_colours(Accuracy accuracy);
 /// The distances of colours of two pictures, RGB, of the pixels that differ.
 ErrorSummary colour_errors(std::span<const std::uint8_t> picture, std::span<const std::uint8_t> exact,
                            const Palette& palette);

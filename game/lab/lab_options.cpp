@@ -31,20 +31,11 @@ void turn_dial(int steps, LabOptions& options, Accuracy& accuracy) {
 }
 
 std::string apply_to_dials(Action command, LabOptions& options, Accuracy& accuracy) {
-    switch (command) {
-        case Action::DialUp:
-            return choose_dial(-1, options);
-        case Action::DialDown:
-            return choose_dial(1, options);
-        case Action::DialCoarser:
-            turn_dial(-1, options, accuracy);
-            return "";
-        case Action::DialFiner:
-            turn_dial(1, options, accuracy);
-            return "";
-        default:
-            return "";
-    }
+    if (command == Action::DialUp || command == Action::DialDown)
+        return choose_dial(command == Action::DialUp ? -1 : 1, options);
+    if (command == Action::DialCoarser || command == Action::DialFiner)
+        turn_dial(command == Action::DialCoarser ? -1 : 1, options, accuracy);
+    return "";
 }
 
 std::vector<const Dial*> turned_dials(const Accuracy& accuracy, Preset preset) {
@@ -56,6 +47,11 @@ std::vector<const Dial*> turned_dials(const Accuracy& accuracy, Preset preset) {
 }
 
 }  // namespace
+
+std::string toggle(bool& is_on, const std::string& on, const std::string& off) {
+    is_on = !is_on;
+    return is_on ? on : off;
+}
 
 std::size_t dial_index(std::string_view name) {
     return as_size(dial_named(name) - all_dials().data());
@@ -73,20 +69,16 @@ bool is_of_lab(Action command) {
 std::string apply_to_lab(Action command, LabOptions& options, Accuracy& accuracy) {
     switch (command) {
         case Action::LabPanel:
-            options.shows_panel = !options.shows_panel;
-            return options.shows_panel ? "{dial-up} {dial-down} choose a dial, {dial-coarser} {dial-finer} turn it. " +
-                                             describe(all_dials()[options.dial])
-                                       : "";
+            return toggle(options.shows_panel,
+                          "{dial-up} {dial-down} choose a dial, {dial-coarser} {dial-finer} turn it. " +
+                              describe(all_dials()[options.dial]));
         case Action::ErrorMap:
-            options.maps_errors = !options.maps_errors;
-            return options.maps_errors ? "{error-map} How far each texel is from its place"
-                                       : "{error-map} Error map: off";
+            return toggle(options.maps_errors, "{error-map} How far each texel is from its place",
+                          "{error-map} Error map: off");
         case Action::SplitView:
-            options.splits = !options.splits;
-            return options.splits ? "{split} Hold a mouse button to move the line" : "{split} Split: off";
+            return toggle(options.splits, "{split} Hold a mouse button to move the line", "{split} Split: off");
         case Action::FlipSettings:
-            options.flips = !options.flips;
-            return options.flips ? "{flip} Twice a second: this setting, the one before" : "{flip} Flip: off";
+            return toggle(options.flips, "{flip} Twice a second: this setting, the one before", "{flip} Flip: off");
         default:
             return options.shows_panel ? apply_to_dials(command, options, accuracy) : "";
     }

@@ -29,6 +29,9 @@ bool is_of_lab(Action command);
 /// Runs a command of the lab; returns a message to the player, or "".
 std::string apply_to_lab(Action command, LabOptions& options, Accuracy& accuracy);
 
+/// Switches an option on or off; returns the message to the player.
+std::string toggle(bool& is_on, const std::string& on = "", const std::string& off = "");
+
 /// Changes the setting, and remembers the previous one.
 void change_setting(const Accuracy& wanted, LabOptions& options, Accuracy& accuracy);
 

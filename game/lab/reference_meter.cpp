@@ -29,12 +29,43 @@ bool stand_still(std::span<const PlacedModel> before, std::span<const PlacedMode
 
 class ReferenceMeter final : public ErrorMeter {
   public:
-    ReferenceMeter(const std::string& level_file, const GameLevel& level);
+    ReferenceMeter(const std::string& level_file, const GameLevel& level) : level_(level) {
+        try {
+            reference_ = reference::read_level(read_file(level_file));
+        } catch (const std::exception& error) {
+            problem_ = error.what();
+        }
+    }
 
-    std::vector<TexelError> measure(const GameView& view, const Settings& settings, GameRenderer& renderer) override;
+    std::string problem_of(const GameView& view) const override {
+        return problem_.empty() && view.other ? "only the player's own view is measured" : problem_;
+    }
+
+    std::vector<TexelError> measure(const GameView& view, const Settings& settings, GameRenderer& renderer) override {
+        if (!problem_of(view).empty()) return {};
+        const std::vector<PlacedModel> models = placed_models(level_, view.state);
+        TexelErrorMeter meter(reference_, models, view.camera, renderer.mode(), settings.correct_aspect);
+        return meter.measure(renderer.draw_and_record(view, settings));
+    }
+
     std::optional<std::int64_t> count_wrong_faces(const GameView& view, const Settings& settings,
-                                                  GameRenderer& renderer) override;
-    std::string problem_of(const GameView& view) const override;
+                                                  GameRenderer& renderer) override {
+        if (!problem_of(view).empty()) return std::nullopt;
+        std::vector<PlacedModel> models = placed_models(level_, view.state);
+        const ViewSpec shown = first_person_view(view.camera, SineMethod::NearestStep);
+        const FrameRecord record = renderer.draw_and_record(view, settings);
+        note_in_sight(record, models.size(), in_sight_);
+        if (view_ != shown || !stand_still(models_, models, in_sight_) || corrects_aspect_ != settings.correct_aspect) {
+            view_ = shown;
+            models_ = std::move(models);
+            in_sight_.clear();
+            corrects_aspect_ = settings.correct_aspect;
+            faces_.clear();
+            return std::nullopt;
+        }
+        if (faces_.empty()) faces_ = true_faces(reference_, models, view.camera, renderer.mode(), corrects_aspect_);
+        return wrong_faces(record, faces_);
+    }
 
   private:
     const GameLevel& level_;
@@ -47,45 +78,6 @@ class ReferenceMeter final : public ErrorMeter {
     bool corrects_aspect_ = false;
     std::vector<std::int32_t> faces_;  // that pixels should show; empty: not found yet
 };
-
-ReferenceMeter::ReferenceMeter(const std::string& level_file, const GameLevel& level) : level_(level) {
-    try {
-        reference_ = reference::read_level(read_file(level_file));
-    } catch (const std::exception& error) {
-        problem_ = error.what();
-    }
-}
-
-std::string ReferenceMeter::problem_of(const GameView& view) const {
-    return problem_.empty() && view.other ? "only the player's own view is measured" : problem_;
-}
-
-std::vector<TexelError> ReferenceMeter::measure(const GameView& view, const Settings& settings,
-                                                GameRenderer& renderer) {
-    if (!problem_of(view).empty()) return {};
-    const std::vector<PlacedModel> models = placed_models(level_, view.state);
-    TexelErrorMeter meter(reference_, models, view.camera, renderer.mode(), settings.correct_aspect);
-    return meter.measure(renderer.draw_and_record(view, settings));
-}
-
-std::optional<std::int64_t> ReferenceMeter::count_wrong_faces(const GameView& view, const Settings& settings,
-                                                              GameRenderer& renderer) {
-    if (!problem_of(view).empty()) return std::nullopt;
-    std::vector<PlacedModel> models = placed_models(level_, view.state);
-    const ViewSpec shown = first_person_view(view.camera, SineMethod::NearestStep);
-    const FrameRecord record = renderer.draw_and_record(view, settings);
-    note_in_sight(record, models.size(), in_sight_);
-    if (view_ != shown || !stand_still(models_, models, in_sight_) || corrects_aspect_ != settings.correct_aspect) {
-        view_ = shown;
-        models_ = std::move(models);
-        in_sight_.clear();
-        corrects_aspect_ = settings.correct_aspect;
-        faces_.clear();
-        return std::nullopt;
-    }
-    if (faces_.empty()) faces_ = true_faces(reference_, models, view.camera, renderer.mode(), corrects_aspect_);
-    return wrong_faces(record, faces_);
-}
 
 }  // namespace
 

@@ -6,7 +6,6 @@
 
 #include "engine/base/checksum.h"
 #include "engine/effects/things.h"
-#include "engine/io/files.h"
 #include "engine/io/game_files.h"
 #include "engine/level/bsp_read.h"
 #include "engine/programs/arguments.h"

@@ -52,8 +52,8 @@ class KeyPages {
     // A second undo is a redo.
     void add_undo(MenuPage& page) const {
         if (!*undo_ || **undo_ == host_->preferences().bindings) return;
-        page.rows.push_back({"Undo the last change", "", "The last change of keys",
-                             [*this] { change([before = **undo_](Bindings& bindings) { bindings = before; }); }});
+        page.add("Undo the last change", "the last change of keys",
+                 [*this] { change([before = **undo_](Bindings& bindings) { bindings = before; }); });
     }
 
     MenuPage list_page() const {
@@ -63,13 +63,13 @@ class KeyPages {
         for (const ActionRow& names : all_actions()) {
             const Action action = names.action;
             const bool is_doubled = has_conflict(conflicts, action);
-            page.rows.push_back({std::string(names.label), (is_doubled ? "! " : "") + inputs_text(*host_, action),
-                                 is_doubled ? "! A key here has another use too" : "",
-                                 [*this, action] { menu_->open([*this, action] { return action_page(action); }); }});
+            const auto accept = [*this, action] { menu_->open([*this, action] { return action_page(action); }); };
+            page.add(std::string(names.label), is_doubled ? "! A key here has another use too" : "", accept).value =
+                (is_doubled ? "! " : "") + inputs_text(*host_, action);
         }
         add_undo(page);
         add_sets(page);
-        page.rows.push_back({"Back", "", "", [*this] { menu_->close(); }});
+        page.add("Back", "", [*this] { menu_->close(); });
         return page;
     }
 
@@ -79,17 +79,17 @@ class KeyPages {
              {Hands::Left, "All for the left hand"},
              {Hands::Right, "All for the right hand"}}};
         for (const auto& [hands, label] : kSets)
-            page.rows.push_back({label, "", "Resets all keys",
-                                 [*this, of = hands] { menu_->open([*this, of] { return set_page(of); }); }});
+            page.add(label, "resets all keys",
+                     [*this, of = hands] { menu_->open([*this, of] { return set_page(of); }); });
     }
 
     MenuPage set_page(Hands hands) const {
         MenuPage page{"Keys", "Reset all keys? Your changes are lost."};
-        page.rows.push_back({"No", "", "", [*this] { menu_->close(); }});
-        page.rows.push_back({"Yes", "", "", [*this, hands] {
-                                 change([&](Bindings& bindings) { bindings = default_bindings(hands); });
-                                 menu_->close();
-                             }});
+        page.add("No", "", [*this] { menu_->close(); });
+        page.add("Yes", "", [*this, hands] {
+            change([&](Bindings& bindings) { bindings = default_bindings(hands); });
+            menu_->close();
+        });
         return page;
     }
 
@@ -98,15 +98,17 @@ class KeyPages {
         const std::vector<Conflict> conflicts = conflicts_of(host_->preferences().bindings);
         for (const Input input : host_->preferences().bindings.inputs_of(action)) {
             const std::string others = others_of(conflicts, action, input);
-            page.rows.push_back(
-                {host_->local_name_of(input), "remove", others.empty() ? "" : "Also does: " + others,
-                 [*this, action, input] { change([&](Bindings& bindings) { bindings.unbind(action, input); }); }});
+            const auto remove = [*this, action, input] {
+                change([&](Bindings& bindings) { bindings.unbind(action, input); });
+            };
+            page.add(host_->local_name_of(input), others.empty() ? "" : "also does: " + others, remove).value =
+                "remove";
         }
-        page.rows.push_back({"Add a key or button", "", "",
-                             [*this, action] { menu_->open([*this, action] { return press_page(action); }); }});
+        page.add("Add a key or button", "",
+                 [*this, action] { menu_->open([*this, action] { return press_page(action); }); });
         page.first_chosen = page.rows.size() - 1;
         add_undo(page);
-        page.rows.push_back({"Done", "", "", [*this] { menu_->close(); }});
+        page.add("Done", "", [*this] { menu_->close(); });
         return page;
     }
 
@@ -131,20 +133,19 @@ class KeyPages {
     MenuPage conflict_page(Action action, Input input, const std::string& others) const {
         const std::string name = host_->local_name_of(input);
         MenuPage page{label_of(action), name + " does something already: " + others + "."};
-        page.rows.push_back({"Take it from there", "", "", [*this, action, input] {
-                                 change([&](Bindings& bindings) {
-                                     for (const ActionRow& names : all_actions())
-                                         if (is_other(action, names.action, input))
-                                             bindings.unbind(names.action, input);
-                                     bindings.bind(action, input);
-                                 });
-                                 menu_->close();
-                             }});
-        page.rows.push_back({"Let it do both", "", "", [*this, action, input] {
-                                 bind(action, input);
-                                 menu_->close();
-                             }});
-        page.rows.push_back({"Keep it as it was", "", "", [*this] { menu_->close(); }});
+        page.add("Take it from there", "", [*this, action, input] {
+            change([&](Bindings& bindings) {
+                for (const ActionRow& names : all_actions())
+                    if (is_other(action, names.action, input)) bindings.unbind(names.action, input);
+                bindings.bind(action, input);
+            });
+            menu_->close();
+        });
+        page.add("Let it do both", "", [*this, action, input] {
+            bind(action, input);
+            menu_->close();
+        });
+        page.add("Keep it as it was", "", [*this] { menu_->close(); });
         return page;
     }
 

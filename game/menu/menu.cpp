@@ -25,14 +25,6 @@ void Menu::open(MenuPageMaker make_page) {
     pages_.push_back({std::move(make_page), first_chosen, 0});
 }
 
-void Menu::close() {
-    pages_.pop_back();
-}
-
-void Menu::close_all() {
-    pages_.clear();
-}
-
 MenuEvent Menu::handle(const Controls& controls, CanvasSize canvas, std::int32_t text_scale, const PresentRect& shown) {
     MenuEvent event = MenuEvent::None;
     const auto note = [&](MenuEvent next) { event = next == MenuEvent::None ? event : next; };
@@ -55,21 +47,11 @@ MenuEvent Menu::take_press(const Controls& controls) {
 
 MenuEvent Menu::act(MenuAction action, CanvasSize canvas, std::int32_t text_scale) {
     const MenuPage shown = page();
-    switch (action) {
-        case MenuAction::Up:
-            return move(shown, -1, canvas, text_scale);
-        case MenuAction::Down:
-            return move(shown, 1, canvas, text_scale);
-        case MenuAction::Left:
-            return change(shown, -1);
-        case MenuAction::Right:
-            return change(shown, 1);
-        case MenuAction::Accept:
-            return accept(shown);
-        case MenuAction::Back:
-            return go_back(shown);
-    }
-    return MenuEvent::None;
+    if (action == MenuAction::Up || action == MenuAction::Down)
+        return move(shown, action == MenuAction::Up ? -1 : 1, canvas, text_scale);
+    if (action == MenuAction::Left || action == MenuAction::Right)
+        return change(shown, action == MenuAction::Left ? -1 : 1);
+    return action == MenuAction::Accept ? accept(shown) : go_back(shown);
 }
 
 // Wraps from the last row to the first.

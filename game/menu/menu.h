@@ -15,9 +15,9 @@ enum class MenuEvent : std::uint8_t { None, Moved, Changed, Accepted, WentBack }
 class Menu {
   public:
     void open(MenuPageMaker make_page);
-    /// Closes the page that is shown, without calling its `back`.
-    void close();
-    void close_all();
+    /// Closes the page that is shown, or so many from there on, without calling their `back`.
+    void close(std::size_t pages = 1) { pages_.resize(pages_.size() - pages); }
+    void close_all() { pages_.clear(); }
     bool is_open() const { return !pages_.empty(); }
     std::size_t depth() const { return pages_.size(); }
 

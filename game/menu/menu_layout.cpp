@@ -31,7 +31,7 @@ std::vector<std::string> wrapped_lines(const std::string& text, std::int32_t col
 class PageLayout {
   public:
     PageLayout(const MenuPage& page, const MenuView& view, CanvasSize canvas)
-        : page_(page), view_(view), canvas_(canvas), margin_px_(kTextMargin_px), line_px_(0) {
+        : page_(page), view_(view), canvas_(canvas) {
         out_.scale = text_scale_in(canvas.width_px, canvas.height_px, view.text_scale);
         line_px_ = kLineHeight_px * out_.scale;
         column_px_ = kGlyphAdvance_px * out_.scale;
@@ -48,15 +48,14 @@ class PageLayout {
     std::int32_t columns_in(std::int32_t width_px) const { return std::max(width_px / column_px_, 1); }
 
     void place_title() {
-        const std::string name = page_.title;
         const std::int32_t by_canvas = std::max(std::min(canvas_.width_px / 320, canvas_.height_px / 200), 1);
         LetterCell cell{2 * by_canvas, 2 * by_canvas};
         if (page_.is_title) cell = {6 * by_canvas, 6 * by_canvas};
-        Area size = lettering_size(name, cell);
-        const std::int32_t room_px = canvas_.width_px - 2 * margin_px_;
+        Area size = lettering_size(page_.title, cell);
+        const std::int32_t room_px = canvas_.width_px - 2 * kTextMargin_px;
         while (cell.width_px > 1 && (size.width > room_px || size.height > canvas_.height_px / 4)) {
             cell = {cell.width_px - 1, cell.height_px - 1};
-            size = lettering_size(name, cell);
+            size = lettering_size(page_.title, cell);
         }
         out_.title_cell = cell;
         const std::int32_t y = std::max(std::min(canvas_.height_px / 20, 3 * kGap_px), -size.y);
@@ -65,7 +64,7 @@ class PageLayout {
 
     void place_help() {
         const auto lines_for = [&](const std::string& help) {
-            return wrapped_lines(help, columns_in(canvas_.width_px - 2 * margin_px_));
+            return wrapped_lines(help, columns_in(canvas_.width_px - 2 * kTextMargin_px));
         };
         const bool has_own = view_.chosen < page_.rows.size() && !page_.rows[view_.chosen].help.empty();
         out_.help = lines_for(has_own ? page_.rows[view_.chosen].help : page_.help);
@@ -77,7 +76,7 @@ class PageLayout {
         help_lines_ =
             most == 0 ? 0 : static_cast<std::int32_t>(std::clamp(most, kHelpLines, std::max(room, kHelpLines)));
         out_.help_y =
-            canvas_.height_px - margin_px_ - std::max(static_cast<std::int32_t>(out_.help.size()), 1) * line_px_;
+            canvas_.height_px - kTextMargin_px - std::max(static_cast<std::int32_t>(out_.help.size()), 1) * line_px_;
     }
 
     bool has_picture() const {
@@ -96,17 +95,17 @@ class PageLayout {
     }
 
     void place_body() {
-        const std::int32_t room_px = canvas_.width_px - 2 * margin_px_;
+        const std::int32_t room_px = canvas_.width_px - 2 * kTextMargin_px;
         std::int32_t width = std::min(wanted_columns() * column_px_, room_px);
         const std::int32_t top = out_.title.y + out_.title.height + kGap_px + out_.title_cell.height_px;
         const std::int32_t bottom =
-            canvas_.height_px - margin_px_ - help_lines_ * line_px_ - kScrollMark_px * out_.scale;
+            canvas_.height_px - kTextMargin_px - help_lines_ * line_px_ - kScrollMark_px * out_.scale;
         std::int32_t left = (canvas_.width_px - width) / 2;
         if (has_picture()) {
             const std::int32_t picture_px = room_px * 2 / 5;
             width = room_px - picture_px - 2 * kGap_px;
-            left = margin_px_;
-            out_.picture = Area{canvas_.width_px - margin_px_ - picture_px, top, picture_px,
+            left = kTextMargin_px;
+            out_.picture = Area{canvas_.width_px - kTextMargin_px - picture_px, top, picture_px,
                                 picture_px * kPictureAspect_100 / 100};
         }
         out_.body = {left, std::min(top, bottom), width, std::max(bottom - top, 0)};
@@ -128,7 +127,6 @@ class PageLayout {
             const std::int32_t height = (is_double ? 2 : 1) * line_px_ + 2 * padding;
             items_.push_back({{0, 0, out_.body.width, height}, "", i, padding + (is_double ? line_px_ : 0)});
         }
-        out_.count = items_.size();
     }
 
     // The number of items from `first` on that fit; at least one.
@@ -174,13 +172,17 @@ class PageLayout {
     const MenuPage& page_;
     const MenuView& view_;
     const CanvasSize canvas_;
-    const std::int32_t margin_px_;
-    std::int32_t line_px_, column_px_ = 0, help_lines_ = 0;
+    std::int32_t line_px_ = 0, column_px_ = 0, help_lines_ = 0;
     std::vector<MenuLayout::Item> items_;
     MenuLayout out_;
 };
 
 }  // namespace
+
+MenuRow& MenuPage::add(std::string label, std::string row_help, std::function<void()> accept) {
+    rows.push_back({std::move(label), "", in_capitals(std::move(row_help), 1), std::move(accept)});
+    return rows.back();
+}
 
 MenuLayout lay_out(const MenuPage& page, const MenuView& view, CanvasSize canvas) {
     return PageLayout(page, view, canvas).take();

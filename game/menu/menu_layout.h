@@ -39,6 +39,9 @@ struct MenuPage {
     std::function<void()> back = {};        ///< called instead of closing the page
     std::function<void(Input)> press = {};  ///< the page waits for any input and ignores all others but Esc
     std::optional<Action> closed_by = {};   ///< the command that opened the page closes it, too
+
+    /// Adds a row with an action; its help begins with a capital.
+    MenuRow& add(std::string label, std::string row_help, std::function<void()> accept);
 };
 
 /// Makes a page for the current state; called again after each input.
@@ -56,10 +59,10 @@ struct MenuLayout {
 
     std::int32_t scale = 1;  ///< of letters
     LetterCell title_cell;
-    Area title;                        ///< without its shadow
-    Area body;                         ///< of all items that are shown
-    std::vector<Item> items;           ///< those that are shown
-    std::size_t first = 0, count = 0;  ///< the first item that is shown, and the number of all items of the page
+    Area title;               ///< without its shadow
+    Area body;                ///< of all items that are shown
+    std::vector<Item> items;  ///< those that are shown
+    std::size_t first = 0;    ///< the first item that is shown, of all of the page
     bool has_more_above = false, has_more_below = false;
     std::optional<Area> picture;  ///< of the chosen row
     std::int32_t help_y = 0;

@@ -4,8 +4,6 @@
 #include <map>
 
 #include "engine/base/table.h"
-#include "engine/draw/drawing.h"
-#include "engine/surface/palette.h"
 #include "game/menu/menu_layout.h"
 
 namespace oblong {
@@ -43,6 +41,11 @@ Area lettering_size(std::string_view line, LetterCell cell) {
     return {0, top * cell.height_px, std::max(columns, 0) * cell.width_px, kLetteringRamp * cell.height_px};
 }
 
+namespace {
+
+constexpr std::int32_t kPanelMargin_px = 3;
+
+// In large letters with visible pixels and a shadow; (x, y) is its top left corner.
 void draw_lettering(Framebuffer canvas, std::int32_t x, std::int32_t y, std::string_view line, LetterCell cell,
                     const MenuLook& look) {
     const std::int32_t shadow_x = std::max(cell.width_px / 2, 1), shadow_y = std::max(cell.height_px / 2, 1);
@@ -56,18 +59,6 @@ void draw_lettering(Framebuffer canvas, std::int32_t x, std::int32_t y, std::str
     for_each_dot(line, [&](std::int32_t column, std::int32_t row) {
         draw_cell(canvas, x + column * cell.width_px, y + row * cell.height_px, cell, shade(row), shade(row - 2));
     });
-}
-
-namespace {
-
-constexpr std::int32_t kPanelMargin_px = 3;
-
-TextColours colours_of(std::uint8_t bright, const MenuLook& look, std::int32_t scale) {
-    return {bright, look.text.dark, scale};
-}
-
-std::int32_t width_px(const std::string& text, std::int32_t scale) {
-    return text_width_px(text) * scale;
 }
 
 class PageDrawing {
@@ -93,9 +84,11 @@ class PageDrawing {
     }
 
   private:
+    TextColours colours_of(std::uint8_t bright) const { return {bright, look_.text.dark, layout_.scale}; }
+
     void draw_centred(std::int32_t y, const std::string& line, std::uint8_t colour) const {
-        const std::int32_t x = (canvas_.width_px - width_px(line, layout_.scale)) / 2;
-        draw_text(canvas_, x, y, line, colours_of(colour, look_, layout_.scale));
+        const std::int32_t x = (canvas_.width_px - text_width_px(line) * layout_.scale) / 2;
+        draw_text(canvas_, x, y, line, colours_of(colour));
     }
 
     // A dark band across the canvas, so that texts in the picture do not mix with the game's name.
@@ -108,7 +101,7 @@ class PageDrawing {
 
     void draw_item(const MenuLayout::Item& item) const {
         if (!item.row)
-            draw_text(canvas_, item.area.x, item.area.y, item.text, colours_of(look_.plain, look_, layout_.scale));
+            draw_text(canvas_, item.area.x, item.area.y, item.text, colours_of(look_.plain));
         else
             draw_row(page_.rows[*item.row], item, *item.row == view_.chosen);
     }
@@ -123,7 +116,7 @@ class PageDrawing {
         const std::int32_t scale = layout_.scale, column = kGlyphAdvance_px * scale;
         const Area& area = item.area;
         const std::uint8_t usual = row.accept || row.change ? look_.plain : look_.dim;
-        const TextColours colours = colours_of(is_chosen ? look_.text.bright : usual, look_, scale);
+        const TextColours colours = colours_of(is_chosen ? look_.text.bright : usual);
         if (is_chosen) draw_bar(area);
         if (is_chosen) draw_text(canvas_, area.x + scale, area.y + scale + scale / 2, ">", colours);
         const std::int32_t columns = area.width / column - 2;
@@ -135,7 +128,7 @@ class PageDrawing {
         const std::int32_t column = kGlyphAdvance_px * layout_.scale;
         const std::int32_t right = item.area.x + item.area.width, y = item.value_y + layout_.scale / 2;
         const std::string value = cut_to(row.value, item.area.width / column - 4);
-        const std::int32_t x = right - 2 * column - width_px(value, layout_.scale);
+        const std::int32_t x = right - 2 * column - text_width_px(value) * layout_.scale;
         draw_text(canvas_, x, y, value, colours);
         if (!is_chosen || !row.change) return;
         draw_text(canvas_, x - 2 * column, y, "<", colours);

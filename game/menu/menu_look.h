@@ -30,8 +30,4 @@ struct LetterCell {
 /// that of the highest accent, 0 or negative.
 Area lettering_size(std::string_view line, LetterCell cell);
 
-/// Draws a line in large letters with visible pixels and a shadow; (x, y) is its top left corner.
-void draw_lettering(Framebuffer canvas, std::int32_t x, std::int32_t y, std::string_view line, LetterCell cell,
-                    const MenuLook& look);
-
 }  // namespace oblong

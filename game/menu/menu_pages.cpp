@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "engine/base/text.h"
-#include "game/options/preference_table.h"
 
 namespace oblong {
 namespace {
@@ -24,10 +23,6 @@ std::string text_of_end(const EndFigures& figures) {
 
 }  // namespace
 
-MenuRow menu_row(std::string label, std::function<void()> accept, std::string help) {
-    return {std::move(label), "", in_capitals(std::move(help), 1), std::move(accept)};
-}
-
 void MenuPages::open_title() {
     menu_.open([this] { return title_page(); });
 }
@@ -39,10 +34,10 @@ void MenuPages::open_game() {
 void MenuPages::open_gallery() {
     menu_.open([this] {
         MenuPage page{"Gallery"};
-        page.rows.push_back(menu_row("Resume", [this] { menu_.close_all(); }));
-        page.rows.push_back(keys_row());
-        page.rows.push_back(menu_row("Title", closing([this] { host_.show_title(); })));
-        page.rows.push_back(menu_row("Quit", [this] { host_.leave(); }));
+        page.add("Resume", "", [this] { menu_.close_all(); });
+        add_keys(page);
+        page.add("Title", "", closing([this] { host_.show_title(); }));
+        page.add("Quit", "", [this] { host_.leave(); });
         return page;
     });
 }
@@ -61,7 +56,7 @@ void MenuPages::open_restart() {
 void MenuPages::open_message(std::string title, std::string text) {
     menu_.open([this, title = std::move(title), text = std::move(text)] {
         MenuPage page{title, text};
-        page.rows.push_back(menu_row("OK", [this] { menu_.close(); }));
+        page.add("OK", "", [this] { menu_.close(); });
         return page;
     });
 }
@@ -81,8 +76,8 @@ void MenuPages::open_page_of(const std::vector<std::string>& pages, std::size_t 
     menu_.open([pages, number, turning_to] {
         const std::size_t last = pages.size() - 1;
         MenuPage page{pages[0], pages[number]};
-        page.rows.push_back(menu_row(number < last ? "Next" : "OK", turning_to(number + 1)));
-        if (number > 1) page.rows.push_back(menu_row("Back", turning_to(number - 1)));
+        page.add(number < last ? "Next" : "OK", "", turning_to(number + 1));
+        if (number > 1) page.add("Back", "", turning_to(number - 1));
         if (last > 1) page.help = "Page " + std::to_string(number) + " of " + std::to_string(last);
         return page;
     });
@@ -94,22 +89,18 @@ MenuPage MenuPages::title_page() {
     page.back = [this] { ask("Quit", "Quit Oblong?", "Yes", [this] { host_.leave(); }); };
     if (const auto last = host_.last_walk()) {
         const std::string help = last->help.empty() ? "" : ". " + last->help;
-        page.rows.push_back(menu_row("Continue", closing([this] { host_.continue_walk(); }),
-                                     last->has_game ? "continue in " + last->content + help : last->content));
+        page.add("Continue", last->has_game ? "continue in " + last->content + help : last->content,
+                 closing([this] { host_.continue_walk(); }));
     }
-    page.rows.push_back(menu_row("Walk", closing([this] { host_.walk(); }), "a new walk, from the beginning"));
-    if (host_.has_visit())
-        page.rows.push_back(menu_row("Visit", closing([this] { host_.visit(); }), "a new walk through open doors"));
-    page.rows.push_back(menu_row(
-        "Levels", [this] { open_levels(); }, "other levels"));
-    page.rows.push_back(menu_row(
-        "Load", [this] { open_load(); }, "a walk that was saved"));
-    page.rows.push_back(menu_row("Options", [this] { open_options(); }));
+    page.add("Walk", "a new walk, from the beginning", closing([this] { host_.walk(); }));
+    if (host_.has_visit()) page.add("Visit", "a new walk through open doors", closing([this] { host_.visit(); }));
+    page.add("Levels", "other levels", [this] { open_levels(); });
+    page.add("Load", "a walk that was saved", [this] { open_load(); });
+    page.add("Options", "", [this] { open_options(); });
     if (host_.has_gallery())
-        page.rows.push_back(menu_row(
-            "Gallery", [this] { host_.show_gallery(); }, "what the engine can do, a page for each feature"));
-    page.rows.push_back(menu_row("Credits", [this] { open_text("Credits", host_.credits(), {}); }));
-    page.rows.push_back(menu_row("Quit", [this] { host_.leave(); }));
+        page.add("Gallery", "what the engine can do, a page for each feature", [this] { host_.show_gallery(); });
+    page.add("Credits", "", [this] { open_text("Credits", host_.credits(), {}); });
+    page.add("Quit", "", [this] { host_.leave(); });
     page.help = host_.key_names().in("{choose} choose, {accept} accepts, {menu} goes back");
     return page;
 }
@@ -117,31 +108,24 @@ MenuPage MenuPages::title_page() {
 MenuPage MenuPages::game_page() {
     MenuPage page{"Paused"};
     page.help = host_.key_names().in("{choose} choose, {accept} accepts, {menu} resumes");
-    page.rows.push_back(menu_row("Resume", [this] { menu_.close_all(); }));
-    if (host_.can_save()) page.rows.push_back(menu_row("Save", [this] { open_save(); }));
-    page.rows.push_back(menu_row("Load", [this] { open_load(); }));
+    page.add("Resume", "", [this] { menu_.close_all(); });
+    if (host_.can_save()) page.add("Save", "", [this] { open_save(); });
+    page.add("Load", "", [this] { open_load(); });
     if (const Goal goal = host_.goal(); !goal.count.empty()) {
-        page.rows.push_back(menu_row(
-            goal.title, [this, goal] { open_text(goal.title, goal.list, {}); },
-            goal.hint.empty() ? "which are found, and which are missing" : goal.hint));
+        page.add(goal.title, goal.hint.empty() ? "which are found, and which are missing" : goal.hint,
+                 [this, goal] { open_text(goal.title, goal.list, {}); });
         page.rows.back().value = goal.count;
     }
-    if (!host_.messages().empty())
-        page.rows.push_back(menu_row(
-            "Messages", [this] { open_messages(); }, "texts shown in this walk"));
-    page.rows.push_back(menu_row("Options", [this] { open_options(); }));
-    page.rows.push_back(keys_row());
-    page.rows.push_back(menu_row("Restart level", [this] { open_restart(); }));
-    page.rows.push_back(menu_row("Levels", [this] { open_levels(); }));
-    if (host_.has_gallery())
-        page.rows.push_back(menu_row(
-            "Gallery", [this] { host_.show_gallery(); }, "the walk is paused meanwhile"));
-    page.rows.push_back(menu_row(
-        "Title", [this] { leave_walk("Leave this walk?", closing([this] { host_.show_title(); })); },
-        host_.can_save() ? "The walk is saved: Continue resumes it" : ""));
-    page.rows.push_back(menu_row(
-        "Quit", [this] { leave_walk("Quit the game?", [this] { host_.leave(); }); },
-        host_.can_save() ? "The walk is saved: Continue resumes it" : ""));
+    if (!host_.messages().empty()) page.add("Messages", "texts shown in this walk", [this] { open_messages(); });
+    page.add("Options", "", [this] { open_options(); });
+    add_keys(page);
+    page.add("Restart level", "", [this] { open_restart(); });
+    page.add("Levels", "", [this] { open_levels(); });
+    if (host_.has_gallery()) page.add("Gallery", "the walk is paused meanwhile", [this] { host_.show_gallery(); });
+    page.add("Title", host_.can_save() ? "The walk is saved: Continue resumes it" : "",
+             [this] { leave_walk("Leave this walk?", closing([this] { host_.show_title(); })); });
+    page.add("Quit", host_.can_save() ? "The walk is saved: Continue resumes it" : "",
+             [this] { leave_walk("Quit the game?", [this] { host_.leave(); }); });
     return page;
 }
 
@@ -149,17 +133,14 @@ MenuPage MenuPages::end_page(const EndFigures& figures) {
     MenuPage page{"The end", text_of_end(figures)};
     page.back = closing([this] { host_.show_title(); });
     if (!figures.next_level.empty())
-        page.rows.push_back(menu_row("On to " + figures.next_level, closing([this] { host_.play_next(); })));
-    page.rows.push_back(menu_row("Again", closing([this] { host_.restart(); })));
-    if (figures.is_lost) page.rows.push_back(menu_row("Load", [this] { open_load(); }));
-    page.rows.push_back(menu_row(
-        "Picture",
-        [this, text = lines_of_end(figures)] {
-            open_message("Picture", host_.key_names().in(host_.save_picture(host_.game_title() + "\n" + text)));
-        },
-        "this view with these figures under it, to share"));
-    page.rows.push_back(menu_row("Another level", [this] { open_levels(); }));
-    page.rows.push_back(menu_row("Title", closing([this] { host_.show_title(); })));
+        page.add("On to " + figures.next_level, "", closing([this] { host_.play_next(); }));
+    page.add("Again", "", closing([this] { host_.restart(); }));
+    if (figures.is_lost) page.add("Load", "", [this] { open_load(); });
+    page.add("Picture", "this view with these figures under it, to share", [this, text = lines_of_end(figures)] {
+        open_message("Picture", host_.key_names().in(host_.save_picture(host_.game_title() + "\n" + text)));
+    });
+    page.add("Another level", "", [this] { open_levels(); });
+    page.add("Title", "", closing([this] { host_.show_title(); }));
     return page;
 }
 
@@ -172,14 +153,11 @@ MenuPage MenuPages::options_page() {
     page.help = "Changes apply at once and are saved";
     for (int i = 0; i < kPreferencePageCount; ++i) {
         const auto kind = static_cast<PreferencePage>(i);
-        page.rows.push_back(
-            menu_row(name_of(kind), [this, kind] { menu_.open([this, kind] { return preferences_page(kind); }); }));
+        page.add(name_of(kind), "", [this, kind] { menu_.open([this, kind] { return preferences_page(kind); }); });
     }
-    page.rows.push_back(menu_row(
-        "Light", [this] { open_light(); }, "set with a test picture"));
-    page.rows.push_back(menu_row(
-        "Keys", [this] { open_key_pages(menu_, host_, key_undo_); }, "which key or button does what"));
-    page.rows.push_back(back_row());
+    page.add("Light", "set with a test picture", [this] { open_light(); });
+    page.add("Keys", "which key or button does what", [this] { open_key_pages(menu_, host_, key_undo_); });
+    add_back(page);
     return page;
 }
 
@@ -194,7 +172,7 @@ MenuPage MenuPages::preferences_page(PreferencePage page) {
     MenuPage shown{name_of(page)};
     for (const Preference& preference : all_preferences())
         if (preference.page == page) shown.rows.push_back(preference_row(preference));
-    shown.rows.push_back(back_row());
+    add_back(shown);
     return shown;
 }
 
@@ -202,25 +180,23 @@ void MenuPages::open_levels() {
     menu_.open([this, levels = host_.levels()] {
         MenuPage page{"Levels"};
         for (const LevelEntry& level : levels) {
-            MenuRow entry = menu_row(level.name, [this, name = level.name, file = level.file] {
+            const auto go = [this, name = level.name, file = level.file] {
                 leave_walk("Leave this walk and go to " + name + "?",
                            closing([this, file] { host_.play_level(file); }));
-            });
-            entry.value = level.title;
-            page.rows.push_back(std::move(entry));
+            };
+            page.add(level.name, "", go).value = level.title;
         }
-        page.rows.push_back(back_row());
+        add_back(page);
         return page;
     });
 }
 
-MenuRow MenuPages::keys_row() {
-    return menu_row(
-        "Keys", [this] { open_keys(); }, "all that keys do, also without them");
+void MenuPages::add_keys(MenuPage& page) {
+    page.add("Keys", "all that keys do, also without them", [this] { open_keys(); });
 }
 
-MenuRow MenuPages::back_row() {
-    return menu_row("Back", [this] { menu_.close(); });
+void MenuPages::add_back(MenuPage& page) {
+    page.add("Back", "", [this] { menu_.close(); });
 }
 
 void MenuPages::open_text(std::string title, std::string text, std::optional<Action> closed_by) {
@@ -238,18 +214,14 @@ void MenuPages::open_messages() {
     open_text("Messages", text, {});
 }
 
-void MenuPages::open_figures() {
-    open_text("All figures", host_.figures(), Action::FrameCost);
-}
-
 void MenuPages::open_keys() {
     menu_.open([this, help = host_.key_help()] {
         MenuPage page{"Keys"};
         page.help = host_.key_names().in("{choose} choose, {accept} does it, {menu} goes back");
         page.closed_by = Action::ShowHelp;
         for (const KeyHelp& line : help) page.rows.push_back({line.label, line.keys, "", acting(line.actions)});
-        page.rows.push_back(menu_row("Change keys", [this] { open_key_pages(menu_, host_, key_undo_); }));
-        page.rows.push_back(back_row());
+        page.add("Change keys", "", [this] { open_key_pages(menu_, host_, key_undo_); });
+        add_back(page);
         return page;
     });
 }
@@ -269,8 +241,8 @@ void MenuPages::ask(std::string title, std::string text, std::string yes, std::f
     menu_.open(
         [this, title = std::move(title), text = std::move(text), yes = std::move(yes), action = std::move(action)] {
             MenuPage page{title, text};
-            page.rows.push_back(menu_row("No", [this] { menu_.close(); }));
-            page.rows.push_back(menu_row(yes, action));
+            page.add("No", "", [this] { menu_.close(); });
+            page.add(yes, "", action);
             return page;
         });
 }

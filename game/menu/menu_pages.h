@@ -102,9 +102,6 @@ std::string inputs_text(MenuHost& host, Action action);
 /// Added to a question if leaving a walk loses progress.
 inline constexpr const char* kLost = " What is not saved is lost.";
 
-/// A row with an action; its help begins with a capital.
-MenuRow menu_row(std::string label, std::function<void()> accept, std::string help = "");
-
 /// Opens the pages of the menu.
 class MenuPages {
   public:
@@ -112,9 +109,9 @@ class MenuPages {
     MenuPages(Menu& menu, MenuHost& host) : menu_(menu), host_(host) {}
 
     void open_title();
-    void open_game();     ///< over a walk
-    void open_keys();     ///< what each key does, and does it if it is chosen; over a walk or a gallery
-    void open_figures();  ///< over a gallery
+    void open_game();  ///< over a walk
+    void open_keys();  ///< what each key does, and does it if it is chosen; over a walk or a gallery
+    void open_figures() { open_text("All figures", host_.figures(), Action::FrameCost); }  ///< over a gallery
     void open_gallery();  ///< over a gallery with nothing behind it
     void open_end();      ///< after a walk
     void open_light();    ///< a test picture, to set the light of the game that is played
@@ -143,8 +140,8 @@ class MenuPages {
     MenuPage preferences_page(PreferencePage page);
     MenuRow preference_row(const Preference& preference);
     MenuRow save_row(const SaveEntry& save, std::function<void()> accept) const;
-    MenuRow keys_row();
-    MenuRow back_row();
+    void add_keys(MenuPage& page);
+    void add_back(MenuPage& page);
 
     void ask(std::string title, std::string text, std::string yes, std::function<void()> action);
     /// Closes all pages, then does what the only one of the actions does.

@@ -30,11 +30,10 @@ void MenuPages::open_load() {
         const bool has_saves =
             std::any_of(saves.begin(), saves.end(), [](const SaveEntry& save) { return !save.is_empty; });
         if (has_saves)
-            page.rows.push_back(menu_row(
-                "Delete", [this] { open_delete(); }, "a saved walk"));
+            page.add("Delete", "a saved walk", [this] { open_delete(); });
         else
             page.text = "Nothing is saved yet.";
-        page.rows.push_back(back_row());
+        add_back(page);
         return page;
     });
 }
@@ -44,7 +43,7 @@ void MenuPages::open_delete() {
     menu_.open([this, saves = host_.saves()] {
         MenuPage page{"Delete"};
         page.back = [this] {
-            for (int pages = 2; pages > 0; --pages) menu_.close();  // this one, and the list before it
+            menu_.close(2);  // this one, and the list before it
             open_load();
         };
         for (std::size_t i = 0; i < saves.size(); ++i) {
@@ -52,8 +51,7 @@ void MenuPages::open_delete() {
             if (save.is_empty) continue;
             const auto remove = [this, i] {
                 const std::string fault = host_.remove_save(i);
-                for (int pages = 3; pages > 0; --pages)
-                    menu_.close();  // the question, this one, and the list before it
+                menu_.close(3);  // the question, this one, and the list before it
                 open_load();
                 if (!fault.empty()) open_message("Delete", fault);
             };
@@ -62,7 +60,7 @@ void MenuPages::open_delete() {
             };
             page.rows.push_back(save_row(save, accept));
         }
-        page.rows.push_back(menu_row("Back", page.back));
+        page.add("Back", "", page.back);
         return page;
     });
 }
@@ -73,24 +71,21 @@ void MenuPages::open_save() {
         for (std::size_t i = 0; i < saves.size(); ++i) {
             const SaveEntry& save = saves[i];
             if (!save.is_saved_to_by_player) continue;
-            const auto write = [this, i] {
+            const auto write = [this, i](std::size_t pages) {
                 const std::string fault = host_.save(i);
-                menu_.close();
+                menu_.close(pages);
                 if (fault.empty()) return menu_.close_all();
                 open_save();  // anew: another program may have changed the list
                 open_message("Save", fault);
             };
-            const auto replace = [this, write] {
-                menu_.close();  // the question
-                write();
-            };
-            const auto accept = [this, write, replace, name = save.name, is_empty = save.is_empty] {
-                if (is_empty) return write();
-                ask("Save", "Replace what is in " + name + "?", "Replace it", replace);
+            const auto accept = [this, write, name = save.name, is_empty = save.is_empty] {
+                if (is_empty) return write(1);
+                ask("Save", "Replace what is in " + name + "?", "Replace it",
+                    [write] { write(2); });  // the question too
             };
             page.rows.push_back(save_row(save, accept));
         }
-        page.rows.push_back(back_row());
+        add_back(page);
         return page;
     });
 }

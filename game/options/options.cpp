@@ -136,6 +136,37 @@ void interpret(const OptionTexts& texts, Options& options) {
         throw UsageError("--gallery: it is drawn in the museum, expected it without LEVEL, --map, --watch and --game");
 }
 
+namespace fs = std::filesystem;
+
+// An absolute path from the environment, with `below` added; empty if there is none.
+fs::path environment_folder(const char* variable, const char* below) {
+    const char* const value = std::getenv(variable);
+    if (value == nullptr || !fs::path(value).is_absolute()) return {};
+    return fs::path(value) / below;
+}
+
+fs::path base_folder(const char* variable, const char* below_home) {
+    const fs::path given = environment_folder(variable, "");
+    return given.empty() ? environment_folder("HOME", below_home) : given;
+}
+
+// $XDG_CONFIG_HOME/oblong/oblong.cfg and $XDG_DATA_HOME/oblong, by the XDG Base Directory Specification; if these are
+// unset or not absolute, below ~/.config and ~/.local/share.
+PlayerFolders desktop_folders() {
+    const fs::path config = base_folder("XDG_CONFIG_HOME", ".config");
+    const fs::path data = base_folder("XDG_DATA_HOME", ".local/share");
+    PlayerFolders folders;
+    if (!config.empty()) folders.config_file = (config / "oblong" / "oblong.cfg").string();
+    if (!data.empty()) folders.data = (data / "oblong").string();
+    return folders;
+}
+
+// Both in the folder oblong-data below the program's folder.
+PlayerFolders portable_folders(const std::string& program_folder) {
+    const fs::path folder = fs::path(program_folder) / "oblong-data";
+    return {(folder / "oblong.cfg").string(), folder.string()};
+}
+
 // Measured and replayed runs are the same for every player: they read no player's files, except a named --config.
 PlayerFolders folders_of(const OptionTexts& texts, const Options& options, const char* program) {
     PlayerFolders folders;
@@ -149,20 +180,6 @@ PlayerFolders folders_of(const OptionTexts& texts, const Options& options, const
                                                     : "Nothing is") +
                         " saved: HOME is no absolute path, expected the player's folder there, or --portable";
     return folders;
-}
-
-namespace fs = std::filesystem;
-
-// An absolute path from the environment, with `below` added; empty if there is none.
-fs::path environment_folder(const char* variable, const char* below) {
-    const char* const value = std::getenv(variable);
-    if (value == nullptr || !fs::path(value).is_absolute()) return {};
-    return fs::path(value) / below;
-}
-
-fs::path base_folder(const char* variable, const char* below_home) {
-    const fs::path given = environment_folder(variable, "");
-    return given.empty() ? environment_folder("HOME", below_home) : given;
 }
 
 }  // namespace
@@ -186,20 +203,6 @@ int run_with_options(int argument_count, const char* const* arguments,
         store.begin_with(options.preferences);
         body(options, store);
     });
-}
-
-PlayerFolders desktop_folders() {
-    const fs::path config = base_folder("XDG_CONFIG_HOME", ".config");
-    const fs::path data = base_folder("XDG_DATA_HOME", ".local/share");
-    PlayerFolders folders;
-    if (!config.empty()) folders.config_file = (config / "oblong" / "oblong.cfg").string();
-    if (!data.empty()) folders.data = (data / "oblong").string();
-    return folders;
-}
-
-PlayerFolders portable_folders(const std::string& program_folder) {
-    const fs::path folder = fs::path(program_folder) / "oblong-data";
-    return {(folder / "oblong.cfg").string(), folder.string()};
 }
 
 }  // namespace oblong

@@ -18,31 +18,17 @@ struct PlayerFolders {
     std::string fault = {};   ///< why a played game keeps less than it would; empty: it keeps all
 };
 
-/// $XDG_CONFIG_HOME/oblong/oblong.cfg and $XDG_DATA_HOME/oblong, by the XDG Base Directory Specification; if these are
-/// unset or not absolute, below ~/.config and ~/.local/share.
-PlayerFolders desktop_folders();
-
-/// Both in the folder oblong-data below the program's folder.
-PlayerFolders portable_folders(const std::string& program_folder);
-
-/// The level to play, from the command line; empty strings: not given.
-struct LevelOptions {
-    std::string level, palette, models;
-    std::string map, game;  ///< a level's name, and the folder of a game like Quake's
-    std::string watch;      ///< the source of a level that is compiled when it changes
-    std::string room;       ///< where to begin, with what Visit opens
-};
-
-/// Other runs than a normal game; empty strings and 0: not given.
-struct RunOptions {
+/// A program's start options: the options file's values, overridden by the command line. Empty strings and 0: not
+/// given.
+struct Options {
+    std::string level, palette, models;  ///< files of the level to play
+    std::string map, game;               ///< a level's name, and the folder of a game like Quake's
+    std::string watch;                   ///< the source of a level that is compiled when it changes
+    std::string room;                    ///< where to begin, with what Visit opens
     std::string record, replay, timedemo, route;
     std::int64_t headless_frames = 0;
     std::string out;
     std::int64_t threads = 1;
-};
-
-/// A program's start options: the options file's values, overridden by the command line.
-struct Options : LevelOptions, RunOptions {
     Preferences preferences;                   ///< from the options file, changed by the command line
     std::map<std::string, std::string> light;  ///< of the first game, from the command line, by preference name
     WindowSize window;

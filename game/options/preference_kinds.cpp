@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <optional>
-#include <utility>
-#include <vector>
 
 #include "engine/base/table.h"
 #include "engine/base/text.h"
@@ -161,8 +159,7 @@ std::string degrees_text(Degrees degrees) {
 
 Preference mode_preference() {
     Preference mode =
-        named({"mode", "Resolution", "WxH, size of the picture in pixels; upright windows show 320x200 as 200x320",
-               PreferencePage::Picture},
+        named({"mode", "Resolution", "WxH, size of the picture in pixels; upright windows show 320x200 as 200x320"},
               "8x8 to " + std::to_string(kLargestMode_px) + "x" + std::to_string(kLargestMode_px));
     mode.text = mode.shown = size_text;
     mode.parse = [](Preferences& of, const std::string& text) { parse_mode_size(text, of.mode); };
@@ -177,9 +174,8 @@ Preference mode_preference() {
 }
 
 Preference display_preference() {
-    Preference display = named(
-        {"display", "Display shape", "W:H, shape of the display that the picture is for", PreferencePage::Picture},
-        "1:100 to 100:1, such as 4:3");
+    Preference display = named({"display", "Display shape", "W:H, shape of the display that the picture is for"},
+                               "1:100 to 100:1, such as 4:3");
     display.text = display.shown = display_text;
     display.parse = [](Preferences& of, const std::string& text) { of.mode.display = parse_display(text); };
     step_through(
@@ -189,8 +185,7 @@ Preference display_preference() {
 }
 
 Preference field_of_view_preference() {
-    Preference field =
-        named({"fov", "Field of view", "horizontal field of view, in degrees", PreferencePage::Picture}, "1 to 179");
+    Preference field = named({"fov", "Field of view", "horizontal field of view, in degrees"}, "1 to 179");
     field.text = [](const Preferences& of) { return degrees_text(of.field_of_view); };
     field.shown = [](const Preferences& of) { return degrees_text(of.field_of_view) + " degrees"; };
     field.parse = [](Preferences& of, const std::string& text) { of.field_of_view = parse_field_of_view(text); };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -22,9 +21,9 @@ using Rows = std::vector<Preference>;
 Preference scaling_preference() {
     std::vector<std::string_view> names;
     for (int i = 0; i < kScalingCount; ++i) names.emplace_back(name_of(static_cast<Scaling>(i)));
-    Preference row = one_of({"scaling", "Scaling", "how pixels of the picture become pixels of the window",
-                             PreferencePage::Picture, "{scaling}"},
-                            names, &Preferences::scaling);
+    Preference row =
+        one_of({"scaling", "Scaling", "how pixels of the picture become pixels of the window", "{scaling}"}, names,
+               &Preferences::scaling);
     row.values += "; stretch: aspect-display fill";
     row.parse = [parse = row.parse](Preferences& of, const std::string& text) {
         if (text == "stretch")
@@ -37,8 +36,7 @@ Preference scaling_preference() {
 
 Preference tube_preference() {
     Preference row = on_or_off(
-        {"tube-light", "CRT colours", "dark colours as bright as on a CRT of 1996; stored for each game",
-         PreferencePage::Picture},
+        {"tube-light", "CRT colours", "dark colours as bright as on a CRT of 1996; stored for each game"},
         [](const Preferences& of) { return int{of.light().is_of_tube}; },
         [](Preferences& of, int value) {
             Light light = of.light();
@@ -49,54 +47,47 @@ Preference tube_preference() {
     return row;
 }
 
-void add_picture(Rows& rows) {
-    constexpr PreferencePage kPage = PreferencePage::Picture;
-    rows.push_back(field_of_view_preference());
-    rows.push_back(mode_preference());
-    rows.push_back(display_preference());
-    rows.push_back(whole_number({"view-size", "View size", "of the picture, in per cent; the rest is a border", kPage,
-                                 "{smaller-view}, {larger-view}"},
-                                &Preferences::size_100, 30, 100, {30, 40, 50, 60, 70, 80, 90, 100}, " %"));
-    rows.push_back(
-        on_or_off({"double-columns", "Double columns", "draws half of the view's columns, each two pixels wide", kPage},
-                  &Preferences::doubles_columns));
-    rows.push_back(one_of(
-        {"aspect-projection", "Drawn for", "pixels that the projection assumes: the display's, or square ones", kPage,
-         "{projection-aspect}"},
-        {"square", "display"}, [](const Preferences& of) { return int{of.corrects_projection}; },
-        [](Preferences& of, int value) { of.corrects_projection = value != 0; }));
-    rows.push_back(
+Rows picture_rows() {
+    return {
+        field_of_view_preference(),
+        mode_preference(),
+        display_preference(),
+        whole_number({"view-size", "View size", "of the picture, in per cent; the rest is a border",
+                      "{smaller-view}, {larger-view}"},
+                     &Preferences::size_100, 30, 100, {30, 40, 50, 60, 70, 80, 90, 100}, " %"),
+        on_or_off({"double-columns", "Double columns", "draws half of the view's columns, each two pixels wide"},
+                  &Preferences::doubles_columns),
+        one_of(
+            {"aspect-projection", "Drawn for", "pixels that the projection assumes: the display's, or square ones",
+             "{projection-aspect}"},
+            {"square", "display"}, [](const Preferences& of) { return int{of.corrects_projection}; },
+            [](Preferences& of, int value) { of.corrects_projection = value != 0; }),
         one_of({"aspect-display", "Shown as", "shape in the window: the display's, with square pixels, or the window's",
-                kPage, "{display-aspect}"},
-               {"display", "square", "fill"}, &Preferences::shown_as));
-    rows.push_back(scaling_preference());
-    rows.push_back(on_or_off({"crt", "CRT look", "scanlines, shadow mask and glow of a CRT", kPage, "{crt}"},
-                             &Preferences::has_crt_look));
-    rows.push_back(light_in_hundredths(
-        {"brightness", "Brightness", "of light on surfaces; stored for each game", kPage, "{darker}, {brighter}"},
-        &Light::brightness_100, 25, 800, {25, 35, 50, 70, 100, 140, 200, 280, 400, 560, 800}));
-    rows.push_back(light_in_hundredths(
-        {"gamma", "Gamma", "above 1, dark colours are brighter; stored for each game", kPage}, &Light::gamma_100, 50,
-        200, {50, 60, 70, 80, 90, 100, 110, 120, 130, 140, 150, 160, 170, 180, 190, 200}));
-    rows.push_back(tube_preference());
-    rows.push_back(
-        on_or_off({"dac6", "VGA colours", "6 bits a channel: differ by up to 3 of 255 from the palette", kPage},
-                  &Preferences::has_dac6));
-    rows.push_back(on_or_off({"whole-screen", "Full screen", "covers the whole screen (Alt+Enter)", kPage},
-                             &Preferences::fills_screen));
-    rows.push_back(on_or_off({"vsync", "Vertical sync", "shows each picture whole, where the system can", kPage},
-                             &Preferences::waits_for_display));
-    rows.push_back(whole_number({"frame-cap", "Frame cap", "most pictures a second; 0: no limit", kPage},
-                                &Preferences::frame_cap_hz, 0, 1000, {0, 30, 35, 60, 70, 75, 90, 120, 144, 165, 240},
-                                " a second"));
+                "{display-aspect}"},
+               {"display", "square", "fill"}, &Preferences::shown_as),
+        scaling_preference(),
+        on_or_off({"crt", "CRT look", "scanlines, shadow mask and glow of a CRT", "{crt}"}, &Preferences::has_crt_look),
+        light_in_hundredths(
+            {"brightness", "Brightness", "of light on surfaces; stored for each game", "{darker}, {brighter}"},
+            &Light::brightness_100, 25, 800, {25, 35, 50, 70, 100, 140, 200, 280, 400, 560, 800}),
+        light_in_hundredths({"gamma", "Gamma", "above 1, dark colours are brighter; stored for each game"},
+                            &Light::gamma_100, 50, 200,
+                            {50, 60, 70, 80, 90, 100, 110, 120, 130, 140, 150, 160, 170, 180, 190, 200}),
+        tube_preference(),
+        on_or_off({"dac6", "VGA colours", "6 bits a channel: differ by up to 3 of 255 from the palette"},
+                  &Preferences::has_dac6),
+        on_or_off({"whole-screen", "Full screen", "covers the whole screen (Alt+Enter)"}, &Preferences::fills_screen),
+        on_or_off({"vsync", "Vertical sync", "shows each picture whole, where the system can"},
+                  &Preferences::waits_for_display),
+        whole_number({"frame-cap", "Frame cap", "most pictures a second; 0: no limit"}, &Preferences::frame_cap_hz, 0,
+                     1000, {0, 30, 35, 60, 70, 75, 90, 120, 144, 165, 240}, " a second")};
 }
 
 // "preset" if a dial has the value of its preset; then a change of the preset changes it, too.
 Preference dial_preference(const Dial& dial) {
-    Preference row =
-        named({"dial-" + std::string(dial.name), std::string(dial.caption),
-               std::string(dial.about.substr(0, dial.about.find_last_not_of('.') + 1)), PreferencePage::Accuracy},
-              values_of(dial) + ", or preset: as --accuracy sets it");
+    Preference row = named({"dial-" + std::string(dial.name), std::string(dial.caption),
+                            std::string(dial.about.substr(0, dial.about.find_last_not_of('.') + 1))},
+                           values_of(dial) + ", or preset: as --accuracy sets it");
     row.text = [&dial](const Preferences& of) {
         const std::int32_t value = dial.get(of.accuracy);
         return value == dial.get(accuracy_of(of.preset)) ? "preset" : value_text(dial, value);
@@ -114,7 +105,7 @@ Preference machine_preference() {
     constexpr int kToday = static_cast<int>(kProcessors.size());
     return one_of(
         {"machine", "Machine", "each picture stays as long as a 386/33, 486/66 or Pentium/90 takes for it",
-         PreferencePage::Accuracy, "{machine}"},
+         "{machine}"},
         {"386", "486", "pentium", "today"},
         [](const Preferences& of) { return of.machine ? static_cast<int>(*of.machine) : kToday; },
         [](Preferences& of, int value) {
@@ -122,73 +113,65 @@ Preference machine_preference() {
         });
 }
 
-void add_accuracy(Rows& rows) {
+Rows accuracy_rows() {
     std::vector<std::string_view> presets;
     for (const Preset preset : kPresets) presets.emplace_back(name_of(preset));
-    rows.push_back(one_of(
-        {"accuracy", "Accuracy", "preset of all dials: what games of a year did, or a bound of the error",
-         PreferencePage::Accuracy, "{accuracy}"},
-        presets, [](const Preferences& of) { return static_cast<int>(of.preset); },
-        [](Preferences& of, int value) {
-            of.preset = static_cast<Preset>(value);
-            of.accuracy = accuracy_of(of.preset);
-        }));
-    rows.push_back(machine_preference());
+    Rows rows{one_of(
+                  {"accuracy", "Accuracy", "preset of all dials: what games of a year did, or a bound of the error",
+                   "{accuracy}"},
+                  presets, [](const Preferences& of) { return static_cast<int>(of.preset); },
+                  [](Preferences& of, int value) {
+                      of.preset = static_cast<Preset>(value);
+                      of.accuracy = accuracy_of(of.preset);
+                  }),
+              machine_preference()};
     for (const Dial& dial : all_dials()) rows.push_back(dial_preference(dial));
+    return rows;
 }
 
-void add_comfort(Rows& rows) {
-    constexpr PreferencePage kPage = PreferencePage::Comfort;
-    rows.push_back(one_of({"flashes", "Flashes", "flickering lights, colour changes and flashes", kPage},
-                          {"full", "reduced", "off"}, &Preferences::flashes));
+Rows comfort_rows() {
     const std::vector<std::int32_t> sways{0, 25, 50, 75, 100, 150, 200};
-    rows.push_back(
-        whole_number({"view-bob", "View bob", "the view moves up and down while walking; 100: as in Quake", kPage},
-                     &Preferences::view_bob_100, 0, 200, sways, " %"));
-    rows.push_back(
-        whole_number({"view-roll", "View roll", "the view rolls while stepping sideways; 100: as in Quake", kPage},
-                     &Preferences::view_roll_100, 0, 200, sways, " %"));
-    rows.push_back(
-        whole_number({"game-speed", "Game speed", "in per cent; below 100 the same happens more slowly", kPage},
-                     &Preferences::game_speed_100, 25, 1600, {25, 33, 50, 67, 75, 80, 90, 100}, " %"));
-    rows.push_back(whole_number({"text-size", "Text size", "1 or 2: scale of the letters", kPage},
-                                &Preferences::text_scale, 1, 2, {1, 2}, "x"));
-    rows.push_back(one_of(
-        {"colours", "Overlay colours", "of lines, maps, keys and text; two sets for colour-blind players", kPage},
-        {"standard", "red-green", "blue-yellow"}, &Preferences::colours));
-    rows.push_back(on_or_off({"captions", "Sound captions", "shows each sound as a line of text", kPage},
-                             &Preferences::shows_captions));
+    return {
+        one_of({"flashes", "Flashes", "flickering lights, colour changes and flashes"}, {"full", "reduced", "off"},
+               &Preferences::flashes),
+        whole_number({"view-bob", "View bob", "the view moves up and down while walking; 100: as in Quake"},
+                     &Preferences::view_bob_100, 0, 200, sways, " %"),
+        whole_number({"view-roll", "View roll", "the view rolls while stepping sideways; 100: as in Quake"},
+                     &Preferences::view_roll_100, 0, 200, sways, " %"),
+        whole_number({"game-speed", "Game speed", "in per cent; below 100 the same happens more slowly"},
+                     &Preferences::game_speed_100, 25, 1600, {25, 33, 50, 67, 75, 80, 90, 100}, " %"),
+        whole_number({"text-size", "Text size", "1 or 2: scale of the letters"}, &Preferences::text_scale, 1, 2, {1, 2},
+                     "x"),
+        one_of({"colours", "Overlay colours", "of lines, maps, keys and text; two sets for colour-blind players"},
+               {"standard", "red-green", "blue-yellow"}, &Preferences::colours),
+        on_or_off({"captions", "Sound captions", "shows each sound as a line of text"}, &Preferences::shows_captions)};
 }
 
-void add_controls(Rows& rows) {
-    constexpr PreferencePage kPage = PreferencePage::Controls;
+Rows control_rows() {
     const std::vector<std::int32_t> stops{10,  20,  30,  40,  50,  60,  70,  80,  90,  100, 120,
                                           140, 160, 180, 200, 250, 300, 400, 500, 700, 1000};
-    rows.push_back(whole_number({"mouse-sensitivity", "Mouse sensitivity", "in per cent", kPage},
-                                &Preferences::mouse_sensitivity_100, 10, 1000, stops, " %"));
-    rows.push_back(on_or_off({"invert-look", "Invert look", "mouse or stick forward looks down", kPage},
-                             &Preferences::inverts_look));
-    rows.push_back(on_or_off({"always-run", "Always run", "off: walks slowly, and the key to walk slowly runs", kPage},
-                             &Preferences::always_runs));
-    rows.push_back(
-        whole_number({"gamepad-sensitivity", "Stick sensitivity", "of the stick that turns, in per cent", kPage},
-                     &Preferences::gamepad_sensitivity_100, 10, 400,
-                     {10, 20, 30, 40, 50, 60, 70, 80, 90, 100, 120, 140, 160, 180, 200, 250, 300, 400}, " %"));
-    rows.push_back(whole_number({"gamepad-dead-zone", "Stick dead zone",
-                                 "how far a stick may rest from its centre, in per cent of its range", kPage},
-                                &Preferences::gamepad_dead_zone_100, 0, 90,
-                                {0, 5, 10, 15, 20, 25, 30, 40, 50, 60, 70, 80, 90}, " %"));
+    return {whole_number({"mouse-sensitivity", "Mouse sensitivity", "in per cent"}, &Preferences::mouse_sensitivity_100,
+                         10, 1000, stops, " %"),
+            on_or_off({"invert-look", "Invert look", "mouse or stick forward looks down"}, &Preferences::inverts_look),
+            on_or_off({"always-run", "Always run", "off: walks slowly, and the key to walk slowly runs"},
+                      &Preferences::always_runs),
+            whole_number({"gamepad-sensitivity", "Stick sensitivity", "of the stick that turns, in per cent"},
+                         &Preferences::gamepad_sensitivity_100, 10, 400,
+                         {10, 20, 30, 40, 50, 60, 70, 80, 90, 100, 120, 140, 160, 180, 200, 250, 300, 400}, " %"),
+            whole_number({"gamepad-dead-zone", "Stick dead zone",
+                          "how far a stick may rest from its centre, in per cent of its range"},
+                         &Preferences::gamepad_dead_zone_100, 0, 90, {0, 5, 10, 15, 20, 25, 30, 40, 50, 60, 70, 80, 90},
+                         " %")};
 }
 
-void add_sound(Rows& rows) {
-    constexpr PreferencePage kPage = PreferencePage::Sound;
+Rows sound_rows() {
     const std::vector<std::int32_t> tenths{0, 10, 20, 30, 40, 50, 60, 70, 80, 90, 100};
-    rows.push_back(whole_number({"volume", "Master volume", "in per cent; 0: no sound device is opened", kPage},
-                                &Preferences::volume_100, 0, 100, tenths, " %"));
-    rows.push_back(whole_number({"sounds-volume", "Sounds", "in the level and in menus, in per cent", kPage},
-                                &Preferences::sounds_volume_100, 0, 100, tenths, " %"));
-    rows.push_back(whole_number({"music-volume", "Music", "in per cent", kPage}, &Preferences::music_volume_100, 0, 100,
-                                tenths, " %"));
+    return {
+        whole_number({"volume", "Master volume", "in per cent; 0: no sound device is opened"}, &Preferences::volume_100,
+                     0, 100, tenths, " %"),
+        whole_number({"sounds-volume", "Sounds", "in the level and in menus, in per cent"},
+                     &Preferences::sounds_volume_100, 0, 100, tenths, " %"),
+        whole_number({"music-volume", "Music", "in per cent"}, &Preferences::music_volume_100, 0, 100, tenths, " %")};
 }
 
 // The light of all games except the museum, which has its own options: "quake:1.4:1:on", a word for each game.
@@ -244,11 +227,15 @@ std::vector<KeptValue> binding_values() {
 
 Rows make_rows() {
     Rows rows;
-    add_picture(rows);
-    add_accuracy(rows);
-    add_comfort(rows);
-    add_controls(rows);
-    add_sound(rows);
+    const auto add = [&rows](PreferencePage page, Rows more) {
+        for (Preference& row : more) row.page = page;
+        rows.insert(rows.end(), more.begin(), more.end());
+    };
+    add(PreferencePage::Picture, picture_rows());
+    add(PreferencePage::Accuracy, accuracy_rows());
+    add(PreferencePage::Comfort, comfort_rows());
+    add(PreferencePage::Controls, control_rows());
+    add(PreferencePage::Sound, sound_rows());
     return rows;
 }
 

@@ -16,12 +16,11 @@ inline constexpr int kPreferencePageCount = 5;
 /// "Picture", "Accuracy", "Comfort", "Controls", "Sound".
 const char* name_of(PreferencePage page);
 
-/// What a value is called, and where a menu shows it.
+/// What a value is called.
 struct PreferenceNames {
-    std::string name;   ///< in the file, and after "--" on the command line: "mouse-sensitivity"
-    std::string label;  ///< at most 20 characters: "Mouse sensitivity"
-    std::string help;   ///< one line
-    PreferencePage page = PreferencePage::Picture;
+    std::string name;       ///< in the file, and after "--" on the command line: "mouse-sensitivity"
+    std::string label;      ///< at most 20 characters: "Mouse sensitivity"
+    std::string help;       ///< one line
     std::string keys = "";  ///< that change it in the game, for KeyNames::in(): "{scaling}"; may be empty
 };
 
@@ -37,6 +36,7 @@ struct KeptValue : PreferenceNames {
 
 /// A value that a menu also shows and changes.
 struct Preference : KeptValue {
+    PreferencePage page = PreferencePage::Picture;
     bool is_switch = false;  ///< its values are "on" and "off"
 
     /// The value as a menu shows it, at most 20 characters: "80 %", "on", "every16".

@@ -65,23 +65,6 @@ struct PicturePreferences : ViewSize {
     bool operator==(const PicturePreferences&) const = default;
 };
 
-/// How games are lit.
-struct LightPreferences {
-    std::map<std::string, Light> lights;  ///< by game, where it differs from light_of_new()
-    std::string game = kMuseum;           ///< the current game, which light() returns the light of
-
-    Light light() const { return light_of(game); }
-    Light light_of(const std::string& name) const {
-        const auto found = lights.find(name);
-        return found == lights.end() ? light_of_new(name) : found->second;
-    }
-    void set_light(const Light& light) {
-        lights[game] = light;
-        if (light == light_of_new(game)) lights.erase(game);
-    }
-    bool operator==(const LightPreferences&) const = default;
-};
-
 struct WindowPreferences {
     bool fills_screen = false;        ///< the whole screen instead of a window
     bool waits_for_display = true;    ///< vsync, where the system offers it
@@ -100,27 +83,29 @@ struct ComfortPreferences {
     bool operator==(const ComfortPreferences&) const = default;
 };
 
-struct SoundPreferences {
-    std::int32_t volume_100 = 100;        ///< of all, 0 to 100; 0: no sound device is opened
-    std::int32_t sounds_volume_100 = 80;  ///< of sounds in the level and in menus, 0 to 100
-    std::int32_t music_volume_100 = 60;   ///< 0 to 100
-    bool operator==(const SoundPreferences&) const = default;
-};
-
 /// All settings of a player that are kept in a file. They change how the game is shown and controlled, never the game
 /// itself.
-struct Preferences : PicturePreferences,
-                     LightPreferences,
-                     WindowPreferences,
-                     ComfortPreferences,
-                     Steering,
-                     SoundPreferences {
+struct Preferences : PicturePreferences, WindowPreferences, ComfortPreferences, Steering {
+    std::map<std::string, Light> lights;       ///< by game, where it differs from light_of_new()
+    std::string game = kMuseum;                ///< the current game, which light() returns the light of
+    std::int32_t volume_100 = 100;             ///< of all, 0 to 100; 0: no sound device is opened
+    std::int32_t sounds_volume_100 = 80;       ///< of sounds in the level and in menus, 0 to 100
+    std::int32_t music_volume_100 = 60;        ///< 0 to 100
     Preset preset = Preset::Bounded;           ///< the last one chosen
     Accuracy accuracy;                         ///< the preset's dials, with later changes
     std::optional<Processor> machine = {};     ///< for whose time each picture stays; none: it does not
     Bindings bindings = default_bindings();    ///< the inputs of each action
     const Kernels* kernels = &best_kernels();  ///< of the command line; not kept
 
+    Light light() const { return light_of(game); }
+    Light light_of(const std::string& name) const {
+        const auto found = lights.find(name);
+        return found == lights.end() ? light_of_new(name) : found->second;
+    }
+    void set_light(const Light& light) {
+        lights[game] = light;
+        if (light == light_of_new(game)) lights.erase(game);
+    }
     bool operator==(const Preferences&) const = default;
 };
 

@@ -19,6 +19,7 @@ namespace {
 struct ConfigLine {
     std::string name, value;
     bool has_value = true;
+    std::size_t number = 0;  // of the line, from 1
 };
 
 bool is_control_but_tab(char letter) {
@@ -37,23 +38,17 @@ std::string without_quotes(const std::string& text) {
 }
 
 // Nothing for an empty line or a comment, which begins with # or, at the beginning of a line, with ;
-std::optional<ConfigLine> parse_config_line(const std::string& line) {
+std::optional<ConfigLine> parse_config_line(const std::string& line, std::size_t number) {
     const std::string text = trimmed(line.substr(0, line.find('#')));
     if (text.empty() || text.front() == ';') return std::nullopt;
     const std::size_t equals = text.find('=');
     const bool has_value = equals != std::string::npos;
     const ConfigLine set{without_quotes(text.substr(0, equals)),
-                         has_value ? without_quotes(text.substr(equals + 1)) : "true", has_value};
+                         has_value ? without_quotes(text.substr(equals + 1)) : "true", has_value, number};
     if (set.name.empty() || text.front() == '[' || std::any_of(text.begin(), text.end(), is_control_but_tab))
         throw InputError("", "'" + text + "', expected NAME = VALUE");
     return set;
 }
-
-// A line and its assignment.
-struct ReadLine {
-    std::size_t number;  // from 1
-    ConfigLine set;
-};
 
 std::vector<std::string> lines_of_text(const std::string& text) {
     std::vector<std::string> lines = split(plain_text(text), "\n");
@@ -81,17 +76,17 @@ std::string what_is_expected(const ConfigLine& line) {
     return expected + "; the line is kept";
 }
 
-std::vector<ReadLine> read_lines(const std::string& text, std::vector<LineFault>& faults) {
+std::vector<ConfigLine> read_lines(const std::string& text, std::vector<LineFault>& faults) {
     const std::span<const KeptValue* const> values = all_kept_values();
-    std::vector<ReadLine> read;
+    std::vector<ConfigLine> read;
     std::size_t number = 0;
     for (const std::string& line : lines_of_text(text)) {
         ++number;
         try {
-            const std::optional<ConfigLine> set = parse_config_line(line);
+            const std::optional<ConfigLine> set = parse_config_line(line, number);
             if (!set || std::find(kFormerNames.begin(), kFormerNames.end(), set->name) != kFormerNames.end()) continue;
             if (is_known(set->name, values))
-                read.push_back({number, *set});
+                read.push_back(*set);
             else
                 faults.push_back({number, printable("'" + set->name + "'" + what_is_expected(*set))});
         } catch (const InputError& error) {
@@ -107,34 +102,34 @@ std::string without_dashes(const std::string& what) {
 }
 
 // Applies the lines of a name to the preferences.
-void parse_lines(const KeptValue& value, const std::vector<ReadLine>& lines, ReadPreferences& read) {
+void parse_lines(const KeptValue& value, const std::vector<ConfigLine>& lines, ReadPreferences& read) {
     std::size_t former = 0;
-    for (const ReadLine& line : lines) {
-        if (line.set.name != value.name) continue;
+    for (const ConfigLine& line : lines) {
+        if (line.name != value.name) continue;
         try {
-            value.parse(read.preferences, line.set.value);
+            value.parse(read.preferences, line.value);
             if (former > 0)
                 read.faults.push_back({line.number, "'" + value.name + "' is already set in line " +
                                                         std::to_string(former) +
                                                         ", expected each name once: this line counts"});
             former = line.number;
         } catch (const std::runtime_error& error) {
-            read.faults.push_back({line.number, line.set.has_value ? without_dashes(error.what())
-                                                                   : "'" + value.name + "', expected NAME = VALUE"});
+            read.faults.push_back({line.number, line.has_value ? without_dashes(error.what())
+                                                               : "'" + value.name + "', expected NAME = VALUE"});
         }
     }
 }
 
 // Mode, field of view and display may each be valid but not together: then mode and field of view keep their defaults.
-void check_together(const std::vector<ReadLine>& lines, ReadPreferences& read) {
+void check_together(const std::vector<ConfigLine>& lines, ReadPreferences& read) {
     try {
         check_view(read.preferences.mode, read.preferences.field_of_view);
     } catch (const UsageError& error) {
         const Preferences usual;
         read.preferences.mode = usual.mode;
         read.preferences.field_of_view = usual.field_of_view;
-        const auto is_of_view = [](const ReadLine& line) {
-            return line.set.name == "mode" || line.set.name == "fov" || line.set.name == "display";
+        const auto is_of_view = [](const ConfigLine& line) {
+            return line.name == "mode" || line.name == "fov" || line.name == "display";
         };
         const auto last = std::find_if(lines.rbegin(), lines.rend(), is_of_view);
         read.faults.push_back({last->number, without_dashes(error.what())});
@@ -198,7 +193,7 @@ std::string text_of_file(const std::string& file) {
 ReadPreferences read_preferences(const std::string& text) {
     check_is_text(text);
     ReadPreferences read;
-    const std::vector<ReadLine> lines = read_lines(text, read.faults);
+    const std::vector<ConfigLine> lines = read_lines(text, read.faults);
     for (const KeptValue* value : all_kept_values()) parse_lines(*value, lines, read);
     check_together(lines, read);
     std::stable_sort(read.faults.begin(), read.faults.end(),
@@ -221,7 +216,7 @@ std::string write_preferences(const Preferences& preferences) {
 std::string with_values(const std::string& text, const std::vector<const KeptValue*>& changed, const Preferences& now) {
     std::vector<LineFault> faults;
     std::map<std::string, std::size_t> line_of_name;  // the last one
-    for (const ReadLine& line : read_lines(text, faults)) line_of_name[line.set.name] = line.number;
+    for (const ConfigLine& line : read_lines(text, faults)) line_of_name[line.name] = line.number;
     std::vector<std::string> lines = lines_of_text(text);
     for (const KeptValue* value : changed) {
         const auto found = line_of_name.find(value->name);

@@ -1,7 +1,6 @@
 #include "game/program/played_game.h"
 
 #include <filesystem>
-#include <utility>
 
 #include "engine/base/text.h"
 #include "engine/io/files.h"
@@ -93,14 +92,14 @@ std::vector<LevelEntry> PlayedGame::levels(const LoadedLevel& played) const {
     return entries;
 }
 
-// The level that the exit names, or the next one of the game.
+// The name that the exit names, or that of the game's next level; empty if there is none.
 std::string PlayedGame::next_level(const LoadedLevel& played, const GameState& state) const {
     const std::string named(next_map(played.level, state));
     return named.empty() ? level_after(definition(), played.data.level_file) : named;
 }
 
-std::string PlayedGame::find(const std::string& name, const LoadedLevel& played) const {
-    return find_named_level(name, places(played));
+std::string PlayedGame::next_file(const LoadedLevel& played, const GameState& state) const {
+    return find_named_level(next_level(played, state), places(played));
 }
 
 EndFigures PlayedGame::end_figures(const LoadedLevel& played, const GameState& state) const {
@@ -139,14 +138,15 @@ std::shared_ptr<const LoadedLevel> PlayedGame::museum(const std::shared_ptr<cons
 }
 
 // From worldspawn's "music": a file below the folder of the game, or beside the level.
-LevelMusic PlayedGame::music_of(const LoadedLevel& level) const {
+std::string PlayedGame::music_of(const LoadedLevel& level) const {
     const std::string named = value_of_world(level.data.level, "music");
-    if (named.empty()) return {};
+    if (named.empty()) return "";
     const std::string file =
         find_below({definition().folder, fs::path(level.data.level_file).parent_path().string()}, named);
-    if (!file.empty()) return {file, ""};
-    return {"", level.data.level_file + ": worldspawn: there is no file " + named + " for its music, expected one in " +
-                    definition().folder};
+    if (file.empty())
+        print_fault("oblong", level.data.level_file + ": worldspawn: there is no file " + named +
+                                  " for its music, expected one in " + definition().folder);
+    return file;
 }
 
 }  // namespace oblong

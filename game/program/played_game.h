@@ -11,12 +11,6 @@
 
 namespace oblong {
 
-/// The music that a level's world names.
-struct LevelMusic {
-    std::string file;   ///< empty: none
-    std::string fault;  ///< if the named file is missing
-};
-
 /// The game that is played: the museum, one with its own folder, or levels without a game. Knows its levels, their
 /// order and its texts.
 class PlayedGame {
@@ -34,10 +28,8 @@ class PlayedGame {
 
     /// All levels; `played` is the current one.
     std::vector<LevelEntry> levels(const LoadedLevel& played) const;
-    /// The name of the next level; empty if there is none.
-    std::string next_level(const LoadedLevel& played, const GameState& state) const;
-    /// The file of a level by its name. Throws FileError.
-    std::string find(const std::string& name, const LoadedLevel& played) const;
+    /// The file of the next level. Throws FileError.
+    std::string next_file(const LoadedLevel& played, const GameState& state) const;
     /// The figures of a walk that ended.
     EndFigures end_figures(const LoadedLevel& played, const GameState& state) const;
 
@@ -47,9 +39,11 @@ class PlayedGame {
                                             const std::shared_ptr<const LoadedLevel>& played) const;
     /// The museum's level; `played`, if it is that. Throws FileError.
     std::shared_ptr<const LoadedLevel> museum(const std::shared_ptr<const LoadedLevel>& played) const;
-    LevelMusic music_of(const LoadedLevel& level) const;
+    /// The file of the music that a level's world names; empty: none. Prints on standard error where it is missing.
+    std::string music_of(const LoadedLevel& level) const;
 
   private:
+    std::string next_level(const LoadedLevel& played, const GameState& state) const;
     LevelPlaces places(const LoadedLevel& played) const;
     const LevelFiles& files_beside(const LoadedLevel& played) const;
 

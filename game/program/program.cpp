@@ -1,12 +1,13 @@
 #include "game/program/program.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
-#include <string>
 #include <utility>
 
+#include "engine/base/table.h"
 #include "engine/io/files.h"
 #include "engine/pictures/picture.h"
 #include "engine/platform/headless.h"
@@ -26,20 +27,8 @@ bool is_input(const Controls& controls) {
     return is_pointed || controls.pressed || !controls.menu.empty() || !controls.commands.empty();
 }
 
-std::optional<Sound> sound_of(MenuEvent event) {
-    switch (event) {
-        case MenuEvent::None:
-            return {};
-        case MenuEvent::Moved:
-        case MenuEvent::Changed:
-            return Sound::MenuMove;
-        case MenuEvent::Accepted:
-            return Sound::MenuAccept;
-        case MenuEvent::WentBack:
-            return Sound::MenuBack;
-    }
-    return {};
-}
+constexpr std::array<std::optional<Sound>, 5> kMenuSounds{std::nullopt, Sound::MenuMove, Sound::MenuMove,
+                                                          Sound::MenuAccept, Sound::MenuBack};  // by MenuEvent
 
 namespace fs = std::filesystem;
 
@@ -119,7 +108,8 @@ void Program::show_frame() {
     take(controls);
     if (screens_.has_left()) return;
     is_stale_ |= screens_.menu().depth() != depth;  // a page may open by itself: at the end, or when the focus is lost
-    follow_preferences();
+    platform_.change_window(window_settings_of(preferences()));
+    tell_of(store_.save_when_settled(preferences(), platform_.now_us()));
     screens_.follow();
     const WindowSize size = platform_.window_size();
     is_stale_ |= screens_.take_has_changed() || is_moving() || is_input(controls) || size != shown_size_;
@@ -171,7 +161,7 @@ void Program::take_in_menu(const Controls& controls) {
     const std::size_t depth = menu.depth();
     wants_screenshot_ |= controls.has(Action::Screenshot) && !menu.page().press;
     const MenuEvent event = menu.handle(controls, canvas, now.text_scale, shown_rect(now, window));
-    if (const auto sound = sound_of(event)) screens_.play(*sound);
+    if (const auto sound = item(kMenuSounds, event)) screens_.play(*sound);
     if (menu.depth() < depth) tell_in_menu(store_.save(now));
     screens_.up().advance_behind_menu(platform_.now_us());
 }
@@ -198,11 +188,6 @@ void Program::take_on_screen(const Controls& controls) {
     screens_.up().advance(controls, platform_.now_us());
     // After the ticks, so that the saved picture is the one shown next, and is drawn once.
     if (screens_.is_in_level() && controls.has(Action::QuickSave)) screens_.quick_save();
-}
-
-void Program::follow_preferences() {
-    platform_.change_window(window_settings_of(preferences()));
-    tell_of(store_.save_when_settled(preferences(), platform_.now_us()));
 }
 
 void Program::draw() {

@@ -33,7 +33,6 @@ class Program {
     void tell_of(const std::string& unsaved);
     void tell_in_menu(const std::string& unsaved);
     void take_on_screen(const Controls& controls);
-    void follow_preferences();
     void draw();
     void present(const ShownPicture& picture) { platform_.present(picture.canvas, picture.palette, picture.rect); }
     void draw_menu(const ShownPicture& picture);

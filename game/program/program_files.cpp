@@ -36,6 +36,17 @@ bool is_plain(char letter) {
     return is_letter || (letter >= '0' && letter <= '9') || letter == '.' || letter == '-' || letter == '_';
 }
 
+// A demo that is missing, or was recorded before the level's last change, is no error: it is recorded in the game.
+void warn_of_demo(const GameDefinition& game, std::uint64_t start_hash) {
+    const auto warn = [&](const std::string& what_is_wrong) {
+        print_warnings("oblong", (fs::path(game.folder) / kGameFile).string(), {"/demo: " + what_is_wrong});
+    };
+    if (game.demo.empty()) return;
+    if (!fs::exists(game.demo)) return warn("there is no file " + game.demo + ", expected one that --record wrote");
+    if (read_parsed(game.demo, decode_demo).start_hash != start_hash)
+        warn(game.demo + " is not shown: recorded on another level or by other rules, expected the first level's");
+}
+
 }  // namespace
 
 // The museum has its saves beside the games' folders, with a file "lock".
@@ -73,21 +84,6 @@ LevelFiles level_files_of(const Options& options, const std::string& assets_fold
     if (!options.map.empty()) files.level = find_named_level(options.map, {"", files.game_folders});
     return files;
 }
-
-namespace {
-
-// A demo that is missing, or was recorded before the level's last change, is no error: it is recorded in the game.
-void warn_of_demo(const GameDefinition& game, std::uint64_t start_hash) {
-    const auto warn = [&](const std::string& what_is_wrong) {
-        print_warnings("oblong", (fs::path(game.folder) / kGameFile).string(), {"/demo: " + what_is_wrong});
-    };
-    if (game.demo.empty()) return;
-    if (!fs::exists(game.demo)) return warn("there is no file " + game.demo + ", expected one that --record wrote");
-    if (read_parsed(game.demo, decode_demo).start_hash != start_hash)
-        warn(game.demo + " is not shown: recorded on another level or by other rules, expected the first level's");
-}
-
-}  // namespace
 
 ProgramFiles load_program_files(const Options& options, const LevelFiles& level) {
     auto loaded = std::make_shared<const LoadedLevel>(level);

@@ -1,11 +1,9 @@
 #include "game/program/screens.h"
 
 #include <filesystem>
-#include <utility>
 
 #include "engine/io/files.h"
 #include "engine/programs/arguments.h"
-#include "game/program/program_files.h"
 #include "game/simulation/rooms.h"
 
 namespace oblong {
@@ -38,15 +36,15 @@ Screens::Screens(const Options& options, ProgramFiles files, PreferencesStore& s
       sound_(parts_.open_sound, files.loaded->files.assets, own_sounds_of(game_.definition())),
       saves_(saves_folder_of(options)),
       pages_(menu_, *this) {
+    const bool names_walk = !(options_.replay + options_.record + options_.level + options_.map).empty();
+    if (!options_.shows_gallery && (names_walk || !options_.shows_title))
+        first_walk_ = std::make_unique<FirstWalk>(FirstWalk{files.loaded, std::move(files.input)});
     if (options_.shows_gallery)
         show_only(parts_.open_gallery(std::move(files.loaded), view_options_, platform_));
-    else if (options_.shows_title) {
-        if (!(options_.replay + options_.record + options_.level + options_.map).empty())
-            first_walk_ = std::make_unique<FirstWalk>(FirstWalk{files.loaded, std::move(files.input)});
+    else if (options_.shows_title)
         start_title(std::move(files.loaded));
-    } else
-        start(std::move(files.loaded), std::move(files.input),
-              options_.replay.empty() ? SessionKind::Walk : SessionKind::Replay);
+    else
+        walk();
     if (walk_ && !options_.room.empty()) begin_in_room();
 }
 
@@ -131,7 +129,7 @@ void Screens::start(std::shared_ptr<const LoadedLevel> loaded, TickInputSource i
     Session* const session = walk.get();
     show_only(std::move(walk));
     walk_ = session;
-    play_level_music();
+    sound_.play_music(game_.music_of(walk_->loaded()));
     sound_.enter(&walk_->loaded().level, &walk_->loaded().data.sounds);
     saves_.begin(kind == SessionKind::Walk ? walk_ : nullptr);
     name_window();
@@ -162,12 +160,6 @@ void Screens::follow_game(const LoadedLevel& loaded) {
     is_first_game_ = false;
 }
 
-void Screens::play_level_music() {
-    const LevelMusic music = game_.music_of(walk_->loaded());
-    sound_.play_music(music.file);
-    print_fault("oblong", music.fault);
-}
-
 void Screens::name_window() {
     const fs::path level = level_below().data.level_file;
     platform_.set_title((game_.definition().title + " - " + level.stem().string()).c_str());
@@ -184,10 +176,6 @@ EndFigures Screens::end_figures() const {
     EndFigures figures = game_.end_figures(walk_->loaded(), end);
     figures.picture = walk_->figures();
     return figures;
-}
-
-Goal Screens::goal() const {
-    return walk_ ? goal_of(walk_->loaded().level, walk_->state()) : Goal{};
 }
 
 void Screens::try_with_files(const std::string& what, const std::function<void()>& work) {
@@ -219,9 +207,7 @@ void Screens::play_level(const std::string& file) {
 }
 
 void Screens::play_next() {
-    try_with_files("Levels", [&] {
-        start_walk(load_level(game_.find(game_.next_level(walk_->loaded(), walk_->state()), walk_->loaded())));
-    });
+    try_with_files("Levels", [&] { start_walk(load_level(game_.next_file(walk_->loaded(), walk_->state()))); });
 }
 
 void Screens::restart() {

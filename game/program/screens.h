@@ -60,7 +60,7 @@ class Screens final : public MenuHost {
     std::string local_name_of(Input input) const override { return platform_.local_name_of(input); }
     std::vector<KeyHelp> key_help() const override { return screens_.back()->key_help(key_names()); }
     std::string game_title() const override { return game_.title(); }
-    Goal goal() const override;
+    Goal goal() const override { return walk_ ? goal_of(walk_->loaded().level, walk_->state()) : Goal{}; }
     std::vector<std::string> messages() const override {
         return walk_ ? walk_->messages() : std::vector<std::string>();
     }
@@ -76,7 +76,7 @@ class Screens final : public MenuHost {
     void walk() override;
     bool has_visit() const override { return level_below().level.visit != kNoTarget; }
     void visit() override;
-    void continue_walk() override;
+    void continue_walk() override { load_from(last_walk_->slot); }
     void restart() override;
     void play_level(const std::string& file) override;
     void play_next() override;
@@ -90,7 +90,7 @@ class Screens final : public MenuHost {
     void leave() override;
 
   private:
-    /// The first walk from a title on --title: a replay, a recorded walk, or one in a level that the options name.
+    /// The first walk, with or without a title before it: a replay, a recorded walk, or one in a level that is named.
     struct FirstWalk {
         std::shared_ptr<const LoadedLevel> loaded;
         TickInputSource input;
@@ -109,7 +109,6 @@ class Screens final : public MenuHost {
     void follow_map();
     void show_changed_level();
     void follow_game(const LoadedLevel& loaded);
-    void play_level_music();
     void name_window();  ///< by the level's name
     /// Runs work with files; shows its error on a page of the menu.
     void try_with_files(const std::string& what, const std::function<void()>& work);
@@ -128,7 +127,7 @@ class Screens final : public MenuHost {
     const std::shared_ptr<LevelWatch> watch_;
     GameSound sound_;
     WalkSaves saves_;
-    std::unique_ptr<FirstWalk> first_walk_;             // until "Walk" on the title starts it
+    std::unique_ptr<FirstWalk> first_walk_;             // until it begins, as by "Walk" on the title
     std::vector<std::unique_ptr<GameScreen>> screens_;  // the title or a walk, and perhaps the gallery over it
     Session* walk_ = nullptr;                           // the walk, if the first screen is one
     std::unique_ptr<Demo> recorded_;                    // of a recorded walk that has ended

@@ -1,11 +1,9 @@
 // Saving and continuing walks.
 #include <filesystem>
-#include <utility>
 
 #include "engine/io/files.h"
 #include "game/program/screens.h"
 #include "game/saves/saved_game.h"
-#include "game/simulation/items.h"
 
 namespace oblong {
 namespace {
@@ -96,10 +94,6 @@ std::string Screens::remove_save(std::size_t entry) {
     }
     if (!walk_) last_walk_ = saves_.slots().last_walk();
     return "";
-}
-
-void Screens::continue_walk() {
-    load_from(last_walk_->slot);
 }
 
 // A walk held by another program, one in a folder that cannot be written to, a quick save of another walk, and a save

@@ -4,13 +4,11 @@
 #include <utility>
 
 #include "engine/programs/arguments.h"
-#include "game/input/bindings.h"
 #include "game/lab/lab.h"
 #include "game/lab/lab_measures.h"
 #include "game/lab/lab_options.h"
 #include "game/simulation/items.h"
 #include "game/view/screenshot.h"
-#include "game/view/shown_view.h"
 
 namespace oblong {
 namespace {
@@ -26,28 +24,15 @@ Framebuffer thumbnail_part(Framebuffer picture, const ScreenMode& mode) {
 
 }  // namespace
 
-WalkTicks::WalkTicks(const GameLevel& level, TickInputSource input)
-    : level_(level), input_(std::move(input)), before_(start_of(level)), after_(before_) {}
-
-void WalkTicks::advance(std::uint64_t elapsed_us, std::int32_t speed_100, const AfterTick& after_tick) {
-    for (int due = clock_.advance(elapsed_us, speed_100); due > 0; --due) {
-        before_ = after_;
-        const TickReport report = input_.play_tick(level_, after_);
-        after_tick(before_, after_, report, due == 1);
-    }
-}
-
-Camera WalkTicks::camera(Degrees field_of_view) const {
-    return camera_at(shown(), input_.look_offset(clock_.fraction_16()), field_of_view);
-}
-
 Session::Session(std::shared_ptr<const LoadedLevel> loaded, const SessionSettings& settings, ViewOptions& view_options,
                  TickInputSource input, Platform& platform)
     : loaded_(std::move(loaded)),
       platform_(platform),
       view_options_(view_options),
       settings_(settings),
-      ticks_(loaded_->level, std::move(input)),
+      input_(std::move(input)),
+      before_(start_of(loaded_->level)),
+      after_(before_),
       palette_(loaded_->data),
       overlays_(*loaded_, view_options, settings.kind == SessionKind::Title ? no_overlays_ : view_options, platform,
                 settings.open_meter),
@@ -65,19 +50,20 @@ void Session::advance(const Controls& controls, std::uint64_t now_us) {
     Controls held = controls;
     if (!overlays_.on().lab.shows_panel) held.moves |= held.panel_moves;
     overlays_.drag(held);
-    ticks_.input().use(view_options_.preferences);
-    ticks_.input().gather(held);
-    ticks_.input().note_view(view_dials_of(view_options_), work_);
-    ticks_.advance(elapsed_us, view_options_.preferences.game_speed_100,
-                   [this](const GameState& before, const GameState& after, const TickReport& report, bool is_last) {
-                       note_tick(before, after, report, is_last);
-                       follow_demo();
-                   });
+    input_.use(view_options_.preferences);
+    input_.gather(held);
+    input_.note_view(view_dials_of(view_options_), work_);
+    for (int due = clock_.advance(elapsed_us, view_options_.preferences.game_speed_100); due > 0; --due) {
+        before_ = after_;
+        const TickReport report = input_.play_tick(loaded_->level, after_);
+        note_tick(report, due == 1);
+        follow_demo();
+    }
 }
 
 // A replay shows what its player saw; a title's, what this one chose.
 void Session::follow_demo() {
-    const ViewDials* const replayed = ticks_.input().replayed_view();
+    const ViewDials* const replayed = input_.replayed_view();
     if (settings_.kind == SessionKind::Replay && replayed)
         follow_view(std::exchange(replayed_view_, *replayed), *replayed, view_options_);
 }
@@ -133,18 +119,18 @@ std::string Session::turn_exhibit() {
 
 std::string Session::map_key() const {
     const bool has_diamonds = view_options_.map != MapView::Off && !last_lenses(loaded_->level, state()).empty();
-    return has_diamonds ? ". Diamonds: " + loaded_->level.lens_names.several + "; small: on the way" : "";
+    return has_diamonds ? ". Diamonds: " + loaded_->level.lenses + "; small: on the way" : "";
 }
 
-void Session::note_tick(const GameState& before, const GameState& after, const TickReport& report, bool is_last) {
+void Session::note_tick(const TickReport& report, bool is_last) {
     warn_of(report);
-    palette_.note_tick(before, after);
-    if (after.has_ended && !before.has_ended) ended_tick_ = after.tick;
-    if (settings_.sound) settings_.sound->note_tick(before, after, report, is_last);
-    const std::string message = message_of(loaded_->level, before, after);
+    palette_.note_tick(before_, after_);
+    if (after_.has_ended && !before_.has_ended) ended_tick_ = after_.tick;
+    if (settings_.sound) settings_.sound->note_tick(before_, after_, report, is_last);
+    const std::string message = message_of(loaded_->level, before_, after_);
     if (!message.empty()) show(message);
     if (input().replayed_view()) return;  // who watches a demo keeps the machine of his own
-    const std::string machine = pulled_machine(loaded_->level, before, after);
+    const std::string machine = pulled_machine(loaded_->level, before_, after_);
     if (!machine.empty()) show(choose_machine(machine, view_options_.preferences));
 }
 
@@ -166,10 +152,10 @@ void Session::follow_mode() {
 }
 
 GameView Session::shown_view() const {
-    const InterpolatedState state = ticks_.shown();
+    const InterpolatedState state = shown();
     const Preferences& preferences = view_options_.preferences;
     const PicturePreferences picture = picture_in(platform_.window_size(), preferences);
-    Camera camera = ticks_.camera(picture.field_of_view);
+    Camera camera = camera_at(state, input_.look_offset(state.fraction_16), picture.field_of_view);
     if (preferences.view_bob_100 != 0 || preferences.view_roll_100 != 0) sway(state, preferences, camera);
     if (state.after.exit >= 0 && loaded_->level.intermission)
         show_intermission(*loaded_->level.intermission, ticks_since_end(), camera);
@@ -228,7 +214,7 @@ ShownPicture Session::draw_all(bool is_behind_menu) {
 // Not of a picture that thumbnail() has drawn, which is without text.
 std::optional<ShownPicture> Session::recoloured() {
     if (!renderer_ || has_drawn_) return std::nullopt;
-    const Palette now = palette_of(ticks_.shown(), shown_effects_);
+    const Palette now = palette_of(shown(), shown_effects_);
     if (now.colours == shown_colours_.colours) return std::nullopt;
     shown_colours_ = now;
     return ShownPicture{renderer_->canvas(), now, shown_rect(view_options_.preferences, platform_.window_size())};
@@ -288,7 +274,7 @@ Thumbnail Session::thumbnail() {
 }
 
 void Session::restore(const GameState& state) {
-    ticks_.restore(state);
+    before_ = after_ = state;
     ended_tick_ = state.tick;
     has_drawn_ = false;
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <set>
 #include <string_view>
@@ -20,36 +19,6 @@
 #include "game/view/shown_view.h"
 
 namespace oblong {
-
-/// A walk's ticks: their clock, their input from the player or a demo, and their states.
-class WalkTicks {
-  public:
-    /// The level outlives it. The first state is that of its start.
-    WalkTicks(const GameLevel& level, TickInputSource input);
-
-    /// Called after each tick. `is_last`: no other follows at once.
-    using AfterTick =
-        std::function<void(const GameState& before, const GameState& after, const TickReport& report, bool is_last)>;
-
-    /// Plays the ticks that are due after `elapsed_us`. `speed_100`: TickClock::advance()'s.
-    void advance(std::uint64_t elapsed_us, std::int32_t speed_100, const AfterTick& after_tick);
-    /// Continues from another state of the level.
-    void restore(const GameState& state) { before_ = after_ = state; }
-
-    const GameState& state() const { return after_; }
-    /// The state to show now, between the last two states.
-    InterpolatedState shown() const { return {before_, after_, clock_.fraction_16()}; }
-    /// The camera at the player's eye, with the mouse motion since the last tick.
-    Camera camera(Degrees field_of_view) const;
-    TickInputSource& input() { return input_; }
-    const TickInputSource& input() const { return input_; }
-
-  private:
-    const GameLevel& level_;
-    TickInputSource input_;
-    TickClock clock_;
-    GameState before_, after_;
-};
 
 enum class SessionKind : std::uint8_t {
     Walk,
@@ -93,7 +62,7 @@ class Session final : public GameScreen {
     std::string figures() const override;
 
     /// Opens what the level opens for who only wants to walk.
-    void visit() { ticks_.input().visit(); }
+    void visit() { input_.visit(); }
     /// Continues from another state of the level.
     void restore(const GameState& state);
     /// Shows the player a message, or its pages, with the names of keys in it (KeyNames::in()).
@@ -106,10 +75,10 @@ class Session final : public GameScreen {
     Thumbnail thumbnail();
 
     const LoadedLevel& loaded() const { return *loaded_; }
-    const GameState& state() const { return ticks_.state(); }
+    const GameState& state() const { return after_; }
     /// 0 while the level goes on.
     std::int64_t ticks_since_end() const { return state().has_ended ? state().tick - ended_tick_ : 0; }
-    const TickInputSource& input() const { return ticks_.input(); }
+    const TickInputSource& input() const { return input_; }
     SessionKind kind() const { return settings_.kind; }
 
   private:
@@ -122,9 +91,10 @@ class Session final : public GameScreen {
         return loaded_->level.intermission && !state().is_lost() ? loaded_->level.intermission->wait_ticks : 0;
     }
     std::optional<Processor> machine() const;
+    InterpolatedState shown() const { return {before_, after_, clock_.fraction_16()}; }
     GameView shown_view() const;
     Palette palette_of(const InterpolatedState& state, const PaletteEffects& effects) const;
-    void note_tick(const GameState& before, const GameState& after, const TickReport& report, bool is_last);
+    void note_tick(const TickReport& report, bool is_last);
     void warn_of(const TickReport& report);
     void handle_commands(const Controls& controls);
     bool has_lab() const { return !loaded_->files.game || loaded_->files.game->has_lab; }
@@ -134,7 +104,9 @@ class Session final : public GameScreen {
     Platform& platform_;
     ViewOptions& view_options_;
     SessionSettings settings_;
-    WalkTicks ticks_;
+    TickInputSource input_;
+    TickClock clock_;
+    GameState before_, after_;                // the picture is between them
     std::unique_ptr<GameRenderer> renderer_;  // for the current mode
     ShownPalette palette_;
     PaletteEffects shown_effects_;  // of the last picture

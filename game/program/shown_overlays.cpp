@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "engine/programs/crosshair.h"
-#include "game/lab/aspects.h"
 #include "game/view/sign_colours.h"
 
 namespace oblong {
@@ -33,21 +32,8 @@ ShownOverlays::ShownOverlays(const LoadedLevel& loaded, const ViewOptions& view_
       open_meter_(open_meter),
       text_colours_(text_colours_of(loaded.data.palette)) {}
 
-// By the mode and the player's preference.
-std::int32_t ShownOverlays::text_scale() const {
-    const ScreenMode mode = this->mode();
-    return text_scale_in(mode.width_px, mode.height_px, preferences().text_scale);
-}
-
 void ShownOverlays::drag(Controls& controls) {
     drag_split(shown_rect(preferences(), platform_.window_size()), on_.lab, controls);
-}
-
-void ShownOverlays::free_all() {
-    lab_.reset();
-    map_.reset();
-    cost_.reset();
-    edge_colour_.reset();
 }
 
 bool ShownOverlays::close_largest() {
@@ -59,10 +45,15 @@ bool ShownOverlays::close_largest() {
 }
 
 void ShownOverlays::follow(std::uint64_t now_us) {
-    text_colours_.scale = text_scale();
-    const MadeFor wanted{mode(), preferences().colours, text_colours_.scale};
-    if (made_for_ != wanted) free_all();
-    made_for_ = wanted;
+    const ScreenMode mode = this->mode();
+    text_colours_.scale = text_scale_in(mode.width_px, mode.height_px, preferences().text_scale);
+    const MadeFor wanted{mode, preferences().colours, text_colours_.scale};
+    if (std::exchange(made_for_, wanted) != wanted) {
+        lab_.reset();
+        map_.reset();
+        cost_.reset();
+        edge_colour_.reset();
+    }
     keep(lab_, needs_lab(on_.lab), [&] {
         return std::make_unique<Lab>(data_, level_, wanted.mode, wanted.colours, wanted.text_scale, open_meter_);
     });

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "engine/platform/platform.h"
@@ -68,8 +67,6 @@ class ShownOverlays {
 
     const Preferences& preferences() const { return view_options_.preferences; }
     ScreenMode mode() const { return picture_in(platform_.window_size(), preferences()).mode; }
-    std::int32_t text_scale() const;
-    void free_all();
 
     const GameData& data_;
     const GameLevel& level_;

@@ -34,10 +34,10 @@ void time_demo(const Options& options, const LoadedLevel& loaded, Workers& worke
     GameRenderer renderer(loaded.data, loaded.level, options.preferences.mode, &workers);
     warn_of_torn_edges("oblong", loaded.data.level_file, renderer.torn_edges());
     const Settings settings = settings_of(options.preferences);
-    const auto result = naming_file(options.timedemo, [&] {
+    const std::string result = naming_file(options.timedemo, [&] {
         return run_timedemo(loaded, std::move(demo), renderer, settings, options.preferences.field_of_view);
     });
-    std::puts(describe(result).c_str());
+    std::puts(result.c_str());
 }
 
 // Records the walk along a route, as fast as possible.

@@ -46,12 +46,6 @@ std::string zoom(bool is_narrower, ViewOptions& options) {
            (changed < kUnzoomed ? " degrees, as far as there is room behind you" : " degrees");
 }
 
-// Switches an option on or off; returns the message to the player.
-std::string toggle(bool& is_on, const char* on = "", const char* off = "") {
-    is_on = !is_on;
-    return is_on ? on : off;
-}
-
 // What a key shows is seen: the four aspects, which cover the whole picture, end.
 void uncover(Action command, ViewOptions& options) {
     constexpr std::array kCovered{Action::FrameCost, Action::Inspect,     Action::Log,      Action::Automap,

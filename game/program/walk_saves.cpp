@@ -5,7 +5,6 @@
 #include <exception>
 #include <system_error>
 #include <thread>
-#include <utility>
 
 #include "engine/io/files.h"
 #include "game/saves/saved_game.h"

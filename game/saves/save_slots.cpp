@@ -1,6 +1,5 @@
 #include "game/saves/save_slots.h"
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
@@ -61,11 +60,11 @@ std::vector<std::uint8_t> bytes_of(const std::string& file) {
 // Whether a file is a save worth keeping, by its checksum; its state is not read.
 bool is_whole_save(const std::string& file) {
     try {
-        naming_file(file, [&] { decode_save_head(bytes_of(file)); });
-    } catch (const FileError&) {
+        decode_save_head(bytes_of(file));
+        return true;
+    } catch (const std::runtime_error&) {  // FileError, or InputError
         return false;
     }
-    return true;
 }
 
 std::string number_text(SaveSlot slot) {

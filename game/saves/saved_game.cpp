@@ -6,10 +6,7 @@
 #include <utility>
 
 #include "engine/base/checksum.h"
-#include "engine/base/little_endian.h"
-#include "engine/base/table.h"
 #include "engine/io/game_files.h"
-#include "game/simulation/game_level.h"
 
 namespace oblong {
 namespace {

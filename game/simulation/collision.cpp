@@ -67,7 +67,7 @@ std::optional<Obstacle> obstacle_of(const GameLevel& level, const GameState& sta
     if (number < walls) {
         const std::uint32_t wall = level.solid_walls[number];
         if (state.walls[wall] == WallState::Removed) return {};
-        return Obstacle{level.walls[wall].model, {}};
+        return Obstacle{level.walls[wall], {}};
     }
     const Mover& mover = level.movers[number - walls];
     const MoverState& mover_state = state.movers[number - walls];

@@ -12,26 +12,7 @@ namespace {
 
 constexpr std::string_view kDemoMagic = "OBLGDEMO";
 constexpr std::uint32_t kDemoVersion = 2;  // 1: without view and work
-constexpr std::size_t kDemoHeaderBytes = 28, kBytesOfView = kViewDials + 2;
-
-std::size_t tick_bytes(std::uint32_t version) {
-    return version == 1 ? 15 : 15 + kBytesOfView;
-}
-
-void check_magic(std::span<const std::uint8_t> bytes) {
-    expect_at(0, bytes.size() >= kDemoHeaderBytes,
-              "the file has " + std::to_string(bytes.size()) + " bytes, expected 28 or more of a demo");
-    expect_at(0, std::equal(kDemoMagic.begin(), kDemoMagic.end(), bytes.begin()), "no demo: expected 'OBLGDEMO'");
-}
-
-std::uint32_t read_header(LittleEndianReader& reader, std::uint32_t& version, Demo& demo) {
-    version = reader.next<std::uint32_t>();
-    expect_at(8, version == 1 || version == kDemoVersion, "version " + std::to_string(version) + ", expected 1 or 2");
-    const auto rate = reader.next<std::uint32_t>();
-    expect_at(12, rate == kTicksPerSecond, std::to_string(rate) + " ticks a second, expected 35");
-    demo.start_hash = reader.next<std::uint64_t>();
-    return reader.next<std::uint32_t>();
-}
+constexpr std::size_t kDemoHeaderBytes = 28, kTickBytes = 15, kBytesOfView = kViewDials + 2;
 
 void read_view(LittleEndianReader& reader, TickInput& input) {
     for (std::size_t i = 0; i < kViewDials; ++i) {
@@ -86,13 +67,19 @@ std::vector<std::uint8_t> encode_demo(const Demo& demo) {
 }
 
 Demo decode_demo(std::span<const std::uint8_t> bytes) {
-    check_magic(bytes);
-    Demo demo;
+    expect_at(0, bytes.size() >= kDemoHeaderBytes,
+              "the file has " + std::to_string(bytes.size()) + " bytes, expected 28 or more of a demo");
+    expect_at(0, std::equal(kDemoMagic.begin(), kDemoMagic.end(), bytes.begin()), "no demo: expected 'OBLGDEMO'");
     LittleEndianReader reader(bytes, kDemoMagic.size());
-    std::uint32_t version = 0;
-    const std::uint32_t count = read_header(reader, version, demo);
+    const auto version = reader.next<std::uint32_t>();
+    expect_at(8, version == 1 || version == kDemoVersion, "version " + std::to_string(version) + ", expected 1 or 2");
+    const auto rate = reader.next<std::uint32_t>();
+    expect_at(12, rate == kTicksPerSecond, std::to_string(rate) + " ticks a second, expected 35");
+    Demo demo;
+    demo.start_hash = reader.next<std::uint64_t>();
+    const auto count = reader.next<std::uint32_t>();
     const std::size_t there = bytes.size() - kDemoHeaderBytes;
-    const std::size_t each = tick_bytes(version);
+    const std::size_t each = version == 1 ? kTickBytes : kTickBytes + kBytesOfView;
     expect_at(24, there == std::uint64_t{count} * each,
               std::to_string(count) + " ticks announced, expected " + std::to_string(each) + " bytes for each, " +
                   std::to_string(there) + " follow");

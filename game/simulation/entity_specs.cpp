@@ -1,11 +1,11 @@
 #include "game/simulation/entity_specs.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/base/text.h"
 #include "engine/fixed/trig.h"
 #include "engine/level/entities.h"
-#include "engine/level/entity_classes.h"
 #include "engine/scene/placed_models.h"
 #include "game/simulation/tick.h"
 
@@ -53,39 +53,22 @@ constexpr std::int32_t kPushFactor = 10;
 constexpr std::int32_t kStrokes = 3;                      // of lightning; Chthon's health at normal skill
 const Vec3<World> kShotReach = world_vector(32, 32, 64);  // from a trigger that Quake activates by a shot
 
+constexpr std::pair<ClassRole, TriggerKind> kTriggerKinds[]{
+    {ClassRole::TriggerOnce, TriggerKind::Multiple},     {ClassRole::TriggerMultiple, TriggerKind::Multiple},
+    {ClassRole::TriggerSecret, TriggerKind::Multiple},   {ClassRole::TriggerOnlyRegistered, TriggerKind::Multiple},
+    {ClassRole::TriggerView, TriggerKind::Multiple},     {ClassRole::Breakable, TriggerKind::Multiple},
+    {ClassRole::TriggerRelay, TriggerKind::Relay},       {ClassRole::TriggerCounter, TriggerKind::Counter},
+    {ClassRole::TriggerTeleport, TriggerKind::Teleport}, {ClassRole::TriggerPush, TriggerKind::Push},
+    {ClassRole::TriggerExit, TriggerKind::Exit},         {ClassRole::TriggerHurt, TriggerKind::Hurt},
+    {ClassRole::TriggerLadder, TriggerKind::Ladder},     {ClassRole::Timer, TriggerKind::Timer},
+    {ClassRole::TimedSound, TriggerKind::Timer},         {ClassRole::Checkpoint, TriggerKind::Checkpoint},
+    {ClassRole::Lightning, TriggerKind::Lightning},
+};
+
 std::optional<TriggerKind> trigger_kind(ClassRole role) {
-    switch (role) {
-        case ClassRole::TriggerOnce:
-        case ClassRole::TriggerMultiple:
-        case ClassRole::TriggerSecret:
-        case ClassRole::TriggerOnlyRegistered:
-        case ClassRole::TriggerView:
-        case ClassRole::Breakable:
-            return TriggerKind::Multiple;
-        case ClassRole::TriggerRelay:
-            return TriggerKind::Relay;
-        case ClassRole::TriggerCounter:
-            return TriggerKind::Counter;
-        case ClassRole::TriggerTeleport:
-            return TriggerKind::Teleport;
-        case ClassRole::TriggerPush:
-            return TriggerKind::Push;
-        case ClassRole::TriggerExit:
-            return TriggerKind::Exit;
-        case ClassRole::TriggerHurt:
-            return TriggerKind::Hurt;
-        case ClassRole::TriggerLadder:
-            return TriggerKind::Ladder;
-        case ClassRole::Timer:
-        case ClassRole::TimedSound:
-            return TriggerKind::Timer;
-        case ClassRole::Checkpoint:
-            return TriggerKind::Checkpoint;
-        case ClassRole::Lightning:
-            return TriggerKind::Lightning;
-        default:
-            return {};
-    }
+    for (const auto& [its_role, kind] : kTriggerKinds)
+        if (its_role == role) return kind;
+    return {};
 }
 
 // Keys with values that no dial has are left out; the compiler has warned of them.
@@ -187,6 +170,11 @@ Box box_of_class(const ClassBox& box) {
 std::optional<Position> origin_of(const Entity& entity) {
     const auto origin = parse_world_vector(entity.value("origin"));
     return origin && is_within(*origin, World::from_int(kWorldEnd)) ? origin : std::nullopt;
+}
+
+const Entity* find_placed(const std::string& name, const EntitiesByName& by_name) {
+    const auto found = by_name.find(name);
+    return found != by_name.end() && origin_of(*found->second) ? found->second : nullptr;
 }
 
 Angle yaw_of(const Entity& entity) {

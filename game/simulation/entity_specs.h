@@ -17,6 +17,12 @@ namespace oblong {
 /// "origin"; nothing where it is absent, not three numbers, or outside +-kWorldEnd.
 std::optional<Position> origin_of(const Entity& entity);
 
+/// The first entity of each targetname.
+using EntitiesByName = std::unordered_map<std::string, const Entity*>;
+
+/// The entity of a name that has an origin; null: none.
+const Entity* find_placed(const std::string& name, const EntitiesByName& by_name);
+
 /// "angle" (degrees), or the second number of "angles", as a turn from +x to +y.
 Angle yaw_of(const Entity& entity);
 
@@ -70,9 +76,6 @@ bool is_shot(const Entity& entity);
 
 /// Where the player touches a mover's model at its place in the file: 2 units around it.
 Box contact_box(const Box& model);
-
-/// The first entity of each targetname.
-using EntitiesByName = std::unordered_map<std::string, const Entity*>;
 
 /// The train that a func_train describes: the lowest corner of its model goes from one path_corner to the next. It
 /// waits for their "wait", for ever if that is negative or no corner follows. Nothing for any other entity, for one

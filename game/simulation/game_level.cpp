@@ -39,9 +39,9 @@ GameState start_of(const GameLevel& level) {
         if (mover.starts_by_itself) {
             state.movers[i].phase = MoverState::Phase::Leaving;
             state.movers[i].wait_ticks = kTrainDelay_ticks;
-            state.active_movers.push_back(static_cast<std::uint32_t>(i));
         }
     }
+    state.active_movers = movers_in_motion(state);
     state.walls.resize(level.walls.size());
     state.triggers.resize(level.triggers.size());
     for (std::size_t i = 0; i < level.triggers.size(); ++i)
@@ -50,6 +50,13 @@ GameState start_of(const GameLevel& level) {
     state.items.resize(level.items.size());
     state.dark_styles = level.dark_styles;
     return state;
+}
+
+std::vector<std::uint32_t> movers_in_motion(const GameState& state) {
+    std::vector<std::uint32_t> moving;
+    for (std::uint32_t i = 0; i < state.movers.size(); ++i)
+        if (!is_at_rest(state.movers[i])) moving.push_back(i);
+    return moving;
 }
 
 std::optional<ViewDialKind> asked_dial(const GameLevel& level, const GameState& state) {

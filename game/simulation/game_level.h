@@ -152,12 +152,6 @@ struct Trigger {
     std::vector<std::uint32_t> electrodes;  ///< of lightning: movers
 };
 
-/// A brush model that stands still.
-struct Wall {
-    ModelIndex model;
-    bool is_solid = true;
-};
-
 /// The most doors, lifts, buttons and trains of a level; Quake allows 255 brush models, its successors some thousands.
 inline constexpr std::size_t kMostMovers = 16'384;
 
@@ -184,17 +178,12 @@ struct Intermission {
     MessageIndex message = kNoMessage;
 };
 
-/// The level's names for its lenses.
-struct LensNames {
-    std::string one = "a lens", several = "lenses";
-};
-
 /// The part of a game that never changes: what the game needs of a level.
 struct GameLevel {
     const Level* bsp = nullptr;  ///< outlives the game level
     std::string title;           ///< worldspawn's message; may be empty
     std::vector<Mover> movers;
-    std::vector<Wall> walls;
+    std::vector<ModelIndex> walls;  ///< brush models that stand still
     std::vector<Trigger> triggers;
     std::vector<Item> items;
     std::vector<std::uint32_t> timers, ladders;  ///< into `triggers`
@@ -211,7 +200,7 @@ struct GameLevel {
     Place start;                    ///< the player's
     TargetIndex visit = kNoTarget;  ///< kVisitName
     std::optional<Intermission> intermission;
-    LensNames lens_names;  ///< make_game_level() leaves them as they are
+    std::string one_lens = "a lens", lenses = "lenses";  ///< make_game_level() leaves them as they are
 
     const Target& target(TargetIndex index) const { return item(targets, index); }
     const SubModel& model(ModelIndex index) const { return bsp->models[index]; }
@@ -285,6 +274,9 @@ inline bool is_moving(const MoverState& mover) {
 inline bool is_at_rest(const MoverState& mover) {
     return !is_moving(mover) && (mover.phase != MoverState::Phase::AtEnd || mover.wait_ticks == kForever);
 }
+
+/// The movers that are not at rest, ascending.
+std::vector<std::uint32_t> movers_in_motion(const GameState& state);
 
 /// True if a mover shows the alternative frames of its textures: a pressed button.
 inline bool shows_other_frames(const Mover& mover, const MoverState& state) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 
 #include "engine/fixed/trig.h"
 #include "engine/level/level.h"

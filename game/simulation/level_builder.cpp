@@ -7,11 +7,9 @@
 #include "engine/base/table.h"
 #include "engine/base/text.h"
 #include "engine/level/entities.h"
-#include "engine/level/entity_classes.h"
 #include "engine/scene/light_styles.h"
 #include "engine/scene/placed_models.h"
 #include "game/simulation/collision.h"
-#include "game/simulation/entity_specs.h"
 #include "game/simulation/items.h"
 
 namespace oblong {
@@ -64,10 +62,6 @@ GameLevel LevelBuilder::build() {
     return std::move(level_);
 }
 
-std::size_t LevelBuilder::index_of(const Entity& entity) const {
-    return as_size(&entity - level_.bsp->entities.data());
-}
-
 void LevelBuilder::add_entity(const Entity& entity) {
     const ClassRole role = role_of(entity);
     if (role == ClassRole::Worldspawn) {
@@ -98,9 +92,8 @@ bool LevelBuilder::add_mover(const Entity& entity) {
 void LevelBuilder::add_wall(const Entity& entity, ClassRole role) {
     const auto model = brush_model_of(entity, *level_.bsp);
     if (!model || role == ClassRole::OpenGate) return;
-    const bool is_solid = role != ClassRole::Passable;
-    level_.walls.push_back({*model, is_solid});
-    if (!is_solid) return;
+    level_.walls.push_back(*model);
+    if (role == ClassRole::Passable) return;
     level_.solid_walls.push_back(number_of_last(level_.walls.size()));
     name(entity, Kind::Wall, level_.walls.size());
 }
@@ -109,7 +102,8 @@ void LevelBuilder::add_trigger(const Entity& entity) {
     auto trigger = trigger_of(entity, *level_.bsp);
     if (!trigger || (trigger->kind == TriggerKind::Teleport && !find_exit(entity, *trigger))) return;
     if (trigger->kind == TriggerKind::Hurt && level_.health == 0) return;
-    if (trigger->view) trigger->view->point = place_named(entity.value("look_at"));
+    const Entity* const looked_at = find_placed(entity.value("look_at"), by_name_);
+    if (trigger->view && looked_at) trigger->view->point = origin_of(*looked_at);
     level_.secrets += trigger->is_secret;
     trigger->entity = index_of(entity);
     level_.triggers.push_back(std::move(*trigger));
@@ -121,17 +115,11 @@ void LevelBuilder::add_trigger(const Entity& entity) {
     name(entity, Kind::Trigger, level_.triggers.size());
 }
 
-std::optional<Position> LevelBuilder::place_named(const std::string& name) const {
-    const auto entity = by_name_.find(name);
-    return entity == by_name_.end() ? std::nullopt : origin_of(*entity->second);
-}
-
 bool LevelBuilder::find_exit(const Entity& entity, Trigger& trigger) const {
-    const auto origin = place_named(entity.value("target"));
-    if (!origin) return false;
-    const auto exit = by_name_.find(entity.value("target"));
-    trigger.place = {*origin, yaw_of(*exit->second)};
-    if (role_of(*exit->second) == ClassRole::TeleportExit) trigger.place.position.z += World::from_int(kExitHeight);
+    const Entity* const exit = find_placed(entity.value("target"), by_name_);
+    if (!exit) return false;
+    trigger.place = {*origin_of(*exit), yaw_of(*exit)};
+    if (role_of(*exit) == ClassRole::TeleportExit) trigger.place.position.z += World::from_int(kExitHeight);
     trigger.place.position = free_place_near(level_, trigger.place.position);
     return true;
 }
@@ -278,7 +266,7 @@ void LevelBuilder::make_trees() {
         entries.push_back({box, static_cast<std::uint32_t>(number)});
     };
     for (const std::uint32_t wall : level_.solid_walls)
-        add(obstacle_box(level_, level_.walls[wall].model, {}), obstacles, obstacles.size());
+        add(obstacle_box(level_, level_.walls[wall], {}), obstacles, obstacles.size());
     for (std::size_t i = 0; i < level_.movers.size(); ++i) {
         const Mover& mover = level_.movers[i];
         if (mover.touch.box) add(*mover.touch.box, touch_boxes, i);

@@ -22,12 +22,12 @@ class LevelBuilder {
     GameLevel build();
 
   private:
-    std::size_t index_of(const Entity& entity) const;  // in the level's list
+    // In the level's list.
+    std::size_t index_of(const Entity& entity) const { return as_size(&entity - level_.bsp->entities.data()); }
     void add_entity(const Entity& entity);
     bool add_mover(const Entity& entity);
     void add_wall(const Entity& entity, ClassRole role);
     void add_trigger(const Entity& entity);
-    std::optional<Position> place_named(const std::string& name) const;
     bool find_exit(const Entity& entity, Trigger& trigger) const;
     void add_item(const Entity& entity);
     void add_intermission(const Entity& entity);

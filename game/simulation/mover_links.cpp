@@ -133,16 +133,11 @@ struct Path {
     std::optional<std::size_t> next;
 };
 
-const Entity* find_corner(const std::string& name, const EntitiesByName& by_name) {
-    const auto found = by_name.find(name);
-    return found != by_name.end() && origin_of(*found->second) ? found->second : nullptr;
-}
-
 Path path_of(const Entity& train, const EntitiesByName& by_name, const Position& model_corner) {
     Path path;
     std::unordered_map<const Entity*, std::size_t> numbers;
-    for (const Entity* corner = find_corner(train.value("target"), by_name); corner != nullptr;
-         corner = find_corner(corner->value("target"), by_name)) {
+    for (const Entity* corner = find_placed(train.value("target"), by_name); corner != nullptr;
+         corner = find_placed(corner->value("target"), by_name)) {
         const auto [known, is_new] = numbers.emplace(corner, path.corners.size());
         if (!is_new) path.next = known->second;
         if (!is_new || path.corners.size() == kMostCorners) break;

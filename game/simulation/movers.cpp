@@ -36,12 +36,6 @@ bool is_in_order(const std::vector<std::uint32_t>& movers) {
     return std::adjacent_find(movers.begin(), movers.end(), std::greater_equal<>()) == movers.end();
 }
 
-void find_active_movers(GameState& state) {
-    state.active_movers.clear();
-    for (std::size_t i = 0; i < state.movers.size(); ++i)
-        if (!is_at_rest(state.movers[i])) state.active_movers.push_back(static_cast<std::uint32_t>(i));
-}
-
 // --- On the way ---
 
 void reach_end(const Mover& mover, MoverState& state) {
@@ -252,7 +246,7 @@ void touch_mover(const GameLevel& level, GameState& state, std::uint32_t i, Acti
 // Movers beyond the bound of a tick are stepped in the next tick.
 void step_movers(const GameLevel& level, GameState& state, Activations& activations) {
     std::vector<std::uint32_t>& active = state.active_movers;
-    if (!is_in_order(active)) find_active_movers(state);
+    if (!is_in_order(active)) active = movers_in_motion(state);
     TickReport& report = activations.report();
     std::rotate(active.begin(), std::lower_bound(active.begin(), active.end(), state.backlog.next_mover), active.end());
     std::vector<std::uint32_t> firing;
@@ -267,8 +261,8 @@ void step_movers(const GameLevel& level, GameState& state, Activations& activati
 
 void end_tick_of_movers(GameState& state) {
     const auto is_resting = [&](std::uint32_t i) { return is_at_rest(state.movers[i]); };
-    const std::vector<std::uint32_t>& active = state.active_movers;
-    if (!is_in_order(active) || std::any_of(active.begin(), active.end(), is_resting)) find_active_movers(state);
+    std::vector<std::uint32_t>& active = state.active_movers;
+    if (!is_in_order(active) || std::any_of(active.begin(), active.end(), is_resting)) active = movers_in_motion(state);
 }
 
 void touch_movers(const GameLevel& level, GameState& state, Activations& activations) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 
 #include "engine/base/table.h"
 #include "game/simulation/activations.h"
@@ -73,10 +74,7 @@ void check_movers(const GameLevel& level, const GameState& state, Check& check) 
     for (std::size_t i = 0; i < level.movers.size(); ++i)
         check.expect(is_possible(level.movers[i], state.movers[i]) && is_soon(state.movers[i].next_touch, state),
                      "movers: number " + std::to_string(i) + " is outside its path");
-    std::vector<std::uint32_t> active;
-    for (std::size_t i = 0; i < level.movers.size(); ++i)
-        if (!is_at_rest(state.movers[i])) active.push_back(static_cast<std::uint32_t>(i));
-    check.expect(active == state.active_movers, "active movers: not the movers in motion");
+    check.expect(movers_in_motion(state) == state.active_movers, "active movers: not the movers in motion");
 }
 
 void check_triggers(const GameLevel& level, const GameState& state, Check& check) {
@@ -111,18 +109,10 @@ void check_others(const GameLevel& level, const GameState& state, Check& check) 
     check.expect(is_within(state.progress.respawn.position, kFarthestPlayer), "a place to come in outside the world");
 }
 
+// Walls fire nothing.
 bool is_there(const GameLevel& level, const EntityRef& entity) {
-    switch (entity.kind) {
-        case EntityRef::Kind::Mover:
-            return entity.index < level.movers.size();
-        case EntityRef::Kind::Trigger:
-            return entity.index < level.triggers.size();
-        case EntityRef::Kind::Item:
-            return entity.index < level.items.size();
-        case EntityRef::Kind::Wall:
-            return false;  // walls fire nothing
-    }
-    return false;
+    const std::array counts{level.movers.size(), std::size_t{0}, level.triggers.size(), level.items.size()};
+    return is_one_of(entity.kind, EntityRef::Kind::Item) && entity.index < item(counts, entity.kind);
 }
 
 void check_delayed(const GameLevel& level, const GameState& state, Check& check) {

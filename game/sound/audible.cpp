@@ -61,20 +61,16 @@ Position over_middle(const Box& box, const Position& ear) {
 
 // The places of a source from which it may be heard: the nearest point, and of an area then places near its corners,
 // nearest first.
-struct HeardPlaces {
-    std::array<Position, kMostLinesOfASource> places;
-    std::size_t count = 1;
-};
-
-HeardPlaces places_of(const SoundSource& source, const Position& ear) {
+std::vector<Position> places_of(const SoundSource& source, const Position& ear) {
     const Box& box = source.box;
-    HeardPlaces found;
-    found.places[0] = is_liquid(source.sound) ? over_middle(box, ear) : nearest_point(box, ear);
+    std::vector<Position> found;
+    found.reserve(kMostLinesOfASource);
+    found.push_back(is_liquid(source.sound) ? over_middle(box, ear) : nearest_point(box, ear));
     if (box.mins == box.maxs) return found;
     for (const auto& [x, y] : {std::pair{1, 1}, {1, 7}, {7, 1}, {7, 7}})
-        found.places[found.count++] = {box.mins.x + scaled(box.size(), x, 8).x, box.mins.y + scaled(box.size(), y, 8).y,
-                                       found.places[0].z};
-    std::stable_sort(found.places.begin() + 1, found.places.end(),
+        found.push_back(
+            {box.mins.x + scaled(box.size(), x, 8).x, box.mins.y + scaled(box.size(), y, 8).y, found.front().z});
+    std::stable_sort(found.begin() + 1, found.end(),
                      [&](const auto& a, const auto& b) { return length_of(a - ear) < length_of(b - ear); });
     return found;
 }
@@ -88,9 +84,7 @@ struct Heard {
     VoiceLevels levels;
 };
 
-bool is_louder(const Heard& a, const Heard& b) {
-    return loudness(a.levels) > loudness(b.levels);
-}
+constexpr auto is_louder = [](const auto& a, const auto& b) { return loudness(a.levels) > loudness(b.levels); };
 
 class Hearing {
   public:
@@ -112,9 +106,7 @@ class Hearing {
         const std::size_t count = std::min(sources.size(), kMostSourcesOfALoop), first = audible_.sounds.size();
         for (std::size_t i = 0; i < count; ++i) add(sources[i]);
         const auto all = std::span(audible_.sounds).subspan(first);
-        AudibleSound loop = *std::max_element(all.begin(), all.end(), [](const auto& a, const auto& b) {
-            return loudness(a.levels) < loudness(b.levels);
-        });
+        AudibleSound loop = *std::min_element(all.begin(), all.end(), is_louder);
         for (const AudibleSound& one : all) {
             loop.levels.left_256 = std::max(loop.levels.left_256, one.levels.left_256);
             loop.levels.right_256 = std::max(loop.levels.right_256, one.levels.right_256);
@@ -125,8 +117,7 @@ class Hearing {
 
     Audible result() && {
         std::erase_if(audible_.sounds, [](const auto& sound) { return loudness(sound.levels) < kFaintest_256; });
-        std::stable_sort(audible_.sounds.begin(), audible_.sounds.end(),
-                         [](const auto& a, const auto& b) { return loudness(a.levels) > loudness(b.levels); });
+        std::stable_sort(audible_.sounds.begin(), audible_.sounds.end(), is_louder);
         if (audible_.sounds.size() > kMostAudible) audible_.sounds.resize(kMostAudible);
         return std::move(audible_);
     }
@@ -143,12 +134,12 @@ class Hearing {
     }
 
     // The first place in sight; their count if there is none.
-    std::size_t place_in_sight(const SoundSource& source, const HeardPlaces& found) {
+    std::size_t place_in_sight(const SoundSource& source, const std::vector<Position>& found) {
         const bool is_loop = source.serial == 0;
         if (is_loop)
             if (const auto known = heard_from_.place_of(source)) return *known;
         std::size_t place = 0;
-        while (place < found.count && !is_in_sight(source, found.places[place])) ++place;
+        while (place < found.size() && !is_in_sight(source, found[place])) ++place;
         if (is_loop) heard_from_.note(source, place);
         return place;
     }
@@ -157,12 +148,12 @@ class Hearing {
     VoiceLevels levels_of(const Heard& heard) {
         const SoundSource& source = *heard.source;
         if (row_of(source.sound).range == 0) return heard.levels;
-        const HeardPlaces found = places_of(source, listener_.ear);
+        const std::vector<Position> found = places_of(source, listener_.ear);
         const std::size_t place = place_in_sight(source, found);
         if (place == 0) return heard.levels;
-        if (place < found.count) {
+        if (place < found.size()) {
             SoundSource part = source;
-            part.box = {found.places[place], found.places[place]};
+            part.box = {found[place], found[place]};
             return levels_at(part, listener_);
         }
         VoiceLevels levels = heard.levels.times_256(source.sound == Sound::Wind ? kBlockedWind_256 : kBlockedGain_256);
@@ -180,6 +171,14 @@ class Hearing {
 bool stops_line(const Level& bsp, ModelIndex model, const Position& from, const Position& to) {
     const TraceResult result = trace_hull(bsp, bsp.models[model], Hull::Point, from, to);
     return result.is_hit || result.is_all_solid;
+}
+
+// Whether a model has holes all around; what shows nothing is none.
+bool is_fence(const GameLevel& level, ModelIndex model) {
+    const IndexRange<Face> faces = level.model(model).faces;
+    for (const FaceIndex face : faces)
+        if (!has_holes(level.bsp->texture_of(level.bsp->faces[face]).name)) return false;
+    return faces.count > 0;
 }
 
 }  // namespace
@@ -218,18 +217,6 @@ VoiceLevels levels_at(const SoundSource& source, const Listener& listener) {
     };
     return {level((kOne_16 - pan_16) / 2), level((kOne_16 + pan_16) / 2), false};
 }
-
-namespace {
-
-// All around; what shows nothing is none.
-bool is_fence(const GameLevel& level, ModelIndex model) {
-    const IndexRange<Face> faces = level.model(model).faces;
-    for (const FaceIndex face : faces)
-        if (!has_holes(level.bsp->texture_of(level.bsp->faces[face]).name)) return false;
-    return faces.count > 0;
-}
-
-}  // namespace
 
 bool is_clear(const GameLevel& level, const GameState& state, const Position& from, const Position& to,
               ModelIndex except) {

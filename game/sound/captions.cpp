@@ -15,20 +15,8 @@ constexpr std::int32_t kFaintestNamed_256 = 24;                // the sum of bot
 }  // namespace
 
 std::string caption_of(const std::string& text, Direction direction) {
-    if (text.empty()) return text;
-    switch (direction) {
-        case Direction::Left:
-            return text + ", to the left";
-        case Direction::Right:
-            return text + ", to the right";
-        case Direction::Behind:
-            return text + ", behind you";
-        case Direction::Ahead:
-            return text + ", ahead";
-        case Direction::Here:
-            break;
-    }
-    return text;
+    constexpr std::array<const char*, 5> kDirections{"", ", ahead", ", to the left", ", to the right", ", behind you"};
+    return text.empty() ? text : text + item(kDirections, direction);
 }
 
 // Loops and frequent sounds are captioned only after a silence; others in their first tick.

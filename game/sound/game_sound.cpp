@@ -17,6 +17,14 @@ std::string file_in(const std::vector<std::string>& folders, const std::string& 
     return found.empty() ? (std::filesystem::path(folders.back()) / name).string() : found;
 }
 
+std::int32_t product_256(std::int32_t one_100, std::int32_t other_100) {
+    return one_100 * other_100 * 256 / 10'000;
+}
+
+std::string in_folder(const std::string& folder, const char* name) {
+    return (std::filesystem::path(folder) / name).string();
+}
+
 }  // namespace
 
 SoundPlayer::SoundPlayer(SoundOutput& output, const std::vector<std::string>& folders) : output_(output) {
@@ -75,22 +83,8 @@ void SoundPlayer::stop_all() {
     voices_.clear();
 }
 
-namespace {
-
-std::int32_t product_256(std::int32_t one_100, std::int32_t other_100) {
-    return one_100 * other_100 * 256 / 10'000;
-}
-
-std::string in_folder(const std::string& folder, const char* name) {
-    return (std::filesystem::path(folder) / name).string();
-}
-
-}  // namespace
-
 GameSound::GameSound(OpenSound open, std::string assets_folder, OwnSounds own)
     : open_(std::move(open)), assets_folder_(std::move(assets_folder)), own_(std::move(own)) {}
-
-GameSound::~GameSound() = default;
 
 std::int32_t GameSound::sounds_256() const {
     return product_256(settings_.volume_100, settings_.sounds_100);
@@ -199,10 +193,6 @@ void GameSound::start_music() {
     } catch (const FileError& error) {
         print_fault("oblong", error.what());
     }
-}
-
-std::vector<std::string> GameSound::captions() const {
-    return captions_ ? captions_->lines() : std::vector<std::string>();
 }
 
 }  // namespace oblong

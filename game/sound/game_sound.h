@@ -70,7 +70,6 @@ class GameSound {
   public:
     /// `open` may be empty: no sound. `assets_folder`: the museum's, with a folder `sounds`.
     GameSound(OpenSound open, std::string assets_folder, OwnSounds own = {});
-    ~GameSound();
 
     /// If the device cannot be opened or a file is missing, reports it once on standard error, and stays silent.
     void set(const SoundSettings& settings);
@@ -88,7 +87,7 @@ class GameSound {
     void play_music(const std::string& file);
 
     /// The captions; empty unless they are shown.
-    std::vector<std::string> captions() const;
+    std::vector<std::string> captions() const { return captions_ ? captions_->lines() : std::vector<std::string>(); }
 
   private:
     bool has_sounds() const { return player_ != nullptr && settings_.sounds_100 > 0; }

@@ -1,11 +1,11 @@
 #include "game/sound/sound_scene.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
-#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -13,7 +13,6 @@
 #include "engine/level/entities.h"
 #include "engine/level/entity_classes.h"
 #include "engine/scene/level_effects.h"
-#include "game/simulation/tick.h"
 
 namespace oblong {
 namespace {
@@ -21,23 +20,10 @@ namespace {
 // Faces with the same sound in a cube of this size become one source.
 constexpr std::int32_t kCell = 256;
 
-std::optional<Sound> sound_of_liquid(std::string_view texture) {
-    switch (liquid_kind_of_texture(texture)) {
-        case LiquidKind::Water:
-            return Sound::Water;
-        case LiquidKind::Slime:
-            return Sound::Slime;
-        case LiquidKind::Lava:
-            return Sound::Lava;
-        case LiquidKind::Teleporter:
-            return Sound::Teleporter;
-    }
-    return {};
-}
-
 std::optional<Sound> sound_of_face(const Level& level, const Face& face) {
     const std::string_view texture = level.texture_of(face).name;
-    if (texture.starts_with('*')) return sound_of_liquid(texture);
+    constexpr std::array kLiquids{Sound::Water, Sound::Slime, Sound::Lava, Sound::Teleporter};  // by LiquidKind
+    if (texture.starts_with('*')) return item(kLiquids, liquid_kind_of_texture(texture));
     if (level.texinfos[face.texinfo].material == Material::Sky) return Sound::Wind;
     if (texture == "lamp" || texture == "lamp_blue" || texture == "neon" || texture.starts_with("+0volt"))
         return Sound::Hum;

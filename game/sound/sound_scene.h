@@ -16,9 +16,6 @@ namespace oblong {
 /// The sound of a step on a texture, by words in its name; stone if no word is known.
 Sound step_sound_of_texture(std::string_view name);
 
-/// The sound of a step where the player stands: in water if the feet are in a liquid, else by the face below.
-Sound step_sound(const GameLevel& level, const GameState& state);
-
 /// The sounds of a moving brush model.
 struct MoverSounds {
     Sound start, move, stop;
@@ -49,7 +46,7 @@ class SoundStarts {
                        std::vector<SoundSource>& sources);
     std::int32_t own_of_trigger(const Trigger& trigger, const GameState& state) const;
     bool is_own_teleporter(std::uint32_t trigger) const;
-    std::int32_t own_of(std::size_t entity) const;
+    std::int32_t own_of(std::size_t entity) const { return own_ ? item(own_->by_entity, entity) : LevelSounds::kNone; }
     void add(Sound sound, std::int32_t own, std::vector<SoundSource>& sources);
     void add_at(Sound sound, std::uint32_t mover, const GameState& after, std::vector<SoundSource>& sources);
 

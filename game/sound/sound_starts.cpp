@@ -42,6 +42,42 @@ std::vector<std::uint32_t> active_in_either(const GameState& before, const GameS
     return active;
 }
 
+struct NamePart {
+    std::string_view part;
+    Sound step;
+};
+
+// Words in names of this project's textures and of Quake's; the first that a name contains counts.
+constexpr std::array kNameParts{
+    NamePart{"carpet", Sound::StepCarpet}, NamePart{"rug", Sound::StepCarpet},   NamePart{"wood", Sound::StepWood},
+    NamePart{"plank", Sound::StepWood},    NamePart{"crate", Sound::StepWood},   NamePart{"wizwood", Sound::StepWood},
+    NamePart{"metal", Sound::StepMetal},   NamePart{"iron", Sound::StepMetal},   NamePart{"grate", Sound::StepMetal},
+    NamePart{"brass", Sound::StepMetal},   NamePart{"copper", Sound::StepMetal}, NamePart{"bronze", Sound::StepMetal},
+    NamePart{"steel", Sound::StepMetal},   NamePart{"cop1_", Sound::StepMetal},  NamePart{"plat_", Sound::StepMetal},
+    NamePart{"tech", Sound::StepMetal},    NamePart{"slip", Sound::StepMetal},   NamePart{"sfloor", Sound::StepMetal},
+    NamePart{"earth", Sound::StepEarth},   NamePart{"grass", Sound::StepEarth},  NamePart{"ground", Sound::StepEarth},
+    NamePart{"dirt", Sound::StepEarth},    NamePart{"mud", Sound::StepEarth},    NamePart{"hedge", Sound::StepEarth},
+};
+
+constexpr Vec3<Unit> kDown{Unit{}, Unit{}, -Unit::from_int(1)};
+
+std::string_view first_texture(const Level& bsp, ModelIndex model) {
+    for (const FaceIndex face : bsp.models[model].faces) return bsp.texture_of(bsp.faces[face]).name;
+    return {};
+}
+
+std::string_view texture_below(const GameLevel& level, const GameState& state) {
+    if (state.player.ground > 0) return first_texture(*level.bsp, ModelIndex(state.player.ground));
+    const auto face = pick_face(*level.bsp, {}, state.player.position, kDown);
+    return face ? std::string_view(level.bsp->texture_of(level.bsp->faces[face->face]).name) : std::string_view();
+}
+
+// The sound of a step where the player stands: in water if the feet are in a liquid, else by the face below.
+Sound step_sound(const GameLevel& level, const GameState& state) {
+    if (state.player.depth != Depth::Dry) return Sound::StepWater;
+    return step_sound_of_texture(texture_below(level, state));
+}
+
 }  // namespace
 
 SoundStarts::SoundStarts(const GameLevel& level, const LevelSounds* own) : level_(level), own_(own) {
@@ -54,10 +90,6 @@ void SoundStarts::note_tick(const GameState& before, const GameState& after, con
     note_player(before, after, report, sources);
     note_movers(before, after, sources);
     note_messages(before, after, report, sources);
-}
-
-std::int32_t SoundStarts::own_of(std::size_t entity) const {
-    return own_ ? item(own_->by_entity, entity) : LevelSounds::kNone;
 }
 
 std::int32_t SoundStarts::own_of_trigger(const Trigger& trigger, const GameState& state) const {
@@ -189,50 +221,11 @@ void SoundStarts::note_messages(const GameState& before, const GameState& after,
     if (before.message.tick != after.message.tick && !is_told) add(Sound::Message, kStandard, sources);
 }
 
-namespace {
-
-struct NamePart {
-    std::string_view part;
-    Sound step;
-};
-
-// Words in names of this project's textures and of Quake's; the first that a name contains counts.
-constexpr std::array kNameParts{
-    NamePart{"carpet", Sound::StepCarpet}, NamePart{"rug", Sound::StepCarpet},   NamePart{"wood", Sound::StepWood},
-    NamePart{"plank", Sound::StepWood},    NamePart{"crate", Sound::StepWood},   NamePart{"wizwood", Sound::StepWood},
-    NamePart{"metal", Sound::StepMetal},   NamePart{"iron", Sound::StepMetal},   NamePart{"grate", Sound::StepMetal},
-    NamePart{"brass", Sound::StepMetal},   NamePart{"copper", Sound::StepMetal}, NamePart{"bronze", Sound::StepMetal},
-    NamePart{"steel", Sound::StepMetal},   NamePart{"cop1_", Sound::StepMetal},  NamePart{"plat_", Sound::StepMetal},
-    NamePart{"tech", Sound::StepMetal},    NamePart{"slip", Sound::StepMetal},   NamePart{"sfloor", Sound::StepMetal},
-    NamePart{"earth", Sound::StepEarth},   NamePart{"grass", Sound::StepEarth},  NamePart{"ground", Sound::StepEarth},
-    NamePart{"dirt", Sound::StepEarth},    NamePart{"mud", Sound::StepEarth},    NamePart{"hedge", Sound::StepEarth},
-};
-
-constexpr Vec3<Unit> kDown{Unit{}, Unit{}, -Unit::from_int(1)};
-
-std::string_view first_texture(const Level& bsp, ModelIndex model) {
-    for (const FaceIndex face : bsp.models[model].faces) return bsp.texture_of(bsp.faces[face]).name;
-    return {};
-}
-
-std::string_view texture_below(const GameLevel& level, const GameState& state) {
-    if (state.player.ground > 0) return first_texture(*level.bsp, ModelIndex(state.player.ground));
-    const auto face = pick_face(*level.bsp, {}, state.player.position, kDown);
-    return face ? std::string_view(level.bsp->texture_of(level.bsp->faces[face->face]).name) : std::string_view();
-}
-
-}  // namespace
-
 Sound step_sound_of_texture(std::string_view name) {
     const std::string lower = lower_case(name);
     const auto found = std::find_if(kNameParts.begin(), kNameParts.end(),
                                     [&](const NamePart& part) { return lower.find(part.part) != lower.npos; });
     return found == kNameParts.end() ? Sound::StepStone : found->step;
-}
-
-Sound step_sound(const GameLevel& level, const GameState& state) {
-    if (state.player.depth != Depth::Dry) return Sound::StepWater;
-    return step_sound_of_texture(texture_below(level, state));
 }
 
 MoverSounds mover_sounds(const Level& bsp, ModelIndex model) {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "engine/base/table.h"
-
 namespace oblong {
 namespace {
 

@@ -8,7 +8,6 @@
 #include "engine/view/views.h"
 #include "game/simulation/entity_specs.h"
 #include "game/simulation/items.h"
-#include "game/view/sign_colours.h"
 
 namespace oblong {
 

@@ -121,10 +121,6 @@ void GameRenderer::draw_and_time(const GameView& view, const Settings& settings,
     finish();
 }
 
-Framebuffer GameRenderer::canvas() {
-    return {pixels_.data(), picture_.width_px, picture_.height_px, picture_.width_px};
-}
-
 Framebuffer GameRenderer::drawn() {
     return columns_.empty() ? shown()
                             : Framebuffer{columns_.data(), mode().width_px, mode().height_px, mode().width_px};

@@ -38,7 +38,7 @@ class GameRenderer {
     /// The plan of the picture drawn last.
     const FramePlan& plan() const { return work_.plan; }
     /// The picture, with what is around the view.
-    Framebuffer canvas();
+    Framebuffer canvas() { return {pixels_.data(), picture_.width_px, picture_.height_px, picture_.width_px}; }
     const ScreenMode& picture_mode() const { return picture_; }
     const ViewSize& size() const { return size_; }
     /// The picture's part that shows the view.

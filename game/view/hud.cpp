@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "engine/base/table.h"
-#include "engine/draw/drawing.h"
 
 namespace oblong {
 namespace {
@@ -105,48 +104,6 @@ std::string describe_rate(Processor machine, std::int64_t cycles) {
            " frames/s";
 }
 
-CostTable lay_out_cost(const CostText& text, std::int32_t room_px, TextColours colours, Framebuffer canvas) {
-    CostTable table;
-    if (text.frame.empty()) return table;
-    std::size_t longest = 0;
-    for (const Column& column : columns_of(text, canvas.width_px / colours.scale))
-        longest = std::max(longest, column.lines.size());
-    const auto head_px = [&](std::int32_t pages) {
-        const std::string head = head_of(text, pages, pages);
-        return static_cast<std::int32_t>(lines_across(head, colours, canvas).size()) * kLineHeight_px * colours.scale;
-    };
-    const std::int32_t row_px = kCostRow_px * colours.scale;
-    table.height_px = head_px(1) + 2;
-    table.lines = longest;
-    if (longest > 0 && table.height_px + row_px * static_cast<std::int32_t>(longest + 1) > room_px) {
-        constexpr std::int32_t kManyPages = 10;  // a page number as wide as any
-        const std::int32_t lines = (room_px - head_px(kManyPages) - 2) / row_px - 1;
-        table.lines = as_size(std::max(lines, 0));
-        if (table.lines > 0) table.height_px = head_px(kManyPages) + 2;
-    }
-    if (table.lines == 0) return table;
-    table.height_px += row_px * static_cast<std::int32_t>(table.lines + 1);
-    table.pages = static_cast<std::int32_t>((longest + table.lines - 1) / table.lines);
-    return table;
-}
-
-void draw_cost(const CostText& text, const CostTable& table, std::int32_t page, std::int32_t bottom,
-               TextColours colours, Framebuffer canvas) {
-    if (text.frame.empty()) return;
-    recolour_area(canvas, {0, bottom - table.height_px, canvas.width_px, table.height_px}, text.background);
-    const std::string head = head_of(text, page, table.pages);
-    draw_lines(bottom - table.height_px + 1, head, colours, canvas);
-    if (table.lines == 0) return;
-    const std::int32_t scale = colours.scale, row_px = kCostRow_px * scale;
-    const std::size_t first = as_size(page - 1) * table.lines;
-    for (const Column& column : columns_of(text, canvas.width_px / scale)) {
-        std::int32_t y = bottom - static_cast<std::int32_t>(table.lines + 1) * row_px;
-        if (first < column.lines.size()) draw_text(canvas, column.left * scale, y, column.head, colours);
-        for (std::size_t i = first; i < std::min(first + table.lines, column.lines.size()); ++i)
-            draw_text(canvas, column.left * scale, y += row_px, column.lines[i], colours);
-    }
-}
-
 FrameCost::FrameCost(const Palette& palette, std::uint64_t now_us)
     : text_{darker_colours(palette, kCostBackground), {}, {}, {}}, since_us_(now_us) {}
 
@@ -235,6 +192,48 @@ std::int32_t height_of(const std::string& text, TextColours colours, Framebuffer
     return static_cast<std::int32_t>(lines_across(text, colours, canvas).size()) * line_px(colours);
 }
 
+// Pages that fit into `room_px` rows; the frame's time is always shown.
+CostTable lay_out_cost(const CostText& text, std::int32_t room_px, TextColours colours, Framebuffer canvas) {
+    CostTable table;
+    if (text.frame.empty()) return table;
+    std::size_t longest = 0;
+    for (const Column& column : columns_of(text, canvas.width_px / colours.scale))
+        longest = std::max(longest, column.lines.size());
+    const auto head_px = [&](std::int32_t pages) { return height_of(head_of(text, pages, pages), colours, canvas); };
+    const std::int32_t row_px = kCostRow_px * colours.scale;
+    table.height_px = head_px(1) + 2;
+    table.lines = longest;
+    if (longest > 0 && table.height_px + row_px * static_cast<std::int32_t>(longest + 1) > room_px) {
+        constexpr std::int32_t kManyPages = 10;  // a page number as wide as any
+        const std::int32_t lines = (room_px - head_px(kManyPages) - 2) / row_px - 1;
+        table.lines = as_size(std::max(lines, 0));
+        if (table.lines > 0) table.height_px = head_px(kManyPages) + 2;
+    }
+    if (table.lines == 0) return table;
+    table.height_px += row_px * static_cast<std::int32_t>(table.lines + 1);
+    table.pages = static_cast<std::int32_t>((longest + table.lines - 1) / table.lines);
+    return table;
+}
+
+// Draws a page, from 1, so that it ends above the row `bottom`: the plan's passes at the left, effects at the right; in
+// a canvas too narrow for both, effects follow the passes, without counts of pixels.
+void draw_cost(const CostText& text, const CostTable& table, std::int32_t page, std::int32_t bottom,
+               TextColours colours, Framebuffer canvas) {
+    if (text.frame.empty()) return;
+    recolour_area(canvas, {0, bottom - table.height_px, canvas.width_px, table.height_px}, text.background);
+    const std::string head = head_of(text, page, table.pages);
+    draw_lines(bottom - table.height_px + 1, head, colours, canvas);
+    if (table.lines == 0) return;
+    const std::int32_t scale = colours.scale, row_px = kCostRow_px * scale;
+    const std::size_t first = as_size(page - 1) * table.lines;
+    for (const Column& column : columns_of(text, canvas.width_px / scale)) {
+        std::int32_t y = bottom - static_cast<std::int32_t>(table.lines + 1) * row_px;
+        if (first < column.lines.size()) draw_text(canvas, column.left * scale, y, column.head, colours);
+        for (std::size_t i = first; i < std::min(first + table.lines, column.lines.size()); ++i)
+            draw_text(canvas, column.left * scale, y += row_px, column.lines[i], colours);
+    }
+}
+
 // Takes `height` rows from the bottom of a room; none if it has fewer.
 RowRange take_below(std::int32_t height, RowRange& room) {
     if (height <= 0 || height > room.height()) return {};
@@ -242,20 +241,15 @@ RowRange take_below(std::int32_t height, RowRange& room) {
     return {room.bottom, room.bottom + height};
 }
 
-void draw_on_background(std::int32_t y, std::string_view line, TextColours colours, const ColourTable& background,
-                        Framebuffer canvas) {
-    const std::int32_t width = text_width_px(line) * colours.scale + kTextMargin_px;
-    recolour_area(canvas, {kTextMargin_px / 2, y - colours.scale, width, line_px(colours)}, background);
-    draw_text(canvas, kTextMargin_px, y, line, colours);
-}
-
 template <class Lines>
 void draw_on_background(RowRange rows, const Lines& lines, TextColours colours, const ColourTable& background,
                         Framebuffer canvas) {
     std::int32_t y = rows.top + colours.scale;
-    for (const auto& line : lines) {
+    for (const std::string_view line : lines) {
         if (y + line_px(colours) - colours.scale > rows.bottom) return;
-        draw_on_background(y, line, colours, background, canvas);
+        const std::int32_t width = text_width_px(line) * colours.scale + kTextMargin_px;
+        recolour_area(canvas, {kTextMargin_px / 2, y - colours.scale, width, line_px(colours)}, background);
+        draw_text(canvas, kTextMargin_px, y, line, colours);
         y += line_px(colours);
     }
 }

@@ -29,13 +29,6 @@ struct CostTable {
     std::int32_t pages = 1;
 };
 
-/// Pages that fit into `room_px` rows; the frame's time is always shown.
-CostTable lay_out_cost(const CostText& text, std::int32_t room_px, TextColours colours, Framebuffer canvas);
-/// Draws a page, from 1, so that it ends above the row `bottom`: the plan's passes at the left, effects at the right;
-/// in a canvas too narrow for both, effects follow the passes, without counts of pixels.
-void draw_cost(const CostText& text, const CostTable& table, std::int32_t page, std::int32_t bottom,
-               TextColours colours, Framebuffer canvas);
-
 /// Measures the cost of the current view, as long as it exists.
 class FrameCost {
   public:

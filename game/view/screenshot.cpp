@@ -9,7 +9,6 @@
 #include "engine/io/files.h"
 #include "engine/pictures/picture.h"
 #include "engine/view/present_rect.h"
-#include "engine/view/screen.h"
 
 namespace oblong {
 namespace {

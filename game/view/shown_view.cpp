@@ -102,8 +102,7 @@ std::vector<PlacedModel> placed_models(const GameLevel& level, const Interpolate
     }
     for (std::size_t i = 0; i < level.walls.size(); ++i) {
         const WallState wall = state.after.walls[i];
-        if (wall != WallState::Removed)
-            placed.push_back({level.walls[i].model, {}, wall == WallState::ShowsOtherFrames});
+        if (wall != WallState::Removed) placed.push_back({level.walls[i], {}, wall == WallState::ShowsOtherFrames});
     }
     return placed;
 }

@@ -279,7 +279,7 @@ TEST(GameLevel, AMoverThatWouldLeaveTheFormatStandsStill) {
         const GameLevel level = movers_with_vertex(x);
         EXPECT_TRUE(level.movers.empty());
         ASSERT_EQ(level.walls.size(), 1u);
-        EXPECT_EQ(level.walls[0].model, ModelIndex(1));
+        EXPECT_EQ(level.walls[0], ModelIndex(1));
     }
 }
 

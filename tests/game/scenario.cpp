@@ -98,8 +98,8 @@ std::optional<std::size_t> mover_of(const LogicGame& game, std::size_t model) {
     return {};
 }
 bool has_wall(const LogicGame& game, std::size_t model) {
-    return std::any_of(game.level.walls.begin(), game.level.walls.end(),
-                       [&](const Wall& wall) { return wall.model == ModelIndex(static_cast<std::int32_t>(model)); });
+    const std::vector<ModelIndex>& walls = game.level.walls;
+    return std::find(walls.begin(), walls.end(), ModelIndex(static_cast<std::int32_t>(model))) != walls.end();
 }
 std::ptrdiff_t opened(const GameState& state) {
     return std::count_if(state.triggers.begin(), state.triggers.end(),
@@ -146,7 +146,7 @@ const std::map<std::string, Number> kNumbers{
     {"opened", [](const LogicGame& game, std::size_t) { return opened(game.state); }},
     {"has_mover", [](const LogicGame& game, std::size_t model) { return mover_of(game, model).has_value(); }},
     {"has_wall", has_wall},
-    {"model", [](const LogicGame& game, std::size_t wall) { return game.level.walls.at(wall).model.number(); }},
+    {"model", [](const LogicGame& game, std::size_t wall) { return game.level.walls.at(wall).number(); }},
 };
 
 constexpr const char* kPhases[] = {"start", "leaving", "end", "returning", "removed"};
