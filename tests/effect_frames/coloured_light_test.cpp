@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "engine/measure/exact.h"
 #include "engine/reference/colour.h"
 #include "tests/effect_frames/effect_stage.h"
 

@@ -26,9 +26,7 @@ TEST(Mirrors, ShowWhatIsBehindTheEye) {
     const std::int64_t owned = stage.pixels(Effect::Mirror);
     EXPECT_TRUE(stage.has(Effect::Sprites));
     EXPECT_GE(stage.pixels(Effect::Sprites), count_of(with, kLamp));
-    std::int64_t left = 0, right = 0;
-    for (std::size_t i = 0; i < with.size(); ++i)
-        if (with[i] == kLamp) ++(i % kPictureWidth < kPictureWidth / 2 ? left : right);
+    const auto [left, right] = counts_by_side(with, kLamp);
     EXPECT_GT(left, 50) << "on the side of +y, as a mirror shows it";
     EXPECT_GT(left, right);
     const Picture without = stage.draw_without(Effect::Mirror);
@@ -51,9 +49,7 @@ TEST(Mirrors, ShowMeshesBeforeThemAndNoneBehind) {
     const Picture with = stage.draw();
     EXPECT_TRUE(stage.has(Effect::Meshes));
     EXPECT_EQ(stage.pixels(Effect::Meshes), count_of(with, kBall));
-    std::int64_t left = 0, right = 0;
-    for (std::size_t i = 0; i < with.size(); ++i)
-        if (with[i] == kBall) ++(i % kPictureWidth < kPictureWidth / 2 ? left : right);
+    const auto [left, right] = counts_by_side(with, kBall);
     EXPECT_GT(left, 50) << "on the side of +y, as a mirror shows it";
     EXPECT_GT(left, right);
     stage.meshes[0].position = point_at(300, 0, 90);

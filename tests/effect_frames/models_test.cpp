@@ -58,12 +58,6 @@ double mesh_distance(const PlacedMesh& placed, const Point& eye, const Point& ra
     return nearest;
 }
 
-void for_each_pixel(auto visit) {
-    for (std::int32_t row = 0; row < kPictureHeight; ++row)
-        for (std::int32_t column = 0; column < kPictureWidth; ++column)
-            visit(column, row, static_cast<std::size_t>(row * kPictureWidth + column));
-}
-
 constexpr double kMargin = 0.02;  // of the rays through a pixel
 
 /// How far along the view the face is that a pixel shows.

@@ -10,6 +10,7 @@ namespace oblong::test {
 ///                                                           its keys
 ///     + e1m7.bsp                                            one of Quake's own levels, without any other entity
 ///     + solid 0 0 0 100 100 18                              a block of the world; no_floor, water Z (lava, slime)
+///     + 5x item_lens origin="{300+40i} 0 24"                five of them, i = 0 to 4
 ///     stand 150 0; wait 34: phase0 = end, message = "Hm"    what is done, then what must hold
 ///     each 70 ahead: feet >= travelled0+8                   what must hold after each of so many ticks
 ///     # a note

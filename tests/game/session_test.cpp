@@ -8,6 +8,7 @@
 
 #include "engine/platform/headless.h"
 #include "tests/support/folders.h"
+#include "tests/support/silent_platform.h"
 
 namespace oblong::test::session_test {
 namespace {
@@ -141,14 +142,8 @@ TEST_F(SessionOfTheDemo, WhatAKeyShowsIsSeenWhateverWasOpen) {
         EXPECT_TRUE(is_seen(kFour, asked)) << static_cast<int>(asked);
 }
 
-class UprightWindow final : public Platform {
-  public:
-    bool is_open() const override { return true; }
-    PlatformInput poll() override { return {}; }
-    std::uint64_t now_us() override { return 0; }
+struct UprightWindow final : SilentPlatform {
     WindowSize window_size() const override { return {720, 1280}; }
-    void set_title(const char*) override {}
-    void present(Framebuffer, const Palette&, const PresentRect&) override {}
 };
 
 // 200x320 for 9:16 has the shape 4:3 in 135 of its rows.

@@ -6,6 +6,7 @@
 #include "engine/library/oblong.h"
 #include "engine/platform/headless.h"
 #include "tests/support/folders.h"
+#include "tests/support/silent_platform.h"
 
 namespace oblong {
 namespace {
@@ -99,15 +100,9 @@ TEST(LibraryWindow, EachGamepadHasItsNumber) {
 }
 
 // Notes what a window asks of it.
-struct NotingPlatform final : Platform {
-    bool is_open() const override { return true; }
-    PlatformInput poll() override { return {}; }
-    std::uint64_t now_us() override { return 0; }
-    WindowSize window_size() const override { return {320, 240}; }
-    void set_title(const char*) override {}
+struct NotingPlatform final : test::SilentPlatform {
     void set_icon(std::span<const std::uint8_t> rgba, WindowSize) override { icon.assign(rgba.begin(), rgba.end()); }
     void change_window(const WindowSettings& settings) override { rate = settings.frames_per_second; }
-    void present(Framebuffer, const Palette&, const PresentRect&) override {}
 
     std::vector<std::uint8_t> icon;
     std::int32_t rate = 0;
