@@ -211,48 +211,5 @@ TEST(WayOut, IsLookedForAtTheNearestPlacesAlone) {
     EXPECT_FALSE(way_out_of(most + 2).position);
 }
 
-// Pairs of boxes that cross away from an area which the box around both holds.
-TEST(BoxTreeParts, EndAfterAsManyLooks) {
-    std::vector<BoxTree::Entry> entries;
-    for (std::uint32_t i = 0; i < 20'000; ++i)
-        entries.push_back({{{}, i % 2 == 0 ? world_vector(1000, 1, 9) : world_vector(1, 1000, 9)}, i});
-    const BoxTree tree(entries);
-    std::uint32_t from = 0;
-    int parts = 0;
-    do {
-        const BoxTree::Part part = tree.part_overlapping({world_vector(500, 500, 1), world_vector(510, 510, 5)}, from);
-        ASSERT_LE(part.looks, BoxTree::kMostLooks);
-        ASSERT_TRUE(part.numbers.empty());
-        ASSERT_TRUE(part.next == 0 || part.next > from);
-        from = part.next;
-        ++parts;
-    } while (from != 0);
-    EXPECT_GT(parts, 3);
-}
-
-TEST(BoxTreeParts, TogetherAreTheWhole) {
-    std::vector<BoxTree::Entry> entries;
-    for (std::uint32_t i = 0; i < 5000; ++i) {
-        const auto x = static_cast<std::int32_t>(i * 7919 % 4000), y = static_cast<std::int32_t>(i * 104'729 % 4000);
-        entries.push_back({{world_vector(x, y, 0), world_vector(x + 900, y + 900, 9)}, i});
-    }
-    const BoxTree tree(entries);
-    const Box area{world_vector(1500, 1500, 0), world_vector(2500, 2500, 5)};
-    std::vector<std::uint32_t> all;
-    std::uint32_t from = 0;
-    int parts = 0;
-    do {
-        const BoxTree::Part part = tree.part_overlapping(area, from);
-        ASSERT_LE(part.numbers.size(), std::size_t{BoxTree::kMostFound});
-        ASSERT_LE(part.looks, BoxTree::kMostLooks);
-        all.insert(all.end(), part.numbers.begin(), part.numbers.end());
-        from = part.next;
-        ++parts;
-    } while (from != 0);
-    EXPECT_GT(parts, 3);
-    std::sort(all.begin(), all.end());
-    EXPECT_EQ(all, tree.overlapping(area));
-}
-
 }  // namespace
 }  // namespace oblong::test
