@@ -19,7 +19,7 @@ Camera toward_mirror() {
 }
 
 TEST(Mirrors, ShowWhatIsBehindTheEye) {
-    const std::string lamp = entity_at("misc_sprite", {-200, 30, 90}, {{"texture", "{lamp"}, {"scale", "2"}});
+    const std::string lamp = entities_of("misc_sprite -200 30 90 texture={lamp scale=2");
     EffectStage stage(mirror_room(lamp), toward_mirror());
     const Picture with = stage.draw();
     EXPECT_TRUE(stage.has("mirror"));
@@ -87,7 +87,7 @@ TEST(Mirrors, ShowWhatIsInSightFromEachOfTwo) {
         MapText text =
             room_with("", entity("func_wall", {}, box({120, 250, 30}, {250, 256, 160}, "mirror")) +
                               entity("func_wall", {}, box({490, -118, 30}, {496, -62, 160}, round_the_corner)) +
-                              entity_at("misc_sprite", {350, 70, 90}, {{"texture", "{lamp"}}));
+                              entities_of("misc_sprite 350 70 90 texture={lamp"));
         text.brushes = room({-256, -256, 0}, {496, 256, 192}) + box({256, -256, 0}, {300, -180, 192}) +
                        box({256, -120, 0}, {300, 100, 192}) + box({300, -60, 0}, {496, 40, 192}) +
                        box({256, 200, 0}, {300, 256, 192});
@@ -107,8 +107,7 @@ TEST(Mirrors, ShowWhatIsInSightFromEachOfTwo) {
 }
 
 TEST(Mirrors, BuildNoSurfaceAgainAndCountLightOnce) {
-    const std::string lantern =
-        entity_at("misc_lantern", {100, 0, 80}, {{"texture", "{lamp"}, {"light", "300"}, {"scale", "0.25"}});
+    const std::string lantern = entities_of("misc_lantern 100 0 80 texture={lamp light=300 scale=0.25");
     EffectStage stage(mirror_room(lantern), toward_mirror(), shades_as_colours());
     const Picture first = stage.draw(1'000);
     EXPECT_GT(stage.work.counts.stages.lit_texels, 0);

@@ -40,9 +40,7 @@ TEST(Shadows, CoverTheirDiscOnALevelAndOnASlopedFloor) {
         ShadowScratch scratch(200);
         ASSERT_TRUE(scan_shadow(shadow, kWhole, level, view, scratch));
         std::vector<std::uint8_t> pixels(320 * 200);
-        std::vector<Span> spans;
-        for (std::int32_t y = 0; y < 200; ++y) spans.push_back({y, 0, 320});
-        darken_spans(spans, scratch.rows, one_brighter().data(), {pixels.data(), 320, 200, 320});
+        darken_spans(all_rows(), scratch.rows, one_brighter().data(), {pixels.data(), 320, 200, 320});
         const TrueCamera camera({view.eye, {}, degrees_to_angle(Degrees::from_int(35)), {}});
         int inside = 0;
         for (std::int32_t y = 0; y < 200; ++y)

@@ -53,8 +53,7 @@ TEST(LibraryEntities, AModelIsHiddenToo) {
     Hall hall;
     hall.folder.write("cube.obj", std::string("v -20 0 0\nv 20 0 0\nv 0 40 0\nf 1 2 3\nf 1 3 2\n"));
     const std::string file = hall.folder.write(
-        "shown.bsp",
-        bytes_of(::oblong::test::hall("", entity_at("misc_model", {100, 0, 40}, {{"model", "cube.obj"}}))));
+        "shown.bsp", bytes_of(::oblong::test::hall("", entities_of("misc_model 100 0 40 model=cube.obj"))));
     LevelScene level(file, red_palette());
     const std::int32_t model = level.find_entity("classname", "misc_model");
     const auto sum = [&] {
@@ -71,8 +70,7 @@ TEST(LibraryEntities, AModelIsHiddenToo) {
 
 TEST(LibraryEntities, BoxesMoveWithTheirBrushesAndTellWhoIsInThem) {
     Hall hall("", gate_of_hall() +
-                      entity("trigger_once", {{"targetname", "spot"}}, box({-60, -60, 0}, {-20, -20, 64})) +
-                      entity_at("item_key1", {100, 40, 24}, {{"angle", "45"}}));
+                      entities_of("trigger_once -60 -60 0 -20 -20 64 targetname=spot + item_key1 100 40 24 angle=45"));
     LevelScene& level = hall.level;
     const std::int32_t gate = level.find_entity("targetname", "gate"), spot = level.find_entity("targetname", "spot"),
                        key = level.find_entity("classname", "item_key1");

@@ -12,9 +12,8 @@ namespace oblong::test {
 
 // The space of -256..256 each way, 256 high, with things in it.
 inline std::string hall(const std::string& brushes, const std::string& entities) {
-    return level(
-        room({-256, -256, 0}, {256, 256, 256}) + brushes,
-        entity_at("info_player_start", {-100, 0, 24}, {{"angle", "90"}}) + entity_at("light", {0, 0, 200}) + entities);
+    return level(room({-256, -256, 0}, {256, 256, 256}) + brushes,
+                 entities_of("info_player_start -100 0 24 angle=90 + light 0 0 200") + entities);
 }
 
 // In units: east, north, up.

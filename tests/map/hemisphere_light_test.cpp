@@ -184,8 +184,7 @@ TEST(SmoothLight, APillarsEdgesAreLitAsACylinder) {
     const std::string pillar = prism({256, 256, 0}, 64, 128, 12);
     const auto bsp_of = [&](const std::vector<std::array<std::string, 2>>& pairs) {
         return compile(level(room({0, 0, 0}, {512, 512, 128}),
-                             entity("func_detail", pairs, pillar) +
-                                 entity_at("light", {480, 256, 64}, {{"delay", "3"}, {"light", "400"}})),
+                             entity("func_detail", pairs, pillar) + entities_of("light 480 256 64 delay=3 light=400")),
                        {.is_fast = true});
     };
     const auto steps_at_edges = [&](const map::BspFile& bsp) {  // the largest difference across an upright edge
@@ -215,7 +214,7 @@ TEST(SmoothLight, APillarsEdgesAreLitAsACylinder) {
 TEST(SmoothLight, LightEndsSmoothlyAtAnEdge) {
     const auto bsp = compile(level(room({0, 0, 0}, {512, 512, 128}),
                                    entity("func_detail", {{"_phong", "1"}}, prism({256, 256, 0}, 64, 128, 10)) +
-                                       entity_at("light", {480, 256, 64}, {{"delay", "3"}, {"light", "400"}})));
+                                       entities_of("light 480 256 64 delay=3 light=400")));
     std::vector<double> lights;
     for (const auto& face : bsp.faces) {
         const auto corners = corners_of(bsp, face);

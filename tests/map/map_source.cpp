@@ -150,7 +150,7 @@ std::string entities_of(const std::string& text) {
     std::string all, its_class;
     std::vector<int> numbers;
     Keys pairs;
-    for (const std::string& word : words_of(replaced(text, "\n", " ") + " +")) {
+    for (const std::string& word : words_of(replaced(replaced(text, "\n", " "), "'", "\"") + " +")) {
         const std::size_t equals = word.find('=');
         if (word == "+") {
             const auto corner = [&](std::size_t i) {

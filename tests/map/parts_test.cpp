@@ -27,8 +27,7 @@ namespace fs = std::filesystem;
 std::string two_rooms(const std::string& entities) {
     return level(room({0, 0, 0}, {512, 256, 128}) + box({240, 0, 0}, {256, 96, 128}) +
                      box({240, 160, 0}, {256, 256, 128}) + box({240, 96, 96}, {256, 160, 128}),
-                 entity_at("info_player_start", {64, 64, 28}) +
-                     entity("func_wall", {}, box({300, 64, 0}, {340, 100, 40})) + entities);
+                 entities_of("info_player_start 64 64 28 + func_wall 300 64 0 340 100 40") + entities);
 }
 
 const std::string kLamp = entity_at("light", {64, 200, 100}), kOtherLamp = entity_at("light", {400, 128, 64}),
@@ -68,7 +67,7 @@ TEST(Parts, MadeAnewAloneGiveTheWholeLevel) {
 
 TEST(Parts, OfOtherBrushesAreRefused) {
     const map::BspFile former = compile(two_rooms(kLamp));
-    const std::string more = two_rooms(kLamp + entity("func_wall", {}, box({400, 64, 0}, {440, 100, 40})));
+    const std::string more = two_rooms(kLamp + entities_of("func_wall 400 64 0 440 100 40"));
     for (const std::string& source : {more, replaced(two_rooms(kLamp), "( 240 ", "( 232 ")})
         for (const auto part : {map::CompilePart::Entities, map::CompilePart::Light, map::CompilePart::Visibility})
             EXPECT_THROW(compile(source, {.part = part, .former = former}), InputError);
@@ -310,7 +309,7 @@ TEST_F(MapWatchTest, HandsTheGameOn) {
     write_file(path("game/game.json"),
                R"({"title": "T", "levels": ["one"], "classes": {"func_my_gate": {"is": "func_door"}}})");
     write_file(path("t.wad"), wad_bytes({"wall"}));
-    save(textured(kLamp + entity("func_my_gate", {}, box({160, 128, 0}, {176, 144, 16}))));
+    save(textured(kLamp + entities_of("func_my_gate 160 128 0 176 144 16")));
     for (const std::string& game : {path("game"), std::string()}) {
         MapWatch watched(path("my.map"), build_folder() + "/bin/oblong-map", game);
         testing::internal::CaptureStderr();

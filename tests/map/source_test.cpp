@@ -160,9 +160,9 @@ TEST(Entities, NumbersMayHaveExponents) {
 }
 
 TEST(Entities, DetailsToPassStopNobody) {
-    const auto bsp = compile(level(plain_room(), lights_of_plain_room() + entity("func_detail_illusionary", {},
-                                                                                 box({160, 160, 0}, {192, 192, 64}))),
-                             {true});
+    const auto bsp = compile(
+        level(plain_room(), lights_of_plain_room() + entities_of("func_detail_illusionary 160 160 0 192 192 64")),
+        {true});
     const Point inside{176, 176, 32};
     for (const int hull : {0, 1, 2}) EXPECT_EQ(contents_at(bsp, 0, hull, {176, 176, 40}), contents::kEmpty) << hull;
     EXPECT_EQ(contents_at(bsp, 1, 0, inside), contents::kSolid) << "of a model";
@@ -173,9 +173,8 @@ TEST(Entities, DetailsToPassStopNobody) {
 
 // A wall of bars from floor to ceiling, between the start with its light and the far half of the room.
 std::string hall_with(const std::string& bars_in_world, const std::string& entities) {
-    return level(
-        room({0, 0, 0}, {512, 128, 128}) + bars_in_world,
-        entity_at("info_player_start", {64, 64, 40}) + entity_at("light", {64, 64, 64}, {{"light", "900"}}) + entities);
+    return level(room({0, 0, 0}, {512, 128, 128}) + bars_in_world,
+                 entities_of("info_player_start 64 64 40 + light 64 64 64 light=900") + entities);
 }
 
 const std::string kBars = box({248, 0, 0}, {264, 128, 128}, "{bars");
@@ -228,18 +227,17 @@ TEST(Entities, FencesAreSeenThroughInTheWorldAndInEntities) {
 }
 
 TEST(Entities, TexturesThatOnlyEntitiesShowAreInTheLevel) {
-    const Level read = engine_level(
-        bytes_of(hall_with("", entity_at("misc_sprite", {96, 64, 40}, {{"texture", "{BARS"}, {"scale", "2"}}))));
+    const Level read = engine_level(bytes_of(hall_with("", entities_of("misc_sprite 96 64 40 texture={BARS scale=2"))));
     EXPECT_TRUE(std::any_of(read.textures.begin(), read.textures.end(),
                             [](const MipTexture& texture) { return texture.name == "{bars"; }));
-    const auto said = said_of(hall_with("", entity_at("misc_lantern", {96, 64, 40}, {{"texture", "{nosuch"}})));
+    const auto said = said_of(hall_with("", entities_of("misc_lantern 96 64 40 texture={nosuch")));
     ASSERT_EQ(said.size(), 1u);
     EXPECT_NE(said[0].find("texture '{nosuch' is not in any of the WAD files"), std::string::npos) << said[0];
 }
 
 TEST(Entities, LightsWithAStyleOfTheirOwnKeepItFromSwitchableOnes) {
-    const auto bsp = compile(hall_with("", entity_at("light", {96, 64, 40}, {{"style", "32"}, {"pattern", "amz"}}) +
-                                               entity_at("light", {98, 64, 40}, {{"targetname", "lamp"}})));
+    const auto bsp =
+        compile(hall_with("", entities_of("light 96 64 40 style=32 pattern=amz + light 98 64 40 targetname=lamp")));
     EXPECT_NE(bsp.entities.find("\"style\" \"33\""), std::string::npos) << bsp.entities;
 }
 
@@ -263,7 +261,7 @@ TEST(Entities, InWhichOrderLayersAreSavedMakesNoDifference) {
     const std::string pillar = box({160, 160, 0}, {192, 192, 64}), step = box({200, 160, 0}, {232, 192, 16});
     const std::string group = entity("func_group", {{"_tb_type", "_tb_layer"}, {"_tb_id", "1"}}, pillar),
                       detail = entity("func_detail", {{"_tb_layer", "1"}}, step),
-                      door = entity("func_door", {{"_tb_layer", "1"}}, box({96, 96, 0}, {112, 112, 64}));
+                      door = entities_of("func_door 96 96 0 112 112 64 _tb_layer=1");
     const std::string bytes = bytes_of(level(plain_room(), lights_of_plain_room() + group + detail + door));
     EXPECT_EQ(bytes_of(level(plain_room(), lights_of_plain_room() + door + detail + group)), bytes);
     EXPECT_EQ(bytes_of(level(plain_room() + pillar, lights_of_plain_room() + detail + door)), bytes);
