@@ -2,11 +2,9 @@
 
 #include <random>
 
-#include "engine/io/doubles.h"
 #include "engine/level/trace.h"
 #include "engine/scene/placed_models.h"
 #include "engine/view/views.h"
-#include "game/simulation/step.h"
 #include "tests/map/bsp_checks.h"
 #include "tests/map/map_source.h"
 #include "tools/map/source/geometry.h"

@@ -107,9 +107,7 @@ std::string prism(const Whole& centre, int radius, int height, int side_count, s
     const auto corner = [&, cx = x, cy = y](int i, int at_z) {
         return rounded(cx + radius * std::cos(turn(i, side_count)), cy + radius * std::sin(turn(i, side_count)), at_z);
     };
-    for (int i = 0; i < side_count; ++i) sides.push_back({corner(i, z), corner(i, z + height), corner(i + 1, z)});
-    for (std::size_t i = 2; i < sides.size(); ++i) std::swap(sides[i][1], sides[i][2]);
-    for (std::size_t i = 2; i < sides.size(); ++i) std::swap(sides[i][0], sides[i][1]);
+    for (int i = 0; i < side_count; ++i) sides.push_back({corner(i + 1, z), corner(i, z), corner(i, z + height)});
     return brush(sides, texture);
 }
 
