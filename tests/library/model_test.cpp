@@ -137,7 +137,6 @@ TEST(LibraryModel, WrongNumbersAreRefused) {
     for (const Picture& picture : {Picture{2, 2, {1, 2, 3}}, Picture{2, 1, {1, 2, 3}}, Picture{-1, -1, {1}}, Picture{}})
         EXPECT_THROW(model.add_picture(picture), std::runtime_error);
     EXPECT_EQ(model.frame_count(), 1);
-    EXPECT_THROW(model.add_triangle({}, {}, {}, 0), std::runtime_error);
     EXPECT_THROW(Model("/nowhere/a.obj", grey_palette()), std::runtime_error);
     EXPECT_THROW(Model("/nowhere/a.obj", grey_palette(), 0), std::runtime_error);
 }
