@@ -115,14 +115,14 @@ Bytes bmp(int width, int height, const BmpKind& kind = {}) {
         out.i32(kind.masks.empty() ? 0 : kind.masks.size() == 4 && kind.head == 40 ? 6 : 3);
         for (int i = 0; i < 5; ++i) out.i32(0);
         for (const std::uint32_t mask : kind.masks) out.i32(static_cast<std::int32_t>(mask));
-        file.resize(static_cast<std::size_t>(14 + kind.head + after_head));
+        file.resize(as_size(14 + kind.head + after_head));
     }
     for (int i = 0; i < colours; ++i) {
         const Rgb8 colour = colour_at(i % 16, i / 16);
         file.insert(file.end(), {colour.blue, colour.green, colour.red});
         if (!is_core) file.push_back(0);
     }
-    file.resize(file.size() + static_cast<std::size_t>(kind.gap));
+    file.resize(file.size() + as_size(kind.gap));
     const std::size_t start = file.size();
     for (int i = 0; i < height; ++i) {
         const int y = kind.is_from_top ? i : height - 1 - i;
@@ -172,7 +172,7 @@ TEST(Picture, EveryKindOfBmpHasItsPixelsInTheirPlaces) {
             for (int x = 0; x < 21; ++x) {
                 const int index = (x + 16 * y) % (1 << kind.bits % 24);
                 const Rgb8 was = kind.has_palette() ? colour_at(index % 16, index / 16) : colour_at(x, y);
-                const Rgba8 is = image.pixel(static_cast<std::size_t>(y * 21 + x));
+                const Rgba8 is = image.pixel(as_size(y * 21 + x));
                 const auto near = [&](std::uint8_t value, std::uint8_t wanted, std::size_t part) {
                     const std::uint32_t mask = kind.mask(part);
                     const bool is_exact = kind.bits <= 8 || kind.bits == 24 || std::popcount(mask) == 8;
@@ -196,8 +196,7 @@ TEST(Picture, ATgaBeginsInAnyCornerAndMayBePacked) {
         for (int y = 0; y < 17; ++y)
             for (int x = 0; x < 21; ++x) {
                 const int column = (corner & 0x10) != 0 ? 20 - x : x, row = (corner & 0x20) != 0 ? y : 16 - y;
-                ASSERT_EQ(image.pixel(static_cast<std::size_t>(y * 21 + x)), (Rgba8{colour_at(column, row), 255}))
-                    << x << y;
+                ASSERT_EQ(image.pixel(as_size(y * 21 + x)), (Rgba8{colour_at(column, row), 255})) << x << y;
             }
     }
     const PngImage packed = decode_picture(packed_tga());

@@ -71,8 +71,7 @@ TEST(Goal, DirectionsAreTheNearestOfEight) {
         const double angle = degrees * M_PI / 180;
         const Position to = world_vector(static_cast<int>(std::lround(100 + 900 * std::cos(angle))),
                                          static_cast<int>(std::lround(-50 + 900 * std::sin(angle))), 60);
-        EXPECT_EQ(direction_of(from, to), kNames.at(static_cast<std::size_t>(std::lround(degrees / 45.0)) % 8))
-            << degrees;
+        EXPECT_EQ(direction_of(from, to), kNames.at(as_size(std::lround(degrees / 45.0)) % 8)) << degrees;
     }
     EXPECT_EQ(direction_of(from, world_vector(110, -50, 400)), "above");
     EXPECT_EQ(direction_of(from, world_vector(110, -50, -400)), "below");

@@ -23,8 +23,7 @@ struct ScriptedWindow {
         : platform(
               100, 70,
               [scripts](std::int64_t poll) {
-                  return poll < std::int64_t(scripts.size()) ? scripts[static_cast<std::size_t>(poll)]
-                                                             : PlatformInput{};
+                  return poll < std::int64_t(scripts.size()) ? scripts[as_size(poll)] : PlatformInput{};
               },
               [](Framebuffer, const Palette&) {}),
           window(platform, mode) {}

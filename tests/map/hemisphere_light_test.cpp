@@ -156,10 +156,8 @@ TEST(HemisphereLight, StyledLightBouncesInItsOwnLayer) {
         const auto at = std::find(styles.begin(), styles.end(), style);
         if (at == styles.end() || bsp.faces[face].light_offset < 0) return std::string();
         const auto [width, height] = map::light_grid(bsp, bsp.faces[face]).count;
-        const auto size = static_cast<std::size_t>(width * height);
-        return bsp.lighting.substr(static_cast<std::size_t>(bsp.faces[face].light_offset) +
-                                       static_cast<std::size_t>(at - styles.begin()) * size,
-                                   size);
+        const auto size = as_size(width * height);
+        return bsp.lighting.substr(as_size(bsp.faces[face].light_offset) + as_size(at - styles.begin()) * size, size);
     };
     int with_both = 0;
     for (std::size_t face = 0; face < both.faces.size(); ++face) {
@@ -173,7 +171,7 @@ TEST(HemisphereLight, StyledLightBouncesInItsOwnLayer) {
 // The light of a face between two samples of a row.
 double light_between(const map::BspFile& bsp, const map::FileFace& face, const Point& place) {
     const FacingPlane plane = facing_plane(bsp, face);
-    const Point along = map::to_point(bsp.texinfos.at(static_cast<std::size_t>(face.texinfo)).axes[0].direction);
+    const Point along = map::to_point(bsp.texinfos.at(as_size(face.texinfo)).axes[0].direction);
     const double steps = dot(along, place) / 16, share = steps - std::floor(steps);
     return (1 - share) * light_at(bsp, plane, place - along * (16 * share)) +
            share * light_at(bsp, plane, place + along * (16 * (1 - share)));

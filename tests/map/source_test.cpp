@@ -192,7 +192,7 @@ std::size_t lit_faces_beyond_the_bars(const map::BspFile& bsp) {
 void expect_fence(const map::BspFile& bsp) {
     EXPECT_EQ(contents_at(bsp, 0, 0, {256, 64, 64}), contents::kEmpty) << "the world is not cut by the bars";
     const int near = leaf_at(bsp, {64, 64, 64}), far = leaf_at(bsp, {448, 64, 64});
-    EXPECT_TRUE(visible_leaves(bsp, near)[static_cast<std::size_t>(far)]) << "one sees through";
+    EXPECT_TRUE(visible_leaves(bsp, near)[as_size(far)]) << "one sees through";
     ASSERT_EQ(bsp.models.size(), 2u);
     EXPECT_GE(bsp.models[1].face_count, 6) << "and sees the bars";
     EXPECT_EQ(contents_at(bsp, 1, 1, {256, 64, 64}), contents::kSolid) << "which stop players";
@@ -365,8 +365,7 @@ TEST(Wad, AMissingTextureIsACheckerboard) {
         for (std::size_t mip = 0; mip < 4; ++mip) {
             const int width = read[i].width >> mip, square = 8 >> mip;
             for (int at = 0; at < width * (read[i].height >> mip); ++at)
-                ASSERT_EQ(read[i].mips[mip][static_cast<std::size_t>(at)] == 15,
-                          (at % width / square + at / width / square) % 2 == 0)
+                ASSERT_EQ(read[i].mips[mip][as_size(at)] == 15, (at % width / square + at / width / square) % 2 == 0)
                     << i << ", mip level " << mip;
         }
 }
