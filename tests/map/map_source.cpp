@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <sstream>
 
 #include "engine/level/bsp_read.h"
 #include "tests/support/refusal.h"
@@ -88,6 +89,14 @@ std::string box(const Whole& mins, const Whole& maxs, std::string_view texture) 
                   {{{x, y, z}, {x, y, Z}, {X, y, Z}}},
                   {{{x, Y, z}, {X, Y, z}, {X, Y, Z}}}},
                  texture);
+}
+
+std::string boxes(const std::string& corners) {
+    std::string all;
+    std::istringstream numbers(corners);
+    for (Whole low, high; numbers >> low[0] >> low[1] >> low[2] >> high[0] >> high[1] >> high[2];)
+        all += box(low, high);
+    return all;
 }
 
 std::string room(const Whole& mins, const Whole& maxs, int thick, std::string_view texture) {

@@ -24,6 +24,9 @@ std::string brush(const std::vector<std::array<Whole, 3>>& sides, std::string_vi
 /// The box between two corners.
 std::string box(const Whole& mins, const Whole& maxs, std::string_view texture = "wall");
 
+/// Boxes of "wall", six numbers each.
+std::string boxes(const std::string& corners);
+
 /// Six walls, `thick` units, around the space between two corners.
 std::string room(const Whole& mins, const Whole& maxs, int thick = 16, std::string_view texture = "wall");
 

@@ -164,9 +164,10 @@ TEST(Tree, ARoomTurnedToAnyAngleIsSealed) {
 std::string room_with_gap(double gap) {
     const std::string begins_at_minus_1 = box({-1, 256, 0}, {272, 272, 128});
     const std::string east = replaced(begins_at_minus_1, "( -1 ", "( " + std::to_string(128 + gap) + " ");
-    return box({-16, -16, -16}, {272, 272, 0}) + box({-16, -16, 128}, {272, 272, 144}) +
-           box({-16, 0, 0}, {0, 256, 128}) + box({256, 0, 0}, {272, 256, 128}) + box({-16, -16, 0}, {272, 0, 128}) +
-           box({-16, 256, 0}, {128, 272, 128}) + east;
+    return boxes(
+               "-16 -16 -16 272 272 0    -16 -16 128 272 272 144    -16 0 0 0 256 128    256 0 0 272 256 128 "
+               "-16 -16 0 272 0 128    -16 256 0 128 272 128") +
+           east;
 }
 
 // A room, and one without the wall at y = 256.
