@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "engine/measure/exact.h"
 #include "engine/reference/colour.h"
 #include "tests/effect_frames/effect_stage.h"
 
@@ -12,10 +11,9 @@ namespace {
 std::string hall_of_lamps() {
     return entity("worldspawn", {},
                   room({-256, -256, 0}, {256, 256, 192}) + box({40, -60, 0}, {100, 60, 90}, "other")) +
-           entity_at("info_player_start", {-100, 0, 64}) +
-           entity_at("light", {-40, 200, 100}, {{"light", "350"}, {"_color", "255 60 30"}}) +
-           entity_at("light", {-40, -200, 60}, {{"light", "350"}, {"_color", "40 90 255"}}) +
-           entity_at("light", {150, 0, 150}, {{"light", "350"}, {"_color", "60 255 90"}});
+           entities_of(
+               "info_player_start -100 0 64 + light -40 200 100 light=350 _color='255 60 30' + light -40 -200 60 "
+               "light=350 _color='40 90 255' + light 150 0 150 light=350 _color='60 255 90'");
 }
 
 /// 6 x 6 x 6 colours, with which the textures' are light greys.

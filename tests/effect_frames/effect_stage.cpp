@@ -131,4 +131,19 @@ std::int64_t count_of(const Picture& picture, std::uint8_t colour) {
     return std::count(picture.begin(), picture.end(), colour);
 }
 
+std::array<std::int64_t, 2> counts_by_side(const Picture& picture, std::uint8_t colour) {
+    std::array<std::int64_t, 2> counts{};
+    for (std::size_t i = 0; i < picture.size(); ++i)
+        counts[i % kPictureWidth < kPictureWidth / 2 ? 0 : 1] += picture[i] == colour;
+    return counts;
+}
+
+testing::AssertionResult differ_on(const EffectStage& stage, const std::string& texture, const Picture& a,
+                                   const Picture& b) {
+    for (std::size_t i = 0; i < a.size(); ++i)
+        if (a[i] != b[i] && stage.texture_at(i) != texture)
+            return testing::AssertionFailure() << "pixel " << i << " is of '" << stage.texture_at(i) << "'";
+    return testing::AssertionSuccess();
+}
+
 }  // namespace oblong::test

@@ -87,5 +87,21 @@ class EffectStage {
 /// How many pixels differ.
 std::int64_t changed_pixels(const Picture& a, const Picture& b);
 std::int64_t count_of(const Picture& picture, std::uint8_t colour);
+/// How many have a colour on the left half, and on the right one.
+std::array<std::int64_t, 2> counts_by_side(const Picture& picture, std::uint8_t colour);
+/// Whether pixels differ only where the frame drawn last showed a texture.
+testing::AssertionResult differ_on(const EffectStage& stage, const std::string& texture, const Picture& a,
+                                   const Picture& b);
+/// Calls `visit(column, row, pixel)`.
+void for_each_pixel(auto visit) {
+    for (std::int32_t row = 0; row < kPictureHeight; ++row)
+        for (std::int32_t column = 0; column < kPictureWidth; ++column)
+            visit(column, row, static_cast<std::size_t>(row * kPictureWidth + column));
+}
+/// Each reading is a nanosecond later than the last.
+inline std::int64_t ticking_ns() {
+    static std::int64_t now_ns = 0;
+    return ++now_ns;
+}
 
 }  // namespace oblong::test

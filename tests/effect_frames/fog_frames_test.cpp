@@ -77,10 +77,7 @@ TEST(FogFrames, NotAllowedOrAskedForThereIsNone) {
 
 TEST(FogFrames, TheSearchForItsPixelsIsPartOfItsTime) {
     EffectStage fog(corridor("0.1 0.784 0.784 0.784"), along_corridor());
-    PassTimes times{[] {
-        static std::int64_t now_ns = 0;
-        return ++now_ns;
-    }};
+    PassTimes times{ticking_ns};
     fog.work.observers.times = &times;
     fog.draw();
     EXPECT_GT(item(times.effects_ns, Effect::Fog), 0);

@@ -19,16 +19,14 @@ Camera toward_mirror() {
 }
 
 TEST(Mirrors, ShowWhatIsBehindTheEye) {
-    const std::string lamp = entity_at("misc_sprite", {-200, 30, 90}, {{"texture", "{lamp"}, {"scale", "2"}});
+    const std::string lamp = entities_of("misc_sprite -200 30 90 texture={lamp scale=2");
     EffectStage stage(mirror_room(lamp), toward_mirror());
     const Picture with = stage.draw();
     EXPECT_TRUE(stage.has("mirror"));
     const std::int64_t owned = stage.pixels(Effect::Mirror);
     EXPECT_TRUE(stage.has(Effect::Sprites));
     EXPECT_GE(stage.pixels(Effect::Sprites), count_of(with, kLamp));
-    std::int64_t left = 0, right = 0;
-    for (std::size_t i = 0; i < with.size(); ++i)
-        if (with[i] == kLamp) ++(i % kPictureWidth < kPictureWidth / 2 ? left : right);
+    const auto [left, right] = counts_by_side(with, kLamp);
     EXPECT_GT(left, 50) << "on the side of +y, as a mirror shows it";
     EXPECT_GT(left, right);
     const Picture without = stage.draw_without(Effect::Mirror);
@@ -51,9 +49,7 @@ TEST(Mirrors, ShowMeshesBeforeThemAndNoneBehind) {
     const Picture with = stage.draw();
     EXPECT_TRUE(stage.has(Effect::Meshes));
     EXPECT_EQ(stage.pixels(Effect::Meshes), count_of(with, kBall));
-    std::int64_t left = 0, right = 0;
-    for (std::size_t i = 0; i < with.size(); ++i)
-        if (with[i] == kBall) ++(i % kPictureWidth < kPictureWidth / 2 ? left : right);
+    const auto [left, right] = counts_by_side(with, kBall);
     EXPECT_GT(left, 50) << "on the side of +y, as a mirror shows it";
     EXPECT_GT(left, right);
     stage.meshes[0].position = point_at(300, 0, 90);
@@ -91,7 +87,7 @@ TEST(Mirrors, ShowWhatIsInSightFromEachOfTwo) {
         MapText text =
             room_with("", entity("func_wall", {}, box({120, 250, 30}, {250, 256, 160}, "mirror")) +
                               entity("func_wall", {}, box({490, -118, 30}, {496, -62, 160}, round_the_corner)) +
-                              entity_at("misc_sprite", {350, 70, 90}, {{"texture", "{lamp"}}));
+                              entities_of("misc_sprite 350 70 90 texture={lamp"));
         text.brushes = room({-256, -256, 0}, {496, 256, 192}) + box({256, -256, 0}, {300, -180, 192}) +
                        box({256, -120, 0}, {300, 100, 192}) + box({300, -60, 0}, {496, 40, 192}) +
                        box({256, 200, 0}, {300, 256, 192});
@@ -111,8 +107,7 @@ TEST(Mirrors, ShowWhatIsInSightFromEachOfTwo) {
 }
 
 TEST(Mirrors, BuildNoSurfaceAgainAndCountLightOnce) {
-    const std::string lantern =
-        entity_at("misc_lantern", {100, 0, 80}, {{"texture", "{lamp"}, {"light", "300"}, {"scale", "0.25"}});
+    const std::string lantern = entities_of("misc_lantern 100 0 80 texture={lamp light=300 scale=0.25");
     EffectStage stage(mirror_room(lantern), toward_mirror(), shades_as_colours());
     const Picture first = stage.draw(1'000);
     EXPECT_GT(stage.work.counts.stages.lit_texels, 0);

@@ -58,12 +58,6 @@ double mesh_distance(const PlacedMesh& placed, const Point& eye, const Point& ra
     return nearest;
 }
 
-void for_each_pixel(auto visit) {
-    for (std::int32_t row = 0; row < kPictureHeight; ++row)
-        for (std::int32_t column = 0; column < kPictureWidth; ++column)
-            visit(column, row, static_cast<std::size_t>(row * kPictureWidth + column));
-}
-
 constexpr double kMargin = 0.02;  // of the rays through a pixel
 
 /// How far along the view the face is that a pixel shows.
@@ -107,7 +101,7 @@ TEST(Models, AreDrawnWhereTheyAreNearerThanFaces) {
 /// A wall across the room, sky above z = 90, from `south` on. From y = 100 it fills the view: the walk enters no leaf
 /// behind it.
 MapText walled_room(int south) {
-    std::string things = entity_at("misc_sparks", {180, 100, 100}, {{"size", "40 40 90"}, {"count", "60"}});
+    std::string things = entities_of("misc_sparks 180 100 100 size='40 40 90' count=60");
     for (const int x : {-180, 180})
         things += entity_at("misc_sprite", {x, 0, 110}, {{"texture", "{lamp"}, {"scale", "2"}});
     return room_with(box({-16, south, 0}, {16, 256, 90}, "other") + box({-16, south, 90}, {16, 256, 192}, "sky"),
@@ -319,11 +313,10 @@ TEST(Models, AreLitAtTheirFarEnds) {
     Mesh pole = ball_mesh(40, 10, plain_skin(8));
     for (MeshVertex& vertex : pole.frames[0].vertices) vertex.position.z = vertex.position.z * 4;
     set_boxes(pole.frames[0], pole.triangles);
-    EffectStage stage(
-        {room({-256, -256, -192}, {256, 256, 192}, 16, "wall"),
-         entity_at("info_player_start", {-100, 0, 64}) + entity_at("light", {-60, 0, 150}, {{"light", "30"}}),
-         {}},
-        camera_at(point_at(-200, 0, 0), 0, 0), shades_as_colours());
+    EffectStage stage({room({-256, -256, -192}, {256, 256, 192}, 16, "wall"),
+                       entities_of("info_player_start -100 0 64 + light -60 0 150 light=30"),
+                       {}},
+                      camera_at(point_at(-200, 0, 0), 0, 0), shades_as_colours());
     stage.meshes = {ball_at(point_at(0, 0, 0))};
     stage.meshes[0].mesh = &pole;
     stage.meshes[0].least_light = 0;

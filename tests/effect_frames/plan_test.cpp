@@ -144,6 +144,18 @@ class DemoAllAround : public testing::Test {
         scene.meshes = meshes_;
         draw_frame(scene, camera, stage_.mode, stage_.settings, work_, {stage_.pixels.data(), 320, 200, 320});
     }
+    /// Draws all places and every so manieth direction, and calls `check()` for each.
+    template <class Check>
+    void for_each_view(int step, Check check) {
+        place_models(models_, 0, {}, meshes_);
+        for (std::size_t place = 0; place < cameras_.size(); ++place)
+            for (int direction = 0; direction < kDirections; direction += step) {
+                SCOPED_TRACE("camera " + std::to_string(place) + ", direction " + std::to_string(direction));
+                work_.count();
+                draw(cameras_[place], direction);
+                check([&] { draw(cameras_[place], direction); });
+            }
+    }
     void expect_that_passes_have_pixels() const {
         for (std::size_t i = 0; i < kPassCount; ++i)
             EXPECT_EQ(work_.plan.passes[i], work_.counts.pass_pixels[i] > 0) << kPasses[i].name;
@@ -169,16 +181,11 @@ class DemoAllAround : public testing::Test {
 };
 
 TEST_F(DemoAllAround, NoPassRunsWithoutPixelsAndLittleIsDoneInVain) {
-    place_models(models_, 0, {}, meshes_);
-    work_.count();
     InVain sum;
-    for (std::size_t place = 0; place < cameras_.size(); ++place)
-        for (int direction = 0; direction < kDirections; ++direction) {
-            SCOPED_TRACE("camera " + std::to_string(place) + ", direction " + std::to_string(direction));
-            draw(cameras_[place], direction);
-            expect_that_passes_have_pixels();
-            add_what_was_in_vain(sum);
-        }
+    for_each_view(1, [&](auto) {
+        expect_that_passes_have_pixels();
+        add_what_was_in_vain(sum);
+    });
     EXPECT_EQ(sum.frames, 39 * kDirections);
     EXPECT_LE(sum.with_particles, 122);
     EXPECT_LE(sum.particles, 4'157);
@@ -187,14 +194,8 @@ TEST_F(DemoAllAround, NoPassRunsWithoutPixelsAndLittleIsDoneInVain) {
 
 /// As mappers of the time kept r_speeds: the level's aim is 120 and 350.
 TEST_F(DemoAllAround, ShowsFewFaces) {
-    place_models(models_, 0, {}, meshes_);
-    work_.count();
     std::vector<std::int64_t> drawn;
-    for (const Camera& camera : cameras_)
-        for (int direction = 0; direction < kDirections; direction += 4) {
-            draw(camera, direction);
-            drawn.push_back(work_.counts.faces_drawn);
-        }
+    for_each_view(4, [&](auto) { drawn.push_back(work_.counts.faces_drawn); });
     std::sort(drawn.begin(), drawn.end());
     EXPECT_LE(drawn[drawn.size() / 2], 60);
     EXPECT_LE(drawn[drawn.size() * 99 / 100], 350);
@@ -202,19 +203,15 @@ TEST_F(DemoAllAround, ShowsFewFaces) {
 }
 
 TEST_F(DemoAllAround, ThePlansEffectsAloneGiveTheSamePicture) {
-    place_models(models_, 0, {}, meshes_);
     int mirrored = 0;
-    for (const Camera& camera : cameras_)
-        for (int direction = 0; direction < kDirections; direction += 8) {
-            stage_.settings.allowed_effects = EffectSet::all();
-            draw(camera, direction);
-            const Picture all = stage_.pixels;
-            stage_.settings.allowed_effects = work_.plan.effects;
-            mirrored += work_.plan.effects.has(Effect::Mirror);
-            draw(camera, direction);
-            ASSERT_EQ(changed_pixels(stage_.pixels, all), 0)
-                << "camera " << &camera - cameras_.data() << ", direction " << direction;
-        }
+    for_each_view(8, [&](auto draw_again) {
+        const Picture all = stage_.pixels;
+        stage_.settings.allowed_effects = work_.plan.effects;
+        mirrored += work_.plan.effects.has(Effect::Mirror);
+        draw_again();
+        stage_.settings.allowed_effects = EffectSet::all();
+        EXPECT_EQ(changed_pixels(stage_.pixels, all), 0);
+    });
     EXPECT_GT(mirrored, 10);
 }
 
@@ -225,25 +222,19 @@ std::int64_t growing_ns() {
 }
 
 TEST_F(DemoAllAround, EachListedEffectHasPixelsAndTime) {
-    place_models(models_, 0, {}, meshes_);
     EffectSet listed;
-    for (const Camera& camera : cameras_)
-        for (int direction = 0; direction < kDirections; direction += 8) {
-            work_.count();
-            PassTimes times{growing_ns};
-            work_.observers.times = &times;
-            draw(camera, direction);
-            listed = listed | work_.plan.effects;
-            for (std::size_t i = 0; i < kEffectCount; ++i) {
-                const auto effect = static_cast<Effect>(i);
-                if (!work_.plan.effects.has(effect)) continue;
-                SCOPED_TRACE(std::string(kEffectNames[i]) + ", camera " + std::to_string(&camera - cameras_.data()) +
-                             ", direction " + std::to_string(direction));
-                const std::size_t pass = pass_of(effect);
-                EXPECT_GT(work_.counts.of(effect), 0);
-                EXPECT_GT(times.effects_ns[i] + (pass < kPassCount ? times.passes_ns[pass] : 0), 0);
-            }
+    PassTimes times{growing_ns};
+    work_.observers.times = &times;
+    for_each_view(8, [&](auto) {
+        listed = listed | work_.plan.effects;
+        for (std::size_t i = 0; i < kEffectCount; ++i) {
+            const auto effect = static_cast<Effect>(i);
+            if (!work_.plan.effects.has(effect)) continue;
+            const std::size_t pass = pass_of(effect);
+            EXPECT_GT(work_.counts.of(effect), 0) << kEffectNames[i];
+            EXPECT_GT(times.effects_ns[i] + (pass < kPassCount ? times.passes_ns[pass] : 0), 0) << kEffectNames[i];
         }
+    });
     EXPECT_EQ(listed, EffectSet::all());
 }
 

@@ -130,12 +130,12 @@ struct HiddenThing {
 
 /// A room that a wall, 64 units wide and as high as the room, stands in; behind it one thing.
 MapText room_with_hidden(const HiddenThing& thing) {
-    return room_with(box({-16, -32, 0}, {16, 32, 192}, "other"), thing.entity);
+    return room_with(box({-16, -32, 0}, {16, 32, 192}, "other"), entities_of(thing.entity));
 }
 
 constexpr HiddenThing kThings[]{
-    {"rain", "{ \"classname\" \"misc_rain\" \"origin\" \"60 0 90\" \"size\" \"16 16 80\" \"count\" \"200\" }\n"},
-    {"sprite", "{ \"classname\" \"misc_sprite\" \"origin\" \"60 0 90\" \"texture\" \"{lamp\" \"scale\" \"0.25\" }\n"},
+    {"rain", R"(misc_rain 60 0 90 size="16 16 80" count=200)"},
+    {"sprite", "misc_sprite 60 0 90 texture={lamp scale=0.25"},
 };
 
 class HiddenThings : public testing::TestWithParam<HiddenThing> {};
@@ -170,8 +170,7 @@ bool is_behind_wall(const ParticleDot& dot, const EffectStage& stage) {
 
 /// From eyes all around: each dot that is left out lies on pixels of the wall before it.
 TEST(RainBehindAWall, IsLeftOutWhereTheWallHidesIt) {
-    constexpr HiddenThing kWideRain{
-        "", "{ \"classname\" \"misc_rain\" \"origin\" \"60 0 90\" \"size\" \"64 36 80\" \"count\" \"200\" }\n"};
+    constexpr HiddenThing kWideRain{"", R"(misc_rain 60 0 90 size="64 36 80" count=200)"};
     EffectStage stage(room_with_hidden(kWideRain), camera_at(point_at(-150, 0, 90), 0));
     int hidden = 0, shown = 0, partly = 0;
     for (int y = -240; y <= 240; y += 4) {

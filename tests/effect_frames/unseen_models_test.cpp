@@ -1,7 +1,6 @@
 // A model changes its own pixels only, so that one without any changes no picture: in each preset, from the cameras of
 // the demo level and of the real ones.
 
-#include "engine/surface/palette.h"
 #include "tests/effect_frames/effect_stage.h"
 #include "tests/frame/frame_fixture.h"
 #include "tests/mesh/mesh_picture.h"

@@ -54,15 +54,18 @@ std::vector<ParticleDot> dots_of(const ParticleEmitter& emitter, const ViewConte
     return dots;
 }
 
+bool is_within(const ParticleDot& dot, const ScreenRectangle& all) {
+    return dot.first_column >= all.first_column && dot.end_column <= all.end_column && dot.first_row >= all.first_row &&
+           dot.end_row <= all.end_row;
+}
+
 /// A picture of 320x200 with a wall straight ahead.
 class Picture {
   public:
     explicit Picture(std::int32_t wall_z) {
         depth.want({0, 320, 0, 200});
         depth.clear();
-        std::vector<Span> spans;
-        for (std::int32_t y = 0; y < 200; ++y) spans.push_back({y, 0, 320});
-        depth.fill(spans, {InverseZ::from_raw((std::int64_t{1} << 44) / wall_z), {}, {}});
+        depth.fill(all_rows(), {InverseZ::from_raw((std::int64_t{1} << 44) / wall_z), {}, {}});
     }
     void draw(std::span<const ParticleDot> dots) { draw_dots(dots, depth, {pixels.data(), 320, 200, 320}); }
     std::int64_t count(std::uint8_t colour) const { return std::count(pixels.begin(), pixels.end(), colour); }
@@ -220,8 +223,8 @@ TEST(ParticleDots, AreWithinTheScreenAndInFrontOfTheEye) {
             const auto dots = dots_of(cloud(kind, point_at(3, 2, 1), point_at(60, 60, 60), 3000), view, turn * 10);
             EXPECT_FALSE(dots.empty());
             for (const ParticleDot& dot : dots) {
-                ASSERT_TRUE(dot.first_column >= 0 && dot.first_column < dot.end_column && dot.end_column <= 320);
-                ASSERT_TRUE(dot.first_row >= 0 && dot.first_row < dot.end_row && dot.end_row <= 200);
+                ASSERT_TRUE(is_within(dot, {0, 320, 0, 200}));
+                ASSERT_TRUE(dot.first_column < dot.end_column && dot.first_row < dot.end_row);
                 ASSERT_LE(dot.inverse_depth, 1u << 28) << "nearer than 16 units";
                 ASSERT_LE(dot.end_column - dot.first_column, 20);
                 ASSERT_LE(dot.end_row - dot.first_row, 50);
@@ -237,8 +240,7 @@ TEST(ParticleDots, OfHugeBoxesAndNarrowFieldsOfViewAreSound) {
         for (const ParticleKind kind : {ParticleKind::Rain, ParticleKind::Dust, ParticleKind::Sparks})
             for (const ParticleDot& dot :
                  dots_of(cloud(kind, point_at(65536, 65536, -65536), point_at(32768, 32768, 32768)), view))
-                ASSERT_TRUE(dot.first_column >= 0 && dot.end_column <= 4096 && dot.first_row >= 0 &&
-                            dot.end_row <= 4096);
+                ASSERT_TRUE(is_within(dot, {0, 4096, 0, 4096}));
     }
 }
 
@@ -324,9 +326,7 @@ TEST(ParticleDots, ARectangleHoldsThemAll) {
     const auto touches = [&](auto of_dot, std::int32_t border) {
         return std::any_of(dots.begin(), dots.end(), [&](const ParticleDot& dot) { return of_dot(dot) == border; });
     };
-    for (const ParticleDot& dot : dots)
-        ASSERT_TRUE(dot.first_column >= around.first_column && dot.end_column <= around.end_column &&
-                    dot.first_row >= around.first_row && dot.end_row <= around.end_row);
+    for (const ParticleDot& dot : dots) ASSERT_TRUE(is_within(dot, around));
     EXPECT_TRUE(touches([](const auto& dot) { return dot.first_column; }, around.first_column));
     EXPECT_TRUE(touches([](const auto& dot) { return dot.end_row; }, around.end_row));
 }

@@ -40,9 +40,7 @@ TEST(Shadows, CoverTheirDiscOnALevelAndOnASlopedFloor) {
         ShadowScratch scratch(200);
         ASSERT_TRUE(scan_shadow(shadow, kWhole, level, view, scratch));
         std::vector<std::uint8_t> pixels(320 * 200);
-        std::vector<Span> spans;
-        for (std::int32_t y = 0; y < 200; ++y) spans.push_back({y, 0, 320});
-        darken_spans(spans, scratch.rows, one_brighter().data(), {pixels.data(), 320, 200, 320});
+        darken_spans(all_rows(), scratch.rows, one_brighter().data(), {pixels.data(), 320, 200, 320});
         const TrueCamera camera({view.eye, {}, degrees_to_angle(Degrees::from_int(35)), {}});
         int inside = 0;
         for (std::int32_t y = 0; y < 200; ++y)
@@ -52,11 +50,11 @@ TEST(Shadows, CoverTheirDiscOnALevelAndOnASlopedFloor) {
                 const double t = (90 + slope * 100) / (slope * ray.x - ray.z);
                 const double radius = std::hypot(-100 + t * ray.x, t * ray.y);
                 if (t > 0 && radius < 40 * std::cos(M_PI / 16) - 0.5) {
-                    ASSERT_EQ(pixels[static_cast<std::size_t>(y * 320 + x)], 1) << x << ", " << y;
+                    ASSERT_EQ(pixels[as_size(y * 320 + x)], 1) << x << ", " << y;
                     ++inside;
                 }
                 if (t < 0 || radius > 40.5) {
-                    ASSERT_EQ(pixels[static_cast<std::size_t>(y * 320 + x)], 0) << x << ", " << y;
+                    ASSERT_EQ(pixels[as_size(y * 320 + x)], 0) << x << ", " << y;
                 }
             }
         EXPECT_GT(inside, 1000);
@@ -69,14 +67,13 @@ TEST(Shadows, FallOnNothingButTheSpansOfTheirPlane) {
     ShadowScratch scratch(200);
     ASSERT_TRUE(scan_shadow({{PlaneIndex(0), {}}, World::from_int(40)}, kWhole, level, view, scratch));
     const std::int32_t y = (scratch.rows.first + scratch.rows.end) / 2;
-    const std::int32_t left = scratch.rows.left[static_cast<std::size_t>(y)],
-                       right = scratch.rows.right[static_cast<std::size_t>(y)];
+    const std::int32_t left = scratch.rows.left[as_size(y)], right = scratch.rows.right[as_size(y)];
     std::vector<std::uint8_t> pixels(320 * 200);
     const std::vector<Span> spans{{y, 0, left + 3}, {y, right - 2, 320}, {0, 0, 320}, {199, 0, 320}};
     darken_spans(spans, scratch.rows, one_brighter().data(), {pixels.data(), 320, 200, 320});
     for (std::int32_t x = 0; x < 320; ++x) {
         const bool is_dark = (x >= left && x < left + 3) || (x >= right - 2 && x < right);
-        EXPECT_EQ(pixels[static_cast<std::size_t>(y * 320 + x)], is_dark ? 1 : 0) << x;
+        EXPECT_EQ(pixels[as_size(y * 320 + x)], is_dark ? 1 : 0) << x;
     }
     EXPECT_EQ(std::count(pixels.begin(), pixels.end(), 1), 5);
 }

@@ -29,8 +29,7 @@ std::vector<std::uint8_t> numbered_clouds(Axis axis) {
     std::vector<std::uint8_t> texels(2 * kSize * kSize, 255);
     for (std::int32_t v = 0; v < kSize; ++v)
         for (std::int32_t u = 0; u < kSize; ++u)
-            texels[static_cast<std::size_t>(v * 2 * kSize + u)] =
-                static_cast<std::uint8_t>((axis == Axis::U ? u : v) + 1);
+            texels[as_size(v * 2 * kSize + u)] = static_cast<std::uint8_t>((axis == Axis::U ? u : v) + 1);
     return texels;
 }
 
@@ -46,9 +45,7 @@ class SkyPicture {
     explicit SkyPicture(const Basis& axes) : axes_(axes) {}
 
     void draw(const std::vector<std::uint8_t>& texels, std::int64_t time_ms = 0) {
-        std::vector<Span> spans;
-        for (std::int32_t y = 0; y < 200; ++y) spans.push_back({y, 0, 320});
-        draw(spans, {texels.data(), kSize, 2 * kSize}, time_ms);
+        draw(all_rows(), {texels.data(), kSize, 2 * kSize}, time_ms);
     }
     /// Returns how many lines that took.
     std::int64_t draw_row(const std::vector<std::uint8_t>& texels, std::int32_t row) {
@@ -61,9 +58,7 @@ class SkyPicture {
     }
     const std::vector<std::uint8_t>& pixels() const { return pixels_; }
     std::size_t scratch_bytes() const { return layers_.tile.size(); }
-    std::uint8_t at(std::int32_t column, std::int32_t row) const {
-        return pixels_[static_cast<std::size_t>(row * 320 + column)];
-    }
+    std::uint8_t at(std::int32_t column, std::int32_t row) const { return pixels_[as_size(row * 320 + column)]; }
     /// In texels from the zenith, by the formula.
     double dome(std::int32_t column, std::int32_t row, Axis axis) const {
         const double right = (column + 0.5 - 160) / 160, up = -(row + 0.5 - 100) / 100 * 0.75;
@@ -89,7 +84,7 @@ std::vector<std::uint8_t> enlarged(const std::vector<std::uint8_t>& texels, std:
     std::vector<std::uint8_t> larger;
     for (std::int32_t v = 0; v < kSize * times; ++v)
         for (std::int32_t u = 0; u < 2 * kSize * times; ++u)
-            larger.push_back(texels[static_cast<std::size_t>(v / times * 2 * kSize + u / times)]);
+            larger.push_back(texels[as_size(v / times * 2 * kSize + u / times)]);
     return larger;
 }
 
@@ -218,11 +213,9 @@ TEST(Sky, LargeTexturesShowTheSamePictureWithoutScratch) {
         const std::vector<std::uint8_t> texels = random_sky(random), large = enlarged(texels, 8);
         const Basis axes = random_axes(random);
         SkyPicture composed(axes), looked_up(axes);
-        std::vector<Span> spans;
-        for (std::int32_t y = 0; y < 200; ++y) spans.push_back({y, 0, 320});
         const std::int64_t time_ms = 125 * trial;  // when the clouds are at a whole texel
         composed.draw(texels, time_ms);
-        looked_up.draw(spans, {large.data(), 8 * kSize, 16 * kSize}, time_ms);
+        looked_up.draw(all_rows(), {large.data(), 8 * kSize, 16 * kSize}, time_ms);
         EXPECT_EQ(composed.scratch_bytes(), kSize * kSize);
         EXPECT_EQ(looked_up.scratch_bytes(), 0u);
         int different = 0;
@@ -234,10 +227,10 @@ TEST(Sky, LargeTexturesShowTheSamePictureWithoutScratch) {
 TEST(Sky, HoldsEveryTextureSizeModeAndFieldOfView) {
     std::mt19937 random(8);
     for (std::int32_t size = 1; size <= 2048; size *= 2) {
-        const std::vector<std::uint8_t> texels(static_cast<std::size_t>(2 * size * size), 9);
+        const std::vector<std::uint8_t> texels(as_size(2 * size * size), 9);
         for (const auto& [width, height, degrees] :
              {std::tuple{320, 200, 90}, {4096, 40, 179}, {60, 4096, 1}, {8, 4, 179}}) {
-            std::vector<std::uint8_t> pixels(static_cast<std::size_t>(width * height));
+            std::vector<std::uint8_t> pixels(as_size(width * height));
             SkyLayers layers;
             const std::vector<Span> spans{{0, 0, width}, {height / 2, 1, width - 1}, {height - 1, width - 1, width}};
             const Projection projection = make_projection({width, height}, Degrees::from_int(degrees));

@@ -18,8 +18,7 @@ namespace {
 MipTexture numbered_texture() {
     MipTexture texture{"{numbered", 64, 32, {}, false};
     for (int mip = 0; mip < 4; ++mip)
-        texture.mips[static_cast<std::size_t>(mip)].assign(static_cast<std::size_t>(64 >> mip) * (32u >> mip),
-                                                           static_cast<std::uint8_t>(200 + mip));
+        texture.mips[as_size(mip)].assign(as_size(64 >> mip) * (32u >> mip), static_cast<std::uint8_t>(200 + mip));
     for (std::size_t i = 0; i < texture.mips[0].size(); ++i) texture.mips[0][i] = static_cast<std::uint8_t>(i % 64 + 1);
     return texture;
 }
@@ -44,7 +43,7 @@ struct Picture {
     void draw(const ScreenSprite& sprite) {
         draw_sprite(sprite, same_colours().data(), depth, {pixels.data(), 320, 200, 320});
     }
-    std::uint8_t at(std::int32_t x, std::int32_t y) const { return pixels[static_cast<std::size_t>(y * 320 + x)]; }
+    std::uint8_t at(std::int32_t x, std::int32_t y) const { return pixels[as_size(y * 320 + x)]; }
 
     DepthBuffer depth{320, 200};
     std::vector<std::uint8_t> pixels = std::vector<std::uint8_t>(320 * 200);

@@ -22,7 +22,7 @@ Level level_with(const std::string& entities) {
     return level;
 }
 
-std::string entity(const std::string& class_name, const std::string& more = "\"origin\" \"16 8 40\"") {
+std::string entity(const std::string& class_name, const std::string& more = R"("origin" "16 8 40")") {
     return "{ \"classname\" \"" + class_name + "\" " + more + " }";
 }
 
@@ -56,24 +56,22 @@ TEST(Things, AnOriginThatDoesNotMoveItsBrushesIsNamed) {
         return read_things(level).warnings;
     };
     EXPECT_EQ(
-        said_of("func_door", "\"model\" \"*1\" \"origin\" \"64 0 0\""),
+        said_of("func_door", R"("model" "*1" "origin" "64 0 0")"),
         std::vector<std::string>{"entity 0 (func_door): origin is \"64 0 0\", expected none with brushes: they stay "
                                  "where they are in the level"});
-    EXPECT_EQ(said_of("func_wall", "\"model\" \"*1\" \"origin\" \"nan 0 0\"").size(), 1u);
-    EXPECT_TRUE(said_of("func_wall", "\"model\" \"*1\" \"origin\" \"0 -0 0.0\"").empty());
-    EXPECT_TRUE(said_of("func_rotating", "\"model\" \"*1\" \"origin\" \"64 0 0\"").empty()) << "its axis";
-    EXPECT_TRUE(said_of("func_door_rotating", "\"model\" \"*1\" \"origin\" \"64 0 0\"").empty());
+    EXPECT_EQ(said_of("func_wall", R"("model" "*1" "origin" "nan 0 0")").size(), 1u);
+    EXPECT_TRUE(said_of("func_wall", R"("model" "*1" "origin" "0 -0 0.0")").empty());
+    EXPECT_TRUE(said_of("func_rotating", R"("model" "*1" "origin" "64 0 0")").empty()) << "its axis";
+    EXPECT_TRUE(said_of("func_door_rotating", R"("model" "*1" "origin" "64 0 0")").empty());
 }
 
 TEST(Things, AreReadFromEntities) {
     const Level level = level_with(
-        entity("misc_rain",
-               "\"origin\" \"16 8 40\" \"size\" \"20 30 40\" \"count\" \"77\" \"colour\" \"12\" \"period\" \"1.5\"") +
-        entity("misc_sparks", "\"origin\" \"16 8 40\" \"colour\" \"111 104\"") + entity("air_bubbles") +
+        entity("misc_rain", R"("origin" "16 8 40" "size" "20 30 40" "count" "77" "colour" "12" "period" "1.5")") +
+        entity("misc_sparks", R"("origin" "16 8 40" "colour" "111 104")") + entity("air_bubbles") +
         entity("info_null") +
-        entity("misc_sprite", "\"origin\" \"16 8 40\" \"texture\" \"floor\" \"scale\" \"0.5\" \"shadow\" \"24\"") +
-        entity("misc_lantern",
-               "\"origin\" \"16 8 40\" \"texture\" \"floor\" \"radius\" \"32\" \"period\" \"4\" \"light\" \"150\""));
+        entity("misc_sprite", R"("origin" "16 8 40" "texture" "floor" "scale" "0.5" "shadow" "24")") +
+        entity("misc_lantern", R"("origin" "16 8 40" "texture" "floor" "radius" "32" "period" "4" "light" "150")"));
     const Things things = read_things(level);
     EXPECT_TRUE(things.warnings.empty()) << things.warnings.front();
     ASSERT_EQ(things.emitters.size(), 3u);
@@ -107,44 +105,40 @@ TEST(Things, BrushModelsThatAreMissingAreReported) {
         EXPECT_TRUE(things.warnings[0].starts_with("entity 1 (func_door): model is \"" + std::string(missing) + "\", "))
             << things.warnings[0];
     }
-    EXPECT_TRUE(read_things(level_with(entity("misc_model", "\"model\" \"a.obj\""))).warnings.empty());
+    EXPECT_TRUE(read_things(level_with(entity("misc_model", R"("model" "a.obj")"))).warnings.empty());
 }
 
 TEST(Things, BadValuesAreReplacedAndReported) {
-    struct Case {
-        const char *key, *value;
+    using Texts = std::vector<std::string>;
+    const auto sparks_with = [](const std::string& pairs) {
+        return read_things(level_with(entity("worldspawn") + entity("misc_sparks", pairs + R"("origin" "16 8 40")")));
     };
-    for (const Case& bad : {Case{"size", "0 0 0"}, Case{"size", "10 -5 10"}, Case{"size", "nan nan nan"},
-                            Case{"size", "7"}, Case{"size", "99999999 1 1"}, Case{"count", "-1"}, Case{"count", "1e9"},
-                            Case{"count", "131073"}, Case{"count", "9999999999999999999999"}, Case{"colour", "256"},
-                            Case{"colour", "-1"}, Case{"colour", "1 2 3"}, Case{"colour", "red"}, Case{"period", "0"},
-                            Case{"period", "-2"}, Case{"period", "NaN"}, Case{"period", "1000000"}}) {
-        const std::string pair = std::string("\"") + bad.key + "\" \"" + bad.value + "\" \"origin\" \"16 8 40\"";
-        const Things things = read_things(level_with(entity("worldspawn") + entity("misc_sparks", pair)));
-        ASSERT_EQ(things.warnings.size(), 1u) << bad.key << " " << bad.value;
-        EXPECT_NE(things.warnings[0].find("entity 1 (misc_sparks): " + std::string(bad.key) + " is \"" + bad.value +
-                                          "\", expected"),
-                  std::string::npos)
-            << things.warnings[0];
-        ASSERT_EQ(things.emitters.size(), 1u);
-        const ParticleEmitter good =
-            read_things(level_with(entity("worldspawn") + entity("misc_sparks"))).emitters[0].emitter;
-        const ParticleEmitter& used = things.emitters[0].emitter;
-        EXPECT_EQ(used.half_size, good.half_size);
-        EXPECT_EQ(used.count, good.count);
-        EXPECT_EQ(used.first_colour, good.first_colour);
-        EXPECT_EQ(used.period_ms, good.period_ms);
-        if (bad.key == std::string("period")) {
-            EXPECT_NE(things.warnings[0].find("0.05 to 3600"), std::string::npos) << things.warnings[0];
+    const ParticleEmitter good = sparks_with("").emitters[0].emitter;
+    for (const auto& [key, values] : {std::pair{"size", Texts{"0 0 0", "10 -5 10", "nan nan nan", "7", "99999999 1 1"}},
+                                      {"count", Texts{"-1", "1e9", "131073", "9999999999999999999999"}},
+                                      {"colour", Texts{"256", "-1", "1 2 3", "red"}},
+                                      {"period", Texts{"0", "-2", "NaN", "1000000"}}})
+        for (const std::string& value : values) {
+            const Things things = sparks_with("\"" + std::string(key) + "\" \"" + value + "\" ");
+            ASSERT_EQ(things.warnings.size(), 1u) << key << " " << value;
+            const std::string said = things.warnings[0];
+            EXPECT_NE(said.find("entity 1 (misc_sparks): " + (key + (" is \"" + value)) + "\", expected"), said.npos)
+                << said;
+            EXPECT_TRUE(key != std::string("period") || said.find("0.05 to 3600") != said.npos) << said;
+            ASSERT_EQ(things.emitters.size(), 1u);
+            const ParticleEmitter& used = things.emitters[0].emitter;
+            EXPECT_EQ(used.half_size, good.half_size);
+            EXPECT_EQ(used.count, good.count);
+            EXPECT_EQ(used.first_colour, good.first_colour);
+            EXPECT_EQ(used.period_ms, good.period_ms);
         }
-    }
 }
 
 TEST(Things, WithoutAPlaceOrATextureAreLeftOutAndReported) {
     const Things things =
-        read_things(level_with(entity("misc_rain", "") + entity("misc_dust", "\"origin\" \"1 2 x\"") +
-                               entity("misc_rain", "\"origin\" \"400000 0 0\"") + entity("misc_sprite") +
-                               entity("misc_lantern", "\"origin\" \"0 0 9\" \"texture\" \"gone\"")));
+        read_things(level_with(entity("misc_rain", "") + entity("misc_dust", R"("origin" "1 2 x")") +
+                               entity("misc_rain", R"("origin" "400000 0 0")") + entity("misc_sprite") +
+                               entity("misc_lantern", R"("origin" "0 0 9" "texture" "gone")")));
     EXPECT_TRUE(things.emitters.empty() && things.sprites.empty() && things.lanterns.empty());
     for (const char* part : {"entity 0 (misc_rain)", "entity 1 (misc_dust)", "entity 2 (misc_rain)",
                              "entity 3 (misc_sprite)", "texture is \"gone\""})
@@ -159,9 +153,9 @@ TEST(Things, WithoutAPlaceOrATextureAreLeftOutAndReported) {
 
 TEST(Things, HaveLimits) {
     std::string text;
-    for (int i = 0; i < 1100; ++i) text += entity("misc_dust", "\"origin\" \"16 8 40\" \"count\" \"1000\"");
-    for (int i = 0; i < 4100; ++i) text += entity("misc_sprite", "\"origin\" \"16 8 40\" \"texture\" \"floor\"");
-    for (int i = 0; i < 70; ++i) text += entity("misc_lantern", "\"origin\" \"16 8 40\" \"texture\" \"floor\"");
+    for (int i = 0; i < 1100; ++i) text += entity("misc_dust", R"("origin" "16 8 40" "count" "1000")");
+    for (int i = 0; i < 4100; ++i) text += entity("misc_sprite", R"("origin" "16 8 40" "texture" "floor")");
+    for (int i = 0; i < 70; ++i) text += entity("misc_lantern", R"("origin" "16 8 40" "texture" "floor")");
     const Things things = read_things(level_with(text));
     std::int64_t particles = 0;
     for (const PlacedEmitter& each : things.emitters) particles += each.emitter.count;
@@ -173,8 +167,7 @@ TEST(Things, HaveLimits) {
 }
 
 TEST(Things, OutOfViewAreNotComputed) {
-    const Level level =
-        level_with(entity("misc_rain", "\"origin\" \"16 8 40\" \"size\" \"16 16 16\" \"count\" \"300\""));
+    const Level level = level_with(entity("misc_rain", R"("origin" "16 8 40" "size" "16 16 16" "count" "300")"));
     EXPECT_EQ(seen_from(level, Angle{}).particles_computed, 300);
     EXPECT_GT(seen_from(level, Angle{}).dots.size(), 200u);
     const ThingsInView away = seen_from(level, kHalfTurn);
@@ -183,17 +176,17 @@ TEST(Things, OutOfViewAreNotComputed) {
 }
 
 TEST(Things, InNoVisibleLeafAreNotComputed) {
-    const Level level = level_with(entity("misc_rain", "\"origin\" \"16 8 -40\" \"size\" \"16 16 16\"") +
-                                   entity("misc_sprite", "\"origin\" \"16 8 -40\" \"texture\" \"floor\""));
+    const Level level = level_with(entity("misc_rain", R"("origin" "16 8 -40" "size" "16 16 16")") +
+                                   entity("misc_sprite", R"("origin" "16 8 -40" "texture" "floor")"));
     const ThingsInView in_view = seen_from(level, Angle{});
     EXPECT_EQ(in_view.particles_computed, 0) << "they are in the solid below";
     EXPECT_TRUE(in_view.sprites.empty());
 }
 
 TEST(Things, SpritesBringTheirShadowsAndLanternsMove) {
-    const Level level = level_with(
-        entity("misc_sprite", "\"origin\" \"16 8 72\" \"texture\" \"floor\" \"shadow\" \"20\"") +
-        entity("misc_lantern", "\"origin\" \"16 8 40\" \"texture\" \"floor\" \"radius\" \"8\" \"period\" \"8\""));
+    const Level level =
+        level_with(entity("misc_sprite", R"("origin" "16 8 72" "texture" "floor" "shadow" "20")") +
+                   entity("misc_lantern", R"("origin" "16 8 40" "texture" "floor" "radius" "8" "period" "8")"));
     const ThingsInView now = seen_from(level, Angle{}),
                        later = seen_from(level, Angle{}, 2000 + (std::int64_t{8000} << 32));
     ASSERT_EQ(now.sprites.size(), 2u);

@@ -17,12 +17,9 @@ struct Picture {
     std::vector<std::uint8_t> pixels;
 
     Picture(std::int32_t width_px, std::int32_t height_px, std::int32_t padding = 0)
-        : width(width_px),
-          height(height_px),
-          pitch(width_px + padding),
-          pixels(static_cast<std::size_t>(pitch * height_px)) {}
+        : width(width_px), height(height_px), pitch(width_px + padding), pixels(as_size(pitch * height_px)) {}
 
-    std::uint8_t& at(std::int32_t x, std::int32_t y) { return pixels[static_cast<std::size_t>(y * pitch + x)]; }
+    std::uint8_t& at(std::int32_t x, std::int32_t y) { return pixels[as_size(y * pitch + x)]; }
     void draw(std::int64_t time_ms) {
         UnderwaterScratch scratch;
         draw(time_ms, scratch);

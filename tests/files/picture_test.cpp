@@ -9,8 +9,6 @@
 #include <climits>
 #include <cmath>
 
-#include "engine/base/input_error.h"
-#include "tests/files/png_writer.h"
 #include "tests/support/bsp_writer.h"
 #include "tests/support/refusal.h"
 
@@ -117,14 +115,14 @@ Bytes bmp(int width, int height, const BmpKind& kind = {}) {
         out.i32(kind.masks.empty() ? 0 : kind.masks.size() == 4 && kind.head == 40 ? 6 : 3);
         for (int i = 0; i < 5; ++i) out.i32(0);
         for (const std::uint32_t mask : kind.masks) out.i32(static_cast<std::int32_t>(mask));
-        file.resize(static_cast<std::size_t>(14 + kind.head + after_head));
+        file.resize(as_size(14 + kind.head + after_head));
     }
     for (int i = 0; i < colours; ++i) {
         const Rgb8 colour = colour_at(i % 16, i / 16);
         file.insert(file.end(), {colour.blue, colour.green, colour.red});
         if (!is_core) file.push_back(0);
     }
-    file.resize(file.size() + static_cast<std::size_t>(kind.gap));
+    file.resize(file.size() + as_size(kind.gap));
     const std::size_t start = file.size();
     for (int i = 0; i < height; ++i) {
         const int y = kind.is_from_top ? i : height - 1 - i;
@@ -153,24 +151,6 @@ std::string complaint_of(const Bytes& file) {
     return refusal([&] { decode_picture(file); });
 }
 
-void expect_the_colours(const PngImage& image, int width, int height) {
-    ASSERT_EQ(image.width_px, width);
-    ASSERT_EQ(image.height_px, height);
-    EXPECT_TRUE(image.indices.empty());
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x)
-            ASSERT_EQ(image.pixel(static_cast<std::size_t>(y * width + x)), (Rgba8{colour_at(x, y), 255}))
-                << x << ' ' << y;
-}
-
-TEST(Picture, TgaAndBmpHoldTheirColours) {
-    expect_the_colours(decode_picture(plain_tga(21, 17)), 21, 17);
-    expect_the_colours(decode_picture(bmp(21, 17)), 21, 17);
-    const PngImage packed = decode_picture(packed_tga());
-    for (std::size_t i = 0; i < 256; ++i)
-        ASSERT_EQ(packed.pixel(i), (Rgba8{{10, 20, 30}, static_cast<std::uint8_t>(i / 16)}));
-}
-
 TEST(Picture, EveryKindOfBmpHasItsPixelsInTheirPlaces) {
     const std::vector<std::uint32_t> r5g6b5{31u << 11, 63u << 5, 31u}, rgba{255u << 24, 255u << 16, 255u << 8, 255u},
         argb4{15u << 8, 15u << 4, 15u, 15u << 12}, rgb10{1023u << 20, 1023u << 10, 1023u};
@@ -185,12 +165,14 @@ TEST(Picture, EveryKindOfBmpHasItsPixelsInTheirPlaces) {
                 kinds.push_back({head, masks == r5g6b5 || masks == argb4 ? 16 : 32, masks, false, 0});
     for (const BmpKind& kind : kinds) {
         const PngImage image = decode_picture(bmp(21, 17, kind));
+        ASSERT_EQ(std::pair(image.width_px, image.height_px), std::pair(21, 17));
         ASSERT_EQ(image.colours.size(), 21u * 17);
+        EXPECT_TRUE(image.indices.empty());
         for (int y = 0; y < 17; ++y)
             for (int x = 0; x < 21; ++x) {
                 const int index = (x + 16 * y) % (1 << kind.bits % 24);
                 const Rgb8 was = kind.has_palette() ? colour_at(index % 16, index / 16) : colour_at(x, y);
-                const Rgba8 is = image.pixel(static_cast<std::size_t>(y * 21 + x));
+                const Rgba8 is = image.pixel(as_size(y * 21 + x));
                 const auto near = [&](std::uint8_t value, std::uint8_t wanted, std::size_t part) {
                     const std::uint32_t mask = kind.mask(part);
                     const bool is_exact = kind.bits <= 8 || kind.bits == 24 || std::popcount(mask) == 8;
@@ -204,17 +186,22 @@ TEST(Picture, EveryKindOfBmpHasItsPixelsInTheirPlaces) {
     }
 }
 
-TEST(Picture, ATgaBeginsInAnyCorner) {
+TEST(Picture, ATgaBeginsInAnyCornerAndMayBePacked) {
     for (const int corner : {0x00, 0x10, 0x20, 0x30}) {
         Bytes file = plain_tga(21, 17);
         file[17] = static_cast<std::uint8_t>(corner);
         const PngImage image = decode_picture(file);
+        ASSERT_EQ(std::pair(image.width_px, image.height_px), std::pair(21, 17));
+        EXPECT_TRUE(image.indices.empty());
         for (int y = 0; y < 17; ++y)
             for (int x = 0; x < 21; ++x) {
                 const int column = (corner & 0x10) != 0 ? 20 - x : x, row = (corner & 0x20) != 0 ? y : 16 - y;
-                ASSERT_EQ(image.pixel(static_cast<std::size_t>(y * 21 + x)).colour, colour_at(column, row)) << x << y;
+                ASSERT_EQ(image.pixel(as_size(y * 21 + x)), (Rgba8{colour_at(column, row), 255})) << x << y;
             }
     }
+    const PngImage packed = decode_picture(packed_tga());
+    for (std::size_t i = 0; i < 256; ++i)
+        ASSERT_EQ(packed.pixel(i), (Rgba8{{10, 20, 30}, static_cast<std::uint8_t>(i / 16)}));
 }
 
 TEST(Picture, ATgasColourMapMayBeginAtAnyNumberAndBeUnused) {
@@ -324,9 +311,8 @@ TEST(Picture, APngIsReadAsEver) {
 TEST(Picture, FaultsAreNamed) {
     EXPECT_TRUE(complaint_of({}).starts_with("image: not a readable PNG, JPEG, BMP or TGA"));
     EXPECT_TRUE(complaint_of({'G', 'I', 'F', '8', '9', 'a', 1, 0, 1, 0, 0, 0, 0}).starts_with("image: not a readable"));
-    EXPECT_TRUE(complaint_of(tga_header(2, 4097, 1, 24)).starts_with("image: ")) << "too large";
-    EXPECT_TRUE(complaint_of(tga_header(2, 65535, 65535, 24)).starts_with("image: ")) << "too large";
-    EXPECT_TRUE(complaint_of(tga_header(2, 0, 16, 24)).starts_with("image: "));
+    for (const auto& [width, height] : {std::pair{4097, 1}, {65535, 65535}, {0, 16}})  // too large, and none
+        EXPECT_TRUE(complaint_of(tga_header(2, width, height, 24)).starts_with("image: ")) << width;
     EXPECT_EQ(complaint_of(tga_header(10, 16, 16, 24)), "image: the file ends within the picture, expected all of it");
     Bytes interleaved = plain_tga(2, 4);
     interleaved[17] = 0x40;
@@ -345,38 +331,23 @@ TEST(Picture, FaultsAreNamed) {
         for (const int shift : {0, 8, 16, 24}) file[at++] = static_cast<std::uint8_t>(value >> shift);
         return complaint_of(file);
     };
-    EXPECT_EQ(of_bmp(14, 9), "image: a BMP whose head has 9 bytes, expected 12 (OS/2) or 16 to 124");
-    EXPECT_EQ(of_bmp(18, -16), "image: -16x16 pixels, expected 1 to 4096 a side");
-    EXPECT_EQ(of_bmp(22, INT32_MIN), "image: 16x2147483648 pixels, expected 1 to 4096 a side");
-    EXPECT_EQ(of_bmp(28, 3), "image: a BMP of 3 bits a pixel, expected 1, 2, 4, 8, 16, 24 or 32");
-    EXPECT_EQ(of_bmp(30, 1), "image: a BMP compressed by way 1 (run lengths), expected none");
-    EXPECT_EQ(of_bmp(46, 4), "image: a pixel of colour 240, expected one of the palette's 4");
-    EXPECT_EQ(of_bmp(10, 20), "image: pixels at offset 20, expected them after the head");
+    for (const auto& [at, value, said] : {std::tuple<std::size_t, int, const char*>{
+                                              14, 9, "a BMP whose head has 9 bytes, expected 12 (OS/2) or 16 to 124"},
+                                          {18, -16, "-16x16 pixels, expected 1 to 4096 a side"},
+                                          {22, INT32_MIN, "16x2147483648 pixels, expected 1 to 4096 a side"},
+                                          {28, 3, "a BMP of 3 bits a pixel, expected 1, 2, 4, 8, 16, 24 or 32"},
+                                          {30, 1, "a BMP compressed by way 1 (run lengths), expected none"},
+                                          {46, 4, "a pixel of colour 240, expected one of the palette's 4"},
+                                          {10, 20, "pixels at offset 20, expected them after the head"}})
+        EXPECT_EQ(of_bmp(at, value), "image: " + std::string(said));
 }
 
-/// A file of each kind, by its number.
-class PictureFiles : public testing::TestWithParam<int> {
-  protected:
-    static Bytes file() {
-        const std::array<Bytes, 7> files{plain_tga(21, 17),
-                                         packed_tga(),
-                                         bmp(21, 17),
-                                         bmp(21, 17, {12, 4}),
-                                         bmp(21, 17, {40, 16, {0xf00, 0xf0, 0xf}}),
-                                         bytes_of(kTwoColoursJpeg),
-                                         bytes_of(kGradientJpeg)};
-        return files[static_cast<std::size_t>(GetParam())];
-    }
-};
-
-TEST_P(PictureFiles, NoPrefixIsTakenForAWhole) {
-    const Bytes whole = file();
-    EXPECT_EQ(complaint_of(whole), "");
-    for (std::size_t size = 0; size < whole.size(); ++size)
-        ASSERT_NE(complaint_of(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size))), "") << size;
+TEST(Picture, NoPrefixOfAnyKindIsTakenForAWhole) {
+    for (const Bytes& file :
+         {plain_tga(21, 17), packed_tga(), bmp(21, 17), bmp(21, 17, {12, 4}), bmp(21, 17, {40, 16, {0xf00, 0xf0, 0xf}}),
+          bytes_of(kTwoColoursJpeg), bytes_of(kGradientJpeg)})
+        expect_no_prefix_is_read(file, complaint_of);
 }
-
-INSTANTIATE_TEST_SUITE_P(EachKind, PictureFiles, testing::Range(0, 7));
 
 }  // namespace
 }  // namespace oblong::test

@@ -45,11 +45,10 @@ TEST(Wad, HeaderAndDirectoryStandWhereQuakeLooksForThem) {
 TEST(Wad, NoPrefixIsTakenForAWhole) {
     const MipTexture texture = texture_of("wall", 16, 16);
     const auto whole = write_wad(std::span(&texture, 1));
-    for (std::size_t size = 0; size < whole.size(); ++size)
-        EXPECT_THROW(read_wad(std::span(whole).first(size)), InputError) << size;
-    const auto miptex = read_wad(whole)[0].miptex;
-    for (std::size_t size = 0; size < miptex.size(); ++size)
-        EXPECT_THROW(parse_miptex(miptex.first(size)), InputError) << size;
+    expect_no_prefix_is_read(whole,
+                             [](std::span<const std::uint8_t> part) { return refusal([&] { read_wad(part); }); });
+    expect_no_prefix_is_read(read_wad(whole)[0].miptex,
+                             [](std::span<const std::uint8_t> part) { return refusal([&] { parse_miptex(part); }); });
 }
 
 // The size in bytes of so many entries is 32 in 32 bits.
@@ -75,22 +74,16 @@ TEST(Wad, EntriesShareTheirTextureOnlyAFewTimes) {
     EXPECT_TRUE(refusal([&] { read_wad(file); }).starts_with("directory: textures of "));
 }
 
-TEST(Wad, MipLevelInTheHeaderIsRefused) {
+// Mip levels that begin in the header, and widths that no texture has.
+TEST(Wad, OddTexturesAreRefused) {
     const MipTexture texture = texture_of("wall", 16, 16);
-    for (const std::size_t level : {0, 1, 2, 3}) {
+    const auto expect_refused = [&](int at, int bytes, int value) {
         auto file = write_wad(std::span(&texture, 1));
-        std::fill_n(file.begin() + 12 + 24 + std::ptrdiff_t(4 * level), 4, std::uint8_t{0});
-        EXPECT_THROW(parse_miptex(read_wad(file)[0].miptex), InputError) << level;
-    }
-}
-
-TEST(Wad, SizesThatNoTextureHasAreRefused) {
-    const MipTexture texture = texture_of("wall", 16, 16);
-    for (const int width : {0, 8, 24, 255}) {
-        auto file = write_wad(std::span(&texture, 1));
-        file[12 + 16] = static_cast<std::uint8_t>(width);
-        EXPECT_THROW(parse_miptex(read_wad(file)[0].miptex), InputError) << width;
-    }
+        std::fill_n(file.begin() + 12 + at, bytes, static_cast<std::uint8_t>(value));
+        EXPECT_THROW(parse_miptex(read_wad(file)[0].miptex), InputError) << at << ": " << value;
+    };
+    for (const int at : {24, 28, 32, 36}) expect_refused(at, 4, 0);
+    for (const int width : {0, 8, 24, 255}) expect_refused(16, 1, width);
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include <random>
 #include <set>
 
-#include "engine/level/t_junctions.h"
 #include "engine/platform/worker_threads.h"
 #include "engine/scene/face_table.h"
 #include "tests/frame/frame_fixture.h"

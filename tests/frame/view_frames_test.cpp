@@ -8,7 +8,7 @@
 
 #include "engine/frame/frame_record.h"
 #include "engine/view/views.h"
-#include "tests/frame/holes.h"
+#include "tests/frame/frame_fixture.h"
 #include "tests/support/random.h"
 #include "tests/support/views.h"
 

@@ -11,7 +11,6 @@ namespace {
 constexpr test::Scenario kActivations[] = {
     {"ATargetIsActivatedAndAMessageShown", R"(
         + trigger_once 100 -50 0 150 50 64 target=door message="It moves"
-        + func_door 1000 0 0 1010 100 100 angle=-1 targetname=door wait=-1
         play 35: phase0 = start, message = ""
         stand 120 0: phase0 = leaving, message = "It moves", said_at = 36
     )"},
@@ -26,13 +25,11 @@ constexpr test::Scenario kActivations[] = {
     )"},
     {"ADelayIsInSecondsAndHoldsTheMessageToo", R"(
         + trigger_once 100 -50 0 150 50 64 target=door message="It moves" delay=2
-        + func_door 1000 0 0 1010 100 100 angle=-1 targetname=door wait=-1
         stand 120 0; wait 69: phase0 = start, message = ""
         wait 1: phase0 = leaving, message = "It moves", delayed = 0
     )"},
     {"WhatWasRemovedIsNeitherSolidNorActivatedNorTouched", R"(
         + trigger_once 100 -50 0 150 50 64 killtarget=gone target=door
-        + func_door 1000 0 0 1010 100 100 angle=-1 targetname=door wait=-1
         + func_wall 300 -50 0 310 50 100 targetname=gone
         + func_door 500 -50 0 510 50 100 targetname=gone angle=-1
         + trigger_once 700 -50 0 750 50 64 targetname=gone target=door
@@ -46,7 +43,6 @@ constexpr test::Scenario kActivations[] = {
         + func_door 200 -64 0 216 0 128 angle=-1 target=relay
         + func_door 200 0 0 216 64 128 angle=-1 target=count targetname=second
         + trigger_relay targetname=relay killtarget=second
-        + trigger_counter targetname=count count=100
         stand 150 0: phase0 = leaving, phase1 = removed, counted = 1
     )"},
     {"AWallShowsItsOtherFramesByTurns", R"(
@@ -57,7 +53,6 @@ constexpr test::Scenario kActivations[] = {
         play 1: wall0 = there
     )"},
     {"ADoorOfThreeButtonsOpensToTheThirdAndToNothingElse", R"(
-        + func_door 1000 0 0 1010 100 100 angle=-1 targetname=door wait=-1
         + trigger_counter targetname=count target=door count=3
         + func_button 400 -300 0 410 -260 64 target=count wait=-1 angle=0
         + func_button 400 0 0 410 40 64 target=count wait=-1 angle=0
@@ -70,7 +65,6 @@ constexpr test::Scenario kActivations[] = {
     )"},
     {"ACounterCountsToTwoUnlessItSaysOtherwiseAndIsQuietByItsFlag", R"(
         + trigger_multiple 100 -50 0 150 50 64 target=count wait=0.2
-        + func_door 1000 0 0 1010 100 100 angle=-1 targetname=door wait=-1
         + trigger_counter targetname=count target=door spawnflags=1
         stand 120 0: phase0 = start
         at 120 0; play 7: phase0 = leaving, message = ""
@@ -82,7 +76,6 @@ constexpr test::Scenario kActivations[] = {
     )"},
     {"ARelayPassesOnWithDelayMessageAndRemoval", R"(
         + trigger_once 100 -50 0 150 50 64 target=relay
-        + func_door 1000 0 0 1010 100 100 angle=-1 targetname=door wait=-1
         + trigger_relay targetname=relay target=door delay=1 message=Now
         + trigger_relay targetname=relay killtarget=wall
         + func_wall 300 -50 0 310 50 100 targetname=wall
@@ -106,7 +99,6 @@ constexpr test::Scenario kActivations[] = {
         stand 520 0: phase0 = leaving
     )"},
     {"AMonsterThatWaitsInATeleporterStandsAtItsExit", R"(
-        + func_door 1000 0 0 1010 100 100 angle=-1 targetname=door wait=-1
         + monster_ogre origin="-1500 0 24" target=door
         + trigger_teleport -1550 -50 0 -1450 50 64 targetname=come target=exit
         + info_teleport_destination origin="600 0 0" targetname=exit
@@ -114,14 +106,12 @@ constexpr test::Scenario kActivations[] = {
         stand 600 0: phase0 = leaving
     )"},
     {"SoDoesWhatTakingAWeaponWould", R"(
-        + func_door 1000 0 0 1010 100 100 angle=-1 targetname=door wait=-1
         + weapon_nailgun origin="600 0 24" target=door
         stand 600 0: phase0 = leaving
     )"},
     // Three strokes of lightning, each with both electrodes at the far end of their way.
     {"LightningKillsChthonWithTheThirdStroke", R"(
         + trigger_multiple 100 -50 0 150 50 64 target=bolt wait=1
-        + func_door 1000 0 0 1010 100 100 angle=-1 targetname=door wait=-1
         + event_lightning targetname=bolt
         + monster_boss origin="600 0 24" target=door
         + func_door 0 -600 0 40 -560 108 angle=-1 wait=-1 target=lightning targetname=electrodes

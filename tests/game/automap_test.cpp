@@ -90,9 +90,7 @@ class MapOfAWall : public testing::Test {
         map_->draw(view, orientation, LineMethod::Bresenham, mode, {},
                    {pixels_.data(), mode.width_px, mode.height_px, mode.width_px});
     }
-    bool is_line(std::int32_t x, std::int32_t y) const {
-        return pixels_.at(static_cast<std::size_t>(y * mode_.width_px + x)) != 0;
-    }
+    bool is_line(std::int32_t x, std::int32_t y) const { return pixels_.at(as_size(y * mode_.width_px + x)) != 0; }
 
     GameData data_;
     GameLevel level_;

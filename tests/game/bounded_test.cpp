@@ -9,6 +9,7 @@
 #include "game/simulation/collision.h"
 #include "game/simulation/game_level.h"
 #include "tests/game/hostile_levels.h"
+#include "tests/game/scenario.h"
 
 namespace oblong::test {
 namespace {
@@ -66,13 +67,52 @@ TEST_P(Hostile, NoTickDoesMoreThanItsBoundsAndSavesGoOnTheSame) {
     EXPECT_EQ(left.empty(), !GetParam().is_too_much) << testing::PrintToString(left);
 }
 
-TEST(TickReports, CountTheBoxesThatAreTouched) {
-    LogicLevel source;
-    for (int i = 0; i < 3; ++i) source.add("trigger_multiple", {-50, -50, 0, 50, 50, 64}, {{"target", "none"}});
-    source.add("trigger_multiple", {500, -50, 0, 600, 50, 64}, {{"target", "none"}});
-    LogicGame game(source);
-    EXPECT_EQ(step(game.level, game.state, {}).touches, 3);
-}
+constexpr Scenario kBacklogs[] = {
+    {"BoxesThatAreTouchedAreCounted", R"(
+        + 3x trigger_multiple -50 -50 0 50 50 64 target=none
+        + trigger_multiple 500 -50 0 600 50 64 target=none
+        play 1: touches = 3
+    )"},
+    // More movers than a tick steps, most of them under way for ever: those after them arrive too, only later.
+    {"EachMoverHasItsTurn", R"(
+        + path_corner targetname=p target=q origin="1000 1000 0"
+        + path_corner targetname=q target=p origin="1500 1000 0"
+        + 9000x func_train 1000 1000 0 1010 1010 10 target=p
+        + 1000x func_door 1000 1000 0 1010 1010 10 angle=-1 targetname=d wait=-1 spawnflags=4
+        + trigger_once -50 -50 0 50 50 64 target=d
+        may_be_late; play 60: left_movers = 1, arrived = 1000, phase9000 = end, phase9999 = end
+    )"},
+    {"RemovalsThatAreTooManyForATickComeInTheNext", R"(
+        + trigger_once -50 -50 0 50 50 64 killtarget=all
+        + 30000x trigger_relay targetname=all
+        may_be_late; play 1: activations = 24576        # TickReport::kMostNewActivations
+        play 1: activations = 5424, spent = 30001
+    )"},
+    // A relay that activates itself for ever holds up no button.
+    {"AnEndlessOneHoldsUpNothingElse", R"(
+        + trigger_once -50 -50 0 50 50 64 target=loop
+        + trigger_relay targetname=loop target=loop
+        + trigger_relay targetname=loop target=loop delay=0.1
+        + trigger_once 100 -50 0 150 50 64 target=door
+        + func_door 1000 0 0 1010 100 100 angle=-1 targetname=door
+        may_be_late; play 100: backlog = 1
+        stand 120 0; play 2: phase0 != start
+    )"},
+    {"EachOfMoreTriggersInOnePlaceThanATickLooksAtIsTouched", R"(
+        + 3000x trigger_once -50 -50 0 50 50 64
+        may_be_late; play 20: spent = 3000
+    )"},
+    // Models that the player stands clear of, but meets within a tick.
+    {"ModelsWithinReachAreFew", R"(
+        + 200x func_wall 40 -50 0 50 50 64
+        play 1: left_obstacles = 0
+    )"},
+    {"TooManyModelsWithinReachAreToldOf", R"(
+        + 300x func_wall 40 -50 0 50 50 64
+        may_be_late; play 1: left_obstacles = 1
+    )"},
+};
+OBLONG_SCENARIOS(Backlogs, kBacklogs);
 
 // Counters that say their number at their last count, one after the other: what waits keeps its order and loses
 // nothing. Each count takes three activations, which no tick's number is a multiple of: one may end between them.
@@ -119,25 +159,6 @@ TEST(Backlog, WhatIsTooMuchForATickHappensLaterInItsOrder) {
     EXPECT_TRUE(game.state.backlog.is_empty());
 }
 
-// More movers than a tick steps, most of them under way for ever: those after them arrive too, only later.
-TEST(Backlog, EachMoverHasItsTurn) {
-    constexpr std::size_t kTrains = 9000;
-    const Solid far_away{1000, 1000, 0, 1010, 1010, 10};
-    LogicLevel source;
-    source.add("path_corner", {{"targetname", "p"}, {"target", "q"}, {"origin", "1000 1000 0"}});
-    source.add("path_corner", {{"targetname", "q"}, {"target", "p"}, {"origin", "1500 1000 0"}});
-    for (std::size_t i = 0; i < kTrains; ++i) source.add("func_train", far_away, {{"target", "p"}});
-    for (int i = 0; i < 1000; ++i)
-        source.add("func_door", far_away, {{"angle", "-1"}, {"targetname", "d"}, {"wait", "-1"}, {"spawnflags", "4"}});
-    source.add("trigger_once", {-50, -50, 0, 50, 50, 64}, {{"target", "d"}});
-    LogicGame game(source);
-    bool has_waited = false;
-    for (int tick = 0; tick < 60; ++tick) has_waited |= step(game.level, game.state, kStand).has_left_movers;
-    EXPECT_TRUE(has_waited);
-    for (std::size_t i = kTrains; i < game.state.movers.size(); ++i)
-        ASSERT_EQ(game.phase(i), MoverState::Phase::AtEnd) << i;
-}
-
 // Each mover that is where the player is looks at 253 to 256 others there, at four of the positions of the player.
 TEST(Backlog, FewMoversAmongManyThatMeetThePlayerMoveInATick) {
     constexpr int kMost = TickReport::kMostMoverSteps / (4 * 253) + 1;
@@ -174,54 +195,6 @@ TEST(Backlog, DelayedFiringsThatAreTooManyForATickComeInTheNext) {
     EXPECT_EQ(fired, (std::vector{TickReport::kMostDelayedActivations, kRelays - TickReport::kMostDelayedActivations}));
 }
 
-TEST(Backlog, RemovalsThatAreTooManyForATickComeInTheNext) {
-    constexpr int kRemoved = 30'000;
-    LogicLevel source;
-    source.add("trigger_once", {-50, -50, 0, 50, 50, 64}, {{"killtarget", "all"}});
-    for (int i = 0; i < kRemoved; ++i) source.add("trigger_relay", {{"targetname", "all"}});
-    LogicGame game(source);
-    EXPECT_EQ(step(game.level, game.state, kStand).activations, TickReport::kMostNewActivations);
-    EXPECT_EQ(step(game.level, game.state, kStand).activations, kRemoved - TickReport::kMostNewActivations);
-    for (const TriggerState& trigger : game.state.triggers) ASSERT_EQ(trigger.ready_tick, TriggerState::kNever);
-}
-
-// A relay that activates itself for ever holds up no button.
-TEST(Backlog, AnEndlessOneHoldsUpNothingElse) {
-    LogicLevel source;
-    source.add("trigger_once", {-50, -50, 0, 50, 50, 64}, {{"target", "loop"}});
-    source.add("trigger_relay", {{"targetname", "loop"}, {"target", "loop"}});
-    source.add("trigger_relay", {{"targetname", "loop"}, {"target", "loop"}, {"delay", "0.1"}});
-    source.add("trigger_once", {100, -50, 0, 150, 50, 64}, {{"target", "door"}});
-    source.add("func_door", {1000, 0, 0, 1010, 100, 100}, {{"angle", "-1"}, {"targetname", "door"}});
-    LogicGame game(source);
-    game.play(100, kStand);
-    EXPECT_FALSE(game.state.backlog.is_empty());
-    game.stand_at(120, 0);
-    game.play(2, kStand);
-    EXPECT_TRUE(game.has_left(0));
-}
-
-// Triggers in one place that are more than a tick looks at.
-TEST(Backlog, EachOfManyTriggersInOnePlaceIsTouched) {
-    LogicLevel source;
-    for (int i = 0; i < 3000; ++i) source.add("trigger_once", {-50, -50, 0, 50, 50, 64}, {});
-    LogicGame game(source);
-    game.play(20, kStand);
-    for (const TriggerState& trigger : game.state.triggers) ASSERT_EQ(trigger.ready_tick, TriggerState::kNever);
-}
-
-// Of models that the player stands clear of, but meets within a tick.
-TEST(Backlog, TooManyModelsWithinReachAreToldOf) {
-    const auto report_beside = [](int models) {
-        LogicLevel source;
-        for (int i = 0; i < models; ++i) source.add("func_wall", {40, -50, 0, 50, 50, 64});
-        LogicGame game(source);
-        return step(game.level, game.state, kStand);
-    };
-    EXPECT_FALSE(report_beside(200).has_left_obstacles);
-    EXPECT_TRUE(report_beside(300).has_left_obstacles);
-}
-
 // Boxes in boxes, each wider by what a player beside the one before it needs: only beside the last a place is free.
 // Each has six ways out.
 TEST(WayOut, IsLookedForAtTheNearestPlacesAlone) {
@@ -236,49 +209,6 @@ TEST(WayOut, IsLookedForAtTheNearestPlacesAlone) {
     EXPECT_TRUE(way_out_of(most).position);
     EXPECT_TRUE(way_out_of(most + 2).is_inside_model);
     EXPECT_FALSE(way_out_of(most + 2).position);
-}
-
-// Pairs of boxes that cross away from an area which the box around both holds.
-TEST(BoxTreeParts, EndAfterAsManyLooks) {
-    std::vector<BoxTree::Entry> entries;
-    for (std::uint32_t i = 0; i < 20'000; ++i)
-        entries.push_back({{{}, i % 2 == 0 ? world_vector(1000, 1, 9) : world_vector(1, 1000, 9)}, i});
-    const BoxTree tree(entries);
-    std::uint32_t from = 0;
-    int parts = 0;
-    do {
-        const BoxTree::Part part = tree.part_overlapping({world_vector(500, 500, 1), world_vector(510, 510, 5)}, from);
-        ASSERT_LE(part.looks, BoxTree::kMostLooks);
-        ASSERT_TRUE(part.numbers.empty());
-        ASSERT_TRUE(part.next == 0 || part.next > from);
-        from = part.next;
-        ++parts;
-    } while (from != 0);
-    EXPECT_GT(parts, 3);
-}
-
-TEST(BoxTreeParts, TogetherAreTheWhole) {
-    std::vector<BoxTree::Entry> entries;
-    for (std::uint32_t i = 0; i < 5000; ++i) {
-        const auto x = static_cast<std::int32_t>(i * 7919 % 4000), y = static_cast<std::int32_t>(i * 104'729 % 4000);
-        entries.push_back({{world_vector(x, y, 0), world_vector(x + 900, y + 900, 9)}, i});
-    }
-    const BoxTree tree(entries);
-    const Box area{world_vector(1500, 1500, 0), world_vector(2500, 2500, 5)};
-    std::vector<std::uint32_t> all;
-    std::uint32_t from = 0;
-    int parts = 0;
-    do {
-        const BoxTree::Part part = tree.part_overlapping(area, from);
-        ASSERT_LE(part.numbers.size(), std::size_t{BoxTree::kMostFound});
-        ASSERT_LE(part.looks, BoxTree::kMostLooks);
-        all.insert(all.end(), part.numbers.begin(), part.numbers.end());
-        from = part.next;
-        ++parts;
-    } while (from != 0);
-    EXPECT_GT(parts, 3);
-    std::sort(all.begin(), all.end());
-    EXPECT_EQ(all, tree.overlapping(area));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 namespace oblong {
@@ -37,6 +38,50 @@ TEST(BoxTree, EqualBoxesAreAllFound) {
     std::vector<BoxTree::Entry> entries;
     for (std::uint32_t i = 0; i < 1000; ++i) entries.push_back({box, i});
     EXPECT_EQ(BoxTree(entries).overlapping(box).size(), 1000u);
+}
+
+/// Asks for the parts of what a tree finds in an area, each after the other.
+template <class Check>
+std::vector<std::uint32_t> parts_of(const BoxTree& tree, const Box& area, Check check) {
+    std::vector<std::uint32_t> all;
+    std::uint32_t from = 0;
+    int parts = 0;
+    do {
+        const BoxTree::Part part = tree.part_overlapping(area, from);
+        EXPECT_LE(part.looks, BoxTree::kMostLooks);
+        EXPECT_TRUE(check(part, from));
+        all.insert(all.end(), part.numbers.begin(), part.numbers.end());
+        from = part.next;
+        ++parts;
+    } while (from != 0 && !testing::Test::HasFailure());
+    EXPECT_GT(parts, 3);
+    return all;
+}
+
+// Pairs of boxes that cross away from an area which the box around both holds.
+TEST(BoxTreeParts, EndAfterAsManyLooks) {
+    std::vector<BoxTree::Entry> entries;
+    for (std::uint32_t i = 0; i < 20'000; ++i)
+        entries.push_back({{{}, i % 2 == 0 ? world_vector(1000, 1, 9) : world_vector(1, 1000, 9)}, i});
+    parts_of(BoxTree(entries), {world_vector(500, 500, 1), world_vector(510, 510, 5)},
+             [](const BoxTree::Part& part, std::uint32_t from) {
+                 return part.numbers.empty() && (part.next == 0 || part.next > from);
+             });
+}
+
+TEST(BoxTreeParts, TogetherAreTheWhole) {
+    std::vector<BoxTree::Entry> entries;
+    for (std::uint32_t i = 0; i < 5000; ++i) {
+        const auto x = static_cast<std::int32_t>(i * 7919 % 4000), y = static_cast<std::int32_t>(i * 104'729 % 4000);
+        entries.push_back({{world_vector(x, y, 0), world_vector(x + 900, y + 900, 9)}, i});
+    }
+    const BoxTree tree(entries);
+    const Box area{world_vector(1500, 1500, 0), world_vector(2500, 2500, 5)};
+    std::vector<std::uint32_t> all = parts_of(tree, area, [](const BoxTree::Part& part, std::uint32_t) {
+        return part.numbers.size() <= std::size_t{BoxTree::kMostFound};
+    });
+    std::sort(all.begin(), all.end());
+    EXPECT_EQ(all, tree.overlapping(area));
 }
 
 }  // namespace

@@ -145,7 +145,6 @@ constexpr test::Scenario kDoors[] = {
     )"},
     {"FireWheneverTheySetOutToOpen", R"(
         + func_door 200 -64 0 216 64 128 angle=-1 target=light wait=1
-        + light targetname=light style=32
         stand 150 0: dark = 32
         wait 97: phase0 = returning
         stand 150 0: phase0 = leaving, dark = ""
@@ -162,7 +161,6 @@ OBLONG_SCENARIOS(Doors, kDoors);
 constexpr test::Scenario kButtons[] = {
     {"FireWhenTheyAreInAndComeBackAfterTheirWait", R"(
         + func_button 200 -64 0 244 64 64 angle=0 target=light      # 40 units
-        + light targetname=light style=32
         stand 183 0: phase0 = leaving, frame0 = 0
         wait 34: dark = ""
         wait 2: dark = 32, frame0 = 1

@@ -151,7 +151,6 @@ constexpr test::Scenario kLocks[] = {
         + trigger_relay targetname=relay target=count count=2
         + item_lens origin="-300 0 24"
         + item_lens origin="-600 0 24"
-        + trigger_counter targetname=count count=100
         stand 120 0; stand 520 0: counted = 0
         stand -300 0; stand 120 0: counted = 1
         wait 35; stand 520 0: counted = 1
@@ -163,7 +162,6 @@ OBLONG_SCENARIOS(Locks, kLocks);
 constexpr test::Scenario kTimers[] = {
     {"FiresEachTimeItsWaitIsOver", R"(
         + func_timer target=count spawnflags=1 wait=0.6
-        + trigger_counter targetname=count count=100
         play 20: counted = 0
         play 1: counted = 1
         play 20: counted = 1
@@ -173,7 +171,6 @@ constexpr test::Scenario kTimers[] = {
         + func_timer targetname=timer target=count
         + trigger_once 100 -50 0 150 50 64 target=timer
         + trigger_once 500 -50 0 550 50 64 target=timer
-        + trigger_counter targetname=count count=100
         play 100: counted = 0
         stand 120 0: counted = 0
         play 1: counted = 1
@@ -184,7 +181,6 @@ constexpr test::Scenario kTimers[] = {
     {"EndsWhenItIsRemoved", R"(
         + func_timer targetname=timer target=count spawnflags=1
         + trigger_once 100 -50 0 150 50 64 killtarget=timer
-        + trigger_counter targetname=count count=100
         play 36: counted = 1
         at 120 0; play 100: counted = 1
     )"},

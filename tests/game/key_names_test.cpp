@@ -8,6 +8,7 @@
 #include "game/program/view_options.h"
 #include "tests/support/folders.h"
 #include "tests/support/patterns.h"
+#include "tests/support/silent_platform.h"
 
 namespace oblong {
 namespace {
@@ -29,18 +30,11 @@ TEST(KeyNames, AreThoseThatAreBoundOnTheDeviceInUse) {
     EXPECT_EQ(keys.in("{no such} {jump"), "{no such} {jump");
 }
 
-class TouchScreen : public Platform {
-  public:
-    bool is_open() const override { return true; }
-    PlatformInput poll() override { return {}; }
-    std::uint64_t now_us() override { return 0; }
-    WindowSize window_size() const override { return {}; }
-    void set_title(const char*) override {}
+struct TouchScreen : test::SilentPlatform {
     std::string local_name_of(Input input) const override {
         const std::string name = name_of(input);
         return name == "Escape" ? "Menu" : name == "Enter" ? "OK" : name == "Space" ? "Jump" : "";
     }
-    void present(Framebuffer, const Palette&, const PresentRect&) override {}
 };
 
 // A phone's page has four buttons; the menu's page of keys does the rest.

@@ -44,16 +44,17 @@ class LabMeasure : public testing::Test {
         const InterpolatedState state{state_, state_};
         return {state, camera_at(state, {}, Degrees::from_int(90)), false, other_};
     }
-    void round(const Accuracy& now, const Accuracy& before) {
-        Settings settings;
-        settings.accuracy = now;
-        for (int turn = 0; turn < static_cast<int>(kPresets.size()) + 6; ++turn)
-            measures_.measure(view(), settings, before, *renderer_, *meter_, data_.palette);
-    }
-    ErrorSummary errors_of(const Accuracy& accuracy) {
+    static Settings settings_of(const Accuracy& accuracy) {
         Settings settings;
         settings.accuracy = accuracy;
-        return summarize_pixels(meter_->measure(view(), settings, *renderer_));
+        return settings;
+    }
+    void round(const Accuracy& now, const Accuracy& before) {
+        for (int turn = 0; turn < static_cast<int>(kPresets.size()) + 6; ++turn)
+            measures_.measure(view(), settings_of(now), before, *renderer_, *meter_, data_.palette);
+    }
+    ErrorSummary errors_of(const Accuracy& accuracy) {
+        return summarize_pixels(meter_->measure(view(), settings_of(accuracy), *renderer_));
     }
 
     GameData data_;

@@ -96,7 +96,11 @@ struct ToyGame {
     ToyGame(const ToyGame&) = delete;  // `level` points into `toy`
 
     void play(int ticks, const TickInput& input) {
-        for (int i = 0; i < ticks; ++i) has_left_work |= !step(level, state, input).left().empty();
+        for (int i = 0; i < ticks; ++i) {
+            report = step(level, state, input);
+            has_left_work |= !report.left().empty();
+            has_left_movers |= report.has_left_movers;
+        }
     }
     double x() const { return state.player.position.x.raw / 4096.0; }
     double y() const { return state.player.position.y.raw / 4096.0; }
@@ -106,7 +110,8 @@ struct ToyGame {
     ToyLevel toy;
     GameLevel level;
     GameState state;
-    bool has_left_work = false;  ///< in any tick of play()
+    TickReport report;                                    ///< of the last tick of play()
+    bool has_left_work = false, has_left_movers = false;  ///< in any tick of it
 };
 
 inline constexpr TickInput kStand{}, kAhead{127, 0, 0, 0, 0}, kJump{0, 0, 0, 0, kJumpButton};

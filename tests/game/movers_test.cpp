@@ -4,7 +4,6 @@
 
 #include "engine/base/input_error.h"
 #include "game/simulation/collision.h"
-#include "game/simulation/step.h"
 #include "tests/game/logic_level.h"
 #include "tests/game/scenario.h"
 
@@ -73,36 +72,28 @@ constexpr Scenario kTrains[] = {
         play 35: phase0 = leaving, travelled0 = 240 +- 6
         wait 100: phase0 = end
     )"},
+    {"GoAsFarAsThe4096thCornerOfAnEndlessChain", R"(
+        + func_train -600 -600 100 -472 -472 116 target=c0
+        + 5000x path_corner targetname=c{0+1i} target=c{1+1i} origin="{0+1i} 0 100"
+        : legs0 = 4095
+    )"},
+    {"GoOnWhateverTheOrderOfTheirCorners", R"(
+        + func_train 300 -64 0 400 64 100 target=self speed=1e9
+        + func_train 300 -64 0 400 64 100 target=far speed=1e9
+        + func_train 300 -64 0 400 64 100 target=pair speed=1e9
+        + path_corner targetname=self target=self origin="0 0 0" wait=99999999
+        + path_corner targetname=far target=end origin="32768 32768 32768"
+        + path_corner targetname=end target=far origin="-32768 -32768 -32768"
+        + path_corner targetname=pair target=pair2 origin="5 5 5"
+        + path_corner targetname=pair2 target=pair2 origin="5 5 5"
+        wait 500: tick = 500
+    )"},
     {"WithoutCornersStandWhereTheyAre", R"(
         + func_train 300 -64 0 400 64 100 target=nowhere
         : all_movers = 0, all_walls = 1
     )"},
 };
 OBLONG_SCENARIOS(Trains, kTrains);
-
-TEST(Train, CornersInHostileOrderAreHarmless) {
-    LogicLevel level;
-    for (const char* first : {"self", "far", "pair"})
-        level.add("func_train", {300, -64, 0, 400, 64, 100}, {{"target", first}, {"speed", "1e9"}});
-    level.add("path_corner", {{"targetname", "self"}, {"target", "self"}, {"origin", "0 0 0"}, {"wait", "99999999"}});
-    level.add("path_corner", {{"targetname", "far"}, {"target", "end"}, {"origin", "32768 32768 32768"}});
-    level.add("path_corner", {{"targetname", "end"}, {"target", "far"}, {"origin", "-32768 -32768 -32768"}});
-    level.add("path_corner", {{"targetname", "pair"}, {"target", "pair2"}, {"origin", "5 5 5"}});
-    level.add("path_corner", {{"targetname", "pair2"}, {"target", "pair2"}, {"origin", "5 5 5"}});
-    LogicGame game(level);
-    game.wait(500);
-    EXPECT_EQ(game.state.tick, 500);
-}
-
-TEST(Train, GoesAsFarAsThe4096thCornerOfAnEndlessChain) {
-    LogicLevel source;
-    source.add("func_train", {-600, -600, 100, -472, -472, 116}, {{"target", "c0"}});
-    for (int i = 0; i < 5000; ++i)
-        source.add("path_corner", {{"targetname", "c" + std::to_string(i)},
-                                   {"target", "c" + std::to_string(i + 1)},
-                                   {"origin", std::to_string(i % 100) + " 0 100"}});
-    EXPECT_EQ(LogicGame(source).level.movers[0].legs.size(), 4095u);
-}
 
 using Phase = MoverState::Phase;
 

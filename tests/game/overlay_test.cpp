@@ -38,9 +38,9 @@ class GuardedCanvas {
 
     Framebuffer canvas() const { return canvas_; }
     bool is_border_whole() const {
-        const std::vector<std::uint8_t> guards(static_cast<std::size_t>(pitch_), kGuard);
+        const std::vector<std::uint8_t> guards(as_size(pitch_), kGuard);
         const auto are_guards = [&](std::int32_t x, std::int32_t y, std::int32_t count) {
-            return std::memcmp(canvas_.row(y) + x, guards.data(), static_cast<std::size_t>(count)) == 0;
+            return std::memcmp(canvas_.row(y) + x, guards.data(), as_size(count)) == 0;
         };
         for (std::int32_t y = -kBorder_px; y < canvas_.height_px + kBorder_px; ++y) {
             const bool is_beside = y >= 0 && y < canvas_.height_px;
@@ -121,7 +121,7 @@ using Rows = std::vector<std::string>;
 Rows bright_rows(Framebuffer canvas) {
     Rows rows;
     for (std::int32_t y = 0; y < canvas.height_px; ++y) {
-        const auto width = static_cast<std::size_t>(canvas.width_px);
+        const auto width = as_size(canvas.width_px);
         std::string& row = rows.emplace_back(width, ' ');
         const std::string_view pixels(reinterpret_cast<const char*>(canvas.row(y)), width);
         const auto bright = static_cast<char>(kColours.bright);
@@ -133,12 +133,10 @@ Rows bright_rows(Framebuffer canvas) {
 Rows rows_of_word(std::string_view word, std::int32_t scale) {
     std::int32_t top = 0;
     for_each_dot(word, [&](std::int32_t, std::int32_t row) { top = std::min(top, row); });
-    Rows rows(static_cast<std::size_t>((kGlyphHeight_px - top) * scale),
-              std::string(static_cast<std::size_t>(text_width_px(word) * scale), ' '));
+    Rows rows(as_size((kGlyphHeight_px - top) * scale), std::string(as_size(text_width_px(word) * scale), ' '));
     for_each_dot(word, [&](std::int32_t column, std::int32_t row) {
-        const auto size = static_cast<std::size_t>(scale), left = static_cast<std::size_t>(column) * size;
-        for (std::size_t y = 0; y < size; ++y)
-            rows[static_cast<std::size_t>(row - top) * size + y].replace(left, size, size, '#');
+        const auto size = as_size(scale), left = as_size(column) * size;
+        for (std::size_t y = 0; y < size; ++y) rows[as_size(row - top) * size + y].replace(left, size, size, '#');
     });
     return rows;
 }

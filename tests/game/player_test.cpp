@@ -4,7 +4,6 @@
 #include <cmath>
 #include <tuple>
 
-#include "game/simulation/collision.h"
 #include "tests/game/logic_level.h"
 #include "tests/game/scenario.h"
 
@@ -79,6 +78,17 @@ constexpr Scenario kPlayers[] = {
         + solid 100 -500 0 900 500 19
         play 35 ahead: x = 84 +- 0.1
     )"},
+    {"ClimbsStairsAndComesDownThemWithoutFlying", R"(
+        + 16x solid {100+24i} -500 0 1400 500 {16+16i}
+        play 90 ahead: feet = 256 +- 0.1
+        each 90 back: flies = 0
+        : feet = 0 +- 0.1
+    )"},
+    {"IsLiftedOutOfAFloorThatItStartsIn", R"(
+        + info_player_start origin="0 0 14"
+        : feet = -9
+        play 5: feet = 0 +- 0.1
+    )"},
     {"FallsIntoAGap", R"(
         + no_floor
         + solid -500 -500 -200 100 500 0
@@ -112,24 +122,6 @@ constexpr Scenario kPlayers[] = {
 };
 OBLONG_SCENARIOS(Players, kPlayers);
 
-std::vector<Solid> stairs() {
-    std::vector<Solid> steps;
-    for (std::int32_t i = 0; i < 16; ++i) steps.push_back({100 + 24 * i, -500, 0, 1400, 500, 16 * (i + 1)});
-    return steps;
-}
-
-TEST(Player, ClimbsStairsAndComesDownThemWithoutFlying) {
-    ToyGame game(room(stairs()));
-    game.play(90, kAhead);
-    EXPECT_NEAR(game.feet(), 256, 0.1);
-    const TickInput back{-127, 0, 0, 0, 0};
-    for (int i = 0; i < 90; ++i) {
-        step(game.level, game.state, back);
-        EXPECT_NE(game.state.player.ground, Player::kNoGround) << "tick " << i;
-    }
-    EXPECT_NEAR(game.feet(), 0, 0.1);
-}
-
 TEST(Player, EyeGlidesUpAStep) {
     ToyGame game(room({{100, -500, 0, 900, 500, 16}}));
     World last{};
@@ -154,12 +146,6 @@ TEST(Player, JumpsAsHighAsItsSpeedAllowsAndOnceAPress) {
     }
     EXPECT_NEAR(highest, 270.0 * 270 / 1600, 4.5);  // v^2 / 2g; ticks are coarse
     EXPECT_NEAR(game.feet(), 0, 0.1);               // the key is still held
-}
-
-TEST(Player, StartInTheFloorIsLiftedOut) {
-    ToyGame game(room(), -10);
-    game.play(5, kStand);
-    EXPECT_NEAR(game.feet(), 0, 0.1);
 }
 
 /// Water up to 100 units, and a bank from x = 100 on.

@@ -85,38 +85,19 @@ TEST_F(Program, GoesOnWithoutAReaderAndSavesWhenItsTerminalIsClosed) {
 
 TEST_F(Program, EndsWith2ForWrongUsageAnd1ForBadFiles) {
     // What single options refuse: tests/preferences.
-    for (const char* wrong : {"--fov 0",
-                              "--log clips",
-                              "--log clip --timedemo a.demo",
-                              "--log clip --route a.csv --record b.demo",
-                              "--mode 0x0",
-                              "--mode 64x48 --fov 179",
-                              "--window 0x9",
-                              "--window 800",
-                              "''",
-                              "--fov ''",
-                              "--timedemo ''",
-                              "--record '' --headless 1 --out x",
-                              "--headless 5",
-                              "--out here",
-                              "--nonsense",
-                              "--gallery a --headless 1 --out x",
-                              "--gallery --map a --headless 1 --out x",
-                              "--gallery --game . --headless 1 --out x",
-                              "--watch a.map --map b --headless 1 --out x",
-                              "--route a.csv --record b.demo --replay c.demo",
-                              "a b",
-                              "--headless -1 --out x",
-                              "--headless 1 --out -",
-                              "--headless 1 --out x --record -",
-                              "--replay -",
-                              "--replay walk.demo --record walk.demo --headless 1 --out x",
-                              "out.txt --record ./out.txt --headless 1 --out x",
-                              "--timedemo -",
-                              "--headless 0 --out x",
-                              "--headless 1.5 --out x",
-                              "--headless 1 --out x --threads 0"})
+    for (const char* wrong :
+         {"--fov 0", "--log clips", "--mode 0x0", "--window 0x9", "--window 800", "''", "--fov ''", "--timedemo ''",
+          "--headless 5", "--out here", "--nonsense", "a b", "--replay -", "--timedemo -", "--headless 1 --out -"})
         EXPECT_EQ(run(wrong), 2) << wrong;
+    for (const char* wrong : {"--log clip --timedemo a.demo", "--log clip --route a.csv --record b.demo",
+                              "--mode 64x48 --fov 179", "--route a.csv --record b.demo --replay c.demo"})
+        EXPECT_EQ(run(wrong), 2) << wrong;
+    for (const char* frames : {"-1", "0", "1.5"})
+        EXPECT_EQ(run("--headless " + std::string(frames) + " --out x"), 2) << frames;
+    for (const std::string wrong :
+         {"--record ''", "--record -", "--threads 0", "--gallery a", "--gallery --map a", "--gallery --game .",
+          "--watch a.map --map b", "--replay walk.demo --record walk.demo", "out.txt --record ./out.txt"})
+        EXPECT_EQ(run(wrong + " --headless 1 --out x"), 2) << wrong;
     for (const char* bad :
          {"missing.bsp", ".", "--palette missing.lmp --headless 1 --out x",
           "--replay missing.demo --headless 1 --out x", "--timedemo out.txt", "--headless 1 --out out.txt"}) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "tests/game/logic_level.h"
 #include "tests/support/script.h"
 
 namespace oblong::test {
@@ -10,6 +11,9 @@ namespace oblong::test {
 ///                                                           its keys
 ///     + e1m7.bsp                                            one of Quake's own levels, without any other entity
 ///     + solid 0 0 0 100 100 18                              a block of the world; no_floor, water Z (lava, slime)
+///     + 5x item_lens origin="{300+40i} 0 24"                five of them, i = 0 to 4
+///                                                           (who targets `count`, `door` or `light` has one of these,
+///                                                           kUsualTargets, without a line)
 ///     stand 150 0; wait 34: phase0 = end, message = "Hm"    what is done, then what must hold
 ///     each 70 ahead: feet >= travelled0+8                   what must hold after each of so many ticks
 ///     # a note
@@ -17,6 +21,9 @@ namespace oblong::test {
 /// The player starts with feet at (0, 0, 0) on a floor of 4096 units square and looks along +x. What can be done and
 /// asked is named in the tables of scenario.cpp: a number after a name says which mover, wall or item is meant.
 using Scenario = Script;
+
+/// The level of its entities' words, from "+" on.
+ToyLevel level_of(const std::vector<Words>& entities);
 
 /// Fails at each line that does not hold.
 void play(const Scenario& scenario);

@@ -8,6 +8,7 @@
 
 #include "engine/platform/headless.h"
 #include "tests/support/folders.h"
+#include "tests/support/silent_platform.h"
 
 namespace oblong::test::session_test {
 namespace {
@@ -16,6 +17,10 @@ using Picture = std::vector<std::uint8_t>;
 using Presses = std::map<std::int64_t, std::vector<Action>>;
 
 constexpr std::int64_t kFrames = 40;
+
+PlatformInput no_input(std::int64_t) {
+    return {};
+}
 
 class SessionOfTheDemo : public testing::Test {
   protected:
@@ -28,12 +33,9 @@ class SessionOfTheDemo : public testing::Test {
             if (const auto found = presses.find(frame); found != presses.end()) controls.commands = found->second;
             return controls;
         };
-        HeadlessPlatform platform(
-            kFrames, 35, [](std::int64_t) { return PlatformInput{}; },
-            [&](Framebuffer picture, const Palette&) {
-                pictures.emplace_back(picture.pixels,
-                                      picture.pixels + pixel_count(picture.width_px, picture.height_px));
-            });
+        HeadlessPlatform platform(kFrames, 35, no_input, [&](Framebuffer picture, const Palette&) {
+            pictures.emplace_back(picture.pixels, picture.row(picture.height_px));
+        });
         ViewOptions view_options;
         Session session(loaded_, {}, view_options, TickInputSource(start_of(loaded_->level), std::nullopt, true),
                         platform);
@@ -141,14 +143,8 @@ TEST_F(SessionOfTheDemo, WhatAKeyShowsIsSeenWhateverWasOpen) {
         EXPECT_TRUE(is_seen(kFour, asked)) << static_cast<int>(asked);
 }
 
-class UprightWindow final : public Platform {
-  public:
-    bool is_open() const override { return true; }
-    PlatformInput poll() override { return {}; }
-    std::uint64_t now_us() override { return 0; }
+struct UprightWindow final : SilentPlatform {
     WindowSize window_size() const override { return {720, 1280}; }
-    void set_title(const char*) override {}
-    void present(Framebuffer, const Palette&, const PresentRect&) override {}
 };
 
 // 200x320 for 9:16 has the shape 4:3 in 135 of its rows.
@@ -177,8 +173,7 @@ TEST_F(SessionOfTheDemo, ArrowsWalkUnlessTheLabIsOpen) {
 TEST_F(SessionOfTheDemo, ALeverSetsTheMachineOfWhoPullsIt) {
     ViewOptions view_options;
     const auto watch = [&](std::optional<Demo> demo, Action along) {
-        HeadlessPlatform platform(
-            60, 35, [](std::int64_t) { return PlatformInput{}; }, [](Framebuffer, const Palette&) {});
+        HeadlessPlatform platform(60, 35, no_input, [](Framebuffer, const Palette&) {});
         Controls controls;
         controls.moves = {Action::Back, along};
         Session session(loaded_, {}, view_options, TickInputSource(start_of(loaded_->level), std::move(demo), true),
@@ -202,8 +197,7 @@ TEST_F(SessionOfTheDemo, ALeverSetsTheMachineOfWhoPullsIt) {
 // From within the great lens.
 TEST_F(SessionOfTheDemo, EndsWithAnIntermissionWhoseSecondHalfHasThePaceOfA386) {
     const std::int64_t wait = loaded_->level.intermission->wait_ticks;
-    HeadlessPlatform platform(
-        wait + 4, 35, [](std::int64_t) { return PlatformInput{}; }, [](Framebuffer, const Palette&) {});
+    HeadlessPlatform platform(wait + 4, 35, no_input, [](Framebuffer, const Palette&) {});
     ViewOptions view_options;
     Session session(loaded_, {.open_meter = open_reference_meter}, view_options,
                     TickInputSource(start_of(loaded_->level), std::nullopt, false), platform);

@@ -82,25 +82,24 @@ TEST(ShownView, ThatCannotBeDrawnIsTheCameras) {
     EXPECT_TRUE(other_view(false, 120, camera, {}, demo_level()));
 }
 
-TEST(ShownView, ZoomsBetweenItsLimitsAndIsOffAt90Degrees) {
-    ViewOptions options;
-    const auto press = [&](Action command) { return apply(command, options, {1600, 1200}); };
-    press(Action::Isometric);
-    EXPECT_EQ(press(Action::ZoomIn),
-              "{zoom-in} {zoom-out} Zoom against dolly: 80 degrees, as far as there is room behind you");
-    EXPECT_FALSE(options.is_isometric) << "it would hide what the message tells of";
-    EXPECT_EQ(press(Action::ZoomOut), "{zoom-in} {zoom-out} Zoom against dolly: off");
-    EXPECT_EQ(options.zoom_degrees, 0);
-    for (int i = 0; i < 3; ++i) press(Action::ZoomOut);
-    EXPECT_EQ(options.zoom_degrees, 120);
-    press(Action::ZoomOut);
-    EXPECT_EQ(options.zoom_degrees, 0) << "the exhibit's button is the only one of a pad";
-    for (int i = 0; i < 20; ++i) press(Action::ZoomIn);
-    EXPECT_EQ(options.zoom_degrees, 10);
-}
-
 std::string press(Action command, ViewOptions& options) {
     return apply(command, options, {1600, 1200});
+}
+
+TEST(ShownView, ZoomsBetweenItsLimitsAndIsOffAt90Degrees) {
+    ViewOptions options;
+    press(Action::Isometric, options);
+    EXPECT_EQ(press(Action::ZoomIn, options),
+              "{zoom-in} {zoom-out} Zoom against dolly: 80 degrees, as far as there is room behind you");
+    EXPECT_FALSE(options.is_isometric) << "it would hide what the message tells of";
+    EXPECT_EQ(press(Action::ZoomOut, options), "{zoom-in} {zoom-out} Zoom against dolly: off");
+    EXPECT_EQ(options.zoom_degrees, 0);
+    for (int i = 0; i < 3; ++i) press(Action::ZoomOut, options);
+    EXPECT_EQ(options.zoom_degrees, 120);
+    press(Action::ZoomOut, options);
+    EXPECT_EQ(options.zoom_degrees, 0) << "the exhibit's button is the only one of a pad";
+    for (int i = 0; i < 20; ++i) press(Action::ZoomIn, options);
+    EXPECT_EQ(options.zoom_degrees, 10);
 }
 
 TEST(PictureIn, AnUprightWindowIsUprightWithTheFieldOfViewFromTopToBottom) {
@@ -186,6 +185,12 @@ GameState state_at(std::int64_t tick, std::int32_t x) {
     return state;
 }
 
+// Of a game at its start.
+PaletteEffects effects_of(ShownPalette& palette, Flashes flashes, const Light& light, bool has_six_bits = false) {
+    const GameState state = state_at(0, 0);
+    return palette.effects_at({{state, state}, {}}, flashes, light, has_six_bits);
+}
+
 TEST(ShownPalette, FlashesAndFadesAfterATeleporterOnly) {
     const GameData data = data_in(contents::kEmpty);
     ShownPalette palette(data);
@@ -204,36 +209,32 @@ TEST(ShownPalette, FlashesAndFadesAfterATeleporterOnly) {
 }
 
 TEST(ShownPalette, IsPlainInTheOpenAndTintedInALiquid) {
-    const GameState state = state_at(0, 0);
-    const GameView view{{state, state}, {}};
-    const GameData open = data_in(contents::kEmpty), water = data_in(contents::kWater);
-    EXPECT_TRUE(ShownPalette(open).effects_at(view, Flashes::Full, {}, false).is_plain());
-    EXPECT_FALSE(ShownPalette(open).effects_at(view, Flashes::Full, {100, 150}, false).is_plain());
-    EXPECT_EQ(ShownPalette(water).effects_at(view, Flashes::Off, {}, false).liquid, (Tint{{130, 80, 50}, 128}));
+    const GameData of_air = data_in(contents::kEmpty), of_water = data_in(contents::kWater);
+    ShownPalette open(of_air), water(of_water);
+    EXPECT_TRUE(effects_of(open, Flashes::Full, {}).is_plain());
+    EXPECT_FALSE(effects_of(open, Flashes::Full, {100, 150}).is_plain());
+    EXPECT_EQ(effects_of(water, Flashes::Off, {}).liquid, (Tint{{130, 80, 50}, 128}));
 }
 
 // The tube's colours, then gamma of the display; both of the light that was asked for last.
 TEST(ShownPalette, ATubesColoursComeBeforeGamma) {
     const GameData data = data_in(contents::kEmpty);
-    const GameState state = state_at(0, 0);
-    const GameView view{{state, state}, {}};
     ShownPalette palette(data);
     const GammaTable tube = make_tube_table(), gamma = make_gamma_table(150);
-    EXPECT_EQ(palette.effects_at(view, Flashes::Full, {100, 100, true}, false).gamma, tube);
-    const auto both = palette.effects_at(view, Flashes::Full, {100, 150, true}, false).gamma;
+    EXPECT_EQ(effects_of(palette, Flashes::Full, {100, 100, true}).gamma, tube);
+    const auto both = effects_of(palette, Flashes::Full, {100, 150, true}).gamma;
     ASSERT_TRUE(both);
     for (std::size_t value = 0; value < 256; ++value) ASSERT_EQ((*both)[value], gamma[tube[value]]) << value;
-    EXPECT_EQ(palette.effects_at(view, Flashes::Full, {200, 100}, false).gamma, std::nullopt);
+    EXPECT_EQ(effects_of(palette, Flashes::Full, {200, 100}).gamma, std::nullopt);
 }
 
 // Asked for alone, and after gamma: never more than 3 of 255 beside it, and 64 values in all.
 TEST(ShownPalette, AVgaShowsSixBitsOfWhatGammaMade) {
     const GameData data = data_in(contents::kEmpty);
-    const GameState state = state_at(0, 0);
     ShownPalette palette(data);
     for (const std::int32_t gamma_100 : {100, 150}) {
         const GammaTable gamma = make_gamma_table(gamma_100);
-        const auto shown = palette.effects_at({{state, state}, {}}, Flashes::Full, {100, gamma_100}, true).gamma;
+        const auto shown = effects_of(palette, Flashes::Full, {100, gamma_100}, true).gamma;
         ASSERT_TRUE(shown);
         for (std::size_t value = 0; value < 256; ++value)
             EXPECT_LE(std::abs((*shown)[value] - gamma[value]), 3) << value;

@@ -79,9 +79,7 @@ const std::vector<Spoiler> kSpoilers{
     {"delayed by no kind", [](GameState& state) { state.delayed[0].by.kind = static_cast<EntityRef::Kind>(9); }},
     {"delayed until now", [](GameState& state) { state.delayed[0].tick = state.tick; }},
     {"delays out of order",
-     [](GameState& state) {
-         state.delayed.insert(state.delayed.begin(), {state.delayed[0].tick + 1, {}});
-     }},
+     [](GameState& state) { state.delayed.emplace(state.delayed.begin(), state.delayed[0].tick + 1, EntityRef()); }},
     {"a message that is none", [](GameState& state) { state.message.shown = 9; }},
     {"less than no message", [](GameState& state) { state.message.shown = -2; }},
     {"an exit that is none", [](GameState& state) { state.exit = 9; }},
@@ -101,7 +99,7 @@ const std::vector<Spoiler> kSpoilers{
     {"a mover that is active twice", [](GameState& state) { state.active_movers.assign(2, 0); }},
     {"active movers out of order",
      [](GameState& state) {
-         state.active_movers = {1, 0};
+         state.active_movers.assign({1, 0});
      }},
     {"a wall too many", [](GameState& state) { state.walls.emplace_back(); }},
     {"an item too many", [](GameState& state) { state.items.emplace_back(); }},
@@ -109,17 +107,14 @@ const std::vector<Spoiler> kSpoilers{
     {"just above the world", [](GameState& state) { state.player.position.z = World::from_int(40'001); }},
     {"more delayed than there may be",
      [](GameState& state) { state.delayed.resize(Activations::kMost + 1, state.delayed[0]); }},
-    {"more waiting than there may be",
-     [](GameState& state) {
-         state.backlog.waiting.resize(Activations::kMost + 1, {0, 0, false});
-     }},
+    {"more waiting than there may be", [](GameState& state) { state.backlog.waiting.resize(Activations::kMost + 1); }},
     {"waiting by none",
      [](GameState& state) {
-         state.backlog.waiting = {{99, 0, false}};
+         state.backlog.waiting.assign(1, {99, 0, false});
      }},
     {"waiting for no target",
      [](GameState& state) {
-         state.backlog.waiting = {{0, 99, false}};
+         state.backlog.waiting.assign(1, {0, 99, false});
      }},
     {"a next mover that is none", [](GameState& state) { state.backlog.next_mover = 99; }},
     {"a next touch box that is none", [](GameState& state) { state.backlog.next_touch_box = 99; }},

@@ -6,7 +6,6 @@
 #include "game/input/tick_input_source.h"
 #include "game/simulation/demo.h"
 #include "game/simulation/tick.h"
-#include "game/view/game_renderer.h"
 #include "tests/game/logic_level.h"
 #include "tests/support/refusal.h"
 
@@ -166,28 +165,23 @@ TEST(Demo, TheFirstVersionHasNoViewAndNoWork) {
 }
 
 TEST(Demo, EveryTruncationIsRefused) {
-    const auto bytes = encode_demo(record(3));
-    for (std::size_t size = 0; size < bytes.size(); ++size)
-        EXPECT_THROW(decode_demo(std::span(bytes).first(size)), InputError) << size;
-    auto longer = bytes;
-    longer.push_back(0);
-    EXPECT_THROW(decode_demo(longer), InputError);
+    auto bytes = encode_demo(record(3));
+    expect_no_prefix_is_read(bytes, [](const auto& part) { return refusal([&] { decode_demo(part); }); });
+    bytes.push_back(0);
+    EXPECT_THROW(decode_demo(bytes), InputError);
 }
 
 TEST(Demo, BadFieldsAreRefusedWithTheirOffset) {
     const auto bytes = encode_demo(record(3));
-    const auto where = [&](std::size_t at, std::uint8_t value) {
+    const auto where = [&](int at, int value) {
         auto bad = bytes;
-        bad[at] = value;
+        item(bad, at) = static_cast<std::uint8_t>(value);
         return place_of_refusal([&] { decode_demo(bad); });
     };
-    EXPECT_EQ(where(0, 'X'), "offset 0");
-    EXPECT_EQ(where(8, 3), "offset 8");       // version
-    EXPECT_EQ(where(12, 70), "offset 12");    // ticks a second
+    // The version, the ticks a second, a speed of -128, an unknown button, an accuracy beyond "other".
+    for (const auto& [at, value] : {std::pair{0, 'X'}, {8, 3}, {12, 70}, {28, 0x80}, {34, 0x80}, {35, 7}})
+        EXPECT_EQ(where(at, value), "offset " + std::to_string(at));
     EXPECT_EQ(where(27, 0xff), "offset 24");  // four thousand million ticks
-    EXPECT_EQ(where(28, 0x80), "offset 28");  // a speed of -128
-    EXPECT_EQ(where(34, 0x80), "offset 34");  // an unknown button
-    EXPECT_EQ(where(35, 7), "offset 35");     // an accuracy beyond "other"
 }
 
 }  // namespace

@@ -11,42 +11,35 @@ namespace {
 constexpr test::Scenario kTriggers[] = {
     {"OnceFiresOnce", R"(
         + trigger_once 100 -50 0 150 50 64 target=count
-        + trigger_counter targetname=count count=100
         at 120 0; play 100: counted = 1
     )"},
     {"MultipleFiresAgainAfterAFifthOfASecond", R"(
         + trigger_multiple 100 -50 0 150 50 64 target=count
-        + trigger_counter targetname=count count=100
         at 120 0; play 63: counted = 9
         play 1: counted = 10
     )"},
     {"MultipleFiresAgainAfterItsWait", R"(
         + trigger_multiple 100 -50 0 150 50 64 target=count wait=0.6
-        + trigger_counter targetname=count count=100
         at 120 0; play 189: counted = 9
         play 1: counted = 10
     )"},
     {"MultipleFiresOnceByAWaitOfMinusOne", R"(
         + trigger_multiple 100 -50 0 150 50 64 target=count wait=-1
-        + trigger_counter targetname=count count=100
         at 120 0; play 100: counted = 1
     )"},
     {"OneThatIsNotTouchedFiresOnlyWhenItIsActivated", R"(
         + trigger_once 100 -50 0 150 50 64 spawnflags=1 targetname=hidden target=count
         + trigger_once 500 -50 0 550 50 64 target=hidden
-        + trigger_counter targetname=count count=100
         stand 120 0: counted = 0
         stand 520 0: counted = 1
     )"},
     {"OneThatWouldHaveToBeShotAnswersToWhoComesNear", R"(
         + trigger_multiple 100 -50 0 150 50 64 health=10 wait=-1 target=count
-        + trigger_counter targetname=count count=100
         stand 51 0: counted = 0     # 100 - 32 - 17
         stand 52 0: counted = 1
     )"},
     {"ABreakableGoesWhenItIsTouched", R"(
         + func_breakable 100 -64 0 116 64 128 target=count
-        + trigger_counter targetname=count count=100
         play 10 ahead: wall0 = there, counted = 0
         play 60 ahead: wall0 = removed, counted = 1, x > 116
     )"},
@@ -54,7 +47,6 @@ constexpr test::Scenario kTriggers[] = {
         + func_breakable 100 -64 0 116 64 128 target=count targetname=glass
         + trigger_once 500 -50 0 550 50 64 target=glass
         + trigger_once 500 500 0 550 550 64 target=glass
-        + trigger_counter targetname=count count=100
         play 60 ahead: wall0 = there, counted = 0, x = 84 +- 0.1
         stand 520 0: wall0 = removed, counted = 1
         stand 520 520: counted = 1
@@ -62,25 +54,21 @@ constexpr test::Scenario kTriggers[] = {
     {"ABreakableCanBeTakenAwayInSilence", R"(
         + func_breakable 100 -64 0 116 64 128 target=count targetname=glass
         + trigger_once 500 -50 0 550 50 64 killtarget=glass
-        + trigger_counter targetname=count count=100
         stand 520 0: wall0 = removed, counted = 0
     )"},
     {"WithAnAngleFiresOnlyForWhoLooksThatWay", R"(
         + trigger_once 100 -50 0 150 50 64 angle=90 target=count
-        + trigger_counter targetname=count count=100
         look -10; stand 120 0: counted = 0
         look 10; stand 120 0: counted = 1
     )"},
     {"WithASlantingAngleFiresForWhoLooksWithinARightAngleOfIt", R"(
         + trigger_once 100 -50 0 150 50 64 angle=53 target=count
-        + trigger_counter targetname=count count=100
         look 145; stand 120 0: counted = 0
         look 322; stand 120 0: counted = 0
         look 141; stand 120 0: counted = 1
     )"},
     {"ViewFiresForWhoLooksItsWay", R"(
         + trigger_view 100 -50 0 150 50 64 angles="20 90 0" cone=10 wait=0.2 target=count
-        + trigger_counter targetname=count count=100
         look 90 5; stand 120 0: counted = 0
         look 102 20; stand 120 0: counted = 0     # 12 * cos 20 = 11.3 degrees off
         look 270 20; stand 120 0: counted = 0
@@ -90,7 +78,6 @@ constexpr test::Scenario kTriggers[] = {
     {"ViewFiresForWhoLooksAtItsPointFromAnywhereInside", R"(
         + trigger_view 100 -50 0 150 50 64 look_at=sign angles="0 90 0" cone=10 wait=0.2 target=count
         + info_notnull origin="220 100 46" targetname=sign
-        + trigger_counter targetname=count count=100
         look 34 0; stand 120 0: counted = 0        # 45 degrees to the left, at the height of the eye
         look 45 11; stand 120 0: counted = 0
         look 90 0; stand 120 0: counted = 0
@@ -100,7 +87,6 @@ constexpr test::Scenario kTriggers[] = {
     )"},
     {"ViewFiresOnceForThePictureOfItsDials", R"(
         + trigger_view 100 -50 0 150 50 64 accuracy=1991 isometric=on target=count
-        + trigger_counter targetname=count count=100
         picture accuracy=1991; stand 120 0: counted = 0
         picture accuracy=bounded isometric=on; stand 120 0: counted = 0
         picture accuracy=1991 wireframe=over zoom=40; stand 300 0: counted = 0
@@ -109,7 +95,6 @@ constexpr test::Scenario kTriggers[] = {
     )"},
     {"BudgetFiresWhileThePictureIsCheapEnough", R"(
         + trigger_budget 100 -50 0 150 50 64 least=100 most=900 wait=0.2 target=count
-        + trigger_counter targetname=count count=100
         picture work=901; stand 120 0: counted = 0
         picture work=99; stand 120 0: counted = 0
         picture work=900; stand 120 0: counted = 1
@@ -118,13 +103,11 @@ constexpr test::Scenario kTriggers[] = {
     )"},
     {"BudgetWaitsForACountedPicture", R"(
         + trigger_budget 100 -50 0 150 50 64 most=900 target=count
-        + trigger_counter targetname=count count=100
         stand 120 0: counted = 0
         picture work=1; stand 120 0: counted = 1
     )"},
     {"OnlyregisteredAlwaysFiresAndKeepsItsMessage", R"(
         + trigger_onlyregistered 100 -50 0 150 50 64 message="Buy it" target=count
-        + trigger_counter targetname=count count=100
         at 120 0; play 100: counted = 1, message != "Buy it"
     )"},
     {"SecretIsCountedOnceAndSaysSo", R"(
@@ -196,7 +179,6 @@ constexpr test::Scenario kTriggers[] = {
     {"ExitSaysWhereItLeadsAndFires", R"(
         + trigger_changelevel 500 -50 0 550 50 64 map=e1m8
         + trigger_changelevel 100 -50 0 150 50 64 map=e1m2 target=light
-        + light targetname=light style=32
         : next = ""
         stand 120 0: ended = 1, next = e1m2, dark = 32
     )"},
@@ -216,7 +198,6 @@ constexpr test::Scenario kTriggers[] = {
         + item_lens origin="300 0 24" target=light message="A lens"
         + item_lens origin="600 0 24" target=light
         + item_key1 origin="900 0 24"
-        + light targetname=light style=32
         stand 267 0: lenses = 0, item0 = there
         at 268 0; play 70: lenses = 1, item0 = taken, item1 = there, message = "A lens", said_at = 2, dark = 32
         stand 600 0: dark = "", message = "A lens"       # the second says nothing

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "game/program/view_choice.h"
-#include "game/simulation/step.h"
 #include "game/view/game_renderer.h"
 #include "tests/support/folders.h"
 

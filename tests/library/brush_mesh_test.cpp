@@ -77,9 +77,8 @@ TEST(BrushMesh, IsClosedFacesOutwardAndShowsTheTexelsOfTheLevel) {
             v += kWeights[i] * static_cast<double>(mesh.texels.at(triangle.vertices[i]).v.raw) / 65'536;
         }
         const Skin& skin = mesh.skins.at(triangle.skin);
-        ASSERT_EQ(skin.texels.size(), static_cast<std::size_t>(skin.width) * static_cast<std::size_t>(skin.height));
-        const auto texel = skin.texels.at(static_cast<std::size_t>(v) * static_cast<std::size_t>(skin.width) +
-                                          static_cast<std::size_t>(u));
+        ASSERT_EQ(skin.texels.size(), as_size(skin.width) * as_size(skin.height));
+        const auto texel = skin.texels.at(as_size(v) * as_size(skin.width) + as_size(u));
         const TexInfo& texinfo = level.texinfos[level.faces[face_at(level, model, place)].texinfo];
         const double of_level = product(texinfo.s, place) + static_cast<double>(texinfo.s_offset.raw) / 65'536;
         const int stripe = static_cast<int>(std::floor(of_level / 2)) & 1;

@@ -112,10 +112,10 @@ TEST(LibraryTriangle, FanCoversItsPolygonOnce) {
                     std::min(least, double(b.column - a.column) * (y - a.row) - double(b.row - a.row) * (x - a.column));
             }
             if (least > 0) {
-                ASSERT_EQ(covered[static_cast<std::size_t>(y * 200 + x)], 1) << x << ", " << y;
+                ASSERT_EQ(covered[as_size(y * 200 + x)], 1) << x << ", " << y;
             }
             if (least < 0) {
-                ASSERT_EQ(covered[static_cast<std::size_t>(y * 200 + x)], 0) << x << ", " << y;
+                ASSERT_EQ(covered[as_size(y * 200 + x)], 0) << x << ", " << y;
             }
         }
 }
@@ -126,9 +126,7 @@ TEST(LibraryPicture, QuarterTurnsMoveEachPixelToItsPlace) {
     const auto turned = [&](int degrees) {
         return drawn_in(21, 21, [&](Framebuffer canvas) { draw_turned(canvas, picture, 10, 10, degrees * 256); });
     };
-    const auto at = [&](int column, int row) {
-        return static_cast<int>(picture.pixels[static_cast<std::size_t>(row * 5 + column)]);
-    };
+    const auto at = [&](int column, int row) { return static_cast<int>(picture.pixels[as_size(row * 5 + column)]); };
     Picture none = turned(0), quarter = turned(90), half = turned(180);
     for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 5; ++column) {

@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "engine/io/files.h"
 #include "tests/library/hall.h"
 #include "tests/support/refusal.h"
@@ -35,11 +33,7 @@ TEST(LibraryEntities, RayEndsWhereSomethingIsSolid) {
 TEST(LibraryEntities, WhatIsHiddenIsNeitherSeenNorInTheWay) {
     Hall hall("", gate_of_hall() + entity_at("light", {0, 0, 100}));
     const std::int32_t gate = hall.level.find_entity("targetname", "gate");
-    const auto shown = [&] {
-        Picture picture = Picture::of_size(320, 200);
-        hall.level.draw(pose_at(0, 0, 100), 0, picture.canvas());
-        return picture.pixels;
-    };
+    const auto shown = [&] { return hall.picture(pose_at(0, 0, 100)); };
     const auto before = shown();
     const auto reached = [&] { return units(hall.walk_east(hall.level.start(), 60).x_256); };
     EXPECT_LT(reached(), 40);
@@ -59,8 +53,7 @@ TEST(LibraryEntities, AModelIsHiddenToo) {
     Hall hall;
     hall.folder.write("cube.obj", std::string("v -20 0 0\nv 20 0 0\nv 0 40 0\nf 1 2 3\nf 1 3 2\n"));
     const std::string file = hall.folder.write(
-        "shown.bsp",
-        bytes_of(::oblong::test::hall("", entity_at("misc_model", {100, 0, 40}, {{"model", "cube.obj"}}))));
+        "shown.bsp", bytes_of(::oblong::test::hall("", entities_of("misc_model 100 0 40 model=cube.obj"))));
     LevelScene level(file, red_palette());
     const std::int32_t model = level.find_entity("classname", "misc_model");
     const auto sum = [&] {
@@ -77,8 +70,7 @@ TEST(LibraryEntities, AModelIsHiddenToo) {
 
 TEST(LibraryEntities, BoxesMoveWithTheirBrushesAndTellWhoIsInThem) {
     Hall hall("", gate_of_hall() +
-                      entity("trigger_once", {{"targetname", "spot"}}, box({-60, -60, 0}, {-20, -20, 64})) +
-                      entity_at("item_key1", {100, 40, 24}, {{"angle", "45"}}));
+                      entities_of("trigger_once -60 -60 0 -20 -20 64 targetname=spot + item_key1 100 40 24 angle=45"));
     LevelScene& level = hall.level;
     const std::int32_t gate = level.find_entity("targetname", "gate"), spot = level.find_entity("targetname", "spot"),
                        key = level.find_entity("classname", "item_key1");
@@ -119,13 +111,12 @@ TEST(LibraryEntities, SpriteTurnsToTheEyeInALevel) {
     picture.pixels.assign(400, 3);
     const Model sprite = Model::sprite(picture, 512);
     for (const int yaw : {0, 90, 200}) {
-        Picture shown = Picture::of_size(320, 200), without = shown;
         const Pose eye = moved(pose_at(0, 0, 60, yaw), -100 * 256, 0);
-        hall.level.draw(eye, 0, without.canvas());
+        const auto without = hall.picture(eye);
         hall.level.show(sprite, pose_at(0, 0, 40));
-        hall.level.draw(eye, 0, shown.canvas());
+        const auto shown = hall.picture(eye);
         std::int64_t changed = 0;
-        for (std::size_t i = 0; i < shown.pixels.size(); ++i) changed += shown.pixels[i] != without.pixels[i];
+        for (std::size_t i = 0; i < shown.size(); ++i) changed += shown[i] != without[i];
         EXPECT_NEAR(double(changed), 64 * 64 / 1.2, 200) << yaw;
     }
 }

@@ -12,9 +12,8 @@ namespace oblong::test {
 
 // The space of -256..256 each way, 256 high, with things in it.
 inline std::string hall(const std::string& brushes, const std::string& entities) {
-    return level(
-        room({-256, -256, 0}, {256, 256, 256}) + brushes,
-        entity_at("info_player_start", {-100, 0, 24}, {{"angle", "90"}}) + entity_at("light", {0, 0, 200}) + entities);
+    return level(room({-256, -256, 0}, {256, 256, 256}) + brushes,
+                 entities_of("info_player_start -100 0 24 angle=90 + light 0 0 200") + entities);
 }
 
 // In units: east, north, up.
@@ -47,6 +46,12 @@ struct Hall {
         return eye;
     }
 
+    std::vector<std::uint8_t> picture(const Pose& eye, std::int64_t time_ms = 0) {
+        Picture picture = Picture::of_size(320, 200);
+        level.draw(eye, time_ms, picture.canvas());
+        return picture.pixels;
+    }
+
     TemporaryFolder folder;
     std::string file;
     LevelScene level;
@@ -59,6 +64,13 @@ inline double units(std::int32_t units_256) {
 // A body is 32 units wide; its eye is 22 above its middle, 24 above its feet.
 inline constexpr double kStop = 256 - 16, kEye = 24 + 22;
 
+// A stage's picture of a model alone, from the origin to the east; in one colour its edges, if that is not negative.
+inline Picture drawn(Stage& stage, const Model& model, const Pose& pose, std::int32_t edges = -1) {
+    Picture picture = Picture::of_size(320, 200);
+    edges < 0 ? stage.draw(model, pose, picture.canvas()) : stage.draw_edges(model, pose, edges, picture.canvas());
+    return picture;
+}
+
 // Two triangles in one colour, 2 x 2 units around (at, 0, 0), that face west.
 inline void add_square(Model& model, std::int32_t at, std::int32_t half, std::uint8_t colour) {
     Picture picture = Picture::of_size(1, 1);
@@ -68,6 +80,11 @@ inline void add_square(Model& model, std::int32_t at, std::int32_t half, std::ui
         left_down{at, half, -half};
     model.add_triangle(left_up, right_up, right_down, skin);
     model.add_triangle(left_up, right_down, left_down, skin);
+}
+inline Model square_of(std::int32_t half, std::uint8_t colour) {
+    Model model;
+    add_square(model, 0, half, colour);
+    return model;
 }
 
 }  // namespace oblong::test

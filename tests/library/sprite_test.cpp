@@ -10,16 +10,9 @@
 namespace oblong::test {
 namespace {
 
-Picture drawn(Stage& stage, const Model& model, const Pose& pose, std::int32_t edges = -1) {
-    Picture picture = Picture::of_size(320, 200);
-    edges < 0 ? stage.draw(model, pose, picture.canvas()) : stage.draw_edges(model, pose, edges, picture.canvas());
-    return picture;
-}
-
 TEST(LibraryModel, MovesWithWhatItHas) {
     Stage stage(grey_palette());
-    Model square, other;
-    add_square(square, 0, 50, 200);
+    Model square = square_of(50, 200), other;
     const Picture before = drawn(stage, square, pose_at(100, 0, 0));
     other = std::move(square);
     Stage moved_stage = std::move(stage);
@@ -69,8 +62,7 @@ TEST(LibraryModel, PlacesAreProjectedToTheirPixels) {
 TEST(LibraryStage, EdgesLieAroundWhatIsDrawn) {
     Stage stage(grey_palette());
     stage.look({});
-    Model square;
-    add_square(square, 0, 50, 200);
+    const Model square = square_of(50, 200);
     Picture filled = drawn(stage, square, pose_at(100, 0, 0)), edges = drawn(stage, square, pose_at(100, 0, 0), 7);
     for (int y = 1; y < 199; ++y)
         for (int x = 1; x < 319; ++x) {
@@ -87,8 +79,7 @@ TEST(LibraryStage, EdgesLieAroundWhatIsDrawn) {
 
 TEST(LibraryStage, DrawsInAnotherMode) {
     Stage stage(grey_palette()), wide(grey_palette(), {640, 400, {4, 3}});
-    Model square;
-    add_square(square, 0, 50, 200);
+    const Model square = square_of(50, 200);
     stage.set_mode({640, 400, {4, 3}});
     Picture first = Picture::of_size(640, 400), second = first;
     stage.draw(square, pose_at(100, 0, 0), first.canvas());

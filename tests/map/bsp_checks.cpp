@@ -21,7 +21,7 @@ using map::to_point;
 namespace {
 
 const auto& at(const auto& items, int index) {
-    return items.at(static_cast<std::size_t>(index));
+    return items.at(as_size(index));
 }
 
 double height(const FilePlane& plane, const Point& point) {
@@ -76,8 +76,7 @@ int light_at(const BspFile& bsp, const FacingPlane& plane, const Point& place, s
         const int width = high[0] - low[0] + 1, height = high[1] - low[1] + 1;
         if (step[0] < 0 || step[1] < 0 || step[0] >= width || step[1] >= height) continue;
         if (face.light_offset < 0 || face.styles.at(style) == 255) return 0;
-        const auto offset = static_cast<std::size_t>(face.light_offset + width * step[1] + step[0]) +
-                            style * static_cast<std::size_t>(width * height);
+        const auto offset = as_size(face.light_offset + width * step[1] + step[0]) + style * as_size(width * height);
         return static_cast<unsigned char>(bsp.lighting.at(offset));
     }
     return -1;
@@ -111,16 +110,16 @@ int open_edges(const BspFile& bsp) {
 
 std::vector<bool> visible_leaves(const BspFile& bsp, int leaf) {
     const int count = bsp.models.front().visible_leaf_count;
-    std::vector<bool> seen(static_cast<std::size_t>(count) + 1, false);
+    std::vector<bool> seen(as_size(count) + 1, false);
     int offset = at(bsp.leaves, leaf).visibility_offset;
     for (int byte = 0; byte < (count + 7) / 8;) {
-        const int value = static_cast<unsigned char>(bsp.visibility.at(static_cast<std::size_t>(offset++)));
+        const int value = static_cast<unsigned char>(bsp.visibility.at(as_size(offset++)));
         if (value == 0) {
-            byte += static_cast<unsigned char>(bsp.visibility.at(static_cast<std::size_t>(offset++)));
+            byte += static_cast<unsigned char>(bsp.visibility.at(as_size(offset++)));
             continue;
         }
         for (int bit = 0; bit < 8; ++bit) {
-            if ((value >> bit & 1) != 0) seen.at(static_cast<std::size_t>(8 * byte + bit + 1)) = true;
+            if ((value >> bit & 1) != 0) seen.at(as_size(8 * byte + bit + 1)) = true;
         }
         ++byte;
     }
@@ -283,7 +282,7 @@ std::string fault_of(const CheckedLevel& level, const Ray& ray) {
     const std::vector<bool> seen = visible_leaves(level.bsp(), stretches.front().leaf);
     for (std::size_t i = 0; i + 1 < stretches.size(); ++i) {
         const double begin = i == 0 ? 0 : stretches[i - 1].end;
-        if (stretches[i].end - begin > kTooNear && !seen[static_cast<std::size_t>(stretches[i].leaf)])
+        if (stretches[i].end - begin > kTooNear && !seen[as_size(stretches[i].leaf)])
             return described("a leaf in sight is not in the visible set", ray, begin);
     }
     return level.is_marked_in(face, seen) ? "" : described("the face is in no visible leaf", ray, distance);

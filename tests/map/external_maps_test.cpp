@@ -14,10 +14,9 @@
 namespace oblong::test {
 namespace {
 
-using Pairs = std::vector<std::array<std::string, 2>>;
 using Sources = std::map<std::string, std::string>;
 
-std::string external(Pairs pairs, const std::string& name = "part.map") {
+std::string external(Keys pairs, const std::string& name = "part.map") {
     pairs.push_back({"_external_map", name});
     return entity("misc_external_map", pairs);
 }
@@ -70,7 +69,7 @@ TEST(ExternalMaps, AreAsIfTheyWereDrawnThere) {
 
 // Of each kind of placement: where the brick of 64 x 32 x 16 units is then.
 TEST(ExternalMaps, AreScaledTurnedAndMoved) {
-    const auto placed = [&](Pairs pairs) {
+    const auto placed = [&](Keys pairs) {
         pairs.push_back({"origin", "200 200 100"});
         return box_of_others(compiled(level(kRoom, external(pairs) + kStart), {{"part.map", level(kBrick)}}));
     };

@@ -156,10 +156,8 @@ TEST(HemisphereLight, StyledLightBouncesInItsOwnLayer) {
         const auto at = std::find(styles.begin(), styles.end(), style);
         if (at == styles.end() || bsp.faces[face].light_offset < 0) return std::string();
         const auto [width, height] = map::light_grid(bsp, bsp.faces[face]).count;
-        const auto size = static_cast<std::size_t>(width * height);
-        return bsp.lighting.substr(static_cast<std::size_t>(bsp.faces[face].light_offset) +
-                                       static_cast<std::size_t>(at - styles.begin()) * size,
-                                   size);
+        const auto size = as_size(width * height);
+        return bsp.lighting.substr(as_size(bsp.faces[face].light_offset) + as_size(at - styles.begin()) * size, size);
     };
     int with_both = 0;
     for (std::size_t face = 0; face < both.faces.size(); ++face) {
@@ -173,7 +171,7 @@ TEST(HemisphereLight, StyledLightBouncesInItsOwnLayer) {
 // The light of a face between two samples of a row.
 double light_between(const map::BspFile& bsp, const map::FileFace& face, const Point& place) {
     const FacingPlane plane = facing_plane(bsp, face);
-    const Point along = map::to_point(bsp.texinfos.at(static_cast<std::size_t>(face.texinfo)).axes[0].direction);
+    const Point along = map::to_point(bsp.texinfos.at(as_size(face.texinfo)).axes[0].direction);
     const double steps = dot(along, place) / 16, share = steps - std::floor(steps);
     return (1 - share) * light_at(bsp, plane, place - along * (16 * share)) +
            share * light_at(bsp, plane, place + along * (16 * (1 - share)));
@@ -184,8 +182,7 @@ TEST(SmoothLight, APillarsEdgesAreLitAsACylinder) {
     const std::string pillar = prism({256, 256, 0}, 64, 128, 12);
     const auto bsp_of = [&](const std::vector<std::array<std::string, 2>>& pairs) {
         return compile(level(room({0, 0, 0}, {512, 512, 128}),
-                             entity("func_detail", pairs, pillar) +
-                                 entity_at("light", {480, 256, 64}, {{"delay", "3"}, {"light", "400"}})),
+                             entity("func_detail", pairs, pillar) + entities_of("light 480 256 64 delay=3 light=400")),
                        {.is_fast = true});
     };
     const auto steps_at_edges = [&](const map::BspFile& bsp) {  // the largest difference across an upright edge
@@ -215,7 +212,7 @@ TEST(SmoothLight, APillarsEdgesAreLitAsACylinder) {
 TEST(SmoothLight, LightEndsSmoothlyAtAnEdge) {
     const auto bsp = compile(level(room({0, 0, 0}, {512, 512, 128}),
                                    entity("func_detail", {{"_phong", "1"}}, prism({256, 256, 0}, 64, 128, 10)) +
-                                       entity_at("light", {480, 256, 64}, {{"delay", "3"}, {"light", "400"}})));
+                                       entities_of("light 480 256 64 delay=3 light=400")));
     std::vector<double> lights;
     for (const auto& face : bsp.faces) {
         const auto corners = corners_of(bsp, face);

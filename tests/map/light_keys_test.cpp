@@ -12,8 +12,6 @@ namespace oblong::light_keys_test {
 using namespace test;
 namespace {
 
-using Keys = std::vector<std::array<std::string, 2>>;
-
 int floor_light(const map::BspFile& bsp, int x, int y) {
     const int light = light_at(bsp, kFloor, {x + 0.0, y + 0.0, 0});
     return std::max(light, 0);  // without a lightmap
@@ -28,6 +26,13 @@ constexpr double kHeight = 96;
 
 double linear_light(double brightness, double distance) {
     return (brightness - distance) * (1 + kHeight / distance) / 4;
+}
+
+map::BspFile lit(const Keys& of_world, const Keys& of_lamp) {
+    return compile(entity("worldspawn", of_world, hall()) + entity_at("light", kLamp, of_lamp), {true});
+}
+map::BspFile under_sky(const Keys& of_world) {
+    return compile(entity("worldspawn", of_world, hall("sky")), {true});
 }
 
 // A sky all over, a slab over the half beyond x = 104 at heights of 64 to 72, and a sun of `degrees` right above.
@@ -64,9 +69,7 @@ TEST(LightKeys, ASunWithAPenumbraSoftensEdgesByItsDisc) {
 }
 
 TEST(LightKeys, ColoursOfSunAndLeastLightCountByTheirLuminance) {
-    const auto light_of = [](const Keys& keys) {
-        return floor_light(compile(entity("worldspawn", keys, hall("sky")), {true}), 64, 64);
-    };
+    const auto light_of = [](const Keys& keys) { return floor_light(under_sky(keys), 64, 64); };
     EXPECT_EQ(light_of({{"_sunlight", "200"}, {"_sun_mangle", "0 -90 0"}, {"_sunlight_color", "255 0 0"}}), 29)
         << "half of 200 * 0.299";
     EXPECT_EQ(light_of({{"_sunlight", "200"}, {"_sun_angle", "0 -90 0"}}), 100) << "another name";
@@ -89,29 +92,24 @@ Rgb floor_colour(const map::BspFile& bsp, int x, int y) {
 }
 
 TEST(LightKeys, ColouredLightHasRedGreenAndBlueBesideItsLuminance) {
-    const auto lit_by = [](const Keys& keys) {
-        return compile(entity("worldspawn", {}, hall()) + entity_at("light", kLamp, keys), {true});
-    };
     const int full = static_cast<int>(linear_light(300, kHeight));
-    const auto red = lit_by({{"light", "300"}, {"_color", "255 0 0"}});
+    const auto red = lit({}, {{"light", "300"}, {"_color", "255 0 0"}});
     EXPECT_EQ(floor_colour(red, 64, 64), (Rgb{full, 0, 0}));
     EXPECT_EQ(floor_light(red, 64, 64), static_cast<int>(linear_light(300, kHeight) * 0.299));
-    const auto mixed = lit_by({{"light", "255 128 51 300"}});
+    const auto mixed = lit({}, {{"light", "255 128 51 300"}});
     const auto part = [](double of_255) { return static_cast<int>(linear_light(300, kHeight) * of_255 / 255); };
     EXPECT_EQ(floor_colour(mixed, 64, 64), (Rgb{full, part(128), part(51)}));
     for (const Keys& white : {Keys{{"light", "300"}}, Keys{{"light", "300"}, {"_color", "0.7 0.7 0.7"}}})
-        EXPECT_TRUE(lit_by(white).coloured_lighting.empty());
-    const Keys grey{{"_minlight", "30"},
-                    {"_minlight_color", "0.7 0.7 0.7"},
-                    {"_sunlight2", "50"},
-                    {"_sunlight2_color", "0.3 0.3 0.3"}};
-    EXPECT_TRUE(compile(entity("worldspawn", grey, hall("sky")), {true}).coloured_lighting.empty());
+        EXPECT_TRUE(lit({}, white).coloured_lighting.empty());
+    EXPECT_TRUE(under_sky({{"_minlight", "30"},
+                           {"_minlight_color", "0.7 0.7 0.7"},
+                           {"_sunlight2", "50"},
+                           {"_sunlight2_color", "0.3 0.3 0.3"}})
+                    .coloured_lighting.empty());
 }
 
 TEST(LightKeys, AllOfWorldspawnsLightHasColours) {
-    const auto colour_of = [](const Keys& keys) {
-        return floor_colour(compile(entity("worldspawn", keys, hall("sky")), {true}), 64, 64);
-    };
+    const auto colour_of = [](const Keys& keys) { return floor_colour(under_sky(keys), 64, 64); };
     const Keys sun{{"_sunlight", "200"}, {"_sun_mangle", "0 -90 0"}, {"_sunlight_color", "0 1 0.5"}};
     EXPECT_EQ(colour_of(sun), (Rgb{0, 100, 50}));
     EXPECT_EQ(colour_of({{"_minlight", "100"}, {"_minlight_color", "0 0 255"}}), (Rgb{0, 0, 50}));
@@ -148,9 +146,7 @@ TEST(LightKeys, BouncedLightHasTheColoursOfLampsAndTextures) {
 }
 
 TEST(LightKeys, ColoursAreInTheFileAndReadFromIt) {
-    const auto bsp = compile(
-        entity("worldspawn", {}, hall()) + entity_at("light", kLamp, {{"light", "300"}, {"_color", "255 90 20"}}),
-        {true});
+    const auto bsp = lit({}, {{"light", "300"}, {"_color", "255 90 20"}});
     const std::string bytes = map::to_bytes(bsp);
     EXPECT_EQ(map::from_bytes(bytes).coloured_lighting, bsp.coloured_lighting);
     const Level level = engine_level(bytes);
@@ -223,7 +219,7 @@ TEST(LightKeys, ASpotlightFadesFromItsSoftAngleOn) {
     const auto light_with = [](const Keys& keys) {
         Keys all{{"mangle", "0 -90 0"}, {"angle", "60"}};
         all.insert(all.end(), keys.begin(), keys.end());
-        return floor_light(compile(level(hall(), entity_at("light", kLamp, all)), {true}), 112, 64);
+        return floor_light(lit({}, all), 112, 64);
     };
     const auto cosine = [](double degrees) { return std::cos(degrees * std::numbers::pi / 180); };
     const double at = kHeight / std::hypot(48, kHeight), full = linear_light(300, std::hypot(48, kHeight));
@@ -235,8 +231,7 @@ TEST(LightKeys, ASpotlightFadesFromItsSoftAngleOn) {
 // A lamp 96 above and 48 beside a point of the floor; a sun from 45 degrees; the whole hemisphere of a sky.
 TEST(LightKeys, TheAngleCountsAsMuchAsItIsTold) {
     const auto lamp_light = [](const Keys& of_world, const Keys& of_lamp) {
-        return floor_light(compile(entity("worldspawn", of_world, hall()) + entity_at("light", kLamp, of_lamp), {true}),
-                           112, 64);
+        return floor_light(lit(of_world, of_lamp), 112, 64);
     };
     const double distance = std::hypot(48, kHeight), cosine = kHeight / distance;
     const auto lamp = [&](double share) { return (300 - distance) * (1 - share + share * cosine) / 2; };
@@ -248,8 +243,7 @@ TEST(LightKeys, TheAngleCountsAsMuchAsItIsTold) {
     }
     EXPECT_NEAR(lamp_light({}, {{"_anglescale", "7"}}), lamp(0.5), 1);
     const auto sky_light = [](const char* key, const char* share) {
-        const Keys keys{{key, "200"}, {"_sun_mangle", "0 -45 0"}, {"_anglescale", share}};
-        return floor_light(compile(entity("worldspawn", keys, hall("sky")), {true}), 192, 112);
+        return floor_light(under_sky({{key, "200"}, {"_sun_mangle", "0 -45 0"}, {"_anglescale", share}}), 192, 112);
     };
     EXPECT_NEAR(sky_light("_sunlight", "0"), 100, 1);
     EXPECT_NEAR(sky_light("_sunlight", "0.5"), 50 + 50 * std::sqrt(0.5), 1);

@@ -127,11 +127,6 @@ TEST(Lightmaps, WithinItsRadiusALampsBodyThrowsNoShadow) {
     }
 }
 
-TEST(Lightmaps, SurfacesWithinALampsRadiusAreLit) {
-    const auto bsp = lit_hall(lamp({{"radius", "200"}}));
-    EXPECT_NEAR(floor_light(bsp, 96, 64), expected(300 - distance_to(96, 64), 96, 64), 1);
-}
-
 TEST(Lightmaps, ALampsRadiusLetsNoLightThroughWhatIsFarther) {
     const auto bsp = lit_hall(lamp({{"radius", "26"}}), box({104, 24, 0}, {120, 104, 128}));
     EXPECT_EQ(floor_light(bsp, 192, 64), 0) << "behind the pillar";

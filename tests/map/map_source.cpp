@@ -4,9 +4,12 @@
 
 #include <cmath>
 #include <numbers>
+#include <sstream>
 
 #include "engine/level/bsp_read.h"
 #include "tests/support/refusal.h"
+#include "tests/support/script.h"
+#include "tools/map/source/checks.h"
 
 namespace oblong::test {
 
@@ -88,6 +91,14 @@ std::string box(const Whole& mins, const Whole& maxs, std::string_view texture) 
                  texture);
 }
 
+std::string boxes(const std::string& corners) {
+    std::string all;
+    std::istringstream numbers(corners);
+    for (Whole low, high; numbers >> low[0] >> low[1] >> low[2] >> high[0] >> high[1] >> high[2];)
+        all += box(low, high);
+    return all;
+}
+
 std::string room(const Whole& mins, const Whole& maxs, int thick, std::string_view texture) {
     const auto [x, y, z] = mins;
     const auto [X, Y, Z] = maxs;
@@ -105,9 +116,7 @@ std::string prism(const Whole& centre, int radius, int height, int side_count, s
     const auto corner = [&, cx = x, cy = y](int i, int at_z) {
         return rounded(cx + radius * std::cos(turn(i, side_count)), cy + radius * std::sin(turn(i, side_count)), at_z);
     };
-    for (int i = 0; i < side_count; ++i) sides.push_back({corner(i, z), corner(i, z + height), corner(i + 1, z)});
-    for (std::size_t i = 2; i < sides.size(); ++i) std::swap(sides[i][1], sides[i][2]);
-    for (std::size_t i = 2; i < sides.size(); ++i) std::swap(sides[i][0], sides[i][1]);
+    for (int i = 0; i < side_count; ++i) sides.push_back({corner(i + 1, z), corner(i, z), corner(i, z + height)});
     return brush(sides, texture);
 }
 
@@ -131,19 +140,41 @@ std::string ball(const Whole& centre, int radius, int rings, int sectors, std::s
     return brush(sides, texture);
 }
 
-std::string entity(std::string_view class_name, const std::vector<std::array<std::string, 2>>& pairs,
-                   std::string_view brushes) {
+std::string entity(std::string_view class_name, const Keys& pairs, std::string_view brushes) {
     std::string text = "{\n\"classname\" \"" + std::string(class_name) + "\"\n";
     for (const auto& [key, value] : pairs) text += "\"" + key + "\" \"" + value + "\"\n";
     return text + std::string(brushes) + "}\n";
 }
 
-std::string entity_at(std::string_view class_name, const Whole& origin,
-                      const std::vector<std::array<std::string, 2>>& pairs) {
+std::string entity_at(std::string_view class_name, const Whole& origin, const Keys& pairs) {
     auto all = pairs;
     all.push_back(
         {"origin", std::to_string(origin[0]) + " " + std::to_string(origin[1]) + " " + std::to_string(origin[2])});
     return entity(class_name, all);
+}
+
+std::string entities_of(const std::string& text) {
+    std::string all, its_class;
+    std::vector<int> numbers;
+    Keys pairs;
+    for (const std::string& word : words_of(replaced(replaced(text, "\n", " "), "'", "\"") + " +")) {
+        const std::size_t equals = word.find('=');
+        if (word == "+") {
+            const auto corner = [&](std::size_t i) {
+                return Whole{numbers.at(i), numbers.at(i + 1), numbers.at(i + 2)};
+            };
+            all += numbers.size() == 3 ? entity_at(its_class, corner(0), pairs)
+                                       : entity(its_class, pairs, numbers.empty() ? "" : box(corner(0), corner(3)));
+            numbers.clear(), pairs.clear(), its_class.clear();
+        } else if (its_class.empty()) {
+            its_class = word;
+        } else if (equals == std::string::npos) {
+            numbers.push_back(std::stoi(word));
+        } else {
+            pairs.push_back({word.substr(0, equals), word.substr(equals + 1)});
+        }
+    }
+    return all;
 }
 
 std::string level(std::string_view brushes, std::string_view entities) {
@@ -255,13 +286,23 @@ std::string lights_of_plain_room() {
     return entity_at("info_player_start", {64, 64, 40}) + entity_at("light", {128, 128, 100});
 }
 
-std::vector<std::string> said_of(const std::string& source) {
-    map::Warnings warnings;
-    compile(source, {.is_fast = true, .warnings = &warnings});
+std::vector<std::string> taken(map::Warnings& warnings) {
     std::vector<std::string> said;
     for (const map::Warning& warning : warnings.take())
         said.push_back("line " + std::to_string(warning.line) + ": " + warning.what);
     return said;
+}
+
+std::vector<std::string> said_of(const std::string& source) {
+    map::Warnings warnings;
+    compile(source, {.is_fast = true, .warnings = &warnings});
+    return taken(warnings);
+}
+
+std::vector<std::string> said_of_source(const std::string& source) {
+    map::Warnings warnings;
+    map::find_warnings(map::parse_map(source), warnings);
+    return taken(warnings);
 }
 
 }  // namespace oblong::test

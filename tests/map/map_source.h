@@ -16,12 +16,16 @@ namespace oblong::test {
 
 using map::Point;
 using Whole = std::array<int, 3>;
+using Keys = std::vector<std::array<std::string, 2>>;
 
 /// A brush of planes, each through three points that run clockwise seen from outside, with one texture.
 std::string brush(const std::vector<std::array<Whole, 3>>& sides, std::string_view texture = "wall");
 
 /// The box between two corners.
 std::string box(const Whole& mins, const Whole& maxs, std::string_view texture = "wall");
+
+/// Boxes of "wall", six numbers each.
+std::string boxes(const std::string& corners);
 
 /// Six walls, `thick` units, around the space between two corners.
 std::string room(const Whole& mins, const Whole& maxs, int thick = 16, std::string_view texture = "wall");
@@ -33,10 +37,12 @@ std::string prism(const Whole& centre, int radius, int height, int side_count, s
 std::string ball(const Whole& centre, int radius, int rings, int sectors, std::string_view texture = "wall");
 
 /// An entity with pairs "key" "value", and perhaps brushes.
-std::string entity(std::string_view class_name, const std::vector<std::array<std::string, 2>>& pairs,
-                   std::string_view brushes = "");
-std::string entity_at(std::string_view class_name, const Whole& origin,
-                      const std::vector<std::array<std::string, 2>>& pairs = {});
+std::string entity(std::string_view class_name, const Keys& pairs, std::string_view brushes = "");
+std::string entity_at(std::string_view class_name, const Whole& origin, const Keys& pairs = {});
+
+/// Entities in one line: "light 1 2 3 style=4 + func_door 0 0 0 8 8 8 message=\"Not yet\"": three numbers are an
+/// origin, six the corners of a brush.
+std::string entities_of(const std::string& text);
 
 /// The worldspawn of these brushes, and then entities.
 std::string level(std::string_view brushes, std::string_view entities = "");
@@ -94,7 +100,10 @@ Level engine_level(const map::BspFile& bsp);
 std::string plain_room();
 std::string lights_of_plain_room();
 
-/// What is said while a source is compiled fast, "line N: WHAT" each.
+/// "line N: WHAT" each.
+std::vector<std::string> taken(map::Warnings& warnings);
+/// What is said while a source is compiled fast, and what of it is said of the source alone.
 std::vector<std::string> said_of(const std::string& source);
+std::vector<std::string> said_of_source(const std::string& source);
 
 }  // namespace oblong::test

@@ -27,8 +27,7 @@ namespace fs = std::filesystem;
 std::string two_rooms(const std::string& entities) {
     return level(room({0, 0, 0}, {512, 256, 128}) + box({240, 0, 0}, {256, 96, 128}) +
                      box({240, 160, 0}, {256, 256, 128}) + box({240, 96, 96}, {256, 160, 128}),
-                 entity_at("info_player_start", {64, 64, 28}) +
-                     entity("func_wall", {}, box({300, 64, 0}, {340, 100, 40})) + entities);
+                 entities_of("info_player_start 64 64 28 + func_wall 300 64 0 340 100 40") + entities);
 }
 
 const std::string kLamp = entity_at("light", {64, 200, 100}), kOtherLamp = entity_at("light", {400, 128, 64}),
@@ -68,12 +67,10 @@ TEST(Parts, MadeAnewAloneGiveTheWholeLevel) {
 
 TEST(Parts, OfOtherBrushesAreRefused) {
     const map::BspFile former = compile(two_rooms(kLamp));
-    const std::string more = two_rooms(kLamp + entity("func_wall", {}, box({400, 64, 0}, {440, 100, 40})));
-    for (const auto part : {map::CompilePart::Entities, map::CompilePart::Light, map::CompilePart::Visibility})
-        EXPECT_THROW(compile(more, {.part = part, .former = former}), InputError);
-    const std::string moved = replaced(two_rooms(kLamp), "( 240 ", "( 232 ");
-    for (const auto part : {map::CompilePart::Entities, map::CompilePart::Light, map::CompilePart::Visibility})
-        EXPECT_THROW(compile(moved, {.part = part, .former = former}), InputError);
+    const std::string more = two_rooms(kLamp + entities_of("func_wall 400 64 0 440 100 40"));
+    for (const std::string& source : {more, replaced(two_rooms(kLamp), "( 240 ", "( 232 ")})
+        for (const auto part : {map::CompilePart::Entities, map::CompilePart::Light, map::CompilePart::Visibility})
+            EXPECT_THROW(compile(source, {.part = part, .former = former}), InputError);
 }
 
 TEST(Parts, ChangesSayWhatHasToBeMadeAnew) {
@@ -109,6 +106,10 @@ TEST(Parts, ChangesSayWhatHasToBeMadeAnew) {
 std::string with_wad(const std::string& source) {
     return replaced(source, "\"worldspawn\"", "\"worldspawn\"\n\"wad\" \"t.wad\"");
 }
+// The rooms with these entities, and the texture of a WAD.
+std::string textured(const std::string& entities) {
+    return with_wad(two_rooms(entities));
+}
 
 // A folder with a source that is watched.
 class MapWatchTest : public testing::Test {
@@ -116,6 +117,17 @@ class MapWatchTest : public testing::Test {
     std::string path(const std::string& name) const { return folder_.path(name); }
 
     std::string level_bytes() const { return read_text(watch.level_file()); }
+
+    void save(const std::string& source) const { write_file(path("my.map"), source); }
+    // Saves a source with its WAD and compiles it; returns the level, and what is said on standard error.
+    std::array<std::string, 2> begin(const std::string& source) {
+        write_file(path("t.wad"), wad_bytes({"wall"}));
+        save(source);
+        testing::internal::CaptureStderr();
+        watch.compile_first(false);
+        const std::string said = testing::internal::GetCapturedStderr();
+        return {level_bytes(), said};
+    }
 
     MapWatch::Result result_after(const std::string& name, const std::string& text) {
         write_file(path(name), text);
@@ -166,10 +178,7 @@ TEST_F(MapWatchTest, WhatFailsOnceIsAFaultAndTriedAgain) {
     if (!TracedProcess::kCanFailCalls) GTEST_SKIP() << "calls can't be made to fail on this processor";
     const std::set<std::uint64_t> failing{SYS_openat, SYS_read,   SYS_write, SYS_newfstatat, SYS_close, SYS_statx,
                                           SYS_unlink, SYS_clone3, SYS_vfork, SYS_clone,      SYS_wait4, SYS_stat};
-    write_file(path("t.wad"), wad_bytes({"wall"}));
-    write_file(path("my.map"), with_wad(two_rooms(kLamp)));
-    watch.compile_first(false);
-    const std::string whole = level_bytes();
+    const std::string whole = begin(textured(kLamp))[0];
     const auto follow = [&] {
         MapWatch follower(path("my.map"), build_folder() + "/bin/oblong-map");
         int faults = 0;
@@ -216,10 +225,7 @@ class WatchedWalk : public MapWatchTest {
     // each poll waits up to `patience_ms`.
     SlotContent played(const std::map<std::int64_t, Controls>& script, int patience_ms) {
         patience_ms_ = patience_ms;
-        write_file(path("t.wad"), wad_bytes({"wall"}));
-        write_file(path("my.map"), with_wad(two_rooms(kLamp)));
-        watch.compile_first(false);
-        first_ = level_bytes();
+        first_ = begin(textured(kLamp))[0];
         Options options;
         options.level = watch.level_file();
         options.folders.data = path("data");
@@ -237,7 +243,7 @@ class WatchedWalk : public MapWatchTest {
         Controls controls;
         if (script.contains(poll)) controls = script.at(poll);
         if (poll == kSaved) controls.commands.push_back(Action::QuickSave);
-        if (poll == kChanged) write_file(path("my.map"), with_wad(two_rooms(kLamp + kLens)));
+        if (poll == kChanged) save(textured(kLamp + kLens));
         for (int ms = 0; poll > kChanged + 10 && ms < patience_ms_ && level_bytes() == first_; ms += 10)
             std::this_thread::sleep_for(std::chrono::milliseconds(10));  // the compiler is at work
         return scripted_input(controls);
@@ -266,42 +272,38 @@ TEST_F(WatchedWalk, IsNotGoneOnWithWhileTheGalleryIsOverIt) {
 
 // As a mapper saves: a lamp moves, a wall goes, and comes back.
 TEST_F(MapWatchTest, FollowsTheSource) {
-    const auto source = [&](const std::string& entities) { return with_wad(two_rooms(entities)); };
-    write_file(path("t.wad"), wad_bytes({"wall"}));
-    write_file(path("my.map"), source(kLamp));
-    watch.compile_first(false);
-    const std::string first = level_bytes();
-    EXPECT_TRUE(result_after("my.map", source(kOtherLamp)).has_level);
+    const std::string first = begin(textured(kLamp))[0];
+    EXPECT_TRUE(result_after("my.map", textured(kOtherLamp)).has_level);
     EXPECT_FALSE(level_bytes() == first);
-    const auto broken = result_after("my.map", source(kOtherLamp) + "{");
+    const auto broken = result_after("my.map", textured(kOtherLamp) + "{");
     EXPECT_FALSE(broken.has_level);
     EXPECT_TRUE(broken.fault.starts_with("line ")) << broken.fault;
-    EXPECT_TRUE(result_after("my.map", source(kOtherLamp)).has_level) << "as it was: the fault is gone";
+    EXPECT_TRUE(result_after("my.map", textured(kOtherLamp)).has_level) << "as it was: the fault is gone";
     const std::string leaking = level(box({0, 0, 0}, {64, 64, 64}), entity_at("light", {0, 0, 99}));
     EXPECT_TRUE(result_after("my.map", with_wad(leaking)).has_level);
     EXPECT_GE(LoadedLevel({path("my-draft.bsp"), "", build_folder() + "/assets", ""}).leak_path.size(), 2u);
-    EXPECT_TRUE(result_after("my.map", source(kLamp)).has_level);
+    EXPECT_TRUE(result_after("my.map", textured(kLamp)).has_level);
     EXPECT_TRUE(level_bytes() == first);
 }
 
 TEST_F(MapWatchTest, WaitsUntilTheFirstLevelCompiles) {
     write_file(path("t.wad"), wad_bytes({"wall"}));
-    write_file(path("my.map"), with_wad(two_rooms(kLamp)) + "{");
+    save(textured(kLamp) + "{");
     EXPECT_NE(refusal<FileError>([&] { watch.compile_first(false); }).find("line "), std::string::npos);
     fs::remove(path("my-draft.log"));
     testing::internal::CaptureStderr();
     std::thread mapper([&] {
         while (!fs::exists(path("my-draft.log")) || read_text(path("my-draft.log")).empty()) std::this_thread::yield();
-        write_file(path("my.map"), with_wad(two_rooms(kLamp)));
+        save(textured(kLamp));
     });
     watch.compile_first(true);
     mapper.join();
     EXPECT_NE(testing::internal::GetCapturedStderr().find("; tried again after a change"), std::string::npos);
-    EXPECT_TRUE(result_after("my.map", with_wad(two_rooms(kOtherLamp))).has_level);
+    EXPECT_TRUE(result_after("my.map", textured(kOtherLamp)).has_level);
 }
 
 TEST_F(MapWatchTest, NamesAPlaceWhereNothingCanBeWritten) {
-    write_file(path("my.map"), with_wad(two_rooms(kLamp)));
+    save(textured(kLamp));
     fs::create_directory(path("my-draft.log"));
     const std::string said = refusal<FileError>([&] { watch.compile_first(false); });
     EXPECT_TRUE(said.starts_with(path("my-draft.log") + ": write: ")) << said;
@@ -309,11 +311,7 @@ TEST_F(MapWatchTest, NamesAPlaceWhereNothingCanBeWritten) {
 
 // The mapper sees them where the game was started.
 TEST_F(MapWatchTest, PassesOnTheWarningsOfLevelsThatCompile) {
-    write_file(path("t.wad"), wad_bytes({"wall"}));
-    write_file(path("my.map"), with_wad(two_rooms(kLamp + entity_at("lihgt", {32, 32, 32}))));
-    testing::internal::CaptureStderr();
-    watch.compile_first(false);
-    const std::string said = testing::internal::GetCapturedStderr();
+    const std::string said = begin(textured(kLamp + entity_at("lihgt", {32, 32, 32})))[1];
     EXPECT_NE(said.find("the class 'lihgt' is unknown, perhaps 'light' is meant"), std::string::npos) << said;
 }
 
@@ -323,8 +321,7 @@ TEST_F(MapWatchTest, HandsTheGameOn) {
     write_file(path("game/game.json"),
                R"({"title": "T", "levels": ["one"], "classes": {"func_my_gate": {"is": "func_door"}}})");
     write_file(path("t.wad"), wad_bytes({"wall"}));
-    write_file(path("my.map"),
-               with_wad(two_rooms(kLamp + entity("func_my_gate", {}, box({160, 128, 0}, {176, 144, 16})))));
+    save(textured(kLamp + entities_of("func_my_gate 160 128 0 176 144 16")));
     for (const std::string& game : {path("game"), std::string()}) {
         MapWatch watched(path("my.map"), build_folder() + "/bin/oblong-map", game);
         testing::internal::CaptureStderr();
@@ -336,10 +333,8 @@ TEST_F(MapWatchTest, HandsTheGameOn) {
 
 // The limit of five looks at files a second does not delay it.
 TEST_F(MapWatchTest, ReturnsALevelAsSoonAsItIsCompiled) {
-    write_file(path("t.wad"), wad_bytes({"wall"}));
-    write_file(path("my.map"), with_wad(two_rooms(kLamp)));
-    watch.compile_first(false);
-    write_file(path("my.map"), with_wad(two_rooms(kLamp + kLens)));
+    begin(textured(kLamp));
+    save(textured(kLamp + kLens));
     const std::uint64_t saved_us = 1'000'000;
     std::optional<MapWatch::Result> result = watch.poll(saved_us);
     for (int tries = 0; tries < 3000 && !result; ++tries) {
@@ -353,14 +348,11 @@ TEST_F(MapWatchTest, ReturnsALevelAsSoonAsItIsCompiled) {
 // A map within the map, its place, and textures: none of them is in the source's own brushes.
 TEST_F(MapWatchTest, FollowsWhatTheSourceNames) {
     const auto source = [](const Whole& at) {
-        return with_wad(two_rooms(kLamp + entity_at("misc_external_map", at, {{"_external_map", "part.map"}})));
+        return textured(kLamp + entity_at("misc_external_map", at, {{"_external_map", "part.map"}}));
     };
     const std::string brick = level(box({0, 0, 0}, {32, 32, 16})), taller = level(box({0, 0, 0}, {32, 32, 48}));
-    write_file(path("t.wad"), wad_bytes({"wall"}));
     write_file(path("part.map"), brick);
-    write_file(path("my.map"), source({160, 128, 0}));
-    watch.compile_first(false);
-    const std::string first = level_bytes();
+    const std::string first = begin(source({160, 128, 0}))[0];
     EXPECT_TRUE(result_after("part.map", taller).has_level);
     EXPECT_FALSE(level_bytes() == first);
     EXPECT_FALSE(result_after("part.map", brick + "{").has_level);

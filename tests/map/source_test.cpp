@@ -8,7 +8,7 @@
 #include "tests/map/bsp_checks.h"
 #include "tests/map/map_source.h"
 #include "tests/support/folders.h"
-#include "tests/support/refusal.h"
+#include "tests/support/script.h"
 #include "tools/map/source/textures.h"
 
 namespace oblong::test {
@@ -18,27 +18,28 @@ namespace {
 const char* const kHead = "{\n\"classname\" \"worldspawn\"\n";
 
 TEST(MapFile, BadInputIsNamedWithItsLine) {
-    expect_complaint("", "line 1: the first entity is no worldspawn");
-    expect_complaint("{\n\"classname\" \"worldspawn\"\n}\n", "line 1: the world has no brushes");
-    expect_complaint("{\n\"classname\" worldspawn\n}", "line 2: found 'worldspawn', expected a value in quotes");
-    expect_complaint("{\n\"classname\" \"worldspawn\n}", "line 2: found 'worldspawn', expected a closing '\"'");
-    expect_complaint(std::string(kHead) + "{\n( 0 0 0 ) ( 1 0 x )", "line 4: found 'x', expected a number for z");
-    expect_complaint(std::string(kHead) + "{\n( 0 0 0 ) ( 1 0 0 ) ( 0 1 0 ) wall 0 0 0 1\n}", "line 5: found '}'");
-    expect_complaint(std::string(kHead) + "{\n", "line 4: the file ends, expected '('");
-    expect_complaint(std::string(kHead) + "{\n\"classname\"",
-                     "line 4: found 'classname', expected '(' of a side, or '}' after what begins in line 3");
-    expect_complaint(std::string(kHead) + "\"a\" \"b\"\n",
-                     "line 4: the file ends, expected a key in quotes, '{' of a brush, or '}' after the entity that "
-                     "begins in line 1");
-    expect_complaint(std::string(kHead) + "{\n( 0 0 0 ) ( 1 0 1073741825 )",
-                     "line 4: found '1073741825', expected a number for z, at most 1073741824");
-    expect_complaint(std::string(kHead) + "}\n" + kHead + "}\n",
-                     "line 4: a second worldspawn, expected one, that of line 1");
-    for (const std::string end : {"\n", "\r\n", "\r"})
-        expect_complaint(replaced(std::string(kHead) + "// a remark\n;", "\n", end),
-                         "line 4: found ';', expected a key in quotes");
-    expect_complaint(std::string(kHead) + "{\n( 0 0 0 ) ( 1 0 nan ) ( 0 1 0 ) wall 0 0 0 1 1", "expected a number");
-    expect_complaint(std::string(kHead) + "{\n( 0 0 0 ) ( 1 0 1e10 ) ( 0 1 0 ) wall 0 0 0 1 1", "expected a number");
+    const std::string head = kHead, side = head + "{\n( 0 0 0 ) ";
+    for (const auto& [source, said] :
+         {std::pair<std::string, const char*>{"", "line 1: the first entity is no worldspawn"},
+          {"{\n\"classname\" \"worldspawn\"\n}\n", "line 1: the world has no brushes"},
+          {"{\n\"classname\" worldspawn\n}", "line 2: found 'worldspawn', expected a value in quotes"},
+          {"{\n\"classname\" \"worldspawn\n}", "line 2: found 'worldspawn', expected a closing '\"'"},
+          {side + "( 1 0 x )", "line 4: found 'x', expected a number for z"},
+          {side + "( 1 0 0 ) ( 0 1 0 ) wall 0 0 0 1\n}", "line 5: found '}'"},
+          {head + "{\n", "line 4: the file ends, expected '('"},
+          {head + "{\n\"classname\"",
+           "line 4: found 'classname', expected '(' of a side, or '}' after what begins in line 3"},
+          {head + "\"a\" \"b\"\n",
+           "line 4: the file ends, expected a key in quotes, '{' of a brush, or '}' after the entity that begins in "
+           "line 1"},
+          {side + "( 1 0 1073741825 )", "line 4: found '1073741825', expected a number for z, at most 1073741824"},
+          {head + "}\n" + head + "}\n", "line 4: a second worldspawn, expected one, that of line 1"},
+          {head + "// a remark\n;", "line 4: found ';', expected a key in quotes"},
+          {replaced(head + "// a remark\n;", "\n", "\r\n"), "line 4: found ';', expected a key in quotes"},
+          {replaced(head + "// a remark\n;", "\n", "\r"), "line 4: found ';', expected a key in quotes"},
+          {side + "( 1 0 nan ) ( 0 1 0 ) wall 0 0 0 1 1", "expected a number"},
+          {side + "( 1 0 1e10 ) ( 0 1 0 ) wall 0 0 0 1 1", "expected a number"}})
+        expect_complaint(source, said);
 }
 
 // A plane may be named by points far outside of the level, and an offset may be any number of textures (of 16 texels).
@@ -78,11 +79,10 @@ TEST(MapFile, BrushesWithoutSidesAreLeftOut) {
               bytes_of(plain));
     map::Warnings warnings;
     map::parse_map(level(plain_room() + empty, entity("func_wall", {}, empty)), &warnings);
-    const auto said = warnings.take();
-    ASSERT_EQ(said.size(), 1u);
-    EXPECT_EQ(said[0].what, "a brush without sides is left out (and 1 more like this)");
     const std::string walls = plain_room();
-    EXPECT_EQ(said[0].line, 3 + std::count(walls.begin(), walls.end(), '\n'));
+    const auto line = 3 + std::count(walls.begin(), walls.end(), '\n');
+    EXPECT_EQ(taken(warnings), std::vector{"line " + std::to_string(line) +
+                                           ": a brush without sides is left out (and 1 more like this)"});
 }
 
 TEST(MapFile, AZeroByteIsNamedByItsLine) {
@@ -112,12 +112,9 @@ TEST(MapFile, WhatEditorsAddChangesNothing) {
     EXPECT_EQ(bytes_of(level(plain_room() + box({100, 0, 0}, {108, 256, 128}, "hint"), lights_of_plain_room())), bytes);
 }
 
-// A brush entity, a lamp and the world, each with one more key.
+// A brush entity, a lamp and the world, one of which has one more key.
 std::string level_with(const std::string& whose, const std::string& key, const std::string& value) {
-    const auto pairs_of = [&](const std::string& name) {
-        return name == whose ? std::vector<std::array<std::string, 2>>{{key, value}}
-                             : std::vector<std::array<std::string, 2>>{};
-    };
+    const auto pairs_of = [&](const std::string& name) { return name == whose ? Keys{{key, value}} : Keys{}; };
     return entity("worldspawn", pairs_of("worldspawn"), plain_room()) + entity_at("info_player_start", {64, 64, 40}) +
            entity_at("light", {128, 128, 100}, pairs_of("light")) +
            entity("func_door", pairs_of("func_door"), box({160, 160, 0}, {176, 176, 64}));
@@ -125,49 +122,23 @@ std::string level_with(const std::string& whose, const std::string& key, const s
 
 // The level is that of the same source without the key, but for the entities' text; and what is said names the key.
 TEST(Entities, AnUnreadableNumberIsAWarningAndTheDefault) {
-    struct Key {
-        const char *whose, *name;
+    const auto bytes_with = [](const std::string& whose, const std::string& key, const std::string& value) {
+        map::BspFile bsp = compile(level_with(whose, key, value), {true});
+        bsp.entities.clear();
+        return map::to_bytes(bsp);
     };
-    for (const Key& key : {Key{"light", "light"},
-                           {"light", "_light"},
-                           {"light", "delay"},
-                           {"light", "wait"},
-                           {"light", "style"},
-                           {"light", "_color"},
-                           {"light", "mangle"},
-                           {"light", "angle"},
-                           {"light", "radius"},
-                           {"light", "_surface_offset"},
-                           {"func_door", "_phong"},
-                           {"func_door", "_phong_angle"},
-                           {"func_door", "_minlight"},
-                           {"worldspawn", "light"},
-                           {"worldspawn", "_minlight"},
-                           {"worldspawn", "_phong"},
-                           {"worldspawn", "_sunlight"},
-                           {"worldspawn", "_sunlight2"},
-                           {"worldspawn", "_sun_mangle"},
-                           {"worldspawn", "_dirt"},
-                           {"worldspawn", "_dirtdepth"},
-                           {"worldspawn", "_bounce"}}) {
-        const auto bytes_of_value = [&](const std::string& value) {
-            map::BspFile bsp = compile(level_with(key.whose, key.name, value), {true});
-            bsp.entities.clear();
-            return map::to_bytes(bsp);
-        };
-        map::BspFile without = compile(level_with("", "", ""), {true});
-        without.entities.clear();
-        const std::string expected = map::to_bytes(without);
-        for (const std::string value : {"", "w", "12units", "0x10", "inf", "nan", "1,5", "99999999999"}) {
-            EXPECT_EQ(bytes_of_value(value), expected) << key.name << " \"" << value << '"';
-            map::Warnings warnings;
-            find_warnings(map::parse_map(level_with(key.whose, key.name, value)), warnings);
-            const auto said = warnings.take();
-            ASSERT_EQ(said.size(), 1u) << key.name << " \"" << value << '"';
-            EXPECT_TRUE(said[0].what.starts_with("'" + std::string(key.name) + "' is '" + value + "', expected "))
-                << said[0].what;
-        }
-    }
+    const std::string without = bytes_with("", "", "");
+    for (const auto& [whose, keys] :
+         {std::pair{"light", "light _light delay wait style _color mangle angle radius _surface_offset"},
+          {"func_door", "_phong _phong_angle _minlight"},
+          {"worldspawn", "light _minlight _phong _sunlight _sunlight2 _sun_mangle _dirt _dirtdepth _bounce"}})
+        for (const std::string& key : words_of(keys))
+            for (const std::string value : {"", "w", "12units", "0x10", "inf", "nan", "1,5", "99999999999"}) {
+                EXPECT_EQ(bytes_with(whose, key, value), without) << key << " \"" << value << '"';
+                const auto said = said_of_source(level_with(whose, key, value));
+                ASSERT_EQ(said.size(), 1u) << key << " \"" << value << '"';
+                EXPECT_NE(said[0].find(": '" + key + "' is '" + value + "', expected "), std::string::npos) << said[0];
+            }
     EXPECT_EQ(complaint_of(level(plain_room(), lights_of_plain_room() + entity("light", {{"origin", "1 2"}}))), "none");
 }
 
@@ -189,9 +160,9 @@ TEST(Entities, NumbersMayHaveExponents) {
 }
 
 TEST(Entities, DetailsToPassStopNobody) {
-    const auto bsp = compile(level(plain_room(), lights_of_plain_room() + entity("func_detail_illusionary", {},
-                                                                                 box({160, 160, 0}, {192, 192, 64}))),
-                             {true});
+    const auto bsp = compile(
+        level(plain_room(), lights_of_plain_room() + entities_of("func_detail_illusionary 160 160 0 192 192 64")),
+        {true});
     const Point inside{176, 176, 32};
     for (const int hull : {0, 1, 2}) EXPECT_EQ(contents_at(bsp, 0, hull, {176, 176, 40}), contents::kEmpty) << hull;
     EXPECT_EQ(contents_at(bsp, 1, 0, inside), contents::kSolid) << "of a model";
@@ -202,9 +173,8 @@ TEST(Entities, DetailsToPassStopNobody) {
 
 // A wall of bars from floor to ceiling, between the start with its light and the far half of the room.
 std::string hall_with(const std::string& bars_in_world, const std::string& entities) {
-    return level(
-        room({0, 0, 0}, {512, 128, 128}) + bars_in_world,
-        entity_at("info_player_start", {64, 64, 40}) + entity_at("light", {64, 64, 64}, {{"light", "900"}}) + entities);
+    return level(room({0, 0, 0}, {512, 128, 128}) + bars_in_world,
+                 entities_of("info_player_start 64 64 40 + light 64 64 64 light=900") + entities);
 }
 
 const std::string kBars = box({248, 0, 0}, {264, 128, 128}, "{bars");
@@ -222,7 +192,7 @@ std::size_t lit_faces_beyond_the_bars(const map::BspFile& bsp) {
 void expect_fence(const map::BspFile& bsp) {
     EXPECT_EQ(contents_at(bsp, 0, 0, {256, 64, 64}), contents::kEmpty) << "the world is not cut by the bars";
     const int near = leaf_at(bsp, {64, 64, 64}), far = leaf_at(bsp, {448, 64, 64});
-    EXPECT_TRUE(visible_leaves(bsp, near)[static_cast<std::size_t>(far)]) << "one sees through";
+    EXPECT_TRUE(visible_leaves(bsp, near)[as_size(far)]) << "one sees through";
     ASSERT_EQ(bsp.models.size(), 2u);
     EXPECT_GE(bsp.models[1].face_count, 6) << "and sees the bars";
     EXPECT_EQ(contents_at(bsp, 1, 1, {256, 64, 64}), contents::kSolid) << "which stop players";
@@ -257,18 +227,17 @@ TEST(Entities, FencesAreSeenThroughInTheWorldAndInEntities) {
 }
 
 TEST(Entities, TexturesThatOnlyEntitiesShowAreInTheLevel) {
-    const Level read = engine_level(
-        bytes_of(hall_with("", entity_at("misc_sprite", {96, 64, 40}, {{"texture", "{BARS"}, {"scale", "2"}}))));
+    const Level read = engine_level(bytes_of(hall_with("", entities_of("misc_sprite 96 64 40 texture={BARS scale=2"))));
     EXPECT_TRUE(std::any_of(read.textures.begin(), read.textures.end(),
                             [](const MipTexture& texture) { return texture.name == "{bars"; }));
-    const auto said = said_of(hall_with("", entity_at("misc_lantern", {96, 64, 40}, {{"texture", "{nosuch"}})));
+    const auto said = said_of(hall_with("", entities_of("misc_lantern 96 64 40 texture={nosuch")));
     ASSERT_EQ(said.size(), 1u);
     EXPECT_NE(said[0].find("texture '{nosuch' is not in any of the WAD files"), std::string::npos) << said[0];
 }
 
 TEST(Entities, LightsWithAStyleOfTheirOwnKeepItFromSwitchableOnes) {
-    const auto bsp = compile(hall_with("", entity_at("light", {96, 64, 40}, {{"style", "32"}, {"pattern", "amz"}}) +
-                                               entity_at("light", {98, 64, 40}, {{"targetname", "lamp"}})));
+    const auto bsp =
+        compile(hall_with("", entities_of("light 96 64 40 style=32 pattern=amz + light 98 64 40 targetname=lamp")));
     EXPECT_NE(bsp.entities.find("\"style\" \"33\""), std::string::npos) << bsp.entities;
 }
 
@@ -292,7 +261,7 @@ TEST(Entities, InWhichOrderLayersAreSavedMakesNoDifference) {
     const std::string pillar = box({160, 160, 0}, {192, 192, 64}), step = box({200, 160, 0}, {232, 192, 16});
     const std::string group = entity("func_group", {{"_tb_type", "_tb_layer"}, {"_tb_id", "1"}}, pillar),
                       detail = entity("func_detail", {{"_tb_layer", "1"}}, step),
-                      door = entity("func_door", {{"_tb_layer", "1"}}, box({96, 96, 0}, {112, 112, 64}));
+                      door = entities_of("func_door 96 96 0 112 112 64 _tb_layer=1");
     const std::string bytes = bytes_of(level(plain_room(), lights_of_plain_room() + group + detail + door));
     EXPECT_EQ(bytes_of(level(plain_room(), lights_of_plain_room() + door + detail + group)), bytes);
     EXPECT_EQ(bytes_of(level(plain_room() + pillar, lights_of_plain_room() + detail + door)), bytes);
@@ -301,7 +270,6 @@ TEST(Entities, InWhichOrderLayersAreSavedMakesNoDifference) {
 // The same as without them: what is in the layer, in a group of it, or in a group of that, and entities without
 // brushes.
 TEST(Entities, LayersThatTheEditorDoesNotExportAreLeftOut) {
-    using Keys = std::vector<std::array<std::string, 2>>;
     const std::string pillar = box({160, 160, 0}, {192, 192, 64}), far_lamp = "2000 0 0";
     const auto layer = [](const std::string& id, const std::string& omits, const std::string& brushes) {
         Keys pairs{{"_tb_type", "_tb_layer"}, {"_tb_name", "l"}, {"_tb_id", id}};
@@ -344,9 +312,7 @@ TEST(Entities, NothingOfTheSourceAloneIsInTheLevel) {
     saved.insert(saved.find("\"classname\" \"worldspawn\""),
                  "\"mapversion\" \"220\"\n\"_tb_def\" \"external:a.fgd\"\n");
     EXPECT_EQ(bytes_of(saved + layer), bytes_of(source));
-    map::Warnings warnings;
-    find_warnings(map::parse_map(saved + layer), warnings);
-    EXPECT_TRUE(warnings.take().empty());
+    EXPECT_TRUE(said_of_source(saved + layer).empty());
 }
 
 TEST(Entities, ALevelNamesItsWadsWithoutTheirFolders) {
@@ -365,26 +331,19 @@ std::vector<std::string> said_of_textures(const std::vector<std::string>& names,
     for (const std::string& texture : map::collect_textures(uses, {map::Wad(wad)}, warnings))
         if (read != nullptr)
             read->push_back(parse_miptex({reinterpret_cast<const std::uint8_t*>(texture.data()), texture.size()}));
-    std::vector<std::string> said;
-    for (const map::Warning& warning : warnings.take())
-        said.push_back("line " + std::to_string(warning.line) + ": " + warning.what);
-    return said;
-}
-
-std::string said_of_wall(const std::string& wad) {
-    const auto said = said_of_textures({"wall"}, wad);
-    return said.size() == 1 ? said[0] : "not one warning";
+    return taken(warnings);
 }
 
 TEST(Wad, TexturesThatTheEngineDoesNotReadAreNamed) {
-    std::string odd = wad_bytes(std::vector<std::string>{"wall"}), cut = odd, header = odd;
     constexpr std::size_t kMiptex = 12, kWidth = kMiptex + 16, kFirstMip = kMiptex + 24;
-    odd[kWidth] = 20;
-    EXPECT_TRUE(said_of_wall(odd).starts_with("line 7: texture 'wall' of the WAD: 20x")) << said_of_wall(odd);
-    cut[kWidth + 1] = 1;
-    EXPECT_TRUE(said_of_wall(cut).starts_with("line 7: texture 'wall' of the WAD: ")) << said_of_wall(cut);
-    header[kFirstMip] = 0;
-    EXPECT_TRUE(said_of_wall(header).starts_with("line 7: texture 'wall' of the WAD: mip level 0 at offset 0"));
+    for (const auto& [at, value, said] :
+         {std::tuple{kWidth, 20, "20x"}, {kWidth + 1, 1, ""}, {kFirstMip, 0, "mip level 0 at offset 0"}}) {
+        std::string wad = wad_bytes(std::vector<std::string>{"wall"});
+        wad[at] = static_cast<char>(value);
+        const auto all = said_of_textures({"wall"}, wad);
+        ASSERT_EQ(all.size(), 1u) << at;
+        EXPECT_TRUE(all[0].starts_with("line 7: texture 'wall' of the WAD: " + std::string(said))) << all[0];
+    }
 }
 
 // Squares of 8 texels, as the engine's own for textures without texels; all missing ones are named at once.
@@ -406,24 +365,22 @@ TEST(Wad, AMissingTextureIsACheckerboard) {
         for (std::size_t mip = 0; mip < 4; ++mip) {
             const int width = read[i].width >> mip, square = 8 >> mip;
             for (int at = 0; at < width * (read[i].height >> mip); ++at)
-                ASSERT_EQ(read[i].mips[mip][static_cast<std::size_t>(at)] == 15,
-                          (at % width / square + at / width / square) % 2 == 0)
+                ASSERT_EQ(read[i].mips[mip][as_size(at)] == 15, (at % width / square + at / width / square) % 2 == 0)
                     << i << ", mip level " << mip;
         }
 }
 
 TEST(Wad, AnimationsWithGapsAndSkiesOfAnotherShapeAreNamed) {
     using Warned = std::vector<std::string>;
-    const auto said_of_frames = [](const std::string& used, const std::vector<std::string>& frames) {
-        return said_of_textures({used}, wad_bytes(frames));
+    const auto gap = [](const std::string& used, const std::string& last, const std::string& missing) {
+        return Warned{"line 7: the animation of '" + used + "' has '" + last + "' but no '" + missing +
+                      "', expected frames without gaps"};
     };
-    EXPECT_EQ(said_of_frames("+0lamp", {"+0lamp", "+1lamp", "+alamp"}), Warned{});
-    EXPECT_EQ(said_of_frames("+0lamp", {"+0lamp", "+2lamp", "+3lamp"}),
-              Warned{"line 7: the animation of '+0lamp' has '+2lamp' but no '+1lamp', expected frames without gaps"});
-    EXPECT_EQ(said_of_frames("+2lamp", {"+2lamp"}),
-              Warned{"line 7: the animation of '+2lamp' has '+2lamp' but no '+0lamp', expected frames without gaps"});
-    EXPECT_EQ(said_of_frames("+0lamp", {"+0lamp", "+blamp"}),
-              Warned{"line 7: the animation of '+0lamp' has '+blamp' but no '+alamp', expected frames without gaps"});
+    for (const auto& [frames, said] : {std::pair<std::vector<std::string>, Warned>{{"+0lamp", "+1lamp", "+alamp"}, {}},
+                                       {{"+0lamp", "+2lamp", "+3lamp"}, gap("+0lamp", "+2lamp", "+1lamp")},
+                                       {{"+2lamp"}, gap("+2lamp", "+2lamp", "+0lamp")},
+                                       {{"+0lamp", "+blamp"}, gap("+0lamp", "+blamp", "+alamp")}})
+        EXPECT_EQ(said_of_textures({frames[0]}, wad_bytes(frames)), said);
     const auto said_of_sky = [](std::uint32_t width, std::uint32_t height) {
         return said_of_textures({"sky1"}, wad_bytes({StripedTexture{"sky1", 1, 2, width, height}}));
     };

@@ -42,21 +42,15 @@ TEST(SurfaceLights, OfLargeFacesAreCutIntoPieces) {
     for (const int x : {208, 304})
         for (const int y : {208, 304}) lamps += entity_at("light", {x, y, 120}, {{"light", "160"}});
     const auto by_hand = lit_by(512, 192, lamps);
-    const std::string spread_light = entity_at("light", {16, 16, 16},
-                                               {{"light", "160"},
-                                                {"_surface", "other"},
-                                                {"_surface_offset", "8"},
-                                                {"_surface_spotlight", "1"},
-                                                {"angle", "180"}});
+    const std::string spread_light =
+        entities_of("light 16 16 16 light=160 _surface=other _surface_offset=8 _surface_spotlight=1 angle=180");
     const auto spread = lit_by(512, 192, spread_light);
     EXPECT_GT(light_at(by_hand, kFloor, {208, 208, 0}), 15);
     expect_same_light(spread, by_hand, 192);
 }
 
 TEST(SurfaceLights, AreSpotlightsOfTheUsualAngle) {
-    const auto bsp = lit_by(
-        512, 96,
-        entity_at("light", {16, 16, 16}, {{"light", "300"}, {"_surface", "other"}, {"_surface_spotlight", "1"}}));
+    const auto bsp = lit_by(512, 96, entities_of("light 16 16 16 light=300 _surface=other _surface_spotlight=1"));
     EXPECT_GT(light_at(bsp, kFloor, {256, 256, 0}), 60);
     EXPECT_EQ(light_at(bsp, kFloor, {256, 336, 0}), 0) << "40 degrees: 46 units to each side on the floor";
 }
@@ -84,11 +78,11 @@ TEST(SurfaceLights, ShineFromTheMiddlesHoweverTheCompilerCutsTheirFaces) {
         for (const int x : lamps)
             for (const int y : lamps) by_hand += entity_at("light", {x, y, 126}, {{"light", "200"}});
         const auto expected = lit(by_hand);
-        const auto spread = lit(entity_at("light", {32, 32, 16}, {{"light", "200"}, {"_surface", "OTHER"}}));
+        const auto spread = lit(entities_of("light 32 32 16 light=200 _surface=OTHER"));
         EXPECT_GT(faces_with(spread, "other"), 1u) << size;
         EXPECT_GT(light_at(expected, kFloor, {lamps[0] + 0.0, lamps[0] + 0.0, 0}), 30);
         expect_same_light(spread, expected, 160);
-        const auto none = lit(entity_at("light", {16, 16, 16}, {{"_surface", "floor"}}));
+        const auto none = lit(entities_of("light 16 16 16 _surface=floor"));
         EXPECT_LE(light_at(none, kFloor, {16, 16, 0}), 0) << "no face has it";
     }
 }
@@ -115,8 +109,7 @@ TEST(SurfaceLights, StandAtTheCentreOfGravity) {
                  y = 80 + (96 * 96 * 48 - 48 * 96 / 2.0 * 64) / area;
     const auto by_hand = bsp_of(entity(
         "light", {{"origin", std::to_string(x) + " " + std::to_string(y) + " 126"}, {"light", "250"}, {"delay", "2"}}));
-    const auto spread =
-        bsp_of(entity_at("light", {16, 16, 16}, {{"light", "250"}, {"delay", "2"}, {"_surface", "other"}}));
+    const auto spread = bsp_of(entities_of("light 16 16 16 light=250 delay=2 _surface=other"));
     for (const int place_x : {96, 128, 144, 160})
         for (const int place_y : {96, 128, 160}) {
             const Point place{place_x + 0.0, place_y + 0.0, 0};
@@ -130,7 +123,7 @@ TEST(SurfaceLights, StandAtTheCentreOfGravity) {
 TEST(SurfaceLights, StandBeforeAFaceWhereThePanelHasAHole) {
     const std::string start = entity_at("info_player_start", {32, 32, 28});
     const auto bsp = compile(level(hall_with_panel(256, 96) + box({112, 112, 100}, {144, 144, 128}),
-                                   start + entity_at("light", {16, 16, 16}, {{"light", "250"}, {"_surface", "other"}})),
+                                   start + entities_of("light 16 16 16 light=250 _surface=other")),
                              {.is_fast = true});
     int brightest = 0;
     for (const int x : {64, 96, 128, 160, 192})

@@ -164,10 +164,14 @@ TEST(Tree, ARoomTurnedToAnyAngleIsSealed) {
 std::string room_with_gap(double gap) {
     const std::string begins_at_minus_1 = box({-1, 256, 0}, {272, 272, 128});
     const std::string east = replaced(begins_at_minus_1, "( -1 ", "( " + std::to_string(128 + gap) + " ");
-    return box({-16, -16, -16}, {272, 272, 0}) + box({-16, -16, 128}, {272, 272, 144}) +
-           box({-16, 0, 0}, {0, 256, 128}) + box({256, 0, 0}, {272, 256, 128}) + box({-16, -16, 0}, {272, 0, 128}) +
-           box({-16, 256, 0}, {128, 272, 128}) + east;
+    return boxes(
+               "-16 -16 -16 272 272 0    -16 -16 128 272 272 144    -16 0 0 0 256 128    256 0 0 272 256 128 "
+               "-16 -16 0 272 0 128    -16 256 0 128 272 128") +
+           east;
 }
+
+// A room, and one without the wall at y = 256.
+const std::string kClosed = plain_room(), kOpen = kClosed.substr(0, kClosed.rfind("{"));
 
 // How a source leaks; nothing if it does not.
 std::optional<map::LeakError> leak_of(const std::string& source) {
@@ -180,33 +184,29 @@ std::optional<map::LeakError> leak_of(const std::string& source) {
 }
 
 TEST(Leak, NamesTheEntityAndTheWayOut) {
-    const std::string closed = room({0, 0, 0}, {256, 256, 128}), light = entity_at("light", {400, 0, 0});
+    const std::string light = entity_at("light", {400, 0, 0});
     const auto says = [](const std::string& source, const std::string& part) {
         const auto leak = leak_of(source);
         ASSERT_TRUE(leak) << "the light outside should leak";
         EXPECT_NE(std::string(leak->what()).find(part), std::string::npos) << leak->what();
     };
-    says(level(closed, entity_at("info_player_start", {128, 128, 32}) + light),
+    says(level(kClosed, entity_at("info_player_start", {128, 128, 32}) + light),
          "light at 400 0 0 is outside of the level");
-    says(level(closed, light), "the level leaks: light at 400 0 0");  // no start says which side is inside
+    says(level(kClosed, light), "the level leaks: light at 400 0 0");  // no start says which side is inside
 }
 
 TEST(Leak, ThePathLeadsThroughTheHole) {
-    const std::string closed = room({0, 0, 0}, {256, 256, 128});
-    const std::string open = closed.substr(0, closed.rfind("{"));  // without the wall at y = 256
     const std::string start = entity_at("info_player_start", {128, 128, 32});
-    const auto leak = leak_of(level(open, start));
+    const auto leak = leak_of(level(kOpen, start));
     ASSERT_TRUE(leak) << "a room of five walls should leak";
     ASSERT_GE(leak->path.size(), 2u);
     EXPECT_EQ(leak->path.front(), (Point{128, 128, 32}));
     EXPECT_GT(leak->path.back().y, 256);
     EXPECT_EQ(map::point_text({1, 2.5, -3}), "1 2.5 -3");
-    EXPECT_FALSE(leak_of(level(closed, start)));
+    EXPECT_FALSE(leak_of(level(kClosed, start)));
 }
 
 TEST(Leak, ThePathGoesThroughNoWall) {
-    const std::string closed = room({0, 0, 0}, {256, 256, 128});
-    const std::string open = closed.substr(0, closed.rfind("{"));
     const std::array<std::array<Whole, 2>, 2> baffles{
         {{{{0, 180, 0}, {200, 200, 128}}}, {{{56, 220, 0}, {256, 240, 128}}}}};
     const auto is_solid = [&](const Point& p) {
@@ -216,7 +216,7 @@ TEST(Leak, ThePathGoesThroughNoWall) {
             return p.x > mins[0] && p.x < maxs[0] && p.y > mins[1] && p.y < maxs[1];
         });
     };
-    std::string brushes = open;
+    std::string brushes = kOpen;
     for (const auto& [mins, maxs] : baffles) brushes += box(mins, maxs);
     const auto leak = leak_of(level(brushes, entity_at("info_player_start", {128, 128, 32})));
     ASSERT_TRUE(leak);
@@ -241,8 +241,7 @@ TEST(Leak, OnTheOuterSurfaceOfAWallIsInside) {
 }
 
 TEST(Leak, OneOnTheFloorFindsAHole) {
-    const std::string open = plain_room().substr(0, plain_room().rfind("{"));
-    EXPECT_TRUE(leak_of(level(open, entity_at("info_player_start", {128, 128, 0}))));
+    EXPECT_TRUE(leak_of(level(kOpen, entity_at("info_player_start", {128, 128, 0}))));
 }
 
 TEST(Leak, GapsLeakUnlessTheyAreRounding) {

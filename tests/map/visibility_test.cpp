@@ -23,38 +23,19 @@ namespace {
 // Two rooms of 256 units with a corridor in the shape of a U between them: it leaves each through the wall to the
 // north (y), so that no line runs from room to room.
 std::string two_rooms() {
-    std::string walls;
-    const auto solid = [&](Whole mins, Whole maxs) { walls += box(mins, maxs); };
-    solid({-16, -16, -16}, {912, 528, 0});    // floor
-    solid({-16, -16, 128}, {912, 528, 144});  // ceiling
-    solid({-16, -16, 0}, {0, 528, 128});
-    solid({896, -16, 0}, {912, 528, 128});
-    solid({0, -16, 0}, {896, 0, 128});
-    solid({0, 512, 0}, {896, 528, 128});
-    solid({256, 0, 0}, {640, 448, 128});  // between the rooms, south of the corridor
-    solid({0, 256, 0}, {96, 512, 128});   // around the corridor's western end
-    solid({160, 256, 0}, {256, 448, 128});
-    solid({640, 256, 0}, {736, 448, 128});
-    solid({800, 256, 0}, {896, 512, 128});
-    return walls;
+    return boxes(
+        "-16 -16 -16 912 528 0    -16 -16 128 912 528 144    -16 -16 0 0 528 128    896 -16 0 912 528 128 "
+        "0 -16 0 896 0 128    0 512 0 896 528 128    256 0 0 640 448 128 "  // between the rooms, south of the corridor
+        "0 256 0 96 512 128    160 256 0 256 448 128    640 256 0 736 448 128    800 256 0 896 512 128");  // its ends
 }
 
 // Through a door to the east, around a corner, and through a door to the west that lies farther east: no line passes
 // both, and even a draft knows that.
 TEST(Visibility, LinesOfSightDoNotTurnBack) {
-    std::string walls;
-    for (const auto& [mins, maxs] : {std::pair<Whole, Whole>{{-16, -16, -16}, {416, 288, 0}},
-                                     {{-16, -16, 128}, {416, 288, 144}},
-                                     {{-16, -16, 0}, {0, 288, 128}},
-                                     {{400, -16, 0}, {416, 288, 128}},
-                                     {{0, -16, 0}, {400, 0, 128}},
-                                     {{0, 272, 0}, {400, 288, 128}},
-                                     {{96, 0, 0}, {104, 48, 128}},
-                                     {{96, 80, 0}, {104, 128, 128}},
-                                     {{0, 128, 0}, {340, 144, 128}},
-                                     {{250, 144, 0}, {258, 200, 128}},
-                                     {{250, 232, 0}, {258, 272, 128}}})
-        walls += box(mins, maxs);
+    const std::string walls = boxes(
+        "-16 -16 -16 416 288 0    -16 -16 128 416 288 144    -16 -16 0 0 288 128    400 -16 0 416 288 128 "
+        "0 -16 0 400 0 128    0 272 0 400 288 128    96 0 0 104 48 128    96 80 0 104 128 128 "
+        "0 128 0 340 144 128    250 144 0 258 200 128    250 232 0 258 272 128");
     for (const bool is_fast : {false, true}) {
         const auto bsp = compile(level(walls), {is_fast});
         const auto seen = visible_leaves(bsp, leaf_at(bsp, {40, 64, 64}));

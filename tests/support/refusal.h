@@ -23,6 +23,15 @@ std::string refusal(Work work) {
     return {};
 }
 
+/// That nothing but the whole is read: of each shorter prefix, down to none and up to `behind` bytes less, something is
+/// said (`said_of`: the text for some bytes).
+template <class Bytes, class Said>
+void expect_no_prefix_is_read(const Bytes& whole, Said said_of, std::size_t behind = 0) {
+    EXPECT_EQ(said_of(whole), "");
+    for (std::size_t size = 0; size + behind < whole.size(); ++size)
+        ASSERT_NE(said_of(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size))), "") << size;
+}
+
 /// Where work finds fault with its input, for which it says a reason; empty if it does not.
 template <class Work>
 std::string place_of_refusal(Work work) {

@@ -30,6 +30,13 @@ inline Camera camera_at(const Vec3<World>& eye, double yaw, double pitch = 0) {
     const auto angle = [](double degrees) { return Angle::from_bam(std::llround(degrees / 360 * 65536)); };
     return {eye, angle(yaw), angle(pitch), {}};
 }
+/// Each row of 320x200 pixels.
+inline std::vector<Span> all_rows() {
+    std::vector<Span> spans;
+    for (std::int32_t y = 0; y < 200; ++y) spans.push_back({y, 0, 320});
+    return spans;
+}
+
 inline double radians_of(Angle angle) {
     return angle.bam * std::numbers::pi / 32768;
 }
