@@ -206,10 +206,14 @@ TEST(Views, SayWhatKeepsThemFromBeingDrawn) {
     ViewSpec askew = far;
     askew.eye = {};
     askew.shear_y = Unit::from_raw(1 << 28);
-    for (const auto& [view, problem] : {std::pair{orthographic_view({}, top, View::from_raw(40)), "0 units wide"},
-                                        {far, "262,144"},
-                                        {askew, "45 degrees"}})
+    for (const auto& [view, problem] :
+         {std::pair{orthographic_view({}, top, View::from_raw(40)), "0 units wide"},
+          {orthographic_view({}, top, kWidestParallel + View::from_raw(2)), "1048576 units wide"},
+          {far, "262,144"},
+          {askew, "45 degrees"}})
         EXPECT_NE(problem_of(view, {}).value_or("").find(problem), std::string::npos) << problem;
+    for (const View width : {kNarrowestParallel, kWidestParallel})
+        EXPECT_FALSE(problem_of(orthographic_view({}, top, width), {}));
     EXPECT_FALSE(problem_of(first_person_view({}), {}));
 }
 
