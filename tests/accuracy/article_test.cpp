@@ -19,7 +19,7 @@ namespace {
 constexpr ArticleEye kDownTheHall{24, 60, 72, 12, 0, 0, 90};
 
 struct ArticleLevel {
-    std::vector<std::uint8_t> level = read_file(build_folder() + "/assets/article.bsp"),
+    std::vector<std::uint8_t> level = read_file(build_folder() + "/article/article.bsp"),
                               palette = read_file(source_folder() + "/assets/palette.lmp");
     Article article{level, palette};
 

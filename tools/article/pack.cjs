@@ -4,6 +4,7 @@
 const fs = require("fs"), path = require("path"), zlib = require("zlib");
 
 const [build, assets, site] = process.argv.slice(2), accuracy = path.join(__dirname, "../accuracy");
+const level = path.join(assets, "../article");
 const read = (...name) => fs.readFileSync(path.join(...name));
 const text = (...name) => read(...name).toString();
 const FIGURES = JSON.parse(text(__dirname, "figures.json"));
@@ -49,7 +50,7 @@ const presets = engine => table(["preset", "texels out of place, pixels: rms", "
   }));
 
 require(path.resolve(build, "article.js"))({wasmBinary: read(build, "article.wasm")}).then(module => {
-  const engine = new Engine(module, read(assets, "article.bsp"), read(assets, "palette.lmp"));
+  const engine = new Engine(module, read(level, "article.bsp"), read(assets, "palette.lmp"));
   let page = text(__dirname, "page.html");
   const put = (mark, content) => {
     if (!page.includes(mark)) throw new Error("page.html has no " + mark);
@@ -64,7 +65,7 @@ require(path.resolve(build, "article.js"))({wasmBinary: read(build, "article.was
   put("//@scripts@", [[accuracy, "charts.js"], ...["engine", "figure", "strip", "page"].map(name => [__dirname, name + ".js"])]
     .map(name => text(...name)).join(""));
   put("//@module@", text(build, "article.js"));
-  const files = [[build, "article.wasm"], [assets, "article.bsp"], [assets, "palette.lmp"]];
+  const files = [[build, "article.wasm"], [level, "article.bsp"], [assets, "palette.lmp"]];
   put("<!--@files@-->", files.map(([folder, name]) =>
     `<script type="text/plain" id="${name}">${zlib.gzipSync(read(folder, name), {level: 9}).toString("base64")}</script>\n`).join(""));
   fs.mkdirSync(site, {recursive: true});
