@@ -1,6 +1,7 @@
 // Animated textures and light that changes: the surfaces that show them are never stale, and no other one is built
 // again.
 
+#include "engine/platform/worker_threads.h"
 #include "tests/effect_frames/effect_stage.h"
 
 namespace oblong::test {
@@ -102,8 +103,13 @@ TEST(LightStyles, HaveTheTimeOfTheirSurfacesAloneAndOutOfSightCostNothing) {
 TEST(LightStyles, NotAllowedAreAsStored) {
     EffectStage stage(lit_room("aazz"), down_room(), shades_as_colours());
     EffectStage plain(lit_room("m"), down_room(), shades_as_colours());
-    for (const std::int64_t time_ms : {0, 200})
+    WorkerThreads workers(2);
+    FrameWorkspace shared(stage.level, {}, &workers);
+    for (const std::int64_t time_ms : {0, 200}) {
         EXPECT_EQ(stage.draw_without(Effect::Styles, time_ms), plain.draw(time_ms));
+        stage.settings.allowed_effects = EffectSet::all().without(Effect::Styles);
+        EXPECT_EQ(stage.draw_in(shared, time_ms), plain.draw(time_ms)) << "with threads, which find light earlier";
+    }
     EXPECT_FALSE(plain.has(Effect::Styles));
 }
 
