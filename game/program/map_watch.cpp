@@ -70,7 +70,7 @@ std::optional<MapWatch::Result> MapWatch::look(std::uint64_t now_us) {
             remind_of(result.fault);
             return result;
         }
-        begin(true);
+        begin(true);  // more has changed than the compiler has found
         return std::nullopt;
     }
     if (now_us < looked_us_ + kPollEvery_us) return std::nullopt;

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "engine/io/files.h"
+#include "engine/level/entity_classes.h"
 #include "engine/platform/headless.h"
 #include "game/level/load.h"
 #include "game/program/map_watch.h"
@@ -45,11 +46,12 @@ TEST(Parts, AFileThatIsReadGivesTheSameBytes) {
     EXPECT_THROW(map::from_bytes(bytes.substr(0, 200)), InputError);
 }
 
+std::string bytes_of_part(map::CompilePart part, const std::string& source, const map::BspFile& former) {
+    return map::to_bytes(compile(source, {.part = part, .former = former}));
+}
+
 // Each part alone makes of the former level what all together make of the source.
 TEST(Parts, MadeAnewAloneGiveTheWholeLevel) {
-    const auto bytes_of_part = [](map::CompilePart part, const std::string& source, const map::BspFile& former) {
-        return map::to_bytes(compile(source, {.part = part, .former = former}));
-    };
     const auto whole = [](const std::string& source) { return map::to_bytes(compile(source)); };
     const std::string before = two_rooms(kLamp + kLens), moved = two_rooms(kLamp + kOtherLens),
                       lit = two_rooms(kOtherLamp + kOtherLens);
@@ -101,6 +103,29 @@ TEST(Parts, ChangesSayWhatHasToBeMadeAnew) {
     const std::string layer = "\"classname\" \"func_group\"\n\"_tb_type\" \"_tb_layer\"\n\"_tb_id\" \"1\"\n";
     const std::string layered = with_key("func_wall", "\"_tb_layer\" \"1\"") + "{\n" + layer;
     EXPECT_EQ(part(layered + "}\n", layered + "\"_tb_layer_omit_from_export\" \"1\"\n}\n"), All);
+}
+
+// Each key of the world and of its brushes, with a value that does something: what is made in part is what is made
+// whole.
+TEST(Parts, MadeOfWhatHasChangedAreTheWholeLevel) {
+    const std::string before = two_rooms(kLamp + entities_of("func_group 360 64 0 400 100 40"));
+    const map::BspFile former = compile(before);
+    int in_part = 0;
+    for (const std::string its_class : {"worldspawn", "func_wall", "func_group"})
+        for (const std::span<const EntityKey> keys : find_entity_class(its_class)->keys)
+            for (const EntityKey& key : keys) {
+                const std::string value = key.values.empty() ? "90" : std::string(key.values.back().value);
+                const std::string pair =
+                    "\"" + std::string(key.name) + "\" \"" + value + (key.least == 3 ? " 90 90" : "") + "\"";
+                const std::string now = replaced(before, "\"" + its_class + "\"", "\"" + its_class + "\"\n" + pair);
+                const map::CompilePart part = map::changed_part(map::parse_map(before), map::parse_map(now));
+                if (part == map::CompilePart::All || refusal([&] { compile(now); }) != "") continue;
+                ++in_part;
+                std::string made;  // refused, all is compiled
+                const std::string refused = refusal([&] { made = bytes_of_part(part, now, former); });
+                EXPECT_TRUE(refused != "" || made == map::to_bytes(compile(now))) << its_class << ": " << pair;
+            }
+    EXPECT_GT(in_part, 40);
 }
 
 std::string with_wad(const std::string& source) {

@@ -6,11 +6,12 @@
 namespace oblong::map {
 namespace {
 
-// Pairs of brush entities that move vertices or normals, pairs that name files or textures, and all of an entity that
-// places another map's brushes.
+// Pairs of brush entities that move vertices or normals or add faces, pairs that name files or textures, and all of an
+// entity that places another map's brushes.
 bool decides_brushes(const MapPair& pair, const MapEntity& of) {
     return pair.key == "wad" || pair.key == "texture" || of.has("_external_map") ||
-           (!of.brushes.empty() && (pair.key == "classname" || pair.key.starts_with("_phong")));
+           (!of.brushes.empty() &&
+            (pair.key == "classname" || pair.key == "_mirrorinside" || pair.key.starts_with("_phong")));
 }
 
 // Any named entity may be the target of a spotlight.
