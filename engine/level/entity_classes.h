@@ -191,7 +191,7 @@ const EntityKey* find_entity_key(const EntityClass& its_class, std::string_view 
 /// textures without holes are not checked. In key_values.cpp.
 std::string expected_instead_of(const std::string& value, const EntityKey& key);
 
-/// With two decimals unless it is whole: "0.05".
+/// With up to three decimals: "0.05".
 std::string decimal_text(World value);
 /// "0.05 to 3600".
 std::string range_text(const NumberRange& range);

@@ -61,10 +61,10 @@ std::string expected_instead_of(const std::string& value, const EntityKey& key) 
 
 std::string decimal_text(World value) {
     const bool is_negative = value < World{};
-    const std::int64_t hundredths = (std::int64_t{floor_of<12>(absolute(value))} * 100 + 2048) / 4096;
-    std::string text = (is_negative ? "-" : "") + std::to_string(hundredths / 100);
-    if (hundredths % 100 != 0) text += '.' + std::to_string(hundredths % 100 + 100).substr(1);
-    return text;
+    const std::int64_t thousandths = (std::int64_t{floor_of<12>(absolute(value))} * 1000 + 2048) / 4096;
+    std::string decimals = '.' + std::to_string(thousandths % 1000 + 1000).substr(1);
+    decimals.erase(decimals.find_last_not_of(".0") + 1);
+    return (is_negative ? "-" : "") + std::to_string(thousandths / 1000) + decimals;
 }
 
 std::string range_text(const NumberRange& range) {
