@@ -4,6 +4,7 @@
 #include "engine/level/bsp_read.h"
 #include "tests/game/scenario.h"
 #include "tests/support/folders.h"
+#include "tests/support/toy_text.h"
 
 namespace oblong::test {
 namespace {
@@ -18,33 +19,13 @@ std::string with_number(std::string word, int i) {
     return word;
 }
 
-/// An entity's line.
-struct EntityLine {
-    explicit EntityLine(const Words& words) : its_class(words.at(1)) {
-        for (std::size_t i = 2; i < words.size(); ++i) {
-            const std::size_t sign = words[i].find('=');
-            if (sign == std::string::npos)
-                numbers.push_back(std::stoi(words[i]));
-            else
-                pairs.emplace_back(words[i].substr(0, sign), words[i].substr(sign + 1));
-        }
-    }
-    Solid box() const {
-        return {numbers.at(0), numbers.at(1), numbers.at(2), numbers.at(3), numbers.at(4), numbers.at(5)};
-    }
-
-    std::string its_class;
-    std::vector<std::int32_t> numbers;
-    Pairs pairs;
-};
-
 /// Perhaps many, "5x" before the class.
-void add_entities(Words words, std::vector<EntityLine>& entities) {
+void add_entities(Words words, std::vector<EntityText>& entities) {
     const bool are_many = words.at(1).ends_with('x') && std::isdigit(static_cast<unsigned char>(words[1][0])) != 0;
     const int count = are_many ? std::stoi(words[1]) : 1;
     if (are_many) words.erase(words.begin() + 1);
     for (int i = 0; i < count; ++i) {
-        Words numbered = words;
+        Words numbered(words.begin() + 1, words.end());
         for (std::string& word : numbered) word = with_number(word, i);
         entities.emplace_back(numbered);
     }
@@ -52,34 +33,34 @@ void add_entities(Words words, std::vector<EntityLine>& entities) {
 
 /// What many scenarios target: a counter of 100, a door far away, a light.
 const std::map<std::string, const char*> kUsualTargets{
-    {"count", "+ trigger_counter targetname=count count=100"},
-    {"door", "+ func_door 1000 0 0 1010 100 100 angle=-1 targetname=door wait=-1"},
-    {"light", "+ light targetname=light style=32"}};
+    {"count", "trigger_counter targetname=count count=100"},
+    {"door", "func_door 1000 0 0 1010 100 100 angle=-1 targetname=door wait=-1"},
+    {"light", "light targetname=light style=32"}};
 
 /// Adds those of them that are targeted and not there, before all others.
-void add_usual_targets(std::vector<EntityLine>& entities) {
+void add_usual_targets(std::vector<EntityText>& entities) {
     for (const auto& [name, text] : kUsualTargets) {
         const auto is_value_of = [&, value = name](const std::string& key) {
-            return std::any_of(entities.begin(), entities.end(), [&](const EntityLine& line) {
+            return std::any_of(entities.begin(), entities.end(), [&](const EntityText& line) {
                 return std::find(line.pairs.begin(), line.pairs.end(), std::pair(key, value)) != line.pairs.end();
             });
         };
         if ((is_value_of("target") || is_value_of("target2")) && !is_value_of("targetname"))
-            entities.insert(entities.begin(), EntityLine(words_of(text)));
+            entities.insert(entities.begin(), EntityText(words_of(text)));
     }
 }
 
 }  // namespace
 
 ToyLevel level_of(const std::vector<Words>& texts) {
-    std::vector<EntityLine> lines;
+    std::vector<EntityText> lines;
     for (const Words& words : texts) add_entities(words, lines);
     add_usual_targets(lines);
     std::int32_t water_z = -30'000, liquid = contents::kWater;
     const std::map<std::string, std::int32_t> liquids{
         {"water", contents::kWater}, {"slime", contents::kSlime}, {"lava", contents::kLava}};
     std::vector<Solid> world = floor_and({});
-    for (const EntityLine& line : lines) {
+    for (const EntityText& line : lines) {
         if (const auto found = liquids.find(line.its_class); found != liquids.end()) {
             water_z = line.numbers.at(0);
             liquid = found->second;
@@ -94,15 +75,9 @@ ToyLevel level_of(const std::vector<Words>& texts) {
         return toy;
     }
     toy.add_model(world);
-    for (const EntityLine& line : lines) {
+    for (const EntityText& line : lines) {
         if (liquids.contains(line.its_class) || line.its_class == "no_floor" || line.its_class == "solid") continue;
-        Pairs pairs{{"classname", line.its_class}};
-        pairs.insert(pairs.end(), line.pairs.begin(), line.pairs.end());
-        if (!line.numbers.empty()) {
-            pairs.emplace_back("model", "*" + std::to_string(toy.level.models.count()));
-            toy.add_model({line.box()});
-        }
-        toy.add_entity(std::move(pairs));
+        add_entity(toy, line);
     }
     return toy;
 }

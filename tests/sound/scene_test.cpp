@@ -39,7 +39,7 @@ class HeardGame {
             }
         ToyLevel toy(water_z);
         toy.add_model(water_z > 0 ? std::vector<Solid>{{-2048, -2048, -264, 2048, 2048, -200}} : floor_and({}));
-        for (const Words& entity : entities) add_entity(toy, entity);
+        for (const Words& entity : entities) add_entity(toy, EntityText(entity));
         own_.by_entity.resize(entities.size() + 1, LevelSounds::kNone);  // the last is the player's start
         game = std::make_unique<ToyGame>(std::move(toy), height);
         scene = std::make_unique<SoundScene>(game->level, own_.sounds.empty() ? nullptr : &own_);
