@@ -26,8 +26,8 @@ std::vector<Position> leak_path_beside(const std::string& level_file) {
 
 // The game's own words for the museum's.
 void put_words(const GameDefinition& game, GameLevel& level) {
-    level.one_lens = own_words(game, kOneLens);
-    level.lenses = own_words(game, kLenses);
+    level.word_for_lens = own_words(game, kOneLens);
+    level.word_for_lenses = own_words(game, kLenses);
     for (std::string& text : level.messages) {
         if (!is_replaceable(text)) continue;
         text = own_words(game, text);

@@ -119,7 +119,7 @@ std::string Session::turn_exhibit() {
 
 std::string Session::map_key() const {
     const bool has_diamonds = view_options_.map != MapView::Off && !last_lenses(loaded_->level, state()).empty();
-    return has_diamonds ? ". Diamonds: " + loaded_->level.lenses + "; small: on the way" : "";
+    return has_diamonds ? ". Diamonds: " + loaded_->level.word_for_lenses + "; small: on the way" : "";
 }
 
 void Session::note_tick(const TickReport& report, bool is_last) {

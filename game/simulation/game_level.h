@@ -200,7 +200,7 @@ struct GameLevel {
     Place start;                    ///< the player's
     TargetIndex visit = kNoTarget;  ///< kVisitName
     std::optional<Intermission> intermission;
-    std::string one_lens = "a lens", lenses = "lenses";  ///< make_game_level() leaves them as they are
+    std::string word_for_lens = "a lens", word_for_lenses = "lenses";  ///< make_game_level() leaves them as they are
 
     const Target& target(TargetIndex index) const { return item(targets, index); }
     const SubModel& model(ModelIndex index) const { return bsp->models[index]; }

@@ -35,7 +35,7 @@ bool is_lens(const GameLevel& level, std::size_t item) {
 
 std::string name_of(const GameLevel& level, std::size_t item) {
     const std::string name = level_text(level.bsp->entities[level.items[item].entity].value("netname"));
-    return name.empty() ? level.one_lens : name;
+    return name.empty() ? level.word_for_lens : name;
 }
 
 }  // namespace
@@ -110,7 +110,7 @@ Goal goal_of(const GameLevel& level, const GameState& state) {
     const auto where = [&](std::size_t item) {
         return " (" + direction_of(state.player.position, level.items[item].position) + ")";
     };
-    goal.title = in_capitals(level.lenses, 1);
+    goal.title = in_capitals(level.word_for_lenses, 1);
     goal.count = std::to_string(count.taken) + " of " + std::to_string(count.all);
     for (const std::size_t lens : last)
         goal.hint += (goal.hint.empty() ? "Missing: " : ", ") + name_of(level, lens) + where(lens);
