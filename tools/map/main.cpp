@@ -177,6 +177,12 @@ map::CompilePart parse_part(const std::string& name) {
     return static_cast<map::CompilePart>(name.empty() ? 0 : 1 + parse_choice("--only", name, kAfterAll));
 }
 
+map::CompilePart part_to_compile(const Arguments& arguments, const std::vector<map::MapEntity>& entities) {
+    if (arguments.since.empty()) return parse_part(arguments.only);
+    return naming_file(arguments.since,
+                       [&] { return changed_part(map::parse_map(read_text(arguments.since)), entities); });
+}
+
 // What the source at `path` names; `files` receives its path before it is read.
 map::ExternalSource read_external(const std::string& name, const std::string& path, int line,
                                   std::vector<std::string>& files) {
@@ -214,10 +220,7 @@ void compile(const Arguments& arguments, const std::string& text, const char* ca
              std::vector<std::string>& files) {
     Reporter reporter(arguments);
     std::vector<map::MapEntity> entities = map::parse_map(text, &reporter.warnings);
-    map::CompilePart part = parse_part(arguments.only);
-    if (!arguments.since.empty())
-        part = naming_file(arguments.since,
-                           [&] { return changed_part(map::parse_map(read_text(arguments.since)), entities); });
+    const map::CompilePart part = part_to_compile(arguments, entities);
     map::include_external_maps(
         entities, std::filesystem::weakly_canonical(arguments.input).string(),
         [&](const std::string& name, const std::string& path, int line) {
